@@ -1,0 +1,2 @@
+//! The program `standfast`.
+fn main() {}

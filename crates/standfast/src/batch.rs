@@ -1,0 +1,225 @@
+//! The decision over columns of numbers, at the speed of memory, with the same exact answer as [`Point::mode`].
+//!
+//! Per point the kernel evaluates the [polynomials](crate::sign) and one error bound, without branches; the
+//! compiler vectorises it for the instruction set found at run time (AVX-512, AVX2, or what every x86-64 and
+//! every other processor has). Points it is not sure of are decided afterwards, one by one, in exact arithmetic.
+//!
+//! ```
+//! use standfast::batch::{Columns, classify};
+//! use standfast::Mode;
+//!
+//! let columns = Columns {
+//!     slenderness: &[1.0, 1.0],
+//!     elevation: &[0.4, 1.0],
+//!     force: &[0.5, 2.0],
+//!     friction: &[0.6, 5.0],
+//! };
+//! let mut codes = [0; 2];
+//! classify(columns, &mut codes)?;
+//! assert_eq!(codes.map(Mode::from_code), [Some(Mode::Rest), Some(Mode::RockO)]);
+//! # Ok::<(), standfast::batch::BatchError>(())
+//! ```
+
+use crate::error::InputError;
+use crate::initiation::Point;
+use crate::sign::{UNSURE, screen};
+
+/// Four columns of equal length: γ, k', k and μ.
+#[derive(Debug, Clone, Copy)]
+pub struct Columns<'a> {
+    /// γ = H/B.
+    pub slenderness: &'a [f64],
+    /// k', the height of the force above the centre of mass in H.
+    pub elevation: &'a [f64],
+    /// k = F/(m g).
+    pub force: &'a [f64],
+    /// μ.
+    pub friction: &'a [f64],
+}
+
+/// Why a batch could not be classified.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum BatchError {
+    /// A column is longer or shorter than the output.
+    #[error("column {column} has {found} values; expected {expected}, as many as the output")]
+    Length {
+        /// The column.
+        column: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length of the output.
+        expected: usize,
+    },
+    /// A value that no point can have.
+    #[error("point {index}: {source}")]
+    Value {
+        /// The first point with such a value, counted from zero.
+        index: usize,
+        /// The value.
+        source: InputError,
+    },
+}
+
+impl<'a> Columns<'a> {
+    fn check_lengths(&self, expected: usize) -> Result<(), BatchError> {
+        let lengths = [
+            ("slenderness", self.slenderness.len()),
+            ("elevation", self.elevation.len()),
+            ("force", self.force.len()),
+            ("friction", self.friction.len()),
+        ];
+        match lengths.into_iter().find(|&(_, found)| found != expected) {
+            Some((column, found)) => Err(BatchError::Length { column, found, expected }),
+            None => Ok(()),
+        }
+    }
+
+    /// The point at `index`.
+    ///
+    /// # Errors
+    /// If its values are not valid; see [`Point::new`].
+    pub fn point(&self, index: usize) -> Result<Point, InputError> {
+        Point::new(
+            self.slenderness[index],
+            self.elevation[index],
+            self.force[index],
+            self.friction[index],
+        )
+    }
+
+    /// The columns from `start`, `length` points long.
+    fn slice(&self, start: usize, length: usize) -> Columns<'a> {
+        let cut = |column: &'a [f64]| &column[start..start + length];
+        Columns {
+            slenderness: cut(self.slenderness),
+            elevation: cut(self.elevation),
+            force: cut(self.force),
+            friction: cut(self.friction),
+        }
+    }
+}
+
+/// Writes the [code](crate::Mode::code) of every point's mode into `codes`.
+///
+/// # Errors
+/// If a column is not as long as `codes`, or at the first point with a value that is not valid; `codes` then holds
+/// the modes of the points before it.
+pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError> {
+    columns.check_lengths(codes.len())?;
+    // Small enough that the second look at the codes finds them in the first-level cache.
+    const BLOCK: usize = 4096;
+    for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
+        let start = block * BLOCK;
+        let columns = columns.slice(start, codes.len());
+        screen_columns(columns, codes);
+        if codes.contains(&UNSURE) {
+            settle(columns, codes)
+                .map_err(|(index, source)| BatchError::Value { index: start + index, source })?;
+        }
+    }
+    Ok(())
+}
+
+/// Decides exactly what the kernel left open.
+#[cold]
+fn settle(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), (usize, InputError)> {
+    for (index, code) in codes.iter_mut().enumerate().filter(|(_, code)| **code == UNSURE) {
+        *code = columns.point(index).map_err(|error| (index, error))?.mode().code();
+    }
+    Ok(())
+}
+
+/// The kernel, for the processor at hand.
+fn screen_columns(columns: Columns<'_>, codes: &mut [u8]) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if x86::has_avx512() {
+            // SAFETY: the processor has the instructions the function is compiled for.
+            #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
+            return unsafe { x86::screen_avx512(columns, codes) };
+        }
+        if x86::has_avx2() {
+            // SAFETY: the processor has the instructions the function is compiled for.
+            #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
+            return unsafe { x86::screen_avx2(columns, codes) };
+        }
+    }
+    #[cfg(target_arch = "aarch64")]
+    return screen_all::<crate::sign::Fused>(columns, codes);
+    #[cfg(not(target_arch = "aarch64"))]
+    screen_all::<f64>(columns, codes);
+}
+
+/// The kernel's loop, to be compiled once for every instruction set.
+#[inline(always)]
+fn screen_all<T: crate::sign::Rounded>(columns: Columns<'_>, codes: &mut [u8]) {
+    let Columns { slenderness, elevation, force, friction } = columns;
+    let points = slenderness.iter().zip(elevation).zip(force).zip(friction);
+    for (code, (((&gamma, &k_prime), &k), &mu)) in codes.iter_mut().zip(points) {
+        *code = screen::<T>(gamma, k_prime, k, mu);
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{Columns, screen_all};
+    use crate::sign::Fused;
+
+    pub(super) fn has_avx512() -> bool {
+        is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512bw")
+            && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("avx512vl")
+            && is_x86_feature_detected!("fma")
+    }
+
+    pub(super) fn has_avx2() -> bool {
+        is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+    }
+
+    #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,fma")]
+    pub(super) fn screen_avx512(columns: Columns<'_>, codes: &mut [u8]) {
+        screen_all::<Fused>(columns, codes);
+    }
+
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) fn screen_avx2(columns: Columns<'_>, codes: &mut [u8]) {
+        screen_all::<Fused>(columns, codes);
+    }
+}
+
+/// An instruction set the kernel can be compiled for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[doc(hidden)]
+pub enum InstructionSet {
+    Avx512,
+    Avx2,
+    Baseline,
+}
+
+/// The kernel alone, without the exact second look, on one instruction set: for tests and benchmarks, which compare
+/// them. Returns false, and does nothing, on a processor that lacks it.
+#[doc(hidden)]
+pub fn screen_with(set: InstructionSet, columns: Columns<'_>, codes: &mut [u8]) -> bool {
+    match set {
+        InstructionSet::Baseline => screen_all::<f64>(columns, codes),
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx512 if x86::has_avx512() => {
+            // SAFETY: as above.
+            #[expect(unsafe_code, reason = "as above")]
+            unsafe {
+                x86::screen_avx512(columns, codes)
+            }
+        }
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx2 if x86::has_avx2() => {
+            // SAFETY: as above.
+            #[expect(unsafe_code, reason = "as above")]
+            unsafe {
+                x86::screen_avx2(columns, codes)
+            }
+        }
+        _ => return false,
+    }
+    true
+}

@@ -1,0 +1,325 @@
+//! The general contact problem: every mode that a block at rest can begin with under any planar wrench.
+//!
+//! ```text
+//!            ▲ y
+//!            │     M ⟲
+//!      ┌─────┼────┐
+//!   d  │     C────┼──► x      X to the right
+//!      │     │    │           P downwards, weight included
+//!      O─────▼────O'
+//!       b₁     b₂
+//! ```
+//!
+//! | symbol | identifier | meaning |
+//! |---|---|---|
+//! | b₁, b₂ | `b1`, `b2` | distance of O to the left and of O' to the right of the centre of mass C |
+//! | d | `d` | depth of the base below C |
+//! | ρ² | `rho2` | I/m, square of the radius of gyration about C |
+//! | m_x, m_y | `m_x`, `m_y` | inertia against ẍ and ÿ in units of m: 1 in air, more with added mass |
+//! | μ_s, μ_k | `mu_s`, `mu_k` | friction to stick, and to slip |
+//! | X, P, M | `x`, `p`, `m` | wrench at C: to the right, downwards with the weight, counter-clockwise |
+//!
+//! Non-dimensional by the mass, g and one length, whichever the caller chose. A mode is *consistent* if its motion
+//! satisfies the equations of motion, Coulomb's law and non-penetration at both corners. With N and f_x the
+//! reaction of the touching corner(s), α = θ̈, r = −b₁ at O and +b₂ at O', σ = −sign r:
+//!
+//! | mode | motion | conditions |
+//! |---|---|---|
+//! | rest | none | \|X\| ≤ μ_s P, −b₁P ≤ Xd − M ≤ b₂P |
+//! | slide s = ±1 | ẍ = (X − sμ_kP)/m_x | sX > μ_sP, −b₁P ≤ sμ_kdP − M ≤ b₂P |
+//! | rock about r | α = (Pr − Xd + M)/(ρ² + m_xd² + m_yr²), ẍ = −dα, ÿ = −rα | σα > 0, N = P − m_yrα ≥ 0, \|X + m_xdα\| ≤ μ_sN |
+//! | slide-rock about r, s | c = r − sμ_kd, α = (Pc + M)/(ρ² + m_yrc), ẍ = (X − sμ_kN)/m_x | σα > 0, N ≥ 0, s(ẍ + dα) > 0 |
+//! | flight | ẍ = X/m_x, ÿ = −P/m_y, α = M/ρ² | ÿ − b₁α ≥ 0, ÿ + b₂α ≥ 0 |
+//!
+//! From rest, stick is tried before slip: for μ_s > μ_k a slide-rock counts only where the body cannot rock about
+//! the same corner without slip. The conditions are decided exactly for the f64 given, multiplied out so that
+//! nothing is divided. Several modes are consistent only if the friction reaches Painlevé's bound
+//! (ρ²/m_y + r²)/(|r| d) at a corner, where ρ² + m_y r c changes its sign; then the one [reported](Answer::mode)
+//! is, as in the report's section IV.7, the first of rest, slide, slide-rock (ρ² + m_y r c > 0), rock,
+//! slide-rock (ρ² + m_y r c < 0), flight.
+//!
+//! Limits: the base is flat and rigid, reactions act at the corners, the motion is that of the first instant.
+//!
+//! ```
+//! use standfast::contact::{Block, Wrench, solve};
+//! use standfast::Mode;
+//!
+//! // The report's γ = 1, k' = −1/2, k = 4, μ = 3: X = −k, M = k k' γ.
+//! let answer = solve(&Block::uniform(1.0, 3.0), &Wrench { x: -4.0, p: 1.0, m: -2.0 })?;
+//! assert_eq!(answer.mode(), Some(Mode::SlideLeft));
+//! assert!(answer.modes.contains(Mode::RockO)); // not unique
+//! # Ok::<(), standfast::InputError>(())
+//! ```
+
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+use crate::approx::{Approx, Signed};
+use crate::error::InputError;
+use crate::exact::{Exact, Real};
+use crate::initiation::Point;
+use crate::mode::{Corner, Mode, Modes, Slip};
+use crate::motion::Motion;
+
+/// A block on its base; symbols and units in the [module's table](self).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// b₁ > 0: distance of O left of C.
+    pub b1: f64,
+    /// b₂ > 0: distance of O' right of C.
+    pub b2: f64,
+    /// d > 0: depth of the base below C.
+    pub d: f64,
+    /// ρ² > 0: square of the radius of gyration about C.
+    pub rho2: f64,
+    /// m_x > 0: inertia against ẍ, in units of the mass.
+    pub m_x: f64,
+    /// m_y > 0: inertia against ÿ, in units of the mass.
+    pub m_y: f64,
+    /// μ_s ≥ μ_k: friction to stick.
+    pub mu_s: f64,
+    /// μ_k ≥ 0: friction to slip.
+    pub mu_k: f64,
+}
+
+impl Block {
+    /// The report's uniform rectangle with H/B = `slenderness`, lengths in B.
+    pub fn uniform(slenderness: f64, friction: f64) -> Block {
+        Block {
+            b1: 1.0,
+            b2: 1.0,
+            d: slenderness,
+            rho2: (1.0 + slenderness * slenderness) / 3.0,
+            m_x: 1.0,
+            m_y: 1.0,
+            mu_s: friction,
+            mu_k: friction,
+        }
+    }
+
+    fn check(&self) -> Result<(), InputError> {
+        InputError::positive("distance b1 of O", self.b1)?;
+        InputError::positive("distance b2 of O'", self.b2)?;
+        InputError::positive("depth d of the base", self.d)?;
+        InputError::positive("square rho2 of the radius of gyration", self.rho2)?;
+        InputError::positive("inertia m_x", self.m_x)?;
+        InputError::positive("inertia m_y", self.m_y)?;
+        InputError::not_negative("kinetic friction mu_k", self.mu_k)?;
+        InputError::finite("static friction mu_s", self.mu_s)?;
+        if self.mu_s < self.mu_k {
+            let expected = "no less than the kinetic friction mu_k";
+            return Err(InputError { quantity: "static friction mu_s", value: self.mu_s, expected });
+        }
+        Ok(())
+    }
+}
+
+/// A planar wrench at the centre of mass, the weight included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wrench {
+    /// X: horizontal force, to the right.
+    pub x: f64,
+    /// P: net vertical force, downwards.
+    pub p: f64,
+    /// M: moment, counter-clockwise.
+    pub m: f64,
+}
+
+/// The consistent modes of a block under a wrench.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Answer {
+    /// Every consistent mode.
+    pub modes: Modes,
+    mode: Option<Mode>,
+    block: Block,
+    wrench: Wrench,
+}
+
+impl Answer {
+    /// The mode reported; see the [module](self) for the order. For μ_s = μ_k some mode is always consistent; for
+    /// μ_s > μ_k that is not proven, and `None` would say so.
+    pub fn mode(&self) -> Option<Mode> {
+        self.mode
+    }
+
+    /// The motion of a consistent mode, in the units of the input; `None` for a mode that is not consistent.
+    pub fn motion(&self, mode: Mode) -> Option<Motion> {
+        self.modes.contains(mode).then(|| motion(&self.block, &self.wrench, mode))
+    }
+}
+
+/// Every mode the block can begin with.
+///
+/// # Errors
+/// If a number is not finite, a length, ρ², m_x or m_y is not above zero, or not μ_s ≥ μ_k ≥ 0.
+pub fn solve(block: &Block, wrench: &Wrench) -> Result<Answer, InputError> {
+    block.check()?;
+    InputError::finite("horizontal force x", wrench.x)?;
+    InputError::finite("vertical force p", wrench.p)?;
+    InputError::finite("moment m", wrench.m)?;
+    let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
+    let Wrench { x, p, m } = *wrench;
+    let numbers = [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m];
+    let Verdict { modes, mode } = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
+    Ok(Answer { modes, mode, block: *block, wrench: *wrench })
+}
+
+/// Every consistent mode of the report's problem, by trying the modes one by one: an exact witness of
+/// [`Point::mode`] and [`Point::others`] that shares no formula with them.
+pub fn enumerate(point: &Point) -> Modes {
+    // ρ² = (1+γ²)/3 is no f64, but modes do not change if all inertia is trebled.
+    fn numbers<T: Real>(point: &Point) -> [T; 11] {
+        let [γ, k_prime, k, μ] =
+            [point.slenderness(), point.elevation(), point.force(), point.friction()].map(T::of);
+        let [one, three] = [1.0, 3.0].map(T::of);
+        let m = k.clone() * k_prime * γ.clone();
+        let rho2 = one.clone() + γ.clone() * γ.clone();
+        [one.clone(), one.clone(), γ, rho2, three.clone(), three, μ.clone(), μ, -k, one, m]
+    }
+    decide(|| numbers::<Approx>(point), || numbers::<Exact>(point)).modes
+}
+
+/// The consistent modes and the one reported.
+struct Verdict {
+    modes: Modes,
+    mode: Option<Mode>,
+}
+
+/// The verdict by tracked floating point, or by exact arithmetic where that cannot tell.
+fn decide(approx: impl Fn() -> [Approx; 11], exact: impl Fn() -> [Exact; 11]) -> Verdict {
+    let verdict = consistent(approx()).or_else(|| consistent(exact()));
+    verdict.expect("exact signs are always known")
+}
+
+/// Tries all ten modes; `None` if a sign is unknown.
+///
+/// The numbers are b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
+fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
+    let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers;
+    // The groups in which modes are reported, first to last.
+    let [mut rest, mut slides, mut regular, mut rocks, mut painlevé, mut flight] = [Modes::NONE; 6];
+    let zero = || T::of(0.0);
+    let mul = |a: &T, b: &T| a.clone() * b.clone();
+    let sub = |a: &T, b: &T| a.clone() - b.clone();
+    let signed = |slip: Slip, value: &T| match slip {
+        Slip::Left => -value.clone(),
+        Slip::Right => value.clone(),
+    };
+    // −b₁P ≤ Nξ ≤ b₂P: the reaction acts on the base.
+    let on_base = |moment: &T| -> Option<bool> {
+        let left = moment.clone() + mul(&b1, &p);
+        Some(left.sign()? != Less && sub(&mul(&b2, &p), moment).sign()? != Less)
+    };
+
+    let grip = mul(&mu_s, &p);
+    let too_far = |slip| Some(sub(&signed(slip, &x), &grip).sign()? == Greater);
+    let [pulled_left, pulled_right] = [too_far(Slip::Left)?, too_far(Slip::Right)?];
+    if !pulled_left && !pulled_right && on_base(&sub(&mul(&x, &d), &m))? {
+        rest.insert(Mode::Rest);
+    }
+    for (slip, pulled) in [(Slip::Left, pulled_left), (Slip::Right, pulled_right)] {
+        if pulled && on_base(&sub(&signed(slip, &mul(&mul(&mu_k, &d), &p)), &m))? {
+            slides.insert(Mode::slide(slip));
+        }
+    }
+
+    for corner in [Corner::O, Corner::OPrime] {
+        // σα > 0 lifts the other corner.
+        let (r, lifting) = match corner {
+            Corner::O => (-b1.clone(), Greater),
+            Corner::OPrime => (b2.clone(), Less),
+        };
+
+        // α = A/J with J > 0; all conditions times J.
+        let inertia = rho2.clone() + mul(&m_x, &mul(&d, &d)) + mul(&m_y, &mul(&r, &r));
+        let moment = sub(&mul(&p, &r), &mul(&x, &d)) + m.clone();
+        if moment.sign()? == lifting {
+            let normal = sub(&mul(&p, &inertia), &mul(&m_y, &mul(&r, &moment)));
+            let tangential = mul(&x, &inertia) + mul(&m_x, &mul(&d, &moment));
+            let cone = mul(&mu_s, &normal);
+            if normal.sign()? != Less
+                && sub(&cone, &tangential).sign()? != Less
+                && (cone + tangential).sign()? != Less
+            {
+                rocks.insert(Mode::rock(corner));
+            }
+        }
+
+        for slip in [Slip::Left, Slip::Right] {
+            // α = A/J; all conditions times |J|.
+            let c = sub(&r, &signed(slip, &mul(&mu_k, &d)));
+            let inertia = rho2.clone() + mul(&m_y, &mul(&r, &c));
+            let orientation = inertia.sign()?;
+            let moment = mul(&p, &c) + m.clone();
+            let same = |sign: Ordering| if orientation == Less { sign.reverse() } else { sign };
+            if orientation == Equal || same(moment.sign()?) != lifting {
+                continue;
+            }
+            let normal = sub(&mul(&p, &inertia), &mul(&m_y, &mul(&r, &moment)));
+            let pull = sub(&mul(&x, &inertia), &signed(slip, &mul(&mu_k, &normal)));
+            let base = pull + mul(&m_x, &mul(&d, &moment));
+            if same(normal.sign()?) != Less && same(signed(slip, &base).sign()?) == Greater {
+                let group = if orientation == Greater { &mut regular } else { &mut painlevé };
+                group.insert(Mode::slide_rock(corner, slip));
+            }
+        }
+        if sub(&mu_s, &mu_k).sign()? == Greater && rocks.contains(Mode::rock(corner)) {
+            for slip in [Slip::Left, Slip::Right] {
+                regular.remove(Mode::slide_rock(corner, slip));
+                painlevé.remove(Mode::slide_rock(corner, slip));
+            }
+        }
+    }
+
+    // ÿ and α times m_y ρ².
+    let fall = mul(&p, &rho2);
+    let spin = mul(&m_y, &m);
+    if (zero() - fall.clone() - mul(&b1, &spin)).sign()? != Less
+        && (zero() - fall + mul(&b2, &spin)).sign()? != Less
+    {
+        flight.insert(Mode::Flight);
+    }
+
+    let groups = [rest, slides, regular, rocks, painlevé, flight];
+    let modes: Modes = groups.iter().flat_map(|group| group.iter()).collect();
+    let mode = groups.iter().find_map(|group| group.iter().next());
+    Some(Verdict { modes, mode })
+}
+
+/// The motion of a consistent mode.
+fn motion(block: &Block, wrench: &Wrench, mode: Mode) -> Motion {
+    let Block { b1, b2, d, rho2, m_x, m_y, mu_k, .. } = *block;
+    let Wrench { x, p, m } = *wrench;
+    let s = mode.slip().map_or(0.0, Slip::sign);
+    let (x_ddot, y_ddot, α, f_x, f_y, xi) = match (mode, mode.corner()) {
+        (Mode::Rest, _) => (0.0, 0.0, 0.0, -x, p, (x * d - m) / p),
+        (Mode::Flight, _) => (x / m_x, -p / m_y, m / rho2, 0.0, 0.0, 0.0),
+        (_, None) => {
+            let f_x = -s * mu_k * p;
+            ((x + f_x) / m_x, 0.0, 0.0, f_x, p, -(f_x * d + m) / p)
+        }
+        (Mode::RockO | Mode::RockOPrime, Some(corner)) => {
+            let r = if corner == Corner::O { -b1 } else { b2 };
+            let α = (p * r - x * d + m) / (rho2 + m_x * d * d + m_y * r * r);
+            (-d * α, -r * α, α, -x - m_x * d * α, p - m_y * r * α, r)
+        }
+        (_, Some(corner)) => {
+            let r = if corner == Corner::O { -b1 } else { b2 };
+            let c = r - s * mu_k * d;
+            let α = (p * c + m) / (rho2 + m_y * r * c);
+            let n = p - m_y * r * α;
+            let f_x = -s * mu_k * n;
+            ((x + f_x) / m_x, -r * α, α, f_x, n, r)
+        }
+    };
+    Motion {
+        x_ddot,
+        y_ddot,
+        theta_ddot: α,
+        f_x,
+        f_y,
+        xi: if f_y == 0.0 { 0.0 } else { xi },
+        slip: if matches!(mode, Mode::RockO | Mode::RockOPrime) { 0.0 } else { x_ddot + d * α },
+        lift_o: y_ddot - b1 * α,
+        lift_o_prime: y_ddot + b2 * α,
+    }
+}

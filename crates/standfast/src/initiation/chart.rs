@@ -1,0 +1,307 @@
+//! The lines, curves and named points of the k–μ plane of one body and one elevation of the force.
+
+use crate::error::InputError;
+
+/// The k–μ plane for a slenderness γ and an elevation k': coefficients, curves and named points.
+///
+/// ```
+/// use standfast::initiation::{Chart, PointName};
+///
+/// let chart = Chart::new(1.0, 0.4)?;
+/// let a = chart.point(PointName::A).unwrap();
+/// assert!((a.k - 0.714286).abs() < 1e-6);
+/// assert!((chart.mu_star().at(a.k) - a.mu).abs() < 1e-15); // μ* passes through A
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Chart {
+    gamma: f64,
+    k_prime: f64,
+}
+
+/// The report's cases of force above (k' ≥ 0) and below (k' < 0) the centre of mass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Case {
+    /// 0 ≤ k' ≤ (1+γ²)/(3γ²): μ* rises from A (Figs. 3.3a, 3.6a, 3.9a).
+    OneA,
+    /// (1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²): μ* falls from A (Figs. 3.3b, 3.6b, 3.9b).
+    OneB,
+    /// k' > (4+γ²)/(3γ²), so a < 0: μ* falls from A to zero at E and rises again. The report treats k ≤ k_E as
+    /// case 2 (Figs. 3.4, 3.7, 3.10) and k ≥ k_E as case 3 (Figs. 3.5, 3.8, 3.11).
+    TwoThree,
+    /// −1 ≤ k' < 0 and Δ > 0: μ* leaves A steeper than AB and crosses it at B' (Figs. 4.4a–4.7a).
+    DeltaPositive,
+    /// −1 ≤ k' < 0 and Δ ≤ 0: μ* stays below AB (Figs. 4.4b–4.7b).
+    DeltaNotPositive,
+    /// k' < −1: effective loads only; O' takes the part of O. Outside the report.
+    BelowBase,
+}
+
+impl Case {
+    /// The case in words and symbols.
+    pub fn words(self) -> &'static str {
+        match self {
+            Case::OneA => "case 1a, force above the centre: k' ≤ (1+γ²)/(3γ²)",
+            Case::OneB => "case 1b, force above the centre: (1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²)",
+            Case::TwoThree => "cases 2 and 3, force above the centre: k' > (4+γ²)/(3γ²)",
+            Case::DeltaPositive => "force below the centre, Δ > 0: |k'| < (1+γ²)/(4+γ²)",
+            Case::DeltaNotPositive => "force below the centre, Δ ≤ 0: |k'| ≥ (1+γ²)/(4+γ²)",
+            Case::BelowBase => "effective force below the base: k' < −1",
+        }
+    }
+}
+
+/// A curve μ(k) of the k–μ plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Curve {
+    /// μ = slope·k + intercept.
+    Line {
+        /// dμ/dk.
+        slope: f64,
+        /// μ at k = 0.
+        intercept: f64,
+    },
+    /// μ = (a k + b)/(c k + d).
+    Hyperbola {
+        /// Coefficient of k above.
+        a: f64,
+        /// Constant above.
+        b: f64,
+        /// Coefficient of k below.
+        c: f64,
+        /// Constant below.
+        d: f64,
+    },
+}
+
+impl Curve {
+    /// The k axis, μ = 0.
+    pub const AXIS: Curve = Curve::Line { slope: 0.0, intercept: 0.0 };
+    /// The line OA, μ = k.
+    pub const DIAGONAL: Curve = Curve::Line { slope: 1.0, intercept: 0.0 };
+
+    /// μ at k; not finite at a pole.
+    pub fn at(&self, k: f64) -> f64 {
+        match *self {
+            Curve::Line { slope, intercept } => slope * k + intercept,
+            Curve::Hyperbola { a, b, c, d } => (a * k + b) / (c * k + d),
+        }
+    }
+
+    /// dμ/dk at k (3.24, 4.47).
+    pub fn slope(&self, k: f64) -> f64 {
+        match *self {
+            Curve::Line { slope, .. } => slope,
+            Curve::Hyperbola { a, b, c, d } => (a * d - b * c) / (c * k + d).powi(2),
+        }
+    }
+
+    /// The k at which the curve has the value `mu`, if there is one.
+    pub fn k_at(&self, mu: f64) -> Option<f64> {
+        let k = match *self {
+            Curve::Line { slope, intercept } => (mu - intercept) / slope,
+            Curve::Hyperbola { a, b, c, d } => (b - mu * d) / (mu * c - a),
+        };
+        k.is_finite().then_some(k)
+    }
+}
+
+/// The report's letters for points of the k–μ plane. Letters that change their meaning between chapters III and
+/// IV (B, C, E as far ends of lines) are drawn by the figures; these are points with coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum PointName {
+    /// Where rest, slide and rock meet: k = μ = 1/(γ|1+k'|).
+    A,
+    /// μ* crosses AB (4.48, 4.49); chapter IV with Δ > 0.
+    BPrime,
+    /// (0, 1/γ): foot of the line CD; chapter III.
+    C,
+    /// μ* crosses DC; chapter IV, 0 < |k'| < 1.
+    CPrime,
+    /// (1/(γ|k'|), 0): where CD (chapter III) or DC (chapter IV) meets the k axis.
+    D,
+    /// (b/|a|, 0): zero of μ*; chapter III with a < 0.
+    E,
+    /// (b/a, 0): zero of μ**; chapter IV.
+    F,
+}
+
+impl PointName {
+    /// The letter, e.g. `B'`.
+    pub fn letter(self) -> &'static str {
+        match self {
+            PointName::A => "A",
+            PointName::BPrime => "B'",
+            PointName::C => "C",
+            PointName::CPrime => "C'",
+            PointName::D => "D",
+            PointName::E => "E",
+            PointName::F => "F",
+        }
+    }
+}
+
+/// A named point of the k–μ plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NamedPoint {
+    /// Its letter.
+    pub name: PointName,
+    /// Its abscissa.
+    pub k: f64,
+    /// Its ordinate.
+    pub mu: f64,
+}
+
+impl Chart {
+    /// The plane for γ = `slenderness` and k' = `elevation`, any real number.
+    ///
+    /// # Errors
+    /// If a number is not finite or `slenderness` is not above zero.
+    pub fn new(slenderness: f64, elevation: f64) -> Result<Chart, InputError> {
+        Ok(Chart {
+            gamma: InputError::positive("slenderness γ", slenderness)?,
+            k_prime: InputError::finite("elevation k'", elevation)?,
+        })
+    }
+
+    pub(super) fn of_valid(gamma: f64, k_prime: f64) -> Chart {
+        Chart { gamma, k_prime }
+    }
+
+    /// γ = H/B.
+    pub fn slenderness(&self) -> f64 {
+        self.gamma
+    }
+
+    /// k'.
+    pub fn elevation(&self) -> f64 {
+        self.k_prime
+    }
+
+    /// a, b, c, d of μ* (3.18–3.21, 4.42–4.45): a = 4 + γ² − 3γ²k', b = 3γ, c = 3γ(1+k'), d = 1 + 4γ².
+    pub fn coefficients(&self) -> [f64; 4] {
+        let Chart { gamma: γ, k_prime } = *self;
+        [4.0 + γ * γ - 3.0 * γ * γ * k_prime, 3.0 * γ, 3.0 * γ * (1.0 + k_prime), 1.0 + 4.0 * γ * γ]
+    }
+
+    /// The report's case.
+    pub fn case(&self) -> Case {
+        let Chart { gamma: γ, k_prime } = *self;
+        if k_prime < -1.0 {
+            Case::BelowBase
+        } else if k_prime < 0.0 {
+            if self.delta() > 0.0 { Case::DeltaPositive } else { Case::DeltaNotPositive }
+        } else if 3.0 * γ * γ * k_prime <= 1.0 + γ * γ {
+            Case::OneA
+        } else if 3.0 * γ * γ * k_prime <= 4.0 + γ * γ {
+            Case::OneB
+        } else {
+            Case::TwoThree
+        }
+    }
+
+    /// Δ = [(1+γ²) + k'(4+γ²)]/[4(1+γ²)], the slope of μ* at A less that of AB (IV.3).
+    pub fn delta(&self) -> f64 {
+        let Chart { gamma: γ, k_prime } = *self;
+        ((1.0 + γ * γ) + k_prime * (4.0 + γ * γ)) / (4.0 * (1.0 + γ * γ))
+    }
+
+    /// μ = 1/γ − k k': CD of chapter III, AB of chapter IV. On it the sliding body's reaction is at O.
+    pub fn upper_line(&self) -> Curve {
+        Curve::Line { slope: -self.k_prime, intercept: 1.0 / self.gamma }
+    }
+
+    /// μ = −1/γ − k k': DC of chapter IV. On it the sliding body's reaction is at O'.
+    pub fn lower_line(&self) -> Curve {
+        Curve::Line { slope: -self.k_prime, intercept: -1.0 / self.gamma }
+    }
+
+    /// μ*(k) = (a k + b)/(c k + d) (3.24, 4.40), signed: right of E (a < 0) it is negative and the bound is
+    /// [`mu_star_rising`](Chart::mu_star_rising).
+    pub fn mu_star(&self) -> Curve {
+        let [a, b, c, d] = self.coefficients();
+        Curve::Hyperbola { a, b, c, d }
+    }
+
+    /// −μ*(k): the branch |a k + b|/(c k + d) right of E, chapter III case 3.
+    pub fn mu_star_rising(&self) -> Curve {
+        let [a, b, c, d] = self.coefficients();
+        Curve::Hyperbola { a: -a, b: -b, c, d }
+    }
+
+    /// μ**(k) = (a k − b)/(d − c k) (4.96, 4.97): a bound for k' < −1 only.
+    pub fn mu_star_star(&self) -> Curve {
+        let [a, b, c, d] = self.coefficients();
+        Curve::Hyperbola { a, b: -b, c: -c, d }
+    }
+
+    /// k_A = μ_A = 1/(γ|1+k'|); infinite for k' = −1.
+    pub fn k_a(&self) -> f64 {
+        1.0 / (self.gamma * (1.0 + self.k_prime).abs())
+    }
+
+    /// k_D = 1/(γ|k'|); infinite for k' = 0.
+    pub fn k_d(&self) -> f64 {
+        1.0 / (self.gamma * self.k_prime.abs())
+    }
+
+    /// k_E = b/|a|, the zero of μ*, for k' > 0 and a < 0; infinite otherwise.
+    pub fn k_e(&self) -> f64 {
+        let [a, b, ..] = self.coefficients();
+        if self.case() == Case::TwoThree { -b / a } else { f64::INFINITY }
+    }
+
+    /// k_B' = (1+γ²)/(3γ|k'|) (4.48), for k' < 0; it lies right of A only if Δ > 0. Infinite for k' ≥ 0.
+    pub fn k_b_prime(&self) -> f64 {
+        let Chart { gamma: γ, k_prime } = *self;
+        if k_prime < 0.0 { (1.0 + γ * γ) / (-3.0 * γ * k_prime) } else { f64::INFINITY }
+    }
+
+    /// μ_B' = (4+γ²)/(3γ) (4.49): Painlevé's bound on the friction, never below 4/3.
+    pub fn mu_b_prime(&self) -> f64 {
+        (4.0 + self.gamma * self.gamma) / (3.0 * self.gamma)
+    }
+
+    /// k_C', where μ* crosses DC; infinite unless −1 < k' < 0.
+    pub fn k_c_prime(&self) -> f64 {
+        let Chart { gamma: γ, k_prime } = *self;
+        let q = -k_prime;
+        if !(q > 0.0 && q < 1.0) {
+            return f64::INFINITY;
+        }
+        // The positive root of 3γq(1−q) k² − T k − (1+7γ²)/γ = 0, in the form that does not cancel.
+        let t = 7.0 + γ * γ - q * (4.0 + γ * γ);
+        let root = (t * t + 12.0 * q * (1.0 - q) * (1.0 + 7.0 * γ * γ)).sqrt();
+        if t > 0.0 {
+            (t + root) / (6.0 * γ * q * (1.0 - q))
+        } else {
+            2.0 * (1.0 + 7.0 * γ * γ) / (γ * (root - t))
+        }
+    }
+
+    /// The named point, if this chart has it with finite coordinates.
+    pub fn point(&self, name: PointName) -> Option<NamedPoint> {
+        let case = self.case();
+        let below = matches!(case, Case::DeltaPositive | Case::DeltaNotPositive);
+        let (k, mu) = match name {
+            PointName::A => (self.k_a(), self.k_a()),
+            PointName::C if self.k_prime >= 0.0 => (0.0, 1.0 / self.gamma),
+            PointName::D => (self.k_d(), 0.0),
+            PointName::E if case == Case::TwoThree => (self.k_e(), 0.0),
+            PointName::BPrime if case == Case::DeltaPositive => (self.k_b_prime(), self.mu_b_prime()),
+            PointName::CPrime if below => (self.k_c_prime(), self.lower_line().at(self.k_c_prime())),
+            PointName::F if below => {
+                let [a, b, ..] = self.coefficients();
+                (b / a, 0.0)
+            }
+            _ => return None,
+        };
+        (k.is_finite() && mu.is_finite()).then_some(NamedPoint { name, k, mu })
+    }
+
+    /// All named points this chart has.
+    pub fn points(&self) -> Vec<NamedPoint> {
+        use PointName::{A, BPrime, C, CPrime, D, E, F};
+        [A, BPrime, C, CPrime, D, E, F].into_iter().filter_map(|name| self.point(name)).collect()
+    }
+}

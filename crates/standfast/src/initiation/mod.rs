@@ -1,0 +1,188 @@
+//! The report: which mode of response a horizontal force starts, and the motion it starts with.
+//!
+//! A uniform rectangular block, 2B wide and 2H high, stands on a rough rigid base. From rest, a horizontal force
+//! F = k m g that points left acts at the height k'H above the centre of mass C (k' < 0: below).
+//!
+//! ```text
+//!          2B
+//!      ┌──────────┐
+//!      │          │ ◄── F = k m g      k' H above C
+//!  2H  │    C     │
+//!      │          │        y ▲   ⟲ θ
+//!      O──────────O'         └─► x
+//!  ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒   f_x →, f_y ↑ at ξ right of C
+//! ```
+//!
+//! | symbol | identifier | meaning |
+//! |---|---|---|
+//! | γ | `slenderness` | H/B |
+//! | k' | `elevation` | height of the force above C, in H |
+//! | k | `force` | F/(m g) |
+//! | μ | `friction` | Coulomb friction, static and kinetic |
+//!
+//! Everything is non-dimensional: lengths in B, accelerations in g, angular acceleration in g/B, forces in m g.
+//! With a, b, c, d of the [`Chart`], one decision covers chapters III and IV of the report, in this order:
+//!
+//! ```text
+//! RE     if μ ≥ k and k γ (1+k') ≤ 1                 (3.4, 3.5; 4.7, 4.10)
+//! SRO'-  if γ (μ + k k') < −1                         (4.92)
+//! SL     if μ < k and γ (μ + k k') ≤ 1                (3.8; 4.18, 4.19)
+//! RO     if μ (c k + d) ≥ |a k + b|                   (3.24; 4.40)
+//! SRO-   if a k + b > 0,   else SRO+                  (3.40, 3.45; 4.77)
+//! ```
+//!
+//! For k' < −1, which only effective loads reach, O' takes the part of O. A region owns its boundary in the
+//! order RE, SL, RO, slide-rock. The signs are [exact](crate::sign) for the f64 given.
+//!
+//! For −1 < k' < 0 and strong friction (μ ≥ 4/3 at least) several modes satisfy every law at once;
+//! [`Point::others`] lists those beside the one reported, which is the report's choice.
+//!
+//! ```
+//! use standfast::{Mode, Point};
+//!
+//! let point = Point::new(1.0, 1.0, 2.0, 5.0)?;
+//! assert_eq!(point.mode(), Mode::RockO);
+//! assert_eq!(point.motion().theta_ddot, 1.125);
+//! assert!(point.is_unique());
+//! # Ok::<(), standfast::InputError>(())
+//! ```
+
+mod chart;
+mod margins;
+mod onset;
+mod trace;
+
+pub use chart::{Case, Chart, Curve, NamedPoint, PointName};
+pub use margins::{Crossing, Margins};
+pub use trace::{Relation, Step, Trace};
+
+use crate::error::InputError;
+use crate::mode::{Mode, Modes};
+use crate::motion::Motion;
+use crate::sign::{self, Polynomials};
+
+/// A body and a force, reduced to the report's four numbers: a point of the k–μ plane for (γ, k').
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    gamma: f64,
+    k_prime: f64,
+    k: f64,
+    mu: f64,
+}
+
+impl Point {
+    /// The point (k, μ) = (`force`, `friction`) for γ = `slenderness` and k' = `elevation`.
+    ///
+    /// # Errors
+    /// If a number is not finite, `slenderness` is not above zero, or `force` or `friction` is negative.
+    pub fn new(slenderness: f64, elevation: f64, force: f64, friction: f64) -> Result<Point, InputError> {
+        Ok(Point {
+            gamma: InputError::positive("slenderness γ", slenderness)?,
+            k_prime: InputError::finite("elevation k'", elevation)?,
+            k: InputError::not_negative("force k", force)?,
+            mu: InputError::not_negative("friction μ", friction)?,
+        })
+    }
+
+    /// γ = H/B.
+    pub fn slenderness(&self) -> f64 {
+        self.gamma
+    }
+
+    /// k': height of the force above the centre of mass, in H.
+    pub fn elevation(&self) -> f64 {
+        self.k_prime
+    }
+
+    /// k = F/(m g).
+    pub fn force(&self) -> f64 {
+        self.k
+    }
+
+    /// μ.
+    pub fn friction(&self) -> f64 {
+        self.mu
+    }
+
+    /// The curves and points of the k–μ plane for this γ and k'.
+    pub fn chart(&self) -> Chart {
+        Chart::of_valid(self.gamma, self.k_prime)
+    }
+
+    /// The mode that begins: the report's choice where several are consistent (its section IV.7).
+    pub fn mode(&self) -> Mode {
+        let code = sign::code(self.gamma, self.k_prime, self.k, self.mu);
+        Mode::from_code(code).expect("a valid point has a mode")
+    }
+
+    /// The other modes that satisfy the equations of motion, Coulomb's law and non-penetration.
+    ///
+    /// Empty except in the indeterminate set
+    /// N = {−1 < k' < 0, k > k_A, k ≥ k_B', μ*(k) ≤ μ ≤ 1/γ − k k'}, where it holds RO, and inside N also SRO-.
+    /// It is decided exactly. An independent enumeration is
+    /// [`contact::enumerate`](crate::contact::enumerate).
+    pub fn others(&self) -> Modes {
+        let mut others = Modes::NONE;
+        if self.k_prime <= -1.0 || self.k_prime >= 0.0 {
+            return others;
+        }
+        if matches!(self.mode(), Mode::SlideLeft | Mode::SlideRockOPrimeLeft) {
+            let Polynomials { tip, turn, slip_left, .. } = self.polynomials();
+            if tip > 0.0 && slip_left >= 0.0 {
+                others.insert(Mode::RockO);
+                if turn < 0.0 && slip_left > 0.0 {
+                    others.insert(Mode::SlideRockOLeft);
+                }
+            }
+        }
+        others
+    }
+
+    /// Whether [`mode`](Point::mode) is the only consistent mode.
+    pub fn is_unique(&self) -> bool {
+        self.others().is_empty()
+    }
+
+    /// The motion and reactions with which [`mode`](Point::mode) begins.
+    pub fn motion(&self) -> Motion {
+        onset::motion(self, self.mode())
+    }
+
+    /// The motion of `mode`, if it is [`mode`](Point::mode) or one of [`others`](Point::others).
+    pub fn motion_in(&self, mode: Mode) -> Option<Motion> {
+        (mode == self.mode() || self.others().contains(mode)).then(|| onset::motion(self, mode))
+    }
+
+    /// μ/k, the factor of safety against sliding of a body in air; infinite at k = 0.
+    pub fn safety_against_sliding(&self) -> f64 {
+        if self.k == 0.0 { f64::INFINITY } else { self.mu / self.k }
+    }
+
+    /// 1/(k γ |1+k'|), the factor of safety against overturning of a body in air; infinite where the force has no
+    /// moment about the corner it would tip the body over.
+    pub fn safety_against_overturning(&self) -> f64 {
+        1.0 / (self.k * self.gamma * (1.0 + self.k_prime).abs())
+    }
+
+    /// At which forces and frictions the mode changes.
+    pub fn margins(&self) -> Margins {
+        Margins::of(self)
+    }
+
+    /// The verdict step by step, with the report's equation numbers.
+    pub fn explain(&self) -> Trace {
+        Trace::of(self)
+    }
+
+    fn polynomials(&self) -> Polynomials<f64> {
+        Polynomials::accurate(self.gamma, self.k_prime, self.k, self.mu)
+    }
+}
+
+/// The mode that begins at γ = `slenderness`, k' = `elevation`, k = `force`, μ = `friction`.
+///
+/// # Errors
+/// As [`Point::new`].
+pub fn classify(slenderness: f64, elevation: f64, force: f64, friction: f64) -> Result<Mode, InputError> {
+    Ok(Point::new(slenderness, elevation, force, friction)?.mode())
+}

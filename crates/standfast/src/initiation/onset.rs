@@ -1,0 +1,96 @@
+//! The motion each mode begins with, in the report's closed form.
+//!
+//! It satisfies ẍ = f_x − k, ÿ = f_y − 1 and (1+γ²)/3 θ̈ = γ f_x + ξ f_y + γ k k' (3.9–3.11), Coulomb's law and
+//! non-penetration to round-off. Where a quantity vanishes on a boundary (θ̈ where rocking begins, the slip of a
+//! corner where it sticks), it is computed without cancellation, so its sign is right next to the boundary too.
+
+use super::Point;
+use crate::mode::Mode;
+use crate::motion::Motion;
+use crate::sign::signed_slenderness;
+
+/// The motion of `mode`, which has to be consistent at `point`.
+pub(super) fn motion(point: &Point, mode: Mode) -> Motion {
+    let Point { gamma: γ, k_prime, k, mu: μ } = *point;
+    let polynomials = point.polynomials();
+    let g = signed_slenderness(γ, k_prime);
+    // σ θ̈ > 0 lifts the far corner, with σ = 1 about O and −1 about O'.
+    let σ = g.signum();
+    match mode {
+        Mode::Rest => both_corners(0.0, k, 0.0 - σ * (polynomials.tip + 1.0)),
+        Mode::SlideLeft => {
+            // From the nearer edge of the base, so that ξ stays on it.
+            let near_o = polynomials.turn.abs() <= polynomials.toe.abs();
+            let arm = if near_o { polynomials.turn + 1.0 } else { polynomials.toe - 1.0 };
+            both_corners(μ - k, μ, 0.0 - σ * arm)
+        }
+        Mode::RockO | Mode::RockOPrime => {
+            // (3.14–3.16, 4.36–4.39)
+            let λ = 3.0 * polynomials.tip / (4.0 * (1.0 + γ * γ));
+            about_corner(σ, λ, -g * λ, k - g * λ, 0.0)
+        }
+        // (3.30, 3.37; 4.64, 4.76)
+        Mode::SlideRockOLeft => {
+            slipping(point, σ, μ, polynomials.turn, polynomials.slip_left, polynomials.regularity)
+        }
+        // (3.43, 3.45): (3.30) and (3.37) with −μ for μ
+        Mode::SlideRockORight => {
+            let turn = g * (k * k_prime - μ) - 1.0;
+            let regularity = 4.0 + γ * γ + 3.0 * μ * γ;
+            slipping(point, σ, -μ, turn, -polynomials.slip_right, regularity)
+        }
+        // (4.89, 4.95): (3.30) and (3.37) with −γ for γ
+        Mode::SlideRockOPrimeLeft => {
+            let (turn, slip, regularity) = if σ < 0.0 {
+                (polynomials.turn, polynomials.slip_left, polynomials.regularity)
+            } else {
+                let tip = -γ * k * (1.0 + k_prime) - 1.0;
+                let slip = 4.0 * (1.0 + γ * γ) * (μ - k) + 3.0 * tip * (μ - γ);
+                (-polynomials.toe, slip, 4.0 + γ * γ + 3.0 * μ * γ)
+            };
+            slipping(point, -1.0, μ, turn, slip, regularity)
+        }
+        Mode::SlideRight | Mode::SlideRockOPrimeRight | Mode::Flight => {
+            unreachable!("{mode} under a force that points left")
+        }
+    }
+}
+
+/// Rest or sliding: no rotation, the reaction anywhere on the base.
+fn both_corners(x_ddot: f64, f_x: f64, xi: f64) -> Motion {
+    Motion {
+        x_ddot,
+        y_ddot: 0.0,
+        theta_ddot: 0.0,
+        f_x,
+        f_y: 1.0,
+        xi,
+        slip: x_ddot,
+        lift_o: 0.0,
+        lift_o_prime: 0.0,
+    }
+}
+
+/// Rotation at λ = σθ̈ > 0 about the corner at ξ = −σ.
+fn about_corner(σ: f64, λ: f64, x_ddot: f64, f_x: f64, slip: f64) -> Motion {
+    let far = 2.0 * λ;
+    let (lift_o, lift_o_prime) = if σ > 0.0 { (0.0, far) } else { (far, 0.0) };
+    Motion {
+        x_ddot,
+        y_ddot: λ,
+        theta_ddot: σ * λ,
+        f_x,
+        f_y: 1.0 + λ,
+        xi: -σ,
+        slip,
+        lift_o,
+        lift_o_prime,
+    }
+}
+
+/// Slide-rock about the corner σ under f_x = f f_y, f = ±μ: λ = 3 turn/regularity, ẍ_O = slip/regularity.
+fn slipping(point: &Point, σ: f64, f: f64, turn: f64, slip: f64, regularity: f64) -> Motion {
+    let λ = 3.0 * turn / regularity;
+    let f_x = f * (1.0 + λ);
+    about_corner(σ, λ, f_x - point.k, f_x, slip / regularity)
+}

@@ -1,0 +1,86 @@
+//! Horizontal forces in SI units, and their reduction to the report's k and k'.
+
+use crate::body::Body;
+use crate::error::InputError;
+use crate::initiation::Point;
+use crate::mode::{Mode, Slip};
+use crate::motion::Motion;
+
+/// A horizontal force per metre run of the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HorizontalForce {
+    magnitude: f64,
+    elevation: f64,
+    direction: Slip,
+}
+
+impl HorizontalForce {
+    /// A force of `magnitude` (N/m, zero or more) at `elevation` above the base (m), pointing in `direction`.
+    ///
+    /// # Errors
+    /// If the magnitude is negative, or a number is not finite.
+    pub fn new(magnitude: f64, elevation: f64, direction: Slip) -> Result<HorizontalForce, InputError> {
+        Ok(HorizontalForce {
+            magnitude: InputError::not_negative("force", magnitude)?,
+            elevation: InputError::finite("elevation of the force", elevation)?,
+            direction,
+        })
+    }
+
+    /// N per metre run.
+    pub fn magnitude(&self) -> f64 {
+        self.magnitude
+    }
+
+    /// Height above the base, m.
+    pub fn elevation(&self) -> f64 {
+        self.elevation
+    }
+
+    /// Where it points.
+    pub fn direction(&self) -> Slip {
+        self.direction
+    }
+
+    /// The report's problem for this force on `body` with `friction` μ, at the acceleration of gravity `gravity`
+    /// (m/s²).
+    ///
+    /// # Errors
+    /// If `friction` is negative or not finite, `gravity` not above zero, or the reduced numbers overflow.
+    pub fn reduce(&self, body: &Body, friction: f64, gravity: f64) -> Result<Reduced, InputError> {
+        let gravity = InputError::positive("gravity", gravity)?;
+        let half_height = body.height() / 2.0;
+        let k = self.magnitude / (body.mass() * gravity);
+        let k_prime = (self.elevation - half_height) / half_height;
+        let point = Point::new(body.slenderness(), k_prime, k, friction)?;
+        Ok(Reduced { point, mirrored: self.direction == Slip::Right })
+    }
+}
+
+/// A force reduced to a point of the report's k–μ plane. The report's force points left; a force to the right is its
+/// mirror image.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reduced {
+    /// The point, for a force to the left.
+    pub point: Point,
+    /// Whether the force points right, so that modes and motions are to be mirrored.
+    pub mirrored: bool,
+}
+
+impl Reduced {
+    /// The mode of the real body, mirrored if the force points right.
+    pub fn mode(&self) -> Mode {
+        self.orient(self.point.mode())
+    }
+
+    /// A mode of the report's problem as the real body shows it.
+    pub fn orient(&self, mode: Mode) -> Mode {
+        if self.mirrored { mode.mirrored() } else { mode }
+    }
+
+    /// The motion of the real body, mirrored if the force points right; non-dimensional.
+    pub fn motion(&self) -> Motion {
+        let motion = self.point.motion();
+        if self.mirrored { motion.mirrored() } else { motion }
+    }
+}

@@ -1,0 +1,254 @@
+//! Exact signs: the mode returned for four f64 is the one that exact real arithmetic gives for them.
+//!
+//! # The polynomials
+//!
+//! The whole decision of chapters III and IV, for every real k', is the signs of five polynomials in
+//! (γ, k', k, μ), and of μ − k. With g = γ for the corner O (k' ≥ −1) and g = −γ for the corner O' (k' < −1):
+//!
+//! | name | polynomial | is positive when |
+//! |---|---|---|
+//! | `tip` | g k (1+k') − 1 | the force overturns the body about the corner (3.5, 4.10) |
+//! | `turn` | g (μ + k k') − 1 | it does so too with the base pulling back by μ only (3.8, 4.19) |
+//! | `toe` | γ (μ + k k') + 1 | the sliding body does *not* turn about O' (4.18, 4.92) |
+//! | `slip_left` | μ (c k + d) − (a k + b) | friction is enough to stop a slip of the corner to the left (3.24) |
+//! | `slip_right` | μ (c k + d) + (a k + b) | friction is enough to stop a slip of the corner to the right (3.24) |
+//!
+//! They are evaluated through D = μ − k, M = μ + k and G = 4(1+γ²):
+//!
+//! ```text
+//! tip = g k (1+k') − 1                turn = g D + tip          toe = turn + 2     (k' ≥ −1)
+//! slip_left = G D + 3 tip (μ + g)     slip_right = G M + 3 tip (μ − g)
+//! ```
+//!
+//! which are identities in a = 4 + γ² − 3γ²k', b = 3g, c = 3g(1+k'), d = 1 + 4γ², and in which no product
+//! k k' appears that could cancel after rounding.
+//!
+//! # The bound
+//!
+//! Let ε = 2⁻⁵³, u = tip + 1 ≥ 0 and S = 1 + G M + 3 (1+u)(μ+γ). Each operation returns its exact result times
+//! (1 + δ), |δ| ≤ ε (a fused multiply-add rounds once, which only helps). To first order:
+//!
+//! * u takes three roundings, so `tip` is off by at most ε(3u + |tip|) ≤ ε(3 + 4|tip|).
+//! * `turn` (and `toe`) by at most ε(3u + |tip| + 2γ|D| + |turn|). As tip = turn − gD and
+//!   γ|D| ≤ γM ≤ GM/8 ≤ S/8, this is at most ε(5|turn| + 5 + 6γM) ≤ ε(5|turn| + 5S).
+//! * G is off by 2 roundings, D by 1, their product by 4 in all: 4ε GM. 3 tip is off by at most
+//!   ε(9u + 6 max(u,1)) ≤ 15ε(1+u), times |μ ± g| ≤ μ + γ, plus two roundings of that product: together at most
+//!   7ε·3(1+u)(μ+γ). The last addition adds ε S. So `slip_left` and `slip_right` are off by at most 8ε S.
+//!
+//! In every case |error| < |value| follows from |value| > 16ε S; terms in ε² and the rounding of S itself
+//! (a sum of positive terms, 8 roundings) are far inside the factor of 2 between 8 and 16. Underflow adds at
+//! most 2⁻¹⁰⁷⁴ to a term, multiplied by at most G: nothing beside 16ε S ≥ 2⁻⁴⁹ while S is finite. An overflow or a
+//! NaN makes S infinite or NaN, and the comparison fails. So one comparison per point says that all five
+//! floating-point signs are right; where it fails, [`Exact`] arithmetic decides. There is no tolerance.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::exact::{Exact, Real};
+use crate::mode::Mode;
+
+/// Arithmetic on f64 whose every operation rounds once: plain, or with a fused multiply-add.
+pub(crate) trait Rounded: Real + Copy {
+    fn value(self) -> f64;
+}
+
+impl Rounded for f64 {
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+}
+
+/// An f64 whose [`Real::mul_add`] is one instruction and one rounding; only for code compiled for processors that
+/// have it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Fused(f64);
+
+impl Rounded for Fused {
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self.0
+    }
+}
+
+impl Real for Fused {
+    #[inline(always)]
+    fn of(x: f64) -> Fused {
+        Fused(x)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, b: Fused, c: Fused) -> Fused {
+        Fused(self.0.mul_add(b.0, c.0))
+    }
+}
+
+impl Add for Fused {
+    type Output = Fused;
+    #[inline(always)]
+    fn add(self, other: Fused) -> Fused {
+        Fused(self.0 + other.0)
+    }
+}
+
+impl Sub for Fused {
+    type Output = Fused;
+    #[inline(always)]
+    fn sub(self, other: Fused) -> Fused {
+        Fused(self.0 - other.0)
+    }
+}
+
+impl Mul for Fused {
+    type Output = Fused;
+    #[inline(always)]
+    fn mul(self, other: Fused) -> Fused {
+        Fused(self.0 * other.0)
+    }
+}
+
+impl Neg for Fused {
+    type Output = Fused;
+    #[inline(always)]
+    fn neg(self) -> Fused {
+        Fused(-self.0)
+    }
+}
+
+/// The polynomials of the module's table, and the scale S of their rounding errors.
+#[derive(Debug, Clone)]
+pub(crate) struct Polynomials<T> {
+    pub(crate) tip: T,
+    pub(crate) turn: T,
+    pub(crate) toe: T,
+    pub(crate) slip_left: T,
+    pub(crate) slip_right: T,
+    /// 4 + γ² − 3μg, the denominator of the slide-rock to the left: negative beyond Painlevé's bound (3.35, 4.68).
+    pub(crate) regularity: T,
+    scale: T,
+}
+
+/// The signed slenderness g of the corner that a force can tip the body about: γ (O), or −γ (O') for k' < −1.
+#[inline(always)]
+pub(crate) fn signed_slenderness(gamma: f64, k_prime: f64) -> f64 {
+    if k_prime < -1.0 { -gamma } else { gamma }
+}
+
+impl<T: Real> Polynomials<T> {
+    #[inline(always)]
+    pub(crate) fn at(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Polynomials<T> {
+        let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(T::of);
+        let g = T::of(signed_slenderness(gamma, k_prime));
+        let [γ, k_prime, k, μ] = [gamma, k_prime, k, mu].map(T::of);
+
+        let u = g.clone() * (k.clone() * (k_prime + one.clone()));
+        let tip = u.clone() - one.clone();
+        let difference = μ.clone() - k.clone();
+        let sum = μ.clone() + k;
+        let turn = g.clone().mul_add(difference.clone(), tip.clone());
+        let inertia = four.clone() * γ.clone().mul_add(γ.clone(), one.clone());
+        let lever = three.clone() * tip.clone();
+        let sticking = inertia.clone() * sum;
+        let regularity = γ.clone().mul_add(γ.clone(), four.clone()) - three.clone() * (μ.clone() * g.clone());
+        Polynomials {
+            regularity,
+            toe: turn.clone() + two,
+            slip_left: inertia.mul_add(difference, lever.clone() * (μ.clone() + g.clone())),
+            slip_right: lever.mul_add(μ.clone() - g, sticking.clone()),
+            scale: three.clone().mul_add(u, three).mul_add(μ + γ, sticking) + one,
+            tip,
+            turn,
+        }
+    }
+}
+
+/// What [`screen`] returns where floating point cannot tell, or the input is not valid.
+pub(crate) const UNSURE: u8 = u8::MAX;
+
+/// The mode code of a point by floating point, or [`UNSURE`]. No branches, no division: it vectorises.
+#[inline(always)]
+pub(crate) fn screen<T: Rounded>(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
+    /// 16ε.
+    const FACTOR: f64 = 1.0 / (1u64 << 49) as f64;
+    // Not `f64::min`, whose care for NaN costs instructions; a NaN here makes the scale NaN as well.
+    let min = |a: f64, b: f64| if a < b { a } else { b };
+
+    let polynomials = Polynomials::<T>::at(gamma, k_prime, k, mu).map(T::value);
+    let Polynomials { tip, turn, toe, slip_left, slip_right, scale, .. } = polynomials;
+    let least = min(
+        min(min(tip.abs(), turn.abs()), min(toe.abs(), slip_left.abs())),
+        slip_right.abs(),
+    );
+    let sure = (least > FACTOR * scale) & (gamma > 0.0) & (min(k, mu) >= 0.0);
+    decide(&polynomials, mu - k, k_prime < -1.0, sure)
+}
+
+/// The mode code from the signs of the polynomials and of μ − k (spec: "one decision for both chapters"), or
+/// [`UNSURE`]; `beyond` says k' < −1.
+///
+/// Later lines override earlier ones, so they stand in reverse order of precedence.
+#[inline(always)]
+fn decide(signs: &Polynomials<f64>, friction_surplus: f64, beyond: bool, sure: bool) -> u8 {
+    /// Codes are kept in the last byte of an f64 until the end, so that they are chosen in the same vector
+    /// registers as the numbers they depend on.
+    const CODES: f64 = (1u64 << 52) as f64;
+    const fn code(mode: Mode) -> f64 {
+        CODES + mode as u8 as f64
+    }
+
+    let slides = friction_surplus < 0.0;
+    let rock = if beyond { code(Mode::RockOPrime) } else { code(Mode::RockO) };
+    let mut mode = if signs.slip_right < 0.0 { code(Mode::SlideRockORight) } else { rock };
+    mode = if signs.slip_left < 0.0 { code(Mode::SlideRockOLeft) } else { mode };
+    mode = if (signs.slip_left < 0.0) & beyond { code(Mode::SlideRockOPrimeLeft) } else { mode };
+    mode = if slides & (signs.turn <= 0.0) { code(Mode::SlideLeft) } else { mode };
+    mode = if !beyond & (signs.toe < 0.0) { code(Mode::SlideRockOPrimeLeft) } else { mode };
+    mode = if (signs.tip <= 0.0) & !slides { code(Mode::Rest) } else { mode };
+    mode = if sure { mode } else { CODES + UNSURE as f64 };
+    mode.to_bits() as u8
+}
+
+impl<T> Polynomials<T> {
+    #[inline(always)]
+    fn map<U>(self, mut f: impl FnMut(T) -> U) -> Polynomials<U> {
+        Polynomials {
+            tip: f(self.tip),
+            turn: f(self.turn),
+            toe: f(self.toe),
+            slip_left: f(self.slip_left),
+            slip_right: f(self.slip_right),
+            regularity: f(self.regularity),
+            scale: f(self.scale),
+        }
+    }
+}
+
+impl Polynomials<f64> {
+    /// The polynomials at a valid point with full *relative* accuracy, near their zeros too: a value that
+    /// cancellation has left with fewer than 40 good bits is computed exactly and rounded once.
+    pub(crate) fn accurate(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Polynomials<f64> {
+        let float = Polynomials::<f64>::at(gamma, k_prime, k, mu);
+        let floor = float.scale / 256.0;
+        let Polynomials { tip, turn, toe, slip_left, slip_right, regularity, .. } = float;
+        let values = [tip, turn, toe, slip_left, slip_right, regularity];
+        if values.iter().all(|value| value.abs() > floor) {
+            return float;
+        }
+        Polynomials::<Exact>::at(gamma, k_prime, k, mu).map(|value| value.to_f64())
+    }
+}
+
+/// The mode code of a valid point by exact arithmetic.
+#[cold]
+pub(crate) fn exact(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
+    let signs = Polynomials::<Exact>::at(gamma, k_prime, k, mu).map(|value| value.to_f64());
+    decide(&signs, mu - k, k_prime < -1.0, true)
+}
+
+/// The mode code of a valid point.
+#[inline]
+pub(crate) fn code(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
+    match screen::<f64>(gamma, k_prime, k, mu) {
+        UNSURE => exact(gamma, k_prime, k, mu),
+        code => code,
+    }
+}

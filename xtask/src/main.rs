@@ -1,0 +1,2 @@
+//! Everything CI does, runnable by hand.
+fn main() {}
