@@ -17,17 +17,13 @@ pub(super) fn motion(point: &Point, mode: Mode) -> Motion {
     // σ θ̈ > 0 lifts the far corner, with σ = 1 about O and −1 about O'.
     let σ = g.signum();
     match mode {
-        Mode::Rest => both_corners(0.0, k, 0.0 - σ * (polynomials.tip + 1.0)),
-        Mode::SlideLeft => {
-            // From the nearer edge of the base, so that ξ stays on it.
-            let near_o = polynomials.turn.abs() <= polynomials.toe.abs();
-            let arm = if near_o { polynomials.turn + 1.0 } else { polynomials.toe - 1.0 };
-            both_corners(μ - k, μ, 0.0 - σ * arm)
-        }
+        // ξ = −k(1+k')γ (4.8) and ξ = −(μ + k k')γ (4.17) lie on the base; rounding is not to push them off it.
+        Mode::Rest => both_corners(0.0, k, (0.0 - γ * (k * (1.0 + k_prime))).clamp(-1.0, 1.0)),
+        Mode::SlideLeft => both_corners(μ - k, μ, (0.0 - γ * (μ + k * k_prime)).clamp(-1.0, 1.0)),
         Mode::RockO | Mode::RockOPrime => {
             // (3.14–3.16, 4.36–4.39)
             let λ = 3.0 * polynomials.tip / (4.0 * (1.0 + γ * γ));
-            about_corner(σ, λ, -g * λ, k - g * λ, 0.0)
+            about_corner(σ, λ, 0.0 - g * λ, k - g * λ, 0.0)
         }
         // (3.30, 3.37; 4.64, 4.76)
         Mode::SlideRockOLeft => {
@@ -91,6 +87,8 @@ fn about_corner(σ: f64, λ: f64, x_ddot: f64, f_x: f64, slip: f64) -> Motion {
 /// Slide-rock about the corner σ under f_x = f f_y, f = ±μ: λ = 3 turn/regularity, ẍ_O = slip/regularity.
 fn slipping(point: &Point, σ: f64, f: f64, turn: f64, slip: f64, regularity: f64) -> Motion {
     let λ = 3.0 * turn / regularity;
-    let f_x = f * (1.0 + λ);
-    about_corner(σ, λ, f_x - point.k, f_x, slip / regularity)
+    let slip = slip / regularity;
+    // Rather than f_x − k, which cancels where the centre of mass hardly moves.
+    let x_ddot = slip - σ * point.gamma * λ;
+    about_corner(σ, λ, x_ddot, f * (1.0 + λ), slip)
 }

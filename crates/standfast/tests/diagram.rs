@@ -1,0 +1,315 @@
+//! The regions of the k–μ plane, its points and margins, against the decision and the curves that define them.
+
+mod common;
+
+use common::Random;
+use standfast::contact::enumerate;
+use standfast::initiation::{Case, Chart, PointName};
+use standfast::{Diagram, Mode, Modes, Point};
+
+/// Bodies and elevations of every case, thresholds and special values included.
+fn charts() -> Vec<Chart> {
+    let mut charts = Vec::new();
+    for gamma in [0.05, 0.3, 0.5f64.sqrt(), 1.0, 2f64.sqrt(), 2.0, 3.0, 4.0, 10.0, 20.0] {
+        let g2: f64 = gamma * gamma;
+        let thresholds = [(1.0 + g2) / (3.0 * g2), (4.0 + g2) / (3.0 * g2), -(1.0 + g2) / (4.0 + g2)];
+        let fixed = [-200.0, -3.0, -1.2, -1.0, -0.95, -0.6, -0.5, -0.2, -0.01, 0.0, 0.01, 0.4, 0.8, 1.0, 1.7, 200.0];
+        charts.extend(fixed.into_iter().chain(thresholds).map(|k_prime| Chart::new(gamma, k_prime).unwrap()));
+    }
+    charts
+}
+
+fn close(left: f64, right: f64, size: f64) -> bool {
+    (left - right).abs() <= 1e-9 * size
+}
+
+/// Regions cover the plane without overlap, and each holds its mode, checked at random points of the window and
+/// far outside it.
+#[test]
+fn every_point_lies_in_the_region_of_its_mode() {
+    let mut random = Random(31);
+    for chart in charts() {
+        let diagram = Diagram::of(chart);
+        let window = diagram.window();
+        for _ in 0..500 {
+            let far = random.pick(&[0.3, 1.0, 20.0]);
+            let (k, mu) = (random.uniform(0.0, far * window.k), random.uniform(0.0, far * window.mu));
+            let mode = diagram.mode_at(k, mu).unwrap();
+            let holders: Modes = diagram
+                .regions()
+                .iter()
+                .filter(|region| region.contains(k, mu))
+                .map(|region| region.mode)
+                .collect();
+            assert_eq!(holders, [mode].into_iter().collect(), "{chart:?} at ({k}, {mu})");
+        }
+    }
+}
+
+#[test]
+fn strips_follow_one_another_and_do_not_cross() {
+    for chart in charts() {
+        for region in Diagram::of(chart).regions() {
+            for pair in region.strips.windows(2) {
+                assert_eq!(pair[0].to, pair[1].from, "{chart:?} {}", region.mode);
+            }
+            for strip in &region.strips {
+                for i in 0..=20 {
+                    let end = if strip.to.is_finite() { strip.to } else { 100.0 * (strip.from + 1.0) };
+                    let k = strip.from + (end - strip.from) * f64::from(i) / 20.0;
+                    let (low, high) = (strip.lower.at(k), strip.upper.map_or(f64::INFINITY, |upper| upper.at(k)));
+                    assert!(low <= high + 1e-9 * (1.0 + low.abs()), "{chart:?} {} at k = {k}", region.mode);
+                    assert!(low >= -1e-9 * (1.0 + 1.0 / chart.slenderness()), "{chart:?} {}", region.mode);
+                }
+            }
+        }
+    }
+}
+
+/// The unresolved parts are exactly where the enumeration finds more than one mode.
+#[test]
+fn unresolved_parts_are_where_several_modes_are_consistent() {
+    let mut random = Random(32);
+    let mut hits = 0;
+    for chart in charts().into_iter().filter(|chart| (-1.0..0.0).contains(&chart.elevation())) {
+        let parts = Diagram::of(chart).unresolved();
+        for _ in 0..2000 {
+            let k = random.uniform(0.0, 8.0 * chart.k_a().max(chart.k_b_prime()).min(1e3));
+            let mu = random.uniform(0.0, 1.5 * (chart.upper_line().at(k) + 1.0));
+            let point = Point::new(chart.slenderness(), chart.elevation(), k, mu).unwrap();
+            let inside: Vec<_> =
+                parts.iter().filter(|part| part.strips.iter().any(|strip| strip.contains(k, mu))).collect();
+            if point.is_unique() {
+                assert!(inside.is_empty(), "{point:?}");
+            } else {
+                hits += 1;
+                assert_eq!(inside.len(), 1, "{point:?}");
+                assert_eq!(inside[0].modes, enumerate(&point), "{point:?}");
+                assert_eq!(inside[0].resolved_as, point.mode());
+            }
+        }
+    }
+    assert!(hits > 1000, "{hits}");
+}
+
+#[test]
+fn before_resolution_a_mode_claims_the_parts_it_loses() {
+    let names = |diagram: &Diagram, mode| {
+        let (region, parts) = diagram.before_resolution(mode);
+        (region.is_some(), parts.iter().map(|part| part.name).collect::<Vec<_>>())
+    };
+    let positive = Diagram::new(4.0, -0.55).unwrap(); // Figs. 4.4a–4.6a
+    assert_eq!(names(&positive, Mode::RockO), (true, vec!["BB'C'C", "CC'C''"]));
+    assert_eq!(names(&positive, Mode::SlideRockOLeft), (true, vec!["BB'C'C", "CC'C''"]));
+    assert_eq!(names(&positive, Mode::SlideRockOPrimeLeft), (true, vec![]));
+    let negative = Diagram::new(1.0, -0.6).unwrap(); // Figs. 4.4b–4.6b
+    assert_eq!(names(&negative, Mode::SlideRockOLeft), (false, vec!["BAC'C", "CC'C''"]));
+    assert_eq!(names(&negative, Mode::SlideLeft), (true, vec![]));
+    assert!(Diagram::new(1.0, -1.0).unwrap().unresolved().is_empty());
+    assert!(Diagram::new(1.0, 0.5).unwrap().unresolved().is_empty());
+}
+
+#[test]
+fn named_points_satisfy_the_curves_that_define_them() {
+    for chart in charts() {
+        let [a, b, c, d] = chart.coefficients();
+        let (upper, lower, mu_star) = (chart.upper_line(), chart.lower_line(), chart.mu_star());
+        for point in chart.points() {
+            let on = |mu: f64, terms: f64| {
+                let size = point.mu.abs() + terms.abs() + 1.0 / chart.slenderness();
+                assert!(close(point.mu, mu, size), "{chart:?} {point:?}: {mu}");
+            };
+            let along = point.k * chart.elevation();
+            match point.name {
+                PointName::A => {
+                    on(point.k, 0.0);
+                    if chart.elevation() < -1.0 {
+                        on(lower.at(point.k), along);
+                        on(chart.mu_star_star().at(point.k), 0.0);
+                    } else {
+                        on(upper.at(point.k), along);
+                        on(mu_star.at(point.k), 0.0);
+                    }
+                }
+                PointName::BPrime => {
+                    on(upper.at(point.k), along);
+                    on(mu_star.at(point.k), 0.0);
+                    assert!(point.k > chart.k_a() && point.mu >= 4.0 / 3.0);
+                }
+                PointName::C => on(upper.at(0.0), 0.0),
+                PointName::CPrime => {
+                    on(lower.at(point.k), along);
+                    on(mu_star.at(point.k), along);
+                    assert!(point.k > chart.k_a() && point.k >= chart.k_b_prime() * (1.0 - 1e-12));
+                }
+                PointName::D => {
+                    assert_eq!(point.mu, 0.0);
+                    let line = if chart.elevation() < 0.0 { lower } else { upper };
+                    on(line.at(point.k), along);
+                }
+                PointName::E => assert!(close(a * point.k, -b, b) && point.k > chart.k_d()),
+                PointName::F => assert!(close(a * point.k, b, b) && point.k < chart.k_d()),
+            }
+            assert!(c.is_finite() && d > 0.0);
+        }
+    }
+}
+
+/// The table "Bodies that show every feature" of the figures' specification, to its digits.
+#[test]
+fn published_coordinates() {
+    let at = |gamma, k_prime, name| {
+        let point = Chart::new(gamma, k_prime).unwrap().point(name).unwrap();
+        (format!("{:.4}", point.k), format!("{:.4}", point.mu))
+    };
+    let pair = |k: &str, mu: &str| (k.to_owned(), mu.to_owned());
+    use PointName::{A, BPrime, C, CPrime, D, E, F};
+    assert_eq!(at(1.0, 0.4, A), pair("0.7143", "0.7143"));
+    assert_eq!(at(1.0, 0.4, C), pair("0.0000", "1.0000"));
+    assert_eq!(at(1.0, 0.4, D), pair("2.5000", "0.0000"));
+    assert_eq!(at(2.0, 0.55, A), pair("0.3226", "0.3226"));
+    assert_eq!(at(2.0, 0.55, D), pair("0.9091", "0.0000"));
+    assert_eq!(at(3.0, 0.8, A), pair("0.1852", "0.1852"));
+    assert_eq!(at(3.0, 0.8, E), pair("1.0465", "0.0000"));
+    assert_eq!(at(1.0, -0.6, A), pair("2.5000", "2.5000"));
+    assert_eq!(at(1.0, -0.6, D), pair("1.6667", "0.0000"));
+    assert_eq!(at(1.0, -0.6, F), pair("0.4412", "0.0000"));
+    assert_eq!(at(1.0, -0.6, CPrime), pair("8.2855", "3.9713"));
+    assert_eq!(at(4.0, -0.55, BPrime), pair("2.5758", "1.6667"));
+    assert_eq!(at(4.0, -0.55, CPrime), pair("5.7071", "2.8889"));
+    assert_eq!(at(4.0, -0.55, F), pair("0.2586", "0.0000"));
+
+    let ratios = |gamma, k_prime| {
+        let [a, b, c, d] = Chart::new(gamma, k_prime).unwrap().coefficients();
+        [a.abs() / c, b / d, d / c].map(|ratio| format!("{ratio:.4}"))
+    };
+    assert_eq!(ratios(1.0, 0.4)[..2], ["0.9048", "0.6000"]);
+    assert_eq!(ratios(2.0, 0.55)[..2], ["0.1505", "0.3529"]);
+    assert_eq!(ratios(3.0, 0.8)[0], "0.5309");
+    assert_eq!(ratios(1.0, -0.6)[0], "5.6667");
+    assert_eq!(ratios(1.0, -0.6)[2], "4.1667");
+}
+
+#[test]
+fn cases_change_at_the_reports_thresholds() {
+    let case = |gamma, k_prime| Chart::new(gamma, k_prime).unwrap().case();
+    assert_eq!(case(1.0, 0.4), Case::OneA);
+    assert_eq!(case(1.0, 1.0), Case::OneB);
+    assert_eq!(case(2.0, 0.55), Case::OneB);
+    assert_eq!(case(3.0, 0.8), Case::TwoThree);
+    assert_eq!(case(4.0, -0.55), Case::DeltaPositive);
+    assert_eq!(case(1.0, -0.6), Case::DeltaNotPositive);
+    assert_eq!(case(1.0, -1.0), Case::DeltaNotPositive);
+    assert_eq!(case(1.0, -1.5), Case::BelowBase);
+    // Cases 2 and 3 need γ > √2, case 1b γ > 1/√2, for a force on the body.
+    assert_eq!(case(1.414, 1.0), Case::OneB);
+    assert_eq!(case(1.415, 1.0), Case::TwoThree);
+    assert_eq!(case(0.707, 1.0), Case::OneA);
+    assert_eq!(case(0.708, 1.0), Case::OneB);
+}
+
+#[test]
+fn a_curve_s_slope_and_inverse_agree_with_its_values() {
+    let mut random = Random(33);
+    for chart in charts() {
+        for curve in [chart.upper_line(), chart.mu_star(), chart.mu_star_rising()] {
+            let k = random.uniform(0.1, 3.0);
+            let step = 1e-6 * k;
+            let difference = (curve.at(k + step) - curve.at(k - step)) / (2.0 * step);
+            let scale = curve.slope(k).abs() + curve.at(k).abs() / k;
+            assert!((difference - curve.slope(k)).abs() <= 1e-5 * scale, "{chart:?} {curve:?}");
+            if curve.slope(k).abs() > 1e-3 * curve.at(k).abs() / k {
+                assert!(close(curve.k_at(curve.at(k)).unwrap(), k, 1e4 * k), "{chart:?} {curve:?}");
+            }
+        }
+    }
+}
+
+/// Margins: the mode is constant between crossings, and changes at each.
+#[test]
+fn modes_change_at_the_crossings_and_nowhere_else() {
+    let mut random = Random(34);
+    for _ in 0..20_000 {
+        let [gamma, k_prime, k, mu] = random.point();
+        let margins = Point::new(gamma, k_prime, k, mu).unwrap().margins();
+        for (crossings, along_force) in [(&margins.along_force, true), (&margins.along_friction, false)] {
+            let mode = |value: f64| {
+                let (k, mu) = if along_force { (value, mu) } else { (k, value) };
+                Point::new(gamma, k_prime, k, mu).unwrap().mode()
+            };
+            for pair in crossings.windows(2) {
+                assert_eq!(pair[0].to, pair[1].from);
+                assert!(pair[0].at < pair[1].at);
+            }
+            for crossing in crossings.iter().filter(|crossing| crossing.at > 0.0) {
+                assert_ne!(crossing.from, crossing.to);
+                assert_eq!(mode(crossing.at * (1.0 - 1e-9)), crossing.from, "{gamma} {k_prime} {k} {mu} {crossing:?}");
+                assert_eq!(mode(crossing.at * (1.0 + 1e-9)), crossing.to, "{gamma} {k_prime} {k} {mu} {crossing:?}");
+            }
+            let value = random.log(1e-3, 1e3);
+            if crossings.iter().any(|crossing| close(crossing.at, value, value)) {
+                continue;
+            }
+            let expected = crossings.iter().rev().find(|crossing| crossing.at < value);
+            let expected = expected.map_or_else(|| mode(0.0), |crossing| crossing.to);
+            assert_eq!(mode(value), expected, "{gamma} {k_prime} {k} {mu} at {value}: {crossings:?}");
+        }
+        assert_eq!(margins.leaves_rest().from, Mode::Rest);
+        // Rest ends at μ or k_A, whichever is less.
+        let k_a = Chart::new(gamma, k_prime).unwrap().k_a();
+        assert!(close(margins.leaves_rest().at, mu.min(k_a), mu.min(k_a)));
+    }
+}
+
+#[test]
+fn safety_factors_are_one_where_rest_ends() {
+    let mut random = Random(35);
+    for _ in 0..100_000 {
+        let [gamma, k_prime, k, mu] = random.point();
+        let point = Point::new(gamma, k_prime, k, mu).unwrap();
+        let least = point.safety_against_sliding().min(point.safety_against_overturning());
+        if (least - 1.0).abs() > 1e-12 {
+            assert_eq!(point.mode() == Mode::Rest, least > 1.0, "{point:?}");
+        }
+    }
+    let unloaded = Point::new(1.0, -1.0, 0.0, 0.0).unwrap();
+    assert_eq!(unloaded.safety_against_sliding(), f64::INFINITY);
+    assert_eq!(unloaded.safety_against_overturning(), f64::INFINITY);
+}
+
+/// The trace ends with the mode, its relations hold, every earlier step fails, and bounds are the curves' values.
+#[test]
+fn the_trace_explains_the_mode() {
+    let mut random = Random(36);
+    for _ in 0..50_000 {
+        let [gamma, k_prime, k, mu] = random.point();
+        let point = Point::new(gamma, k_prime, k, mu).unwrap();
+        let trace = point.explain();
+        let last = trace.steps.last().unwrap();
+        assert_eq!((last.mode, last.holds), (point.mode(), true));
+        for step in &trace.steps {
+            assert_eq!(step.holds, step.relations.iter().all(|relation| relation.holds), "{point:?} {step:?}");
+            for relation in &step.relations {
+                let margin = relation.margin();
+                let size = relation.left.abs() + relation.right.abs();
+                if margin.is_finite() && margin.abs() > 1e-9 * (size + 1.0 / gamma) {
+                    assert_eq!(relation.holds, margin > 0.0, "{point:?} {relation}");
+                }
+            }
+        }
+        assert!(trace.steps.iter().rev().skip(1).all(|step| !step.holds));
+    }
+}
+
+#[test]
+fn bad_charts_are_refused() {
+    assert_eq!(
+        Diagram::new(0.0, 0.5).unwrap_err().to_string(),
+        "slenderness γ is 0; expected a finite number above zero"
+    );
+    assert_eq!(
+        Diagram::new(1.0, f64::INFINITY).unwrap_err().to_string(),
+        "elevation k' is inf; expected a finite number"
+    );
+    assert!(Diagram::new(1.0, 0.5).unwrap().mode_at(-1.0, 0.5).is_err());
+}

@@ -1,0 +1,199 @@
+//! The closed form against the enumeration of all contact modes, and the enumeration against the laws it stands for.
+
+mod common;
+
+use common::{Boundary, Random};
+use standfast::contact::{Block, Wrench, enumerate, solve};
+use standfast::{InputError, Mode, Modes, Point};
+
+fn check([gamma, k_prime, k, mu]: [f64; 4]) {
+    let point = Point::new(gamma, k_prime, k, mu).unwrap();
+    let mut closed_form = point.others();
+    assert!(!closed_form.contains(point.mode()));
+    closed_form.insert(point.mode());
+    assert_eq!(closed_form, enumerate(&point), "{point:?}");
+}
+
+#[test]
+fn closed_form_is_the_enumeration_of_contact_modes() {
+    let mut random = Random(1);
+    (0..300_000).for_each(|_| check(random.point()));
+}
+
+#[test]
+fn closed_form_is_the_enumeration_on_boundaries() {
+    for boundary in Boundary::ALL {
+        let mut random = Random(100 + boundary as u64);
+        (0..20_000).for_each(|_| check(boundary.point(&mut random)));
+    }
+}
+
+/// The indeterminate set is met often enough for the two tests above to mean something.
+#[test]
+fn all_modes_and_both_parts_of_n_occur() {
+    let mut random = Random(2);
+    let mut seen = Modes::NONE;
+    let mut triples = Modes::NONE;
+    for _ in 0..200_000 {
+        let [gamma, k_prime, k, mu] = random.point();
+        let point = Point::new(gamma, k_prime, k, mu).unwrap();
+        seen.insert(point.mode());
+        if point.others().len() == 2 {
+            assert_eq!(point.others().to_string(), "RO SRO-");
+            assert!(mu > 4.0 / 3.0);
+            triples.insert(point.mode());
+        }
+    }
+    assert_eq!(seen.to_string(), "RE SL RO SRO- SRO+ SRO'- RO'");
+    assert_eq!(triples.to_string(), "SL SRO'-");
+}
+
+/// A random block, and a wrench that presses or lifts, with dyadic numbers so that edges are met exactly.
+fn random_case(random: &mut Random) -> (Block, Wrench) {
+    let coarse = random.bits() % 2 == 0;
+    let mut positive = |high: f64| {
+        let value = random.uniform(0.05, high);
+        if coarse { (value * 8.0).ceil() / 8.0 } else { value }
+    };
+    let [b1, b2, d, rho2, m_x, m_y] =
+        [positive(2.0), positive(2.0), positive(4.0), positive(3.0), positive(3.0), positive(3.0)];
+    let mu_k = positive(4.0);
+    let block = Block { b1, b2, d, rho2, m_x, m_y, mu_s: mu_k, mu_k };
+    let mut any = |size: f64| {
+        let value = random.uniform(-size, size);
+        if coarse { (value * 8.0).round() / 8.0 } else { value }
+    };
+    (block, Wrench { x: any(4.0), p: any(2.0) + 1.0, m: any(4.0) })
+}
+
+/// Newton, Coulomb and non-penetration, from the definition, for a motion that `solve` returned.
+fn assert_lawful(block: &Block, wrench: &Wrench, mode: Mode) {
+    let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
+    let Wrench { x, p, m } = *wrench;
+    let motion = solve(block, wrench).unwrap().motion(mode).unwrap();
+    let close = |left: f64, right: f64, terms: &[f64]| {
+        let size: f64 = terms.iter().map(|term| term.abs()).sum::<f64>() + 1e-300;
+        assert!((left - right).abs() <= 1e-12 * size, "{block:?} {wrench:?} {mode}: {left} ≠ {right}");
+    };
+    let atol = 1e-9 * (1.0 + x.abs() + p.abs() + m.abs());
+    close(m_x * motion.x_ddot, motion.f_x + x, &[motion.f_x, x]);
+    close(m_y * motion.y_ddot, motion.f_y - p, &[motion.f_y, p]);
+    let terms = [motion.f_x * d, motion.f_y * motion.xi, m, rho2 * motion.theta_ddot, p, x * d];
+    // Near Painlevé's bound ρ² + m_y r c vanishes and α has lost as many digits as its inverse has gained.
+    let amplification = 1.0 + motion.theta_ddot.abs();
+    let size: f64 = terms.iter().map(|term| term.abs()).sum();
+    let moment = motion.f_x * d + motion.f_y * motion.xi + m;
+    assert!((rho2 * motion.theta_ddot - moment).abs() <= 1e-12 * size * amplification, "{block:?} {wrench:?} {mode}");
+    assert!(motion.f_y >= -atol && -b1 - 1e-9 <= motion.xi && motion.xi <= b2 + 1e-9);
+    close(motion.slip, motion.x_ddot + d * motion.theta_ddot, &[motion.x_ddot, d * motion.theta_ddot, x]);
+    let size = motion.y_ddot.abs() + (b1 + b2) * motion.theta_ddot.abs();
+    assert!(motion.lift_o >= -1e-12 * size && motion.lift_o_prime >= -1e-12 * size);
+    match mode.slip() {
+        Some(slip) => {
+            close(motion.f_x, -slip.sign() * mu_k * motion.f_y, &[motion.f_x]);
+            assert!(slip.sign() * motion.slip > -atol);
+        }
+        None if mode == Mode::Flight => assert_eq!((motion.f_x, motion.f_y), (0.0, 0.0)),
+        None => {
+            assert!(motion.f_x.abs() <= mu_s * motion.f_y + atol);
+            assert_eq!(motion.slip, 0.0);
+        }
+    }
+}
+
+#[test]
+fn every_consistent_motion_of_the_general_problem_obeys_the_laws() {
+    let mut random = Random(3);
+    for _ in 0..100_000 {
+        let (mut block, wrench) = random_case(&mut random);
+        if random.bits() % 2 == 0 {
+            block.mu_s += random.uniform(0.0, 1.0);
+        }
+        for mode in solve(&block, &wrench).unwrap().modes.iter() {
+            assert_lawful(&block, &wrench, mode);
+        }
+    }
+}
+
+/// Some mode always holds; more than one only at or beyond Painlevé's bound, or where two modes are one motion on a
+/// shared edge.
+#[test]
+fn the_general_problem_has_an_answer_and_it_is_unique_below_painleves_bound() {
+    let mut random = Random(4);
+    for _ in 0..200_000 {
+        let (block, wrench) = random_case(&mut random);
+        let answer = solve(&block, &wrench).unwrap();
+        let reported = answer.mode().unwrap_or_else(|| panic!("no mode: {block:?} {wrench:?}"));
+        let Block { b1, b2, d, rho2, m_y, mu_k, .. } = block;
+        let bound = |r: f64| (rho2 / m_y + r * r) / (r * d);
+        if mu_k < bound(b1).min(bound(b2)) * (1.0 - 1e-12) {
+            let first = answer.motion(reported).unwrap();
+            for other in answer.modes.iter() {
+                let motion = answer.motion(other).unwrap();
+                let same = (motion.x_ddot - first.x_ddot).abs() + (motion.theta_ddot - first.theta_ddot).abs();
+                assert!(same < 1e-9, "{block:?} {wrench:?}: {reported} and {other}");
+            }
+        }
+    }
+}
+
+#[test]
+fn static_friction_above_kinetic_leaves_no_gap() {
+    let mut random = Random(5);
+    for _ in 0..200_000 {
+        let (mut block, wrench) = random_case(&mut random);
+        block.mu_s += random.uniform(0.0, 2.0);
+        let answer = solve(&block, &wrench).unwrap();
+        assert!(answer.mode().is_some(), "{block:?} {wrench:?}");
+    }
+}
+
+#[test]
+fn the_general_problem_is_symmetric() {
+    let mut random = Random(6);
+    for _ in 0..50_000 {
+        let (block, wrench) = random_case(&mut random);
+        let mirror = Block { b1: block.b2, b2: block.b1, ..block };
+        let here = solve(&block, &wrench).unwrap().modes;
+        let there = solve(&mirror, &Wrench { x: -wrench.x, m: -wrench.m, ..wrench }).unwrap().modes;
+        assert_eq!(here.iter().map(Mode::mirrored).collect::<Modes>(), there, "{block:?} {wrench:?}");
+    }
+}
+
+#[test]
+fn mu_s_above_mu_k_sticks_first() {
+    // Pulled between the two frictions: rest holds, slip is not tried.
+    let block = Block { mu_s: 0.8, mu_k: 0.5, ..Block::uniform(1.0, 0.5) };
+    let pull = |x| solve(&block, &Wrench { x, p: 1.0, m: 0.0 }).unwrap();
+    assert_eq!(pull(-0.7).modes.to_string(), "RE");
+    let slides = pull(-0.9);
+    assert_eq!(slides.modes.to_string(), "SL");
+    assert!((slides.motion(Mode::SlideLeft).unwrap().x_ddot - -0.4).abs() < 1e-15);
+}
+
+#[test]
+fn a_lifted_block_flies_and_a_weightless_one_floats() {
+    let block = Block::uniform(1.0, 0.5);
+    let modes = |x, p, m| solve(&block, &Wrench { x, p, m }).unwrap().modes.to_string();
+    assert_eq!(modes(0.0, -1.0, 0.0), "FL");
+    assert_eq!(modes(0.0, 0.0, 0.0), "RE FL"); // one motion, none
+    assert_eq!(modes(0.3, 0.0, 0.0), "SL+ FL"); // one motion, along the base
+}
+
+#[test]
+fn bad_blocks_and_wrenches_are_refused() {
+    let block = Block::uniform(1.0, 0.5);
+    let wrench = Wrench { x: -1.0, p: 1.0, m: 0.0 };
+    let message = |block: Block, wrench: Wrench| -> String {
+        solve(&block, &wrench).map_err(|error: InputError| error.to_string()).unwrap_err()
+    };
+    assert_eq!(
+        message(Block { b1: 0.0, ..block }, wrench),
+        "distance b1 of O is 0; expected a finite number above zero"
+    );
+    assert_eq!(
+        message(Block { mu_s: 0.4, ..block }, wrench),
+        "static friction mu_s is 0.4; expected no less than the kinetic friction mu_k"
+    );
+    assert_eq!(message(block, Wrench { m: f64::NAN, ..wrench }), "moment m is NaN; expected a finite number");
+}

@@ -1,0 +1,202 @@
+//! The mode of the library against the report's formulas in rational arithmetic: no disagreement is allowed.
+//!
+//! The oracle is written from the text of chapters III and IV, with its quotients, in arithmetic that never rounds.
+//! It shares neither formulas nor arithmetic with the library.
+
+mod common;
+
+use common::{Boundary, Random};
+use dashu_ratio::Relaxed as Rational;
+use standfast::batch::{self, BatchError, Columns, InstructionSet};
+use standfast::{Mode, Modes, Point};
+
+fn rational(x: f64) -> Rational {
+    Rational::try_from(x).unwrap()
+}
+
+/// The reported mode and the other consistent modes.
+fn oracle([gamma, k_prime, k, mu]: [f64; 4]) -> (Mode, Modes) {
+    let [γ, h, k, μ] = [gamma, k_prime, k, mu].map(rational);
+    let [zero, one, three, four] = [0.0, 1.0, 3.0, 4.0].map(rational);
+    let inverse = &one / &γ;
+    let γ2 = &γ * &γ;
+    let a = &four + &γ2 - &three * &γ2 * &h;
+    let b = &three * &γ;
+    let c = &three * &γ * (&one + &h);
+    let d = &one + &four * &γ2;
+    let upper = &inverse - &k * &h;
+    let lower = zero.clone() - &inverse - &k * &h;
+
+    if h < -one.clone() {
+        let k_a = zero.clone() - &inverse / (&one + &h);
+        let mode = if μ >= k && k <= k_a {
+            Mode::Rest
+        } else if μ < k && μ >= lower {
+            Mode::SlideLeft
+        } else if μ >= (&a * &k - &b) / (&d - &c * &k) {
+            Mode::RockOPrime
+        } else {
+            Mode::SlideRockOPrimeLeft
+        };
+        return (mode, Modes::NONE);
+    }
+
+    let right_of_a = &k * (&one + &h) > inverse;
+    let mu_star = (&a * &k + &b) / (&c * &k + &d);
+    let size = if mu_star < zero { zero.clone() - &mu_star } else { mu_star.clone() };
+    let mode = if μ >= k && !right_of_a {
+        Mode::Rest
+    } else if μ < lower {
+        Mode::SlideRockOPrimeLeft
+    } else if μ < k && μ <= upper {
+        Mode::SlideLeft
+    } else if μ >= size {
+        Mode::RockO
+    } else if mu_star > zero {
+        Mode::SlideRockOLeft
+    } else {
+        Mode::SlideRockORight
+    };
+
+    // N = {k > k_A, k ≥ k_B', μ* ≤ μ ≤ 1/γ + kq}, for −1 < k' < 0.
+    let mut others = Modes::NONE;
+    if h > -one.clone() && h < zero && right_of_a {
+        let q = zero.clone() - &h;
+        let k_b = (&one + &γ2) / (&three * &γ * &q);
+        if k >= k_b && mu_star <= μ && μ <= upper {
+            others.insert(Mode::RockO);
+            if mu_star < μ && μ < upper {
+                others.insert(Mode::SlideRockOLeft);
+            }
+        }
+    }
+    (mode, others)
+}
+
+fn check(point: [f64; 4]) {
+    let [gamma, k_prime, k, mu] = point;
+    let ours = Point::new(gamma, k_prime, k, mu).unwrap();
+    assert_eq!((ours.mode(), ours.others()), oracle(point), "γ, k', k, μ = {point:?}");
+}
+
+#[test]
+fn a_million_random_points_agree_with_rational_arithmetic() {
+    std::thread::scope(|scope| {
+        for seed in 0..4 {
+            scope.spawn(move || {
+                let mut random = Random(seed);
+                (0..250_000).for_each(|_| check(random.point()));
+            });
+        }
+    });
+}
+
+#[test]
+fn points_within_three_ulps_of_every_boundary_agree_with_rational_arithmetic() {
+    std::thread::scope(|scope| {
+        for half in Boundary::ALL.chunks(8) {
+            scope.spawn(move || {
+                for &boundary in half {
+                    let mut random = Random(boundary as u64);
+                    (0..100_000).for_each(|_| check(boundary.point(&mut random)));
+                }
+            });
+        }
+    });
+}
+
+/// Numbers far outside any use, where products overflow and underflow f64.
+#[test]
+fn extreme_magnitudes_agree_with_rational_arithmetic() {
+    let mut random = Random(7);
+    for _ in 0..20_000 {
+        let mut huge = |low: f64| random.log(low, 1e300);
+        let [gamma, k_prime, k, mu] = [huge(1e-300), huge(1e-300), huge(1e-300), huge(1e-300)];
+        check([gamma, k_prime * random.pick(&[-1.0, 1.0]), k, mu]);
+    }
+    for corner in [5e-324, f64::MIN_POSITIVE, f64::MAX] {
+        check([corner, corner, corner, corner]);
+        check([corner, -corner, corner, corner]);
+        check([1.0, 0.0, corner, corner]);
+        check([1.0, -0.0, 0.0, -0.0]);
+    }
+}
+
+/// Every compiled kernel says what the single call says, or that it is not sure; and it is rarely not sure.
+#[test]
+fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
+    let mut random = Random(11);
+    let mut points: Vec<[f64; 4]> = (0..100_000).map(|_| random.point()).collect();
+    let ordinary = points.len();
+    for boundary in Boundary::ALL {
+        points.extend((0..2_000).map(|_| boundary.point(&mut random)));
+    }
+    let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
+    let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
+    let columns = Columns {
+        slenderness: &slenderness,
+        elevation: &elevation,
+        force: &force,
+        friction: &friction,
+    };
+    let expected: Vec<u8> =
+        points.iter().map(|&[g, h, k, m]| standfast::classify(g, h, k, m).unwrap().code()).collect();
+
+    let mut codes = vec![0; points.len()];
+    batch::classify(columns, &mut codes).unwrap();
+    assert_eq!(codes, expected);
+
+    for set in [InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
+        codes.fill(0);
+        if !batch::screen_with(set, columns, &mut codes) {
+            eprintln!("skipped: this processor has no {set:?}");
+            continue;
+        }
+        let wrong = codes.iter().zip(&expected).filter(|(code, expected)| **code != u8::MAX && code != expected);
+        assert_eq!(wrong.count(), 0, "{set:?}");
+        // A third of the ordinary points are small fractions, which meet boundaries exactly.
+        let unsure = codes[..ordinary].iter().filter(|code| **code == u8::MAX).count();
+        assert!(unsure < ordinary / 50, "{set:?}: {unsure} of {ordinary}");
+    }
+}
+
+#[test]
+fn a_batch_names_the_first_bad_value() {
+    let good = [1.0; 5000];
+    for (bad, expected) in [
+        (f64::NAN, "point 4500: friction μ is NaN; expected a finite number, zero or more"),
+        (-0.5, "point 4500: friction μ is -0.5; expected a finite number, zero or more"),
+        (f64::INFINITY, "point 4500: friction μ is inf; expected a finite number, zero or more"),
+    ] {
+        let mut friction = good;
+        friction[4500] = bad;
+        friction[4700] = f64::NAN;
+        let columns = Columns { slenderness: &good, elevation: &good, force: &good, friction: &friction };
+        let error = batch::classify(columns, &mut [0; 5000]).unwrap_err();
+        assert_eq!(error.to_string(), expected);
+    }
+    let columns = Columns { slenderness: &good, elevation: &good, force: &good[1..], friction: &good };
+    let error = batch::classify(columns, &mut [0; 5000]).unwrap_err();
+    assert_eq!(error, BatchError::Length { column: "force", found: 4999, expected: 5000 });
+}
+
+/// Whatever is not a valid number is caught in every column, by every kernel.
+#[test]
+fn no_bad_value_gets_a_mode() {
+    for column in 0..4 {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1e-300, -1.0, 0.0, -0.0] {
+            let mut point = [1.0, 0.5, 0.25, 0.75];
+            point[column] = bad;
+            let [gamma, k_prime, k, mu] = point;
+            let scalar = Point::new(gamma, k_prime, k, mu).map(|point| point.mode().code());
+            let columns = [&[gamma; 9], &[k_prime; 9], &[k; 9], &[mu; 9]];
+            let [slenderness, elevation, force, friction] = columns.map(|column| column.as_slice());
+            let mut codes = [0; 9];
+            let batch = batch::classify(Columns { slenderness, elevation, force, friction }, &mut codes);
+            assert_eq!(batch.is_ok(), scalar.is_ok(), "column {column}, {bad}");
+            if let Ok(code) = scalar {
+                assert_eq!(codes, [code; 9]);
+            }
+        }
+    }
+}

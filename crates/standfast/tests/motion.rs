@@ -1,0 +1,166 @@
+//! The motion each mode begins with: the equations of motion, Coulomb's law and non-penetration to 1e-12, the
+//! general problem's motion, rational arithmetic next to boundaries, and the report's worked points.
+
+mod common;
+
+use common::{Boundary, Random};
+use dashu_ratio::Relaxed as Rational;
+use standfast::contact::{Block, Wrench, solve};
+use standfast::{Corner, Mode, Motion, Point};
+
+/// The laws, term by term from their definition; `RELATIVE` to the largest term of each.
+fn assert_lawful(point: &Point, mode: Mode) -> Motion {
+    const RELATIVE: f64 = 1e-12;
+    let motion = point.motion_in(mode).unwrap();
+    let (γ, k_prime, k, μ) = (point.slenderness(), point.elevation(), point.force(), point.friction());
+    let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = motion;
+    let balance = |terms: &[f64]| {
+        let size = terms.iter().fold(1e-300, |size: f64, term| size.max(term.abs()));
+        let sum: f64 = terms.iter().sum();
+        assert!(sum.abs() <= RELATIVE * size, "{point:?} {mode}: {motion:?}: {terms:?} add up to {sum}");
+    };
+    balance(&[x_ddot, -f_x, k]); // (3.9)
+    balance(&[y_ddot, -f_y, 1.0]); // (3.10)
+    balance(&[(1.0 + γ * γ) / 3.0 * theta_ddot, -γ * f_x, -xi * f_y, -γ * k * k_prime]); // (3.11)
+    balance(&[slip, -x_ddot, -γ * theta_ddot]);
+    balance(&[lift_o, -y_ddot, theta_ddot]);
+    balance(&[lift_o_prime, -y_ddot, -theta_ddot]);
+    assert!(f_y > 0.0 && xi.abs() <= 1.0, "{point:?} {mode}: {motion:?}");
+    assert!(lift_o >= 0.0 && lift_o_prime >= 0.0);
+    // Signs, not tolerances: what vanishes on a boundary keeps its sign beside it.
+    match mode.slip() {
+        Some(direction) => {
+            balance(&[f_x, direction.sign() * μ * f_y]);
+            assert!(direction.sign() * slip > 0.0, "{point:?} {mode}: {motion:?}");
+        }
+        None => {
+            assert_eq!(slip, 0.0);
+            let size = k.max(μ * f_y);
+            assert!(f_x.abs() <= μ * f_y + RELATIVE * size, "{point:?} {mode}: {motion:?}");
+        }
+    }
+    // A rotation below the smallest f64, as next to k' = 0, is zero.
+    let underflow = theta_ddot == 0.0 && k_prime.abs() < 1e-300;
+    match mode.corner() {
+        Some(Corner::O) => assert!((theta_ddot > 0.0 || underflow) && xi == -1.0 && lift_o == 0.0, "{point:?} {mode}: {motion:?}"),
+        Some(Corner::OPrime) => assert!(theta_ddot < 0.0 && xi == 1.0 && lift_o_prime == 0.0, "{point:?} {mode}: {motion:?}"),
+        None => assert_eq!((theta_ddot, y_ddot), (0.0, 0.0)),
+    }
+    motion
+}
+
+fn check([gamma, k_prime, k, mu]: [f64; 4]) {
+    let point = Point::new(gamma, k_prime, k, mu).unwrap();
+    assert_lawful(&point, point.mode());
+    for mode in point.others().iter() {
+        assert_lawful(&point, mode);
+    }
+}
+
+#[test]
+fn every_motion_obeys_newton_coulomb_and_non_penetration() {
+    let mut random = Random(21);
+    (0..500_000).for_each(|_| check(random.point()));
+}
+
+#[test]
+fn so_does_every_motion_within_three_ulps_of_a_boundary() {
+    for boundary in Boundary::ALL {
+        let mut random = Random(200 + boundary as u64);
+        (0..20_000).for_each(|_| check(boundary.point(&mut random)));
+    }
+}
+
+/// Where the general problem's quotients lose nothing to cancellation, they are the report's closed form.
+#[test]
+fn the_general_problem_has_the_same_motion() {
+    let mut random = Random(22);
+    let mut compared = 0;
+    while compared < 100_000 {
+        let [gamma, k_prime, k, mu] =
+            [random.uniform(0.3, 5.0), random.uniform(-2.0, 2.0), random.uniform(0.0, 4.0), random.uniform(0.0, 3.0)];
+        let point = Point::new(gamma, k_prime, k, mu).unwrap();
+        let answer = solve(&Block::uniform(gamma, mu), &Wrench { x: -k, p: 1.0, m: k * k_prime * gamma }).unwrap();
+        for mode in answer.modes.iter() {
+            // Rounding of ρ² and M can move a point across an edge; then there is nothing to compare.
+            let (Some(closed), Some(general)) = (point.motion_in(mode), answer.motion(mode)) else { continue };
+            let size = 1.0 + k + general.theta_ddot.abs() * (1.0 + gamma);
+            if size > 1e3 {
+                continue; // next to Painlevé's bound
+            }
+            let pairs = [
+                (closed.x_ddot, general.x_ddot),
+                (closed.y_ddot, general.y_ddot),
+                (closed.theta_ddot, general.theta_ddot),
+                (closed.f_x, general.f_x),
+                (closed.f_y, general.f_y),
+                (closed.slip, general.slip),
+                (closed.xi, general.xi),
+            ];
+            for (ours, theirs) in pairs {
+                assert!((ours - theirs).abs() <= 1e-10 * size * (1.0 + gamma), "{point:?} {mode}: {closed:?} {general:?}");
+            }
+            compared += 1;
+        }
+    }
+}
+
+/// θ̈ of rocking is right to the last digits however close k is to k_A.
+#[test]
+fn the_rotation_keeps_its_digits_next_to_the_boundary() {
+    let rational = |x: f64| Rational::try_from(x).unwrap();
+    let mut random = Random(23);
+    for _ in 0..20_000 {
+        let (gamma, k_prime) = (random.uniform(0.3, 5.0), random.uniform(-0.9, 1.0));
+        let excess = random.log(1e-17, 1.0);
+        let k = (1.0 + excess) / (gamma * (1.0 + k_prime));
+        let point = Point::new(gamma, k_prime, k, 50.0).unwrap();
+        if point.mode() != Mode::RockO {
+            continue;
+        }
+        let [γ, h, k] = [gamma, k_prime, k].map(rational);
+        let [one, three, four] = [1.0, 3.0, 4.0].map(rational);
+        let exact = &three * (&k * &γ * (&one + &h) - &one) / (&four * (&one + &γ * &γ)); // (3.14)
+        let ours = rational(point.motion().theta_ddot);
+        let error = (&ours - &exact) / &exact;
+        assert!(error < rational(1e-12) && error > rational(-1e-12), "{point:?}");
+    }
+}
+
+/// Points worked by hand in the specification of the mathematics.
+#[test]
+fn worked_points() {
+    let rocks = Point::new(1.0, 1.0, 2.0, 5.0).unwrap();
+    let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = rocks.motion();
+    assert_eq!(rocks.mode(), Mode::RockO);
+    assert_eq!([theta_ddot, x_ddot, y_ddot, f_x, f_y, xi], [1.125, -1.125, 1.125, 0.875, 2.125, -1.0]);
+    assert!(rocks.is_unique());
+
+    let slides = Point::new(1.0, -0.5, 4.0, 3.0).unwrap();
+    assert_eq!(slides.mode(), Mode::SlideLeft);
+    assert!(!slides.is_unique() && slides.others().contains(Mode::RockO));
+    assert_eq!(slides.motion().x_ddot, -1.0);
+}
+
+#[test]
+fn a_force_through_the_centre_is_the_limit_of_both_chapters() {
+    let mut random = Random(24);
+    for _ in 0..20_000 {
+        // Reals, not fractions: on a boundary the limits are two.
+        let [gamma, k, mu] = [random.uniform(0.3, 5.0), random.uniform(0.0, 4.0), random.uniform(0.0, 3.0)];
+        let at = |k_prime: f64| Point::new(gamma, k_prime, k, mu).unwrap();
+        let (below, centre, above) = (at(-1e-300), at(0.0), at(1e-300));
+        assert_eq!((below.mode(), above.mode()), (centre.mode(), centre.mode()));
+        assert_eq!(below.motion().f_x, centre.motion().f_x);
+        assert_eq!(at(-0.0).motion(), centre.motion());
+    }
+}
+
+#[test]
+fn only_consistent_modes_have_a_motion() {
+    let rests = Point::new(1.0, 0.4, 0.1, 0.6).unwrap();
+    assert!(rests.motion_in(Mode::Rest).is_some());
+    for mode in Mode::ALL.into_iter().filter(|mode| *mode != Mode::Rest) {
+        assert!(rests.motion_in(mode).is_none(), "{mode}");
+    }
+}
