@@ -82,7 +82,8 @@ impl Mul for Approx {
         if self.is_zero() || other.is_zero() {
             return Approx::of(0.0);
         }
-        let error = self.value.abs() * other.error + other.value.abs() * self.error + self.error * other.error;
+        let error =
+            self.value.abs() * other.error + other.value.abs() * self.error + self.error * other.error;
         Approx::rounded(self.value * other.value, error)
     }
 }

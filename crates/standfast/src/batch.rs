@@ -79,12 +79,7 @@ impl<'a> Columns<'a> {
     /// # Errors
     /// If its values are not valid; see [`Point::new`].
     pub fn point(&self, index: usize) -> Result<Point, InputError> {
-        Point::new(
-            self.slenderness[index],
-            self.elevation[index],
-            self.force[index],
-            self.friction[index],
-        )
+        Point::new(self.slenderness[index], self.elevation[index], self.force[index], self.friction[index])
     }
 
     /// The columns from `start`, `length` points long.
@@ -135,12 +130,18 @@ fn screen_columns(columns: Columns<'_>, codes: &mut [u8]) {
     {
         if x86::has_avx512() {
             // SAFETY: the processor has the instructions the function is compiled for.
-            #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
+            #[expect(
+                unsafe_code,
+                reason = "the only way to call code compiled for a detected instruction set"
+            )]
             return unsafe { x86::screen_avx512(columns, codes) };
         }
         if x86::has_avx2() {
             // SAFETY: the processor has the instructions the function is compiled for.
-            #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
+            #[expect(
+                unsafe_code,
+                reason = "the only way to call code compiled for a detected instruction set"
+            )]
             return unsafe { x86::screen_avx2(columns, codes) };
         }
     }

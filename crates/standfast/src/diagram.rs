@@ -103,8 +103,9 @@ impl Diagram {
         };
         let regions = regions
             .into_iter()
-            .map(|(mode, strips)| {
-                Region { mode, strips: strips.into_iter().filter(|strip| strip.from < strip.to).collect() }
+            .map(|(mode, strips)| Region {
+                mode,
+                strips: strips.into_iter().filter(|strip| strip.from < strip.to).collect(),
             })
             .filter(|region| !region.strips.is_empty())
             .collect();
@@ -173,7 +174,8 @@ impl Diagram {
     /// The smallest window with a margin that shows every named point of the chart.
     pub fn window(&self) -> Window {
         let points = self.chart.points();
-        let largest = |of: fn(f64, f64) -> f64, start: f64| points.iter().fold(start, |m, p| m.max(of(p.k, p.mu)));
+        let largest =
+            |of: fn(f64, f64) -> f64, start: f64| points.iter().fold(start, |m, p| m.max(of(p.k, p.mu)));
         let unit = 1.0 / self.chart.slenderness();
         Window { k: 1.25 * largest(|k, _| k, unit), mu: 1.25 * largest(|_, mu| mu, unit) }
     }
@@ -190,10 +192,7 @@ fn force_above(chart: &Chart) -> Vec<Row> {
         (Mode::Rest, vec![strip(0.0, k_a, Curve::DIAGONAL, None)]),
         (
             Mode::SlideLeft,
-            vec![
-                strip(0.0, k_a, Curve::AXIS, Some(Curve::DIAGONAL)),
-                strip(k_a, k_d, Curve::AXIS, Some(cd)),
-            ],
+            vec![strip(0.0, k_a, Curve::AXIS, Some(Curve::DIAGONAL)), strip(k_a, k_d, Curve::AXIS, Some(cd))],
         ),
         (Mode::RockO, vec![strip(k_a, k_e, falling, None), strip(k_e, inf, rising, None)]),
         (

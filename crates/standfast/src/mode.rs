@@ -182,8 +182,12 @@ impl Mode {
             Mode::Rest => "stays at rest",
             Mode::SlideLeft => "slides to the left",
             Mode::RockO => "rocks about O, the bottom left corner",
-            Mode::SlideRockOLeft => "slides and rocks about O, the bottom left corner, which moves to the left",
-            Mode::SlideRockORight => "slides and rocks about O, the bottom left corner, which moves to the right",
+            Mode::SlideRockOLeft => {
+                "slides and rocks about O, the bottom left corner, which moves to the left"
+            }
+            Mode::SlideRockORight => {
+                "slides and rocks about O, the bottom left corner, which moves to the right"
+            }
             Mode::SlideRockOPrimeLeft => {
                 "slides and rocks about O', the bottom right corner, which moves to the left"
             }

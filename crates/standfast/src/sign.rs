@@ -161,23 +161,21 @@ impl<T: Real> Polynomials<T> {
     }
 }
 
+/// 16ε: a polynomial larger than this times the scale has the sign that floating point gives it.
+const FACTOR: f64 = 1.0 / (1u64 << 49) as f64;
+
 /// What [`screen`] returns where floating point cannot tell, or the input is not valid.
 pub(crate) const UNSURE: u8 = u8::MAX;
 
 /// The mode code of a point by floating point, or [`UNSURE`]. No branches, no division: it vectorises.
 #[inline(always)]
 pub(crate) fn screen<T: Rounded>(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
-    /// 16ε.
-    const FACTOR: f64 = 1.0 / (1u64 << 49) as f64;
     // Not `f64::min`, whose care for NaN costs instructions; a NaN here makes the scale NaN as well.
     let min = |a: f64, b: f64| if a < b { a } else { b };
 
     let polynomials = Polynomials::<T>::at(gamma, k_prime, k, mu).map(T::value);
     let Polynomials { tip, turn, toe, slip_left, slip_right, scale, .. } = polynomials;
-    let least = min(
-        min(min(tip.abs(), turn.abs()), min(toe.abs(), slip_left.abs())),
-        slip_right.abs(),
-    );
+    let least = min(min(min(tip.abs(), turn.abs()), min(toe.abs(), slip_left.abs())), slip_right.abs());
     let sure = (least > FACTOR * scale) & (gamma > 0.0) & (min(k, mu) >= 0.0);
     decide(&polynomials, mu - k, k_prime < -1.0, sure)
 }
@@ -222,18 +220,33 @@ impl<T> Polynomials<T> {
     }
 }
 
+/// How well the values that a caller needs have to be known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Need {
+    /// Their signs.
+    Sign,
+    /// Their values, to 40 bits at least however much cancels.
+    Value,
+}
+
 impl Polynomials<f64> {
-    /// The polynomials at a valid point with full *relative* accuracy, near their zeros too: a value that
-    /// cancellation has left with fewer than 40 good bits is computed exactly and rounded once.
-    pub(crate) fn accurate(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Polynomials<f64> {
+    /// The polynomials at a valid point, in floating point if that is good enough for those that `needed` picks, and
+    /// exact, rounded once, if not.
+    pub(crate) fn known<const N: usize>(
+        [gamma, k_prime, k, mu]: [f64; 4],
+        need: Need,
+        needed: impl Fn(&Polynomials<f64>) -> [f64; N],
+    ) -> Polynomials<f64> {
         let float = Polynomials::<f64>::at(gamma, k_prime, k, mu);
-        let floor = float.scale / 256.0;
-        let Polynomials { tip, turn, toe, slip_left, slip_right, regularity, .. } = float;
-        let values = [tip, turn, toe, slip_left, slip_right, regularity];
-        if values.iter().all(|value| value.abs() > floor) {
-            return float;
+        let floor = match need {
+            Need::Sign => FACTOR * float.scale,
+            Need::Value => float.scale / 256.0,
+        };
+        if needed(&float).iter().all(|value| value.abs() > floor) {
+            float
+        } else {
+            Polynomials::<Exact>::at(gamma, k_prime, k, mu).map(|value| value.to_f64())
         }
-        Polynomials::<Exact>::at(gamma, k_prime, k, mu).map(|value| value.to_f64())
     }
 }
 

@@ -13,7 +13,8 @@ fn charts() -> Vec<Chart> {
     for gamma in [0.05, 0.3, 0.5f64.sqrt(), 1.0, 2f64.sqrt(), 2.0, 3.0, 4.0, 10.0, 20.0] {
         let g2: f64 = gamma * gamma;
         let thresholds = [(1.0 + g2) / (3.0 * g2), (4.0 + g2) / (3.0 * g2), -(1.0 + g2) / (4.0 + g2)];
-        let fixed = [-200.0, -3.0, -1.2, -1.0, -0.95, -0.6, -0.5, -0.2, -0.01, 0.0, 0.01, 0.4, 0.8, 1.0, 1.7, 200.0];
+        let fixed =
+            [-200.0, -3.0, -1.2, -1.0, -0.95, -0.6, -0.5, -0.2, -0.01, 0.0, 0.01, 0.4, 0.8, 1.0, 1.7, 200.0];
         charts.extend(fixed.into_iter().chain(thresholds).map(|k_prime| Chart::new(gamma, k_prime).unwrap()));
     }
     charts
@@ -57,7 +58,8 @@ fn strips_follow_one_another_and_do_not_cross() {
                 for i in 0..=20 {
                     let end = if strip.to.is_finite() { strip.to } else { 100.0 * (strip.from + 1.0) };
                     let k = strip.from + (end - strip.from) * f64::from(i) / 20.0;
-                    let (low, high) = (strip.lower.at(k), strip.upper.map_or(f64::INFINITY, |upper| upper.at(k)));
+                    let (low, high) =
+                        (strip.lower.at(k), strip.upper.map_or(f64::INFINITY, |upper| upper.at(k)));
                     assert!(low <= high + 1e-9 * (1.0 + low.abs()), "{chart:?} {} at k = {k}", region.mode);
                     assert!(low >= -1e-9 * (1.0 + 1.0 / chart.slenderness()), "{chart:?} {}", region.mode);
                 }
@@ -243,8 +245,16 @@ fn modes_change_at_the_crossings_and_nowhere_else() {
             }
             for crossing in crossings.iter().filter(|crossing| crossing.at > 0.0) {
                 assert_ne!(crossing.from, crossing.to);
-                assert_eq!(mode(crossing.at * (1.0 - 1e-9)), crossing.from, "{gamma} {k_prime} {k} {mu} {crossing:?}");
-                assert_eq!(mode(crossing.at * (1.0 + 1e-9)), crossing.to, "{gamma} {k_prime} {k} {mu} {crossing:?}");
+                assert_eq!(
+                    mode(crossing.at * (1.0 - 1e-9)),
+                    crossing.from,
+                    "{gamma} {k_prime} {k} {mu} {crossing:?}"
+                );
+                assert_eq!(
+                    mode(crossing.at * (1.0 + 1e-9)),
+                    crossing.to,
+                    "{gamma} {k_prime} {k} {mu} {crossing:?}"
+                );
             }
             let value = random.log(1e-3, 1e3);
             if crossings.iter().any(|crossing| close(crossing.at, value, value)) {
@@ -288,7 +298,11 @@ fn the_trace_explains_the_mode() {
         let last = trace.steps.last().unwrap();
         assert_eq!((last.mode, last.holds), (point.mode(), true));
         for step in &trace.steps {
-            assert_eq!(step.holds, step.relations.iter().all(|relation| relation.holds), "{point:?} {step:?}");
+            assert_eq!(
+                step.holds,
+                step.relations.iter().all(|relation| relation.holds),
+                "{point:?} {step:?}"
+            );
             for relation in &step.relations {
                 let margin = relation.margin();
                 let size = relation.left.abs() + relation.right.abs();

@@ -50,7 +50,7 @@ fn all_modes_and_both_parts_of_n_occur() {
 
 /// A random block, and a wrench that presses or lifts, with dyadic numbers so that edges are met exactly.
 fn random_case(random: &mut Random) -> (Block, Wrench) {
-    let coarse = random.bits() % 2 == 0;
+    let coarse = random.coin();
     let mut positive = |high: f64| {
         let value = random.uniform(0.05, high);
         if coarse { (value * 8.0).ceil() / 8.0 } else { value }
@@ -83,7 +83,10 @@ fn assert_lawful(block: &Block, wrench: &Wrench, mode: Mode) {
     let amplification = 1.0 + motion.theta_ddot.abs();
     let size: f64 = terms.iter().map(|term| term.abs()).sum();
     let moment = motion.f_x * d + motion.f_y * motion.xi + m;
-    assert!((rho2 * motion.theta_ddot - moment).abs() <= 1e-12 * size * amplification, "{block:?} {wrench:?} {mode}");
+    assert!(
+        (rho2 * motion.theta_ddot - moment).abs() <= 1e-12 * size * amplification,
+        "{block:?} {wrench:?} {mode}"
+    );
     assert!(motion.f_y >= -atol && -b1 - 1e-9 <= motion.xi && motion.xi <= b2 + 1e-9);
     close(motion.slip, motion.x_ddot + d * motion.theta_ddot, &[motion.x_ddot, d * motion.theta_ddot, x]);
     let size = motion.y_ddot.abs() + (b1 + b2) * motion.theta_ddot.abs();
@@ -106,7 +109,7 @@ fn every_consistent_motion_of_the_general_problem_obeys_the_laws() {
     let mut random = Random(3);
     for _ in 0..100_000 {
         let (mut block, wrench) = random_case(&mut random);
-        if random.bits() % 2 == 0 {
+        if random.coin() {
             block.mu_s += random.uniform(0.0, 1.0);
         }
         for mode in solve(&block, &wrench).unwrap().modes.iter() {
@@ -130,7 +133,8 @@ fn the_general_problem_has_an_answer_and_it_is_unique_below_painleves_bound() {
             let first = answer.motion(reported).unwrap();
             for other in answer.modes.iter() {
                 let motion = answer.motion(other).unwrap();
-                let same = (motion.x_ddot - first.x_ddot).abs() + (motion.theta_ddot - first.theta_ddot).abs();
+                let same =
+                    (motion.x_ddot - first.x_ddot).abs() + (motion.theta_ddot - first.theta_ddot).abs();
                 assert!(same < 1e-9, "{block:?} {wrench:?}: {reported} and {other}");
             }
         }

@@ -133,12 +133,8 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
     }
     let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
     let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
-    let columns = Columns {
-        slenderness: &slenderness,
-        elevation: &elevation,
-        force: &force,
-        friction: &friction,
-    };
+    let columns =
+        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
     let expected: Vec<u8> =
         points.iter().map(|&[g, h, k, m]| standfast::classify(g, h, k, m).unwrap().code()).collect();
 
@@ -152,7 +148,8 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
             eprintln!("skipped: this processor has no {set:?}");
             continue;
         }
-        let wrong = codes.iter().zip(&expected).filter(|(code, expected)| **code != u8::MAX && code != expected);
+        let wrong =
+            codes.iter().zip(&expected).filter(|(code, expected)| **code != u8::MAX && code != expected);
         assert_eq!(wrong.count(), 0, "{set:?}");
         // A third of the ordinary points are small fractions, which meet boundaries exactly.
         let unsure = codes[..ordinary].iter().filter(|code| **code == u8::MAX).count();

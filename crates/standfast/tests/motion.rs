@@ -42,8 +42,13 @@ fn assert_lawful(point: &Point, mode: Mode) -> Motion {
     // A rotation below the smallest f64, as next to k' = 0, is zero.
     let underflow = theta_ddot == 0.0 && k_prime.abs() < 1e-300;
     match mode.corner() {
-        Some(Corner::O) => assert!((theta_ddot > 0.0 || underflow) && xi == -1.0 && lift_o == 0.0, "{point:?} {mode}: {motion:?}"),
-        Some(Corner::OPrime) => assert!(theta_ddot < 0.0 && xi == 1.0 && lift_o_prime == 0.0, "{point:?} {mode}: {motion:?}"),
+        Some(Corner::O) => assert!(
+            (theta_ddot > 0.0 || underflow) && xi == -1.0 && lift_o == 0.0,
+            "{point:?} {mode}: {motion:?}"
+        ),
+        Some(Corner::OPrime) => {
+            assert!(theta_ddot < 0.0 && xi == 1.0 && lift_o_prime == 0.0, "{point:?} {mode}: {motion:?}")
+        }
         None => assert_eq!((theta_ddot, y_ddot), (0.0, 0.0)),
     }
     motion
@@ -77,13 +82,20 @@ fn the_general_problem_has_the_same_motion() {
     let mut random = Random(22);
     let mut compared = 0;
     while compared < 100_000 {
-        let [gamma, k_prime, k, mu] =
-            [random.uniform(0.3, 5.0), random.uniform(-2.0, 2.0), random.uniform(0.0, 4.0), random.uniform(0.0, 3.0)];
+        let [gamma, k_prime, k, mu] = [
+            random.uniform(0.3, 5.0),
+            random.uniform(-2.0, 2.0),
+            random.uniform(0.0, 4.0),
+            random.uniform(0.0, 3.0),
+        ];
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
-        let answer = solve(&Block::uniform(gamma, mu), &Wrench { x: -k, p: 1.0, m: k * k_prime * gamma }).unwrap();
+        let answer =
+            solve(&Block::uniform(gamma, mu), &Wrench { x: -k, p: 1.0, m: k * k_prime * gamma }).unwrap();
         for mode in answer.modes.iter() {
             // Rounding of ρ² and M can move a point across an edge; then there is nothing to compare.
-            let (Some(closed), Some(general)) = (point.motion_in(mode), answer.motion(mode)) else { continue };
+            let (Some(closed), Some(general)) = (point.motion_in(mode), answer.motion(mode)) else {
+                continue;
+            };
             let size = 1.0 + k + general.theta_ddot.abs() * (1.0 + gamma);
             if size > 1e3 {
                 continue; // next to Painlevé's bound
@@ -98,7 +110,10 @@ fn the_general_problem_has_the_same_motion() {
                 (closed.xi, general.xi),
             ];
             for (ours, theirs) in pairs {
-                assert!((ours - theirs).abs() <= 1e-10 * size * (1.0 + gamma), "{point:?} {mode}: {closed:?} {general:?}");
+                assert!(
+                    (ours - theirs).abs() <= 1e-10 * size * (1.0 + gamma),
+                    "{point:?} {mode}: {closed:?} {general:?}"
+                );
             }
             compared += 1;
         }

@@ -93,7 +93,8 @@ fn boundary_curves(chart: &Chart) -> Vec<Curve> {
 /// one crossing computed in two ways (at A, four curves meet) have no f64 or a span of a few ulps between them,
 /// which is passed over.
 fn crossings(candidates: impl Iterator<Item = f64>, mode: impl Fn(f64) -> Mode) -> Vec<Crossing> {
-    let mut at: Vec<f64> = candidates.filter(|value| value.is_finite() && *value > 0.0).chain([0.0]).collect();
+    let mut at: Vec<f64> =
+        candidates.filter(|value| value.is_finite() && *value > 0.0).chain([0.0]).collect();
     at.sort_by(f64::total_cmp);
     at.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
 

@@ -59,7 +59,7 @@ pub use trace::{Relation, Step, Trace};
 use crate::error::InputError;
 use crate::mode::{Mode, Modes};
 use crate::motion::Motion;
-use crate::sign::{self, Polynomials};
+use crate::sign::{self, Need, Polynomials};
 
 /// A body and a force, reduced to the report's four numbers: a point of the k–μ plane for (γ, k').
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,7 +127,8 @@ impl Point {
             return others;
         }
         if matches!(self.mode(), Mode::SlideLeft | Mode::SlideRockOPrimeLeft) {
-            let Polynomials { tip, turn, slip_left, .. } = self.polynomials();
+            let signs = self.polynomials(Need::Sign, |p| [p.tip, p.turn, p.slip_left]);
+            let Polynomials { tip, turn, slip_left, .. } = signs;
             if tip > 0.0 && slip_left >= 0.0 {
                 others.insert(Mode::RockO);
                 if turn < 0.0 && slip_left > 0.0 {
@@ -174,8 +175,12 @@ impl Point {
         Trace::of(self)
     }
 
-    fn polynomials(&self) -> Polynomials<f64> {
-        Polynomials::accurate(self.gamma, self.k_prime, self.k, self.mu)
+    fn polynomials<const N: usize>(
+        &self,
+        need: Need,
+        needed: impl Fn(&Polynomials<f64>) -> [f64; N],
+    ) -> Polynomials<f64> {
+        Polynomials::known([self.gamma, self.k_prime, self.k, self.mu], need, needed)
     }
 }
 

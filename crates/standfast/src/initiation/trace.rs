@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::Point;
 use crate::mode::{Mode, Modes};
+use crate::sign::Need;
 
 /// The modes tried in turn, up to the one that holds.
 ///
@@ -148,9 +149,7 @@ impl Trace {
 
 /// The modes in the order of the decision.
 fn candidates(point: &Point) -> &'static [Mode] {
-    use Mode::{
-        Rest, RockO, RockOPrime, SlideLeft, SlideRockOLeft, SlideRockOPrimeLeft, SlideRockORight,
-    };
+    use Mode::{Rest, RockO, RockOPrime, SlideLeft, SlideRockOLeft, SlideRockOPrimeLeft, SlideRockORight};
     if point.k_prime < -1.0 {
         &[Rest, SlideLeft, RockOPrime, SlideRockOPrimeLeft]
     } else if point.k_prime < 0.0 {
@@ -164,7 +163,7 @@ fn candidates(point: &Point) -> &'static [Mode] {
 fn relations(point: &Point, mode: Mode) -> Vec<Relation> {
     let Point { k_prime, k, mu, .. } = *point;
     let chart = point.chart();
-    let signs = point.polynomials();
+    let signs = point.polynomials(Need::Sign, |p| [p.tip, p.turn, p.toe, p.slip_left, p.slip_right]);
     let chapter = match k_prime {
         below if below < -1.0 => BELOW_BASE,
         below if below < 0.0 => CHAPTER_IV,

@@ -26,6 +26,10 @@ impl Random {
         self.uniform(low.ln(), high.ln()).exp()
     }
 
+    pub fn coin(&mut self) -> bool {
+        self.bits() < 1 << 63
+    }
+
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[self.bits() as usize % from.len()]
     }
@@ -143,7 +147,7 @@ impl Boundary {
             }
             // Also on a boundary through a change of form, half the time.
             _ => {
-                if random.bits() % 2 == 0 {
+                if random.coin() {
                     mu = random.nudge(on(chart.mu_star().at(k))?);
                 }
             }

@@ -1,0 +1,83 @@
+//! Time of one classification, one motion, one diagram, and a batch of 10⁷ points.
+//!
+//! `cargo bench -p standfast --bench speed`
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use common::Random;
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+use standfast::batch::{self, Columns};
+use standfast::{Diagram, Point};
+
+fn main() {
+    divan::main();
+}
+
+fn points(count: usize) -> Vec<[f64; 4]> {
+    let mut random = Random(1);
+    (0..count)
+        .map(|_| {
+            [
+                random.uniform(0.3, 4.0),
+                random.uniform(-1.0, 1.0),
+                random.uniform(0.0, 3.0),
+                random.uniform(0.0, 2.0),
+            ]
+        })
+        .collect()
+}
+
+/// Of 1000 points, one by one.
+#[divan::bench]
+fn classify_1000_points(bencher: Bencher) {
+    let points = points(1000);
+    bencher.counter(ItemsCount::new(points.len())).bench(|| {
+        for &[gamma, k_prime, k, mu] in black_box(&points) {
+            black_box(standfast::classify(gamma, k_prime, k, mu).unwrap());
+        }
+    });
+}
+
+/// Mode, other modes and motion of 1000 points, one by one.
+#[divan::bench]
+fn motion_of_1000_points(bencher: Bencher) {
+    let points = points(1000);
+    bencher.counter(ItemsCount::new(points.len())).bench(|| {
+        for &[gamma, k_prime, k, mu] in black_box(&points) {
+            let point = Point::new(gamma, k_prime, k, mu).unwrap();
+            black_box((point.motion(), point.others()));
+        }
+    });
+}
+
+/// Next to boundaries, where the filter fails and exact arithmetic decides.
+#[divan::bench]
+fn classify_1000_points_on_boundaries(bencher: Bencher) {
+    let mut random = Random(2);
+    let points: Vec<_> = (0..1000).map(|_| common::Boundary::PointA.point(&mut random)).collect();
+    bencher.counter(ItemsCount::new(points.len())).bench(|| {
+        for &[gamma, k_prime, k, mu] in black_box(&points) {
+            black_box(standfast::classify(gamma, k_prime, k, mu).unwrap());
+        }
+    });
+}
+
+#[divan::bench]
+fn batch_of_ten_million(bencher: Bencher) {
+    let points = points(10_000_000);
+    let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
+    let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
+    let columns =
+        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
+    let mut codes = vec![0; points.len()];
+    bencher
+        .counter(ItemsCount::new(points.len()))
+        .bench_local(|| batch::classify(black_box(columns), black_box(&mut codes)).unwrap());
+}
+
+#[divan::bench(args = [(1.0, 0.4), (3.0, 0.8), (4.0, -0.55), (1.0, -1.7)])]
+fn diagram((slenderness, elevation): (f64, f64)) -> Diagram {
+    Diagram::new(black_box(slenderness), black_box(elevation)).unwrap()
+}
