@@ -31,6 +31,11 @@ impl Approx {
         Approx { value, error: (error + f64::EPSILON * value.abs()) * WIDER + f64::MIN_POSITIVE }
     }
 
+    /// The value, if 40 of its bits are certain.
+    pub(crate) fn precise(self) -> Option<f64> {
+        (self.value.abs() > self.error * (1u64 << 40) as f64).then_some(self.value)
+    }
+
     fn is_zero(self) -> bool {
         self.value == 0.0 && self.error == 0.0
     }

@@ -22,7 +22,7 @@
 
 use crate::error::InputError;
 use crate::initiation::Point;
-use crate::sign::{UNSURE, screen};
+use crate::sign::{Fused, Rounded, UNSURE, screen};
 
 /// Four columns of equal length: γ, k', k and μ.
 #[derive(Debug, Clone, Copy)]
@@ -78,6 +78,9 @@ impl<'a> Columns<'a> {
     ///
     /// # Errors
     /// If its values are not valid; see [`Point::new`].
+    ///
+    /// # Panics
+    /// If a column has no such index.
     pub fn point(&self, index: usize) -> Result<Point, InputError> {
         Point::new(self.slenderness[index], self.elevation[index], self.force[index], self.friction[index])
     }
@@ -103,10 +106,12 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     columns.check_lengths(codes.len())?;
     // Small enough that the second look at the codes finds them in the first-level cache.
     const BLOCK: usize = 4096;
+    let set = InstructionSet::ALL.into_iter().find(|set| set.is_available());
+    let set = set.expect("every processor has the baseline");
     for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
         let start = block * BLOCK;
         let columns = columns.slice(start, codes.len());
-        screen_columns(columns, codes);
+        screen_with(set, columns, codes);
         if codes.contains(&UNSURE) {
             settle(columns, codes)
                 .map_err(|(index, source)| BatchError::Value { index: start + index, source })?;
@@ -124,36 +129,9 @@ fn settle(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), (usize, InputErr
     Ok(())
 }
 
-/// The kernel, for the processor at hand.
-fn screen_columns(columns: Columns<'_>, codes: &mut [u8]) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if x86::has_avx512() {
-            // SAFETY: the processor has the instructions the function is compiled for.
-            #[expect(
-                unsafe_code,
-                reason = "the only way to call code compiled for a detected instruction set"
-            )]
-            return unsafe { x86::screen_avx512(columns, codes) };
-        }
-        if x86::has_avx2() {
-            // SAFETY: the processor has the instructions the function is compiled for.
-            #[expect(
-                unsafe_code,
-                reason = "the only way to call code compiled for a detected instruction set"
-            )]
-            return unsafe { x86::screen_avx2(columns, codes) };
-        }
-    }
-    #[cfg(target_arch = "aarch64")]
-    return screen_all::<crate::sign::Fused>(columns, codes);
-    #[cfg(not(target_arch = "aarch64"))]
-    screen_all::<f64>(columns, codes);
-}
-
 /// The kernel's loop, to be compiled once for every instruction set.
 #[inline(always)]
-fn screen_all<T: crate::sign::Rounded>(columns: Columns<'_>, codes: &mut [u8]) {
+fn screen_all<T: Rounded>(columns: Columns<'_>, codes: &mut [u8]) {
     let Columns { slenderness, elevation, force, friction } = columns;
     let points = slenderness.iter().zip(elevation).zip(force).zip(friction);
     for (code, (((&gamma, &k_prime), &k), &mu)) in codes.iter_mut().zip(points) {
@@ -189,7 +167,7 @@ mod x86 {
     }
 }
 
-/// An instruction set the kernel can be compiled for.
+/// An instruction set the kernel is compiled for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum InstructionSet {
@@ -198,29 +176,39 @@ pub enum InstructionSet {
     Baseline,
 }
 
-/// The kernel alone, without the exact second look, on one instruction set: for tests and benchmarks, which compare
-/// them. Returns false, and does nothing, on a processor that lacks it.
-#[doc(hidden)]
-pub fn screen_with(set: InstructionSet, columns: Columns<'_>, codes: &mut [u8]) -> bool {
-    match set {
-        InstructionSet::Baseline => screen_all::<f64>(columns, codes),
-        #[cfg(target_arch = "x86_64")]
-        InstructionSet::Avx512 if x86::has_avx512() => {
-            // SAFETY: as above.
-            #[expect(unsafe_code, reason = "as above")]
-            unsafe {
-                x86::screen_avx512(columns, codes)
-            }
+impl InstructionSet {
+    /// All, the best first.
+    pub const ALL: [InstructionSet; 3] =
+        [InstructionSet::Avx512, InstructionSet::Avx2, InstructionSet::Baseline];
+
+    /// Whether this processor has it.
+    pub fn is_available(self) -> bool {
+        match self {
+            InstructionSet::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            InstructionSet::Avx512 => x86::has_avx512(),
+            #[cfg(target_arch = "x86_64")]
+            InstructionSet::Avx2 => x86::has_avx2(),
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
         }
-        #[cfg(target_arch = "x86_64")]
-        InstructionSet::Avx2 if x86::has_avx2() => {
-            // SAFETY: as above.
-            #[expect(unsafe_code, reason = "as above")]
-            unsafe {
-                x86::screen_avx2(columns, codes)
-            }
-        }
-        _ => return false,
     }
-    true
+}
+
+/// The kernel alone, without the exact second look, on one instruction set; public for tests and benchmarks, which
+/// compare them. On a processor that lacks the set, the baseline.
+#[doc(hidden)]
+pub fn screen_with(set: InstructionSet, columns: Columns<'_>, codes: &mut [u8]) {
+    match set {
+        // SAFETY: in both, the processor has the instructions the function is compiled for.
+        #[cfg(target_arch = "x86_64")]
+        #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
+        InstructionSet::Avx512 if set.is_available() => unsafe { x86::screen_avx512(columns, codes) },
+        #[cfg(target_arch = "x86_64")]
+        #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
+        InstructionSet::Avx2 if set.is_available() => unsafe { x86::screen_avx2(columns, codes) },
+        // Every 64-bit ARM processor has a fused multiply-add.
+        _ if cfg!(target_arch = "aarch64") => screen_all::<Fused>(columns, codes),
+        _ => screen_all::<f64>(columns, codes),
+    }
 }

@@ -26,7 +26,7 @@ impl Body {
     /// A body of `width` (m), `height` (m) and `density` (kg/m³).
     ///
     /// # Errors
-    /// If one of them is not a finite number above zero.
+    /// If one of them, or the mass, is not a finite number above zero.
     pub fn of_density(width: f64, height: f64, density: f64) -> Result<Body, InputError> {
         let density = InputError::positive("density", density)?;
         Body::new(width, height, density * width * height)

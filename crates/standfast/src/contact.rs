@@ -31,12 +31,13 @@
 //! | slide-rock about r, s | c = r − sμ_kd, α = (Pc + M)/(ρ² + m_yrc), ẍ = (X − sμ_kN)/m_x | σα > 0, N ≥ 0, s(ẍ + dα) > 0 |
 //! | flight | ẍ = X/m_x, ÿ = −P/m_y, α = M/ρ² | ÿ − b₁α ≥ 0, ÿ + b₂α ≥ 0 |
 //!
-//! From rest, stick is tried before slip: for μ_s > μ_k a slide-rock counts only where the body cannot rock about
-//! the same corner without slip. The conditions are decided exactly for the f64 given, multiplied out so that
-//! nothing is divided. Several modes are consistent only if the friction reaches Painlevé's bound
-//! (ρ²/m_y + r²)/(|r| d) at a corner, where ρ² + m_y r c changes its sign; then the one [reported](Answer::mode)
-//! is, as in the report's section IV.7, the first of rest, slide, slide-rock (ρ² + m_y r c > 0), rock,
-//! slide-rock (ρ² + m_y r c < 0), flight.
+//! From rest, stick is tried before slip: for μ_s > μ_k, slip at a corner counts only where that corner cannot stick.
+//! So a slide-rock about a corner does not count where the body can rest, or rock about the same corner; nor a slide
+//! where it can rock about either. The conditions are decided exactly for the f64 given, multiplied out so that
+//! nothing is divided. For μ_s = μ_k several modes are consistent only if the friction reaches Painlevé's bound
+//! (ρ²/m_y + r²)/(|r| d) at a corner, where ρ² + m_y r c changes its sign; for μ_s > μ_k also where one corner could
+//! stick and the other slip. The one [reported](Answer::mode) is then, as in the report's section IV.7, the first of
+//! rest, slide, slide-rock (ρ² + m_y r c > 0), rock, slide-rock (ρ² + m_y r c < 0), flight.
 //!
 //! Limits: the base is flat and rigid, reactions act at the corners, the motion is that of the first instant.
 //!
@@ -156,9 +157,7 @@ pub fn solve(block: &Block, wrench: &Wrench) -> Result<Answer, InputError> {
     InputError::finite("horizontal force x", wrench.x)?;
     InputError::finite("vertical force p", wrench.p)?;
     InputError::finite("moment m", wrench.m)?;
-    let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
-    let Wrench { x, p, m } = *wrench;
-    let numbers = [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m];
+    let numbers = numbers(block, wrench);
     let Verdict { modes, mode } = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
     Ok(Answer { modes, mode, block: *block, wrench: *wrench })
 }
@@ -178,6 +177,13 @@ pub fn enumerate(point: &Point) -> Modes {
     decide(|| numbers::<Approx>(point), || numbers::<Exact>(point)).modes
 }
 
+/// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
+fn numbers(block: &Block, wrench: &Wrench) -> [f64; 11] {
+    let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
+    let Wrench { x, p, m } = *wrench;
+    [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m]
+}
+
 /// The consistent modes and the one reported.
 struct Verdict {
     modes: Modes,
@@ -194,7 +200,7 @@ fn decide(approx: impl Fn() -> [Approx; 11], exact: impl Fn() -> [Exact; 11]) ->
 ///
 /// The numbers are b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
 fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
-    let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers;
+    let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers.clone();
     // The groups in which modes are reported, first to last.
     let [mut rest, mut slides, mut regular, mut rocks, mut painlevé, mut flight] = [Modes::NONE; 6];
     let zero = || T::of(0.0);
@@ -230,8 +236,7 @@ fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
         };
 
         // α = A/J with J > 0; all conditions times J.
-        let inertia = rho2.clone() + mul(&m_x, &mul(&d, &d)) + mul(&m_y, &mul(&r, &r));
-        let moment = sub(&mul(&p, &r), &mul(&x, &d)) + m.clone();
+        let Rotation { moment, inertia } = Rotation::rocking(&numbers, corner);
         if moment.sign()? == lifting {
             let normal = sub(&mul(&p, &inertia), &mul(&m_y, &mul(&r, &moment)));
             let tangential = mul(&x, &inertia) + mul(&m_x, &mul(&d, &moment));
@@ -246,10 +251,8 @@ fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
 
         for slip in [Slip::Left, Slip::Right] {
             // α = A/J; all conditions times |J|.
-            let c = sub(&r, &signed(slip, &mul(&mu_k, &d)));
-            let inertia = rho2.clone() + mul(&m_y, &mul(&r, &c));
+            let Rotation { moment, inertia } = Rotation::slipping(&numbers, corner, slip);
             let orientation = inertia.sign()?;
-            let moment = mul(&p, &c) + m.clone();
             let same = |sign: Ordering| if orientation == Less { sign.reverse() } else { sign };
             if orientation == Equal || same(moment.sign()?) != lifting {
                 continue;
@@ -262,8 +265,13 @@ fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
                 group.insert(Mode::slide_rock(corner, slip));
             }
         }
-        if sub(&mu_s, &mu_k).sign()? == Greater && rocks.contains(Mode::rock(corner)) {
+    }
+
+    if sub(&mu_s, &mu_k).sign()? == Greater {
+        let sticks = |corner| !rest.is_empty() || rocks.contains(Mode::rock(corner));
+        for corner in [Corner::O, Corner::OPrime].into_iter().filter(|corner| sticks(*corner)) {
             for slip in [Slip::Left, Slip::Right] {
+                slides.remove(Mode::slide(slip));
                 regular.remove(Mode::slide_rock(corner, slip));
                 painlevé.remove(Mode::slide_rock(corner, slip));
             }
@@ -285,6 +293,59 @@ fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
     Some(Verdict { modes, mode })
 }
 
+/// The rotation about a corner, α = `moment`/`inertia`.
+struct Rotation<T> {
+    moment: T,
+    inertia: T,
+}
+
+impl<T: Real> Rotation<T> {
+    /// α = (Pr − Xd + M)/(ρ² + m_xd² + m_yr²).
+    fn rocking(numbers: &[T; 11], corner: Corner) -> Rotation<T> {
+        let [_, _, d, rho2, m_x, m_y, _, _, x, p, m] = numbers.clone();
+        let r = position(numbers, corner);
+        Rotation {
+            moment: p * r.clone() - x * d.clone() + m,
+            inertia: rho2 + m_x * d.clone() * d + m_y * r.clone() * r,
+        }
+    }
+
+    /// α = (Pc + M)/(ρ² + m_yrc), c = r − sμ_kd.
+    fn slipping(numbers: &[T; 11], corner: Corner, slip: Slip) -> Rotation<T> {
+        let [_, _, d, rho2, _, m_y, _, mu_k, _, p, m] = numbers.clone();
+        let r = position(numbers, corner);
+        let c = r.clone() - T::of(slip.sign()) * mu_k * d;
+        Rotation { moment: p * c.clone() + m, inertia: rho2 + m_y * r * c }
+    }
+}
+
+/// r: −b₁ at O, b₂ at O'.
+fn position<T: Real>(numbers: &[T; 11], corner: Corner) -> T {
+    match corner {
+        Corner::O => -numbers[0].clone(),
+        Corner::OPrime => numbers[1].clone(),
+    }
+}
+
+/// α of a mode that turns about a corner, with its sign and digits right however much cancels.
+fn rotation(numbers: [f64; 11], corner: Corner, slip: Option<Slip>) -> f64 {
+    fn of<T: Real>(numbers: [f64; 11], corner: Corner, slip: Option<Slip>) -> Rotation<T> {
+        let numbers = numbers.map(T::of);
+        match slip {
+            Some(slip) => Rotation::slipping(&numbers, corner, slip),
+            None => Rotation::rocking(&numbers, corner),
+        }
+    }
+    let Rotation { moment, inertia } = of::<Approx>(numbers, corner, slip);
+    match (moment.precise(), inertia.precise()) {
+        (Some(moment), Some(inertia)) => moment / inertia,
+        _ => {
+            let Rotation { moment, inertia } = of::<Exact>(numbers, corner, slip);
+            moment.to_f64() / inertia.to_f64()
+        }
+    }
+}
+
 /// The motion of a consistent mode.
 fn motion(block: &Block, wrench: &Wrench, mode: Mode) -> Motion {
     let Block { b1, b2, d, rho2, m_x, m_y, mu_k, .. } = *block;
@@ -297,18 +358,16 @@ fn motion(block: &Block, wrench: &Wrench, mode: Mode) -> Motion {
             let f_x = -s * mu_k * p;
             ((x + f_x) / m_x, 0.0, 0.0, f_x, p, -(f_x * d + m) / p)
         }
-        (Mode::RockO | Mode::RockOPrime, Some(corner)) => {
-            let r = if corner == Corner::O { -b1 } else { b2 };
-            let α = (p * r - x * d + m) / (rho2 + m_x * d * d + m_y * r * r);
-            (-d * α, -r * α, α, -x - m_x * d * α, p - m_y * r * α, r)
-        }
         (_, Some(corner)) => {
             let r = if corner == Corner::O { -b1 } else { b2 };
-            let c = r - s * mu_k * d;
-            let α = (p * c + m) / (rho2 + m_y * r * c);
+            let α = rotation(numbers(block, wrench), corner, mode.slip());
             let n = p - m_y * r * α;
-            let f_x = -s * mu_k * n;
-            ((x + f_x) / m_x, -r * α, α, f_x, n, r)
+            if mode.slip().is_some() {
+                let f_x = -s * mu_k * n;
+                ((x + f_x) / m_x, -r * α, α, f_x, n, r)
+            } else {
+                (-d * α, -r * α, α, -x - m_x * d * α, n, r)
+            }
         }
     };
     Motion {

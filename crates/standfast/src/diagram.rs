@@ -85,6 +85,13 @@ pub struct Diagram {
     regions: Vec<Region>,
 }
 
+impl Unresolved {
+    /// Whether (k, μ) lies in the part or on its edge, in floating point.
+    pub fn contains(&self, k: f64, mu: f64) -> bool {
+        self.strips.iter().any(|strip| strip.contains(k, mu))
+    }
+}
+
 impl Diagram {
     /// The diagram for γ = `slenderness` and k' = `elevation`, any real number.
     ///
@@ -146,7 +153,6 @@ impl Diagram {
         let start = chart.k_a().max(chart.k_b_prime());
         let crossing = chart.k_c_prime();
         let (ab, dc, mu_star) = (Some(chart.upper_line()), chart.lower_line(), chart.mu_star());
-        let strip = |from, to, lower, upper| Strip { from, to, lower, upper };
         vec![
             Unresolved {
                 name,

@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::error::InputError;
 use crate::initiation::Point;
-use crate::mode::{Mode, Slip};
+use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
 
 /// A horizontal force per metre run of the body.
@@ -76,6 +76,12 @@ impl Reduced {
     /// A mode of the report's problem as the real body shows it.
     pub fn orient(&self, mode: Mode) -> Mode {
         if self.mirrored { mode.mirrored() } else { mode }
+    }
+
+    /// The other consistent modes of the real body, mirrored if the force points right.
+    pub fn others(&self) -> Modes {
+        let others = self.point.others();
+        if self.mirrored { others.mirrored() } else { others }
     }
 
     /// The motion of the real body, mirrored if the force points right; non-dimensional.

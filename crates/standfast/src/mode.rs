@@ -256,6 +256,11 @@ impl Modes {
         self.0.count_ones() as usize
     }
 
+    /// The modes seen in a mirror.
+    pub fn mirrored(self) -> Modes {
+        self.iter().map(Mode::mirrored).collect()
+    }
+
     /// The modes in the order of their codes.
     pub fn iter(self) -> impl Iterator<Item = Mode> {
         Mode::ALL.into_iter().filter(move |&mode| self.contains(mode))

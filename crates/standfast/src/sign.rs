@@ -25,15 +25,20 @@
 //!
 //! # The bound
 //!
-//! Let ε = 2⁻⁵³, u = tip + 1 ≥ 0 and S = 1 + G M + 3 (1+u)(μ+γ). Each operation returns its exact result times
+//! Let ε = 2⁻⁵³, u = γ k |1+k'| and S = 1 + G M + 3 (1+u)(μ+γ). Each operation returns its exact result times
 //! (1 + δ), |δ| ≤ ε (a fused multiply-add rounds once, which only helps). To first order:
 //!
-//! * u takes three roundings, so `tip` is off by at most ε(3u + |tip|) ≤ ε(3 + 4|tip|).
-//! * `turn` (and `toe`) by at most ε(3u + |tip| + 2γ|D| + |turn|). As tip = turn − gD and
-//!   γ|D| ≤ γM ≤ GM/8 ≤ S/8, this is at most ε(5|turn| + 5 + 6γM) ≤ ε(5|turn| + 5S).
+//! * tip + 1 = ±u takes three roundings, so `tip` is off by at most ε(3u + |tip|) ≤ ε(3 + 4|tip|) (u ≤ 1 + |tip|).
+//! * `turn` by at most ε(3u + |tip| + 2γ|D| + |turn|). As tip = turn − gD and γ|D| ≤ γM ≤ GM/8 ≤ S/8, this is at
+//!   most ε(5|turn| + 5 + 6γM) ≤ ε(5|turn| + 5S). `toe` = turn + 2 adds ε|toe|, and with |turn| ≤ |toe| + 2 is off by
+//!   at most ε(6|toe| + 13 + 6γM). Where |toe| ≤ ½, γ|D| = 1 + u − toe ≥ ½ and S ≥ 1 + 8γM ≥ 5, so that
+//!   13 + 6γM ≤ 4S; elsewhere 13ε is nothing beside |toe|.
 //! * G is off by 2 roundings, D by 1, their product by 4 in all: 4ε GM. 3 tip is off by at most
 //!   ε(9u + 6 max(u,1)) ≤ 15ε(1+u), times |μ ± g| ≤ μ + γ, plus two roundings of that product: together at most
 //!   7ε·3(1+u)(μ+γ). The last addition adds ε S. So `slip_left` and `slip_right` are off by at most 8ε S.
+//!
+//! * 4 + γ² − 3μg, which decides nothing but enters the motion, by at most ε(3(4+γ²) + 3·3μγ), and where it is small,
+//!   3μγ ≈ 4 + γ² ≤ GM/2 ≤ S/2: again below 8ε S.
 //!
 //! In every case |error| < |value| follows from |value| > 16ε S; terms in ε² and the rounding of S itself
 //! (a sum of positive terms, 8 roundings) are far inside the factor of 2 between 8 and 16. Underflow adds at
@@ -43,6 +48,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use crate::error::{LARGEST, SMALLEST};
 use crate::exact::{Exact, Real};
 use crate::mode::Mode;
 
@@ -122,6 +128,8 @@ pub(crate) struct Polynomials<T> {
     pub(crate) toe: T,
     pub(crate) slip_left: T,
     pub(crate) slip_right: T,
+    /// g (k k' − μ) − 1: `turn` with friction pushing the other way (3.43).
+    pub(crate) turn_right: T,
     /// 4 + γ² − 3μg, the denominator of the slide-rock to the left: negative beyond Painlevé's bound (3.35, 4.68).
     pub(crate) regularity: T,
     scale: T,
@@ -135,26 +143,36 @@ pub(crate) fn signed_slenderness(gamma: f64, k_prime: f64) -> f64 {
 
 impl<T: Real> Polynomials<T> {
     #[inline(always)]
-    pub(crate) fn at(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Polynomials<T> {
+    pub(crate) fn at([gamma, k_prime, k, mu]: [f64; 4]) -> Polynomials<T> {
+        Polynomials::about(signed_slenderness(gamma, k_prime), [gamma, k_prime, k, mu])
+    }
+
+    /// The polynomials for the corner O (g = γ) or O' (g = −γ).
+    #[inline(always)]
+    pub(crate) fn about(g: f64, [gamma, k_prime, k, mu]: [f64; 4]) -> Polynomials<T> {
         let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(T::of);
-        let g = T::of(signed_slenderness(gamma, k_prime));
+        // |u|, which is u for the corner the force can tip the body about and −u for the other.
+        let own = T::of(signed_slenderness(gamma, k_prime));
+        let g = T::of(g);
         let [γ, k_prime, k, μ] = [gamma, k_prime, k, mu].map(T::of);
 
-        let u = g.clone() * (k.clone() * (k_prime + one.clone()));
-        let tip = u.clone() - one.clone();
+        let arm = k.clone() * (k_prime + one.clone());
+        let size = own * arm.clone();
+        let tip = g.clone() * arm - one.clone();
         let difference = μ.clone() - k.clone();
         let sum = μ.clone() + k;
         let turn = g.clone().mul_add(difference.clone(), tip.clone());
         let inertia = four.clone() * γ.clone().mul_add(γ.clone(), one.clone());
         let lever = three.clone() * tip.clone();
-        let sticking = inertia.clone() * sum;
+        let sticking = inertia.clone() * sum.clone();
         let regularity = γ.clone().mul_add(γ.clone(), four.clone()) - three.clone() * (μ.clone() * g.clone());
         Polynomials {
             regularity,
+            turn_right: tip.clone() - g.clone() * sum.clone(),
             toe: turn.clone() + two,
             slip_left: inertia.mul_add(difference, lever.clone() * (μ.clone() + g.clone())),
             slip_right: lever.mul_add(μ.clone() - g, sticking.clone()),
-            scale: three.clone().mul_add(u, three).mul_add(μ + γ, sticking) + one,
+            scale: three.clone().mul_add(size, three).mul_add(μ + γ, sticking) + one,
             tip,
             turn,
         }
@@ -173,10 +191,12 @@ pub(crate) fn screen<T: Rounded>(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u
     // Not `f64::min`, whose care for NaN costs instructions; a NaN here makes the scale NaN as well.
     let min = |a: f64, b: f64| if a < b { a } else { b };
 
-    let polynomials = Polynomials::<T>::at(gamma, k_prime, k, mu).map(T::value);
+    let polynomials = Polynomials::<T>::at([gamma, k_prime, k, mu]).map(T::value);
     let Polynomials { tip, turn, toe, slip_left, slip_right, scale, .. } = polynomials;
     let least = min(min(min(tip.abs(), turn.abs()), min(toe.abs(), slip_left.abs())), slip_right.abs());
-    let sure = (least > FACTOR * scale) & (gamma > 0.0) & (min(k, mu) >= 0.0);
+    // The scale is larger than γ, k and μ, so these comparisons refuse whatever `Point::new` refuses.
+    let valid = (gamma >= SMALLEST) & (min(k, mu) >= 0.0) & (scale <= LARGEST) & (k_prime.abs() <= LARGEST);
+    let sure = (least > FACTOR * scale) & valid;
     decide(&polynomials, mu - k, k_prime < -1.0, sure)
 }
 
@@ -214,6 +234,7 @@ impl<T> Polynomials<T> {
             toe: f(self.toe),
             slip_left: f(self.slip_left),
             slip_right: f(self.slip_right),
+            turn_right: f(self.turn_right),
             regularity: f(self.regularity),
             scale: f(self.scale),
         }
@@ -230,14 +251,15 @@ pub(crate) enum Need {
 }
 
 impl Polynomials<f64> {
-    /// The polynomials at a valid point, in floating point if that is good enough for those that `needed` picks, and
-    /// exact, rounded once, if not.
+    /// The polynomials for the corner of g at a valid point, in floating point if that is good enough for those that
+    /// `needed` picks, and exact, rounded once, if not.
     pub(crate) fn known<const N: usize>(
-        [gamma, k_prime, k, mu]: [f64; 4],
+        g: f64,
+        point: [f64; 4],
         need: Need,
         needed: impl Fn(&Polynomials<f64>) -> [f64; N],
     ) -> Polynomials<f64> {
-        let float = Polynomials::<f64>::at(gamma, k_prime, k, mu);
+        let float = Polynomials::<f64>::about(g, point);
         let floor = match need {
             Need::Sign => FACTOR * float.scale,
             Need::Value => float.scale / 256.0,
@@ -245,23 +267,24 @@ impl Polynomials<f64> {
         if needed(&float).iter().all(|value| value.abs() > floor) {
             float
         } else {
-            Polynomials::<Exact>::at(gamma, k_prime, k, mu).map(|value| value.to_f64())
+            Polynomials::exact(g, point)
         }
     }
-}
 
-/// The mode code of a valid point by exact arithmetic.
-#[cold]
-pub(crate) fn exact(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
-    let signs = Polynomials::<Exact>::at(gamma, k_prime, k, mu).map(|value| value.to_f64());
-    decide(&signs, mu - k, k_prime < -1.0, true)
+    #[cold]
+    fn exact(g: f64, point: [f64; 4]) -> Polynomials<f64> {
+        Polynomials::<Exact>::about(g, point).map(|value| value.to_f64())
+    }
 }
 
 /// The mode code of a valid point.
 #[inline]
 pub(crate) fn code(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
     match screen::<f64>(gamma, k_prime, k, mu) {
-        UNSURE => exact(gamma, k_prime, k, mu),
+        UNSURE => {
+            let g = signed_slenderness(gamma, k_prime);
+            decide(&Polynomials::exact(g, [gamma, k_prime, k, mu]), mu - k, k_prime < -1.0, true)
+        }
         code => code,
     }
 }

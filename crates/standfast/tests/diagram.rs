@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::Random;
+use common::{Boundary, Random};
 use standfast::contact::enumerate;
 use standfast::initiation::{Case, Chart, PointName};
 use standfast::{Diagram, Mode, Modes, Point};
@@ -47,6 +47,33 @@ fn every_point_lies_in_the_region_of_its_mode() {
     }
 }
 
+/// The window shows every named point the chart has, and each case has the points the report gives it.
+#[test]
+fn the_window_shows_all_named_points() {
+    use PointName::{A, BPrime, C, CPrime, D, E, F};
+    for chart in charts() {
+        let window = Diagram::of(chart).window();
+        for point in chart.points() {
+            assert!(point.k < window.k && point.mu < window.mu, "{chart:?} {point:?} {window:?}");
+        }
+        let expected = match chart.case() {
+            Case::OneA | Case::OneB => vec![A, C, D],
+            Case::TwoThree => vec![A, C, D, E],
+            Case::DeltaPositive => vec![A, BPrime, CPrime, D, F],
+            Case::DeltaNotPositive => vec![A, CPrime, D, F],
+            Case::BelowBase => vec![A, D],
+        };
+        let absent = match chart.elevation() {
+            0.0 => vec![D],
+            -1.0 => vec![A, CPrime],
+            _ => vec![],
+        };
+        let expected: Vec<PointName> = expected.into_iter().filter(|name| !absent.contains(name)).collect();
+        let found: Vec<PointName> = chart.points().iter().map(|point| point.name).collect();
+        assert_eq!(found, expected, "{chart:?}");
+    }
+}
+
 #[test]
 fn strips_follow_one_another_and_do_not_cross() {
     for chart in charts() {
@@ -79,8 +106,7 @@ fn unresolved_parts_are_where_several_modes_are_consistent() {
             let k = random.uniform(0.0, 8.0 * chart.k_a().max(chart.k_b_prime()).min(1e3));
             let mu = random.uniform(0.0, 1.5 * (chart.upper_line().at(k) + 1.0));
             let point = Point::new(chart.slenderness(), chart.elevation(), k, mu).unwrap();
-            let inside: Vec<_> =
-                parts.iter().filter(|part| part.strips.iter().any(|strip| strip.contains(k, mu))).collect();
+            let inside: Vec<_> = parts.iter().filter(|part| part.contains(k, mu)).collect();
             if point.is_unique() {
                 assert!(inside.is_empty(), "{point:?}");
             } else {
@@ -264,10 +290,11 @@ fn modes_change_at_the_crossings_and_nowhere_else() {
             let expected = expected.map_or_else(|| mode(0.0), |crossing| crossing.to);
             assert_eq!(mode(value), expected, "{gamma} {k_prime} {k} {mu} at {value}: {crossings:?}");
         }
-        assert_eq!(margins.leaves_rest().from, Mode::Rest);
+        let leaves = margins.leaves_rest().unwrap();
+        assert_eq!(leaves.from, Mode::Rest);
         // Rest ends at μ or k_A, whichever is less.
         let k_a = Chart::new(gamma, k_prime).unwrap().k_a();
-        assert!(close(margins.leaves_rest().at, mu.min(k_a), mu.min(k_a)));
+        assert!(close(leaves.at, mu.min(k_a), mu.min(k_a)));
     }
 }
 
@@ -287,12 +314,127 @@ fn safety_factors_are_one_where_rest_ends() {
     assert_eq!(unloaded.safety_against_overturning(), f64::INFINITY);
 }
 
+/// A point's bounds enclose it in an interval of its own mode, on boundaries and at thresholds of k' too.
+#[test]
+fn a_point_lies_between_its_bounds() {
+    let mut random = Random(37);
+    for i in 0..60_000 {
+        let [gamma, k_prime, k, mu] = match i % 3 {
+            0 => random.point(),
+            1 => random.pick(&Boundary::ALL).point(&mut random),
+            _ => {
+                // μ* is level here, and the force at which it is crossed is lost to rounding.
+                let gamma = random.uniform(0.8, 5.0);
+                let k_prime = random.nudge((1.0 + gamma * gamma) / (3.0 * gamma * gamma));
+                let mu = random.nudge(1.0 / (gamma * (1.0 + k_prime)));
+                [gamma, k_prime, random.uniform(0.0, 3.0), mu]
+            }
+        };
+        let point = Point::new(gamma, k_prime, k, mu).unwrap();
+        let margins = point.margins();
+        for (value, (below, above)) in [(k, margins.force_bounds()), (mu, margins.friction_bounds())] {
+            assert!(below.is_none_or(|crossing| crossing.at <= value * (1.0 + 1e-9)), "{point:?} {below:?}");
+            assert!(above.is_none_or(|crossing| crossing.at >= value * (1.0 - 1e-9)), "{point:?} {above:?}");
+            assert!(below.is_none_or(|crossing| crossing.to == point.mode()), "{point:?} {below:?}");
+            assert!(above.is_none_or(|crossing| crossing.from == point.mode()), "{point:?} {above:?}");
+        }
+    }
+}
+
+#[test]
+fn no_force_through_the_base_overcomes_unbounded_friction() {
+    let margins = Point::new(1.0, -1.0, 0.1, 1e50).unwrap().margins();
+    assert_eq!(margins.leaves_rest(), None);
+}
+
+/// One point of every mode in every chapter: what a reader of the trace sees, equation by equation.
+#[test]
+fn the_trace_in_words() {
+    let deciding = |gamma, k_prime, k, mu| {
+        let trace = Point::new(gamma, k_prime, k, mu).unwrap().explain();
+        let relations: Vec<String> = trace.deciding().iter().map(ToString::to_string).collect();
+        format!("{}: {}", trace.steps.last().unwrap().mode, relations.join("; "))
+    };
+    // k_A = 1/1.4 = 0.714286; 1/γ − k k' = 1 − 0.4 k; a = 3.8, b = 3, c = 4.2, d = 5.
+    assert_eq!(
+        deciding(1.0, 0.4, 0.5, 0.6),
+        "RE: (3.4) μ ≥ k: 0.6 ≥ 0.5, holds by 0.1; (3.5) k ≤ 1/(γ|1+k'|): 0.5 ≤ 0.714286, holds by 0.214286"
+    );
+    assert_eq!(
+        deciding(1.0, 0.4, 1.0, 0.5),
+        "SL: (3.6) μ < k: 0.5 < 1, holds by 0.5; (after 3.8) μ ≤ 1/γ − k k': 0.5 ≤ 0.6, holds by 0.1"
+    );
+    assert_eq!(
+        deciding(1.0, 0.4, 1.0, 0.8),
+        "RO: (3.17) k > 1/(γ|1+k'|): 1 > 0.714286, holds by 0.285714; \
+         (3.24) μ ≥ |a k + b|/(c k + d): 0.8 ≥ 0.73913, holds by 0.0608696"
+    );
+    assert_eq!(
+        deciding(1.0, 0.4, 1.0, 0.7),
+        "SRO-: (3.35) μ > 1/γ − k k': 0.7 > 0.6, holds by 0.1; \
+         (3.40) μ < (a k + b)/(c k + d): 0.7 < 0.73913, holds by 0.0391304"
+    );
+    // a = −8.6, b = 9, c = 16.2, d = 37; −1/3 + 0.8·3 = 2.06667; 16.8/85.6 = 0.196262.
+    assert_eq!(
+        deciding(3.0, 0.8, 3.0, 0.1),
+        "SRO+: (3.44) μ ≤ −1/γ + k k': 0.1 ≤ 2.06667, holds by 1.96667; \
+         (3.45) μ < −(a k + b)/(c k + d): 0.1 < 0.196262, holds by 0.0962617"
+    );
+    // q = 0.6: k_A = 2.5; lines ±1 + 0.6 k; a = 6.8, b = 3, c = 1.2, d = 5.
+    assert_eq!(
+        deciding(1.0, -0.6, 2.0, 2.5),
+        "RE: (4.7) μ ≥ k: 2.5 ≥ 2, holds by 0.5; (4.10) k ≤ 1/(γ|1+k'|): 2 ≤ 2.5, holds by 0.5"
+    );
+    assert_eq!(
+        deciding(1.0, -0.6, 2.0, 1.0),
+        "SL: (4.23) μ < k: 1 < 2, holds by 1; (4.19) μ ≤ 1/γ − k k': 1 ≤ 2.2, holds by 1.2; \
+         (4.18) μ ≥ −1/γ − k k': 1 ≥ 0.2, holds by 0.8"
+    );
+    assert_eq!(deciding(1.0, -0.6, 2.0, 0.1), "SRO'-: (4.92) μ < −1/γ − k k': 0.1 < 0.2, holds by 0.1");
+    assert_eq!(
+        deciding(1.0, -0.6, 3.0, 4.0),
+        "RO: (4.37) k > 1/(γ|1+k'|): 3 > 2.5, holds by 0.5; \
+         (4.40) μ ≥ |a k + b|/(c k + d): 4 ≥ 2.72093, holds by 1.27907"
+    );
+    // γ = 10, q = 0.05: at k = 10, 0.1 + 0.5 = 0.6; a = 119, b = 30, c = 28.5, d = 401; 1220/686 = 1.77843.
+    assert_eq!(
+        deciding(10.0, -0.05, 10.0, 1.0),
+        "SRO-: (4.67) μ > 1/γ − k k': 1 > 0.6, holds by 0.4; \
+         (4.77) μ < (a k + b)/(c k + d): 1 < 1.77843, holds by 0.778426"
+    );
+    // k' = −2: k_A = 1; −1 + 2k; a = 11, b = 3, c = −3, d = 5.
+    assert_eq!(
+        deciding(1.0, -2.0, 0.9, 0.85),
+        "SL: (4.23) μ < k: 0.85 < 0.9, holds by 0.05; (4.18) μ ≥ −1/γ − k k': 0.85 ≥ 0.8, holds by 0.05"
+    );
+    assert_eq!(
+        deciding(1.0, -2.0, 2.0, 3.0),
+        "RO': (4.57) k > 1/(γ|1+k'|): 2 > 1, holds by 1; \
+         (4.96 about O') μ ≥ (a k − b)/(d − c k): 3 ≥ 1.72727, holds by 1.27273"
+    );
+    assert_eq!(
+        deciding(1.0, -2.0, 2.0, 1.0),
+        "SRO'-: (4.92) μ < −1/γ − k k': 1 < 3, holds by 2; \
+         (4.96) μ < (a k − b)/(d − c k): 1 < 1.72727, holds by 0.727273"
+    );
+}
+
 /// The trace ends with the mode, its relations hold, every earlier step fails, and bounds are the curves' values.
 #[test]
 fn the_trace_explains_the_mode() {
     let mut random = Random(36);
-    for _ in 0..50_000 {
-        let [gamma, k_prime, k, mu] = random.point();
+    for i in 0..60_000 {
+        let [gamma, k_prime, k, mu] = match i % 4 {
+            0 | 1 => random.point(),
+            2 => random.pick(&Boundary::ALL).point(&mut random),
+            // Slide-rock to the right under forces far above the body.
+            _ => [
+                random.uniform(1.0, 20.0),
+                random.log(1.0, 1e20),
+                random.log(1e-20, 1.0),
+                random.pick(&[0.0, 1e-9]),
+            ],
+        };
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
         let trace = point.explain();
         let last = trace.steps.last().unwrap();
@@ -319,11 +461,19 @@ fn the_trace_explains_the_mode() {
 fn bad_charts_are_refused() {
     assert_eq!(
         Diagram::new(0.0, 0.5).unwrap_err().to_string(),
-        "slenderness γ is 0; expected a finite number above zero"
+        "slenderness γ is 0; expected a number above zero, from 1e-50 to 1e50"
     );
     assert_eq!(
         Diagram::new(1.0, f64::INFINITY).unwrap_err().to_string(),
-        "elevation k' is inf; expected a finite number"
+        "elevation k' is inf; expected a number from -1e50 to 1e50"
     );
     assert!(Diagram::new(1.0, 0.5).unwrap().mode_at(-1.0, 0.5).is_err());
+}
+
+/// Erratum 7: γ = 1, k' = 1 is case 1b although (4+γ²)/(3γ²) = 5/3 > 1, and μ* falls there.
+#[test]
+fn case_1b_exists_without_the_caption_s_condition() {
+    let chart = Chart::new(1.0, 1.0).unwrap();
+    assert_eq!(chart.case(), Case::OneB);
+    assert!(chart.mu_star().slope(chart.k_a()) < 0.0);
 }

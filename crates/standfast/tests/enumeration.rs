@@ -164,6 +164,17 @@ fn the_general_problem_is_symmetric() {
     }
 }
 
+/// Slip at a corner counts only where that corner cannot stick: two wrenches on which stick and slip both satisfy all
+/// laws.
+#[test]
+fn slip_gives_way_to_stick_at_the_same_corner() {
+    let modes = |block: Block, x, m| solve(&block, &Wrench { x, p: 1.0, m }).unwrap().modes.to_string();
+    let block = Block { mu_s: 0.9, mu_k: 0.1, ..Block::uniform(1.0, 0.1) };
+    assert_eq!(modes(block, -1.0, 0.5), "RO"); // not also SL
+    let block = Block { b1: 1.0, b2: 1.0, d: 1.0, rho2: 0.625, m_x: 1.0, m_y: 1.0, mu_s: 0.875, mu_k: 0.375 };
+    assert_eq!(modes(block, 0.5625, 1.4375), "RE"); // not also SRO+
+}
+
 #[test]
 fn mu_s_above_mu_k_sticks_first() {
     // Pulled between the two frictions: rest holds, slip is not tried.
@@ -193,11 +204,32 @@ fn bad_blocks_and_wrenches_are_refused() {
     };
     assert_eq!(
         message(Block { b1: 0.0, ..block }, wrench),
-        "distance b1 of O is 0; expected a finite number above zero"
+        "distance b1 of O is 0; expected a number above zero, from 1e-50 to 1e50"
     );
     assert_eq!(
         message(Block { mu_s: 0.4, ..block }, wrench),
         "static friction mu_s is 0.4; expected no less than the kinetic friction mu_k"
     );
-    assert_eq!(message(block, Wrench { m: f64::NAN, ..wrench }), "moment m is NaN; expected a finite number");
+    assert_eq!(
+        message(block, Wrench { m: f64::NAN, ..wrench }),
+        "moment m is NaN; expected a number from -1e50 to 1e50"
+    );
+}
+
+/// Next to the edge where rocking begins, the rotation has the sign the mode needs.
+#[test]
+fn a_rotation_next_to_its_edge_keeps_its_sign() {
+    let mut random = Random(8);
+    let mut rocked = 0;
+    for _ in 0..50_000 {
+        let block = Block { mu_s: 5.0, mu_k: 5.0, b1: random.uniform(0.5, 2.0), ..Block::uniform(2.0, 5.0) };
+        let x = random.uniform(-1.0, 0.0);
+        let wrench = Wrench { x, p: 1.0, m: random.nudge(block.b1 + x * block.d) };
+        let answer = solve(&block, &wrench).unwrap();
+        if let Some(motion) = answer.motion(Mode::RockO) {
+            assert!(motion.theta_ddot > 0.0, "{block:?} {wrench:?}");
+            rocked += 1;
+        }
+    }
+    assert!(rocked > 5_000);
 }

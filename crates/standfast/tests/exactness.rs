@@ -105,20 +105,37 @@ fn points_within_three_ulps_of_every_boundary_agree_with_rational_arithmetic() {
     });
 }
 
-/// Numbers far outside any use, where products overflow and underflow f64.
+/// Numbers up to the limits of the input, where products underflow and terms differ by a hundred decades, and such
+/// numbers on boundaries.
 #[test]
 fn extreme_magnitudes_agree_with_rational_arithmetic() {
     let mut random = Random(7);
     for _ in 0..20_000 {
-        let mut huge = |low: f64| random.log(low, 1e300);
-        let [gamma, k_prime, k, mu] = [huge(1e-300), huge(1e-300), huge(1e-300), huge(1e-300)];
-        check([gamma, k_prime * random.pick(&[-1.0, 1.0]), k, mu]);
+        let [gamma, k_prime, k, mu] = [
+            random.log(1e-50, 1e50),
+            random.log(1e-300, 1e50),
+            random.log(1e-300, 1e50),
+            random.log(1e-300, 1e50),
+        ];
+        let k_prime = k_prime * random.pick(&[-1.0, 1.0]);
+        check([gamma, k_prime, k, mu]);
+        let chart = standfast::initiation::Chart::new(gamma, k_prime).unwrap();
+        let curves = [chart.upper_line(), chart.lower_line(), chart.mu_star(), chart.mu_star_rising()];
+        let on_curve = random.pick(&curves).at(k);
+        for mu in [on_curve, k, chart.k_a()].map(|mu| random.nudge(mu)) {
+            if (0.0..1e50).contains(&mu) {
+                check([gamma, k_prime, k, mu]);
+                check([gamma, k_prime, mu, mu]);
+            }
+        }
     }
-    for corner in [5e-324, f64::MIN_POSITIVE, f64::MAX] {
-        check([corner, corner, corner, corner]);
-        check([corner, -corner, corner, corner]);
-        check([1.0, 0.0, corner, corner]);
-        check([1.0, -0.0, 0.0, -0.0]);
+    for corner in [5e-324, f64::MIN_POSITIVE, 1e-60, 1e50] {
+        for k_prime in [corner, -corner, 0.0, -0.0, -1.0] {
+            check([1.0, k_prime, corner, corner]);
+            check([1e-50, k_prime, corner, corner]);
+            check([1e50, k_prime, corner, corner]);
+            check([1.0, k_prime, 0.0, -0.0]);
+        }
     }
 }
 
@@ -142,12 +159,15 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
     batch::classify(columns, &mut codes).unwrap();
     assert_eq!(codes, expected);
 
-    for set in [InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
+    for set in InstructionSet::ALL {
         codes.fill(0);
-        if !batch::screen_with(set, columns, &mut codes) {
+        if !set.is_available() {
+            let needed = set == InstructionSet::Avx2 && cfg!(target_arch = "x86_64");
+            assert!(!needed || std::env::var_os("CI").is_none(), "CI has to test the {set:?} kernel");
             eprintln!("skipped: this processor has no {set:?}");
             continue;
         }
+        batch::screen_with(set, columns, &mut codes);
         let wrong =
             codes.iter().zip(&expected).filter(|(code, expected)| **code != u8::MAX && code != expected);
         assert_eq!(wrong.count(), 0, "{set:?}");
@@ -161,9 +181,9 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
 fn a_batch_names_the_first_bad_value() {
     let good = [1.0; 5000];
     for (bad, expected) in [
-        (f64::NAN, "point 4500: friction μ is NaN; expected a finite number, zero or more"),
-        (-0.5, "point 4500: friction μ is -0.5; expected a finite number, zero or more"),
-        (f64::INFINITY, "point 4500: friction μ is inf; expected a finite number, zero or more"),
+        (f64::NAN, "point 4500: friction μ is NaN; expected a number from 0 to 1e50"),
+        (-0.5, "point 4500: friction μ is -0.5; expected a number from 0 to 1e50"),
+        (f64::INFINITY, "point 4500: friction μ is inf; expected a number from 0 to 1e50"),
     ] {
         let mut friction = good;
         friction[4500] = bad;
@@ -181,7 +201,9 @@ fn a_batch_names_the_first_bad_value() {
 #[test]
 fn no_bad_value_gets_a_mode() {
     for column in 0..4 {
-        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1e-300, -1.0, 0.0, -0.0] {
+        for bad in
+            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.1e50, -1.1e50, 1e-60, -1e-300, -1.0, 0.0, -0.0]
+        {
             let mut point = [1.0, 0.5, 0.25, 0.75];
             point[column] = bad;
             let [gamma, k_prime, k, mu] = point;

@@ -164,10 +164,19 @@ fn a_force_through_the_centre_is_the_limit_of_both_chapters() {
         // Reals, not fractions: on a boundary the limits are two.
         let [gamma, k, mu] = [random.uniform(0.3, 5.0), random.uniform(0.0, 4.0), random.uniform(0.0, 3.0)];
         let at = |k_prime: f64| Point::new(gamma, k_prime, k, mu).unwrap();
-        let (below, centre, above) = (at(-1e-300), at(0.0), at(1e-300));
-        assert_eq!((below.mode(), above.mode()), (centre.mode(), centre.mode()));
-        assert_eq!(below.motion().f_x, centre.motion().f_x);
+        let (below, centre, above) = (at(-1e-9), at(0.0), at(1e-9));
         assert_eq!(at(-0.0).motion(), centre.motion());
+        let near = centre.margins();
+        let (low, high) = near.friction_bounds();
+        if [low, high].into_iter().flatten().any(|crossing| (crossing.at - mu).abs() < 1e-6) {
+            continue;
+        }
+        for side in [below, above] {
+            assert_eq!(side.mode(), centre.mode(), "{side:?}");
+            assert!(side.is_unique());
+            let (ours, limit) = (side.motion(), centre.motion());
+            assert!((ours.f_x - limit.f_x).abs() < 1e-6 && (ours.theta_ddot - limit.theta_ddot).abs() < 1e-6);
+        }
     }
 }
 
@@ -178,4 +187,12 @@ fn only_consistent_modes_have_a_motion() {
     for mode in Mode::ALL.into_iter().filter(|mode| *mode != Mode::Rest) {
         assert!(rests.motion_in(mode).is_none(), "{mode}");
     }
+}
+
+/// Erratum 5: chance of rocking does not grow steadily with the elevation of the force.
+#[test]
+fn a_higher_force_can_end_rocking() {
+    let mode = |k_prime| Point::new(4.0, k_prime, 100.0, 0.5).unwrap().mode();
+    assert_eq!(mode(5.0 / 12.0), Mode::RockO);
+    assert_eq!(mode(1.0), Mode::SlideRockORight);
 }

@@ -184,7 +184,8 @@ impl Chart {
         [4.0 + γ * γ - 3.0 * γ * γ * k_prime, 3.0 * γ, 3.0 * γ * (1.0 + k_prime), 1.0 + 4.0 * γ * γ]
     }
 
-    /// The report's case.
+    /// The report's case, computed in f64: within rounding of a threshold, where neighbouring cases draw the same
+    /// picture, it may be either. Modes do not depend on it.
     pub fn case(&self) -> Case {
         let Chart { gamma: γ, k_prime } = *self;
         if k_prime < -1.0 {
@@ -269,17 +270,13 @@ impl Chart {
         if !(q > 0.0 && q < 1.0) {
             return f64::INFINITY;
         }
-        // The positive root of 3γq(1−q) k² − T k − (1+7γ²)/γ = 0, in the form that does not cancel.
+        // The positive root of 3γq(1−q) k² − T k − (1+7γ²)/γ = 0; T > 3, so nothing cancels.
         let t = 7.0 + γ * γ - q * (4.0 + γ * γ);
         let root = (t * t + 12.0 * q * (1.0 - q) * (1.0 + 7.0 * γ * γ)).sqrt();
-        if t > 0.0 {
-            (t + root) / (6.0 * γ * q * (1.0 - q))
-        } else {
-            2.0 * (1.0 + 7.0 * γ * γ) / (γ * (root - t))
-        }
+        (t + root) / (6.0 * γ * q * (1.0 - q))
     }
 
-    /// The named point, if this chart has it with finite coordinates.
+    /// The named point, if this chart has it. A point beyond 1e100, as D for k' next to zero, counts as none.
     pub fn point(&self, name: PointName) -> Option<NamedPoint> {
         let case = self.case();
         let below = matches!(case, Case::DeltaPositive | Case::DeltaNotPositive);
@@ -296,7 +293,7 @@ impl Chart {
             }
             _ => return None,
         };
-        (k.is_finite() && mu.is_finite()).then_some(NamedPoint { name, k, mu })
+        (k < 1e100 && mu < 1e100).then_some(NamedPoint { name, k, mu })
     }
 
     /// All named points this chart has.

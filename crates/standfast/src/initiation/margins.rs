@@ -1,6 +1,7 @@
 //! How far a point is from another mode: the forces and the frictions at which the mode changes.
 
 use super::{Case, Chart, Curve, Point};
+use crate::error::LARGEST;
 use crate::mode::Mode;
 
 /// A change of mode along a line of the k–μ plane.
@@ -21,59 +22,64 @@ pub struct Crossing {
 ///
 /// // γ = 1, k' = 0.4, μ = 0.6: rest ends at k = μ, where sliding begins.
 /// let margins = Point::new(1.0, 0.4, 0.5, 0.6)?.margins();
-/// let first = margins.leaves_rest();
+/// let first = margins.leaves_rest().unwrap();
 /// assert_eq!((first.at, first.to.symbol()), (0.6, "SL"));
 /// # Ok::<(), standfast::InputError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Margins {
-    /// As the force k grows from zero, at the point's friction. Never empty: without bound, some force moves
-    /// every body.
+    /// As the force k grows from zero, at the point's friction.
     pub along_force: Vec<Crossing>,
     /// As the friction μ grows from zero, at the point's force.
     pub along_friction: Vec<Crossing>,
-    force: f64,
-    friction: f64,
+    point: Point,
 }
 
 impl Margins {
     pub(super) fn of(point: &Point) -> Margins {
-        let Point { gamma, k_prime, k, mu } = *point;
+        let Point { k, mu, .. } = *point;
         let curves = boundary_curves(&point.chart());
-        let mode = |k, mu| Point { gamma, k_prime, k, mu }.mode();
+        let mode = |k, mu| Point { k, mu, ..*point }.mode();
 
         // Every boundary is a line or a hyperbola a k + b = μ (c k + d): linear in k, and linear in μ.
         let forces = curves.iter().filter_map(|curve| curve.k_at(mu)).chain([point.chart().k_a()]);
         let frictions = curves.iter().map(|curve| curve.at(k));
         Margins {
-            along_force: crossings(forces, |k| mode(k, mu)),
-            along_friction: crossings(frictions, |mu| mode(k, mu)),
-            force: k,
-            friction: mu,
+            along_force: crossings(forces, k, |k| mode(k, mu)),
+            along_friction: crossings(frictions, mu, |mu| mode(k, mu)),
+            point: *point,
         }
     }
 
-    /// Where the body first leaves rest as the force grows, and into which mode.
-    pub fn leaves_rest(&self) -> Crossing {
-        self.along_force[0]
+    /// Where the body first leaves rest as the force grows, and into which mode. `None` if no force up to 1e50 moves
+    /// it: one through the base (k' = −1) against as much friction.
+    pub fn leaves_rest(&self) -> Option<Crossing> {
+        self.along_force.first().copied()
     }
 
-    /// The nearest changes of mode below and above the point's force.
+    /// The nearest changes of mode below and above the point's force. A point on a boundary is at the end of the
+    /// interval whose mode it has.
     pub fn force_bounds(&self) -> (Option<Crossing>, Option<Crossing>) {
-        bounds(&self.along_force, self.force)
+        bounds(&self.along_force, self.point.k, self.point.mode())
     }
 
-    /// The nearest changes of mode below and above the point's friction.
+    /// The nearest changes of mode below and above the point's friction, likewise.
     pub fn friction_bounds(&self) -> (Option<Crossing>, Option<Crossing>) {
-        bounds(&self.along_friction, self.friction)
+        bounds(&self.along_friction, self.point.mu, self.point.mode())
     }
 }
 
-fn bounds(crossings: &[Crossing], value: f64) -> (Option<Crossing>, Option<Crossing>) {
-    let below = crossings.iter().rev().find(|crossing| crossing.at < value);
-    let above = crossings.iter().find(|crossing| crossing.at >= value);
-    (below.copied(), above.copied())
+fn bounds(crossings: &[Crossing], value: f64, mode: Mode) -> (Option<Crossing>, Option<Crossing>) {
+    // A crossing within rounding of the value lies below it if it leads into the point's mode.
+    let near = |at: f64| (at - value).abs() <= NEAR * value;
+    let is_below =
+        |crossing: &Crossing| if near(crossing.at) { crossing.to == mode } else { crossing.at < value };
+    let above = crossings.iter().position(|crossing| !is_below(crossing)).unwrap_or(crossings.len());
+    (above.checked_sub(1).map(|below| crossings[below]), crossings.get(above).copied())
 }
+
+/// Two values of k or μ that are this close, relatively, may be one crossing computed in two ways.
+const NEAR: f64 = 16.0 * f64::EPSILON;
 
 /// Every curve that bounds a region of this chart, the vertical at A excepted.
 fn boundary_curves(chart: &Chart) -> Vec<Curve> {
@@ -86,29 +92,50 @@ fn boundary_curves(chart: &Chart) -> Vec<Curve> {
     curves
 }
 
-/// The changes of `mode` over (0, ∞), which can happen at `candidates` only.
+/// The changes of `mode` from zero upwards, which happen at `candidates` only.
 ///
-/// Between neighbouring candidates the mode is constant and is asked for once, exactly; a candidate where it does
-/// not change is dropped, so it does no harm that a curve also runs where it bounds nothing. Candidates that are
-/// one crossing computed in two ways (at A, four curves meet) have no f64 or a span of a few ulps between them,
-/// which is passed over.
-fn crossings(candidates: impl Iterator<Item = f64>, mode: impl Fn(f64) -> Mode) -> Vec<Crossing> {
+/// The mode is asked for, exactly, between neighbouring candidates, at `value` itself and far out; between two such
+/// samples that differ lies a crossing, at the candidate between them. A candidate where the mode does not change is
+/// dropped, so it does no harm that a curve also runs where it bounds nothing. Candidates that are one crossing
+/// computed in two ways (at A, four curves meet) are taken as one. Where a curve is nearly level its candidate may be
+/// lost to rounding; then bisection finds the crossing.
+fn crossings(candidates: impl Iterator<Item = f64>, value: f64, mode: impl Fn(f64) -> Mode) -> Vec<Crossing> {
     let mut at: Vec<f64> =
-        candidates.filter(|value| value.is_finite() && *value > 0.0).chain([0.0]).collect();
+        candidates.filter(|at| at.is_finite() && *at > 0.0 && *at < LARGEST).chain([0.0]).collect();
     at.sort_by(f64::total_cmp);
-    at.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
+    at.dedup_by(|later, earlier| *later - *earlier <= NEAR * *later);
+
+    let between = at.windows(2).map(|pair| pair[0] + (pair[1] - pair[0]) / 2.0);
+    let last = 2.0 * at[at.len() - 1] + f64::MIN_POSITIVE;
+    let mut samples: Vec<f64> = between.chain([0.0, value, last.min(LARGEST), LARGEST]).collect();
+    samples.sort_by(f64::total_cmp);
 
     let mut crossings = Vec::new();
-    let mut from = mode(0.0);
-    for (i, &value) in at.iter().enumerate() {
-        // Past the last candidate anything larger will do; 1 serves when there is none but zero.
-        let end = if value > 0.0 { 2.0 * value } else { 1.0 };
-        let beyond = at.get(i + 1).map_or(end.min(f64::MAX), |next| value + (next - value) / 2.0);
-        let to = mode(beyond);
+    let mut previous = (0.0, mode(0.0));
+    for sample in samples {
+        let (low, from) = previous;
+        let to = mode(sample);
         if to != from {
-            crossings.push(Crossing { at: value, from, to });
-            from = to;
+            let known = at.iter().copied().rfind(|at| (low..=sample).contains(at));
+            crossings.push(Crossing { at: known.unwrap_or_else(|| bisect(low, sample, &mode)), from, to });
         }
+        previous = (sample, to);
     }
     crossings
+}
+
+/// Where the mode stops being that at `low`, between `low` and `high`, to the last bit.
+fn bisect(mut low: f64, mut high: f64, mode: impl Fn(f64) -> Mode) -> f64 {
+    let from = mode(low);
+    loop {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if mode(middle) == from {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
 }

@@ -26,7 +26,7 @@
 //! ```text
 //! RE     if μ ≥ k and k γ (1+k') ≤ 1                 (3.4, 3.5; 4.7, 4.10)
 //! SRO'-  if γ (μ + k k') < −1                         (4.92)
-//! SL     if μ < k and γ (μ + k k') ≤ 1                (3.8; 4.18, 4.19)
+//! SL     if μ < k and γ (μ + k k') ≤ 1                (after 3.8; 4.18, 4.19)
 //! RO     if μ (c k + d) ≥ |a k + b|                   (3.24; 4.40)
 //! SRO-   if a k + b > 0,   else SRO+                  (3.40, 3.45; 4.77)
 //! ```
@@ -54,12 +54,12 @@ mod trace;
 
 pub use chart::{Case, Chart, Curve, NamedPoint, PointName};
 pub use margins::{Crossing, Margins};
-pub use trace::{Relation, Step, Trace};
+pub use trace::{Relation, Sign, Step, Trace};
 
 use crate::error::InputError;
 use crate::mode::{Mode, Modes};
 use crate::motion::Motion;
-use crate::sign::{self, Need, Polynomials};
+use crate::sign::{self, Need, Polynomials, signed_slenderness};
 
 /// A body and a force, reduced to the report's four numbers: a point of the k–μ plane for (γ, k').
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,7 +74,8 @@ impl Point {
     /// The point (k, μ) = (`force`, `friction`) for γ = `slenderness` and k' = `elevation`.
     ///
     /// # Errors
-    /// If a number is not finite, `slenderness` is not above zero, or `force` or `friction` is negative.
+    /// If a number is not finite or larger than 1e50, `slenderness` is not above zero (1e-50), or `force` or
+    /// `friction` is negative.
     pub fn new(slenderness: f64, elevation: f64, force: f64, friction: f64) -> Result<Point, InputError> {
         Ok(Point {
             gamma: InputError::positive("slenderness γ", slenderness)?,
@@ -162,7 +163,7 @@ impl Point {
     /// 1/(k γ |1+k'|), the factor of safety against overturning of a body in air; infinite where the force has no
     /// moment about the corner it would tip the body over.
     pub fn safety_against_overturning(&self) -> f64 {
-        1.0 / (self.k * self.gamma * (1.0 + self.k_prime).abs())
+        1.0 / (self.k * (1.0 + self.k_prime).abs() * self.gamma)
     }
 
     /// At which forces and frictions the mode changes.
@@ -180,7 +181,17 @@ impl Point {
         need: Need,
         needed: impl Fn(&Polynomials<f64>) -> [f64; N],
     ) -> Polynomials<f64> {
-        Polynomials::known([self.gamma, self.k_prime, self.k, self.mu], need, needed)
+        self.polynomials_about(signed_slenderness(self.gamma, self.k_prime), need, needed)
+    }
+
+    /// As [`polynomials`](Point::polynomials), for the corner O (g = γ) or O' (g = −γ).
+    fn polynomials_about<const N: usize>(
+        &self,
+        g: f64,
+        need: Need,
+        needed: impl Fn(&Polynomials<f64>) -> [f64; N],
+    ) -> Polynomials<f64> {
+        Polynomials::known(g, [self.gamma, self.k_prime, self.k, self.mu], need, needed)
     }
 }
 

@@ -25,22 +25,17 @@ pub(super) fn motion(point: &Point, mode: Mode) -> Motion {
             let λ = 3.0 * tip / (4.0 * (1.0 + γ * γ));
             about_corner(σ, λ, 0.0 - g * λ, k - g * λ, 0.0)
         }
-        // (3.30, 3.37; 4.64, 4.76)
-        Mode::SlideRockOLeft => slipping_left(point, σ),
-        // (3.43, 3.45): (3.30) and (3.37) with −μ for μ
-        Mode::SlideRockORight => {
-            let turn = g * (k * k_prime - μ) - 1.0;
-            let regularity = 4.0 + γ * γ + 3.0 * μ * γ;
-            let slip_right = point.polynomials(Need::Value, |p| [p.slip_right]).slip_right;
-            slipping(point, σ, -μ, turn, -slip_right, regularity)
+        Mode::SlideRockOLeft | Mode::SlideRockOPrimeLeft => {
+            // (3.30, 3.37; 4.64, 4.76), and with −γ for γ (4.89, 4.95)
+            let g = if mode == Mode::SlideRockOLeft { γ } else { -γ };
+            let p = point.polynomials_about(g, Need::Value, |p| [p.turn, p.slip_left, p.regularity]);
+            slipping(point, g, μ, 3.0 * p.turn / p.regularity, p.slip_left / p.regularity)
         }
-        Mode::SlideRockOPrimeLeft if σ < 0.0 => slipping_left(point, σ),
-        // (4.89, 4.95): (3.30) and (3.37) with −γ for γ
-        Mode::SlideRockOPrimeLeft => {
-            let toe = point.polynomials(Need::Value, |p| [p.toe]).toe;
-            let tip = -γ * k * (1.0 + k_prime) - 1.0;
-            let slip = 4.0 * (1.0 + γ * γ) * (μ - k) + 3.0 * tip * (μ - γ);
-            slipping(point, -1.0, μ, -toe, slip, 4.0 + γ * γ + 3.0 * μ * γ)
+        Mode::SlideRockORight => {
+            // (3.43, 3.45)
+            let p = point.polynomials(Need::Value, |p| [p.turn_right, p.slip_right]);
+            let regularity = 4.0 + γ * γ + 3.0 * μ * γ;
+            slipping(point, γ, -μ, 3.0 * p.turn_right / regularity, -p.slip_right / regularity)
         }
         Mode::SlideRight | Mode::SlideRockOPrimeRight | Mode::Flight => {
             unreachable!("{mode} under a force that points left")
@@ -72,17 +67,12 @@ fn about_corner(σ: f64, λ: f64, x_ddot: f64, f_x: f64, slip: f64) -> Motion {
     }
 }
 
-/// Slide-rock to the left about the corner that the force can tip the body about.
-fn slipping_left(point: &Point, σ: f64) -> Motion {
-    let p = point.polynomials(Need::Value, |p| [p.turn, p.slip_left, p.regularity]);
-    slipping(point, σ, point.mu, p.turn, p.slip_left, p.regularity)
-}
-
-/// Slide-rock about the corner σ under f_x = f f_y, f = ±μ: λ = 3 turn/regularity, ẍ_O = slip/regularity.
-fn slipping(point: &Point, σ: f64, f: f64, turn: f64, slip: f64, regularity: f64) -> Motion {
-    let λ = 3.0 * turn / regularity;
-    let slip = slip / regularity;
-    // Rather than f_x − k, which cancels where the centre of mass hardly moves.
-    let x_ddot = slip - σ * point.gamma * λ;
-    about_corner(σ, λ, x_ddot, f * (1.0 + λ), slip)
+/// Slide-rock about the corner of g at the rate λ, under f_x = f f_y with f = ±μ.
+fn slipping(point: &Point, g: f64, f: f64, λ: f64, slip: f64) -> Motion {
+    let k = point.k;
+    // Adding zero turns −0 into 0.
+    let f_x = f * (1.0 + λ) + 0.0;
+    // ẍ in the form that cancels less: from the corner's slip, or from the forces.
+    let x_ddot = if slip.abs().max((g * λ).abs()) < k.max(f_x.abs()) { slip - g * λ } else { f_x - k };
+    about_corner(g.signum(), λ, x_ddot, f_x, slip)
 }

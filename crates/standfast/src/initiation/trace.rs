@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use super::Point;
+use super::{Chart, Point};
 use crate::mode::{Mode, Modes};
-use crate::sign::Need;
+use crate::sign::{Need, Polynomials};
 
 /// The modes tried in turn, up to the one that holds.
 ///
@@ -42,33 +42,80 @@ pub struct Step {
     pub holds: bool,
 }
 
+/// The sign of an inequality.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sign {
+    /// <
+    Less,
+    /// ≤
+    LessOrEqual,
+    /// ≥
+    GreaterOrEqual,
+    /// >
+    Greater,
+}
+
+impl Sign {
+    /// Whether the inequality holds, for a left side that stands to the right side as `ordering` says.
+    fn holds(self, ordering: Ordering) -> bool {
+        match self {
+            Sign::Less => ordering.is_lt(),
+            Sign::LessOrEqual => ordering.is_le(),
+            Sign::GreaterOrEqual => ordering.is_ge(),
+            Sign::Greater => ordering.is_gt(),
+        }
+    }
+}
+
+impl std::fmt::Display for Sign {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Sign::Less => "<",
+            Sign::LessOrEqual => "≤",
+            Sign::GreaterOrEqual => "≥",
+            Sign::Greater => ">",
+        })
+    }
+}
+
 /// An inequality between a coordinate of the point and a bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relation {
     /// The report's equation number, or where the bound comes from.
     pub equation: &'static str,
-    /// The inequality in symbols, e.g. `μ ≥ k`.
-    pub statement: &'static str,
-    /// The value left of the sign: μ or k.
+    /// The symbol left of the sign: `μ` or `k`.
+    pub quantity: &'static str,
+    /// Its value.
     pub left: f64,
-    /// The sign between them: `<`, `≤`, `≥` or `>`.
-    pub sign: &'static str,
-    /// The bound right of it.
+    /// The sign between them.
+    pub sign: Sign,
+    /// The bound in symbols, e.g. `1/γ − k k'`.
+    pub bound: &'static str,
+    /// Its value.
     pub right: f64,
     /// Whether it holds, decided exactly.
     pub holds: bool,
 }
 
 impl Relation {
+    /// The inequality in symbols, e.g. `μ ≥ k`.
+    pub fn statement(&self) -> String {
+        format!("{} {} {}", self.quantity, self.sign, self.bound)
+    }
+
     /// How far `left` is on the right side of `right`: negative where the inequality does not hold.
     pub fn margin(&self) -> f64 {
-        if self.sign.starts_with(['<', '≤']) { self.right - self.left } else { self.left - self.right }
+        match self.sign {
+            Sign::Less | Sign::LessOrEqual => self.right - self.left,
+            Sign::GreaterOrEqual | Sign::Greater => self.left - self.right,
+        }
     }
 }
 
 impl std::fmt::Display for Relation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Relation { equation, statement, left, sign, right, holds } = *self;
+        let Relation { equation, left, sign, right, holds, .. } = *self;
+        let statement = self.statement();
         let verb = if holds { "holds" } else { "fails" };
         let (left, right, margin) = (digits(left), digits(right), digits(self.margin().abs()));
         write!(f, "({equation}) {statement}: {left} {sign} {right}, {verb} by {margin}")
@@ -100,7 +147,7 @@ const CHAPTER_III: Chapter = Chapter {
     rest_friction: "3.4",
     rest_overturning: "3.5",
     slide_friction: "3.6",
-    slide_turning: "3.8",
+    slide_turning: "after 3.8",
     rock_overturning: "3.17",
     rock_friction: "3.24",
     slide_rock_turning: "3.35",
@@ -133,9 +180,10 @@ const BELOW_BASE: Chapter = Chapter {
 impl Trace {
     pub(super) fn of(point: &Point) -> Trace {
         let mode = point.mode();
+        let terms = Terms::of(point);
         let mut steps = Vec::new();
         for &candidate in candidates(point) {
-            let relations = relations(point, candidate);
+            let relations = terms.relations(candidate);
             let holds = candidate == mode;
             debug_assert_eq!(holds, relations.iter().all(|relation| relation.holds), "{point:?} {candidate}");
             steps.push(Step { mode: candidate, relations, holds });
@@ -159,98 +207,103 @@ fn candidates(point: &Point) -> &'static [Mode] {
     }
 }
 
-/// The inequalities of `mode`, given that the modes before it in the order do not hold.
-fn relations(point: &Point, mode: Mode) -> Vec<Relation> {
-    let Point { k_prime, k, mu, .. } = *point;
-    let chart = point.chart();
-    let signs = point.polynomials(Need::Sign, |p| [p.tip, p.turn, p.toe, p.slip_left, p.slip_right]);
-    let chapter = match k_prime {
-        below if below < -1.0 => BELOW_BASE,
-        below if below < 0.0 => CHAPTER_IV,
-        _ => CHAPTER_III,
-    };
-    let beyond = k_prime < -1.0;
-    let sign = |value: f64| value.partial_cmp(&0.0).expect("polynomials of a valid point are numbers");
-    let relation = |equation, statement: &'static str, left, right, ordering: Ordering| {
-        let sign = ["<", "≤", "≥", ">"].into_iter().find(|sign| statement.contains(sign));
-        let sign = sign.expect("a statement has a sign");
-        let holds = match sign {
-            "<" => ordering.is_lt(),
-            "≤" => ordering.is_le(),
-            "≥" => ordering.is_ge(),
-            _ => ordering.is_gt(),
+/// What the inequalities of a point are made of.
+struct Terms {
+    point: Point,
+    chart: Chart,
+    signs: Polynomials<f64>,
+    chapter: &'static Chapter,
+}
+
+impl Terms {
+    fn of(point: &Point) -> Terms {
+        let signs = point
+            .polynomials(Need::Sign, |p| [p.tip, p.turn, p.toe, p.slip_left, p.slip_right, p.turn_right]);
+        let chapter = match point.k_prime {
+            below if below < -1.0 => &BELOW_BASE,
+            below if below < 0.0 => &CHAPTER_IV,
+            _ => &CHAPTER_III,
         };
-        Relation { equation, statement, left, sign, right, holds }
-    };
+        Terms { point: *point, chart: point.chart(), signs, chapter }
+    }
 
-    // Orderings of the left side against the bound, from the exact signs.
-    let friction = mu.total_cmp(&k);
-    let overturning = sign(signs.tip);
-    // For the corner O μ is compared with the upper line, for O' with the lower one.
-    let turning = sign(signs.turn);
-    let upper = chart.upper_line().at(k);
-    let lower = chart.lower_line().at(k);
-    let k_a = chart.k_a();
+    /// μ against a bound; `excess` has the exact sign of μ less the bound.
+    fn friction(
+        &self,
+        equation: &'static str,
+        sign: Sign,
+        bound: (&'static str, f64),
+        excess: f64,
+    ) -> Relation {
+        Terms::relation(equation, ("μ", self.point.mu), sign, bound, excess)
+    }
 
-    match mode {
-        Mode::Rest => vec![
-            relation(chapter.rest_friction, "μ ≥ k", mu, k, friction),
-            relation(chapter.rest_overturning, "k ≤ 1/(γ|1+k'|)", k, k_a, overturning),
-        ],
-        Mode::SlideLeft if beyond => vec![
-            relation(chapter.slide_friction, "μ < k", mu, k, friction),
-            relation(chapter.slide_turning, "μ ≥ −1/γ − k k'", mu, lower, turning.reverse()),
-        ],
-        Mode::SlideLeft => {
-            let mut all = vec![
-                relation(chapter.slide_friction, "μ < k", mu, k, friction),
-                relation(chapter.slide_turning, "μ ≤ 1/γ − k k'", mu, upper, turning),
-            ];
-            if k_prime < 0.0 {
-                all.push(relation("4.18", "μ ≥ −1/γ − k k'", mu, lower, sign(signs.toe)));
+    fn relation(
+        equation: &'static str,
+        (quantity, left): (&'static str, f64),
+        sign: Sign,
+        (bound, right): (&'static str, f64),
+        excess: f64,
+    ) -> Relation {
+        let ordering = excess.partial_cmp(&0.0).expect("the polynomials of a valid point are numbers");
+        Relation { equation, quantity, left, sign, bound, right, holds: sign.holds(ordering) }
+    }
+
+    /// The inequalities of `mode`, given that the modes before it in the order do not hold.
+    fn relations(&self, mode: Mode) -> Vec<Relation> {
+        use Sign::{Greater, GreaterOrEqual, Less, LessOrEqual};
+        let Point { k_prime, k, mu, .. } = self.point;
+        let Polynomials { tip, turn, toe, slip_left, slip_right, turn_right, .. } = self.signs;
+        let (chart, chapter) = (&self.chart, self.chapter);
+        let beyond = k_prime < -1.0;
+
+        let force = ("k", k);
+        let k_a = ("1/(γ|1+k'|)", chart.k_a());
+        let upper = ("1/γ − k k'", chart.upper_line().at(k));
+        let lower = ("−1/γ − k k'", chart.lower_line().at(k));
+        let mu_star = ("(a k + b)/(c k + d)", chart.mu_star().at(k));
+        let mu_star_star = ("(a k − b)/(d − c k)", chart.mu_star_star().at(k));
+
+        match mode {
+            Mode::Rest => vec![
+                self.friction(chapter.rest_friction, GreaterOrEqual, force, mu - k),
+                Terms::relation(chapter.rest_overturning, force, LessOrEqual, k_a, tip),
+            ],
+            Mode::SlideLeft => {
+                let mut all = vec![self.friction(chapter.slide_friction, Less, force, mu - k)];
+                if beyond {
+                    all.push(self.friction(chapter.slide_turning, GreaterOrEqual, lower, -turn));
+                } else {
+                    all.push(self.friction(chapter.slide_turning, LessOrEqual, upper, turn));
+                    if k_prime < 0.0 {
+                        all.push(self.friction("4.18", GreaterOrEqual, lower, toe));
+                    }
+                }
+                all
             }
-            all
+            Mode::RockO | Mode::RockOPrime => {
+                let bound = if beyond { mu_star_star } else { ("|a k + b|/(c k + d)", mu_star.1.abs()) };
+                // Friction has to stop a slip either way.
+                let sticks = slip_left.min(slip_right);
+                vec![
+                    Terms::relation(chapter.rock_overturning, force, Greater, k_a, tip),
+                    self.friction(chapter.rock_friction, GreaterOrEqual, bound, sticks),
+                ]
+            }
+            Mode::SlideRockOLeft => vec![
+                self.friction(chapter.slide_rock_turning, Greater, upper, turn),
+                self.friction(chapter.slide_rock_slip, Less, mu_star, slip_left),
+            ],
+            Mode::SlideRockORight => vec![
+                self.friction("3.44", LessOrEqual, ("−1/γ + k k'", -upper.1), -turn_right),
+                self.friction("3.45", Less, ("−(a k + b)/(c k + d)", -mu_star.1), slip_right),
+            ],
+            Mode::SlideRockOPrimeLeft if beyond => vec![
+                self.friction(chapter.slide_rock_turning, Less, lower, -turn),
+                self.friction(chapter.slide_rock_slip, Less, mu_star_star, slip_left),
+            ],
+            Mode::SlideRockOPrimeLeft => vec![self.friction("4.92", Less, lower, toe)],
+            Mode::SlideRight | Mode::SlideRockOPrimeRight | Mode::Flight => Vec::new(),
         }
-        Mode::RockO | Mode::RockOPrime => {
-            // Both signs of f_x in one inequality: friction has to stop a slip either way.
-            let sticks = sign(signs.slip_left).min(sign(signs.slip_right));
-            let (bound, statement) = if beyond {
-                (chart.mu_star_star().at(k), "μ ≥ (a k − b)/(d − c k)")
-            } else {
-                (chart.mu_star().at(k).abs(), "μ ≥ |a k + b|/(c k + d)")
-            };
-            vec![
-                relation(chapter.rock_overturning, "k > 1/(γ|1+k'|)", k, k_a, overturning),
-                relation(chapter.rock_friction, statement, mu, bound, sticks),
-            ]
-        }
-        Mode::SlideRockOLeft => vec![
-            relation(chapter.slide_rock_turning, "μ > 1/γ − k k'", mu, upper, turning),
-            relation(
-                chapter.slide_rock_slip,
-                "μ < (a k + b)/(c k + d)",
-                mu,
-                chart.mu_star().at(k),
-                sign(signs.slip_left),
-            ),
-        ],
-        Mode::SlideRockORight => vec![
-            relation("3.44", "μ ≤ −1/γ + k k'", mu, -upper, sign(point.gamma * (mu - k * k_prime) + 1.0)),
-            relation("3.45", "μ < −(a k + b)/(c k + d)", mu, -chart.mu_star().at(k), sign(signs.slip_right)),
-        ],
-        Mode::SlideRockOPrimeLeft if beyond => vec![
-            relation(chapter.slide_rock_turning, "μ < −1/γ − k k'", mu, lower, turning.reverse()),
-            relation(
-                chapter.slide_rock_slip,
-                "μ < (a k − b)/(d − c k)",
-                mu,
-                chart.mu_star_star().at(k),
-                sign(signs.slip_left),
-            ),
-        ],
-        Mode::SlideRockOPrimeLeft => {
-            vec![relation("4.92", "μ < −1/γ − k k'", mu, lower, sign(signs.toe))]
-        }
-        Mode::SlideRight | Mode::SlideRockOPrimeRight | Mode::Flight => Vec::new(),
     }
 }

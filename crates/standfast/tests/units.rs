@@ -1,0 +1,77 @@
+//! Bodies and forces in SI units, reduced to the report's numbers and mirrored.
+
+use standfast::{Body, HorizontalForce, Mode, Slip};
+
+/// A caisson of 15 m by 12 m and 2100 kg/m³ weighs 378 t/m; 1000 kN/m at 9 m above its base.
+fn caisson() -> Body {
+    Body::of_density(15.0, 12.0, 2100.0).unwrap()
+}
+
+#[test]
+fn a_body_has_the_geometry_and_inertia_of_a_rectangle() {
+    let body = caisson();
+    assert_eq!(body.mass(), 378_000.0);
+    assert_eq!(body.slenderness(), 0.8);
+    // m(B² + H²)/3 with B = 7.5, H = 6
+    assert_eq!(body.moment_of_inertia(), 378_000.0 * (56.25 + 36.0) / 3.0);
+}
+
+#[test]
+fn a_force_reduces_to_k_and_k_prime() {
+    let force = HorizontalForce::new(1e6, 9.0, Slip::Left).unwrap();
+    let reduced = force.reduce(&caisson(), 0.6, 10.0).unwrap();
+    assert_eq!(reduced.point.force(), 1e6 / 3.78e6);
+    assert_eq!(reduced.point.elevation(), 0.5); // 3 m above the centre, of 6
+    assert_eq!(reduced.point.friction(), 0.6);
+    assert!(!reduced.mirrored);
+    let base = HorizontalForce::new(1e6, 0.0, Slip::Left).unwrap().reduce(&caisson(), 0.6, 10.0).unwrap();
+    assert_eq!(base.point.elevation(), -1.0);
+}
+
+#[test]
+fn a_force_to_the_right_is_the_mirror_image() {
+    let body = Body::new(1.0, 3.0, 1000.0).unwrap();
+    let modes = [(0.5, 0.05), (4.0, 0.4), (4.0, 0.05), (20.0, 0.02), (0.2, 0.9), (0.2, 0.1)];
+    for (factor, friction) in modes {
+        for elevation in [0.2, 1.0, 2.8] {
+            let force = |direction| HorizontalForce::new(factor * 1e4, elevation, direction).unwrap();
+            let left = force(Slip::Left).reduce(&body, friction, 10.0).unwrap();
+            let right = force(Slip::Right).reduce(&body, friction, 10.0).unwrap();
+            assert!(right.mirrored && left.point == right.point);
+            assert_eq!(right.mode(), left.mode().mirrored());
+            assert_eq!(right.others(), left.others().mirrored());
+            let (here, there) = (left.motion(), right.motion());
+            assert_eq!(here.x_ddot, -there.x_ddot);
+            assert_eq!(here.theta_ddot, -there.theta_ddot);
+            assert_eq!((here.f_x, here.f_y, here.xi), (-there.f_x, there.f_y, -there.xi));
+            assert_eq!((here.lift_o, here.lift_o_prime), (there.lift_o_prime, there.lift_o));
+        }
+    }
+}
+
+#[test]
+fn a_mirror_image_of_a_mirror_image_is_the_mode_itself() {
+    for mode in Mode::ALL {
+        assert_eq!(mode.mirrored().mirrored(), mode);
+        assert_eq!(Mode::from_code(mode.code()), Some(mode));
+    }
+    assert_eq!(Mode::from_code(10), None);
+}
+
+#[test]
+fn impossible_bodies_and_forces_are_refused() {
+    let message = |result: Result<Body, standfast::InputError>| result.unwrap_err().to_string();
+    assert_eq!(
+        message(Body::new(0.0, 12.0, 1.0)),
+        "width is 0; expected a number above zero, from 1e-50 to 1e50"
+    );
+    assert_eq!(
+        message(Body::of_density(15.0, 12.0, f64::NAN)),
+        "density is NaN; expected a number above zero, from 1e-50 to 1e50"
+    );
+    let error = HorizontalForce::new(-1.0, 9.0, Slip::Left).unwrap_err();
+    assert_eq!(error.to_string(), "force is -1; expected a number from 0 to 1e50");
+    let force = HorizontalForce::new(1.0, 9.0, Slip::Left).unwrap();
+    assert!(force.reduce(&caisson(), -0.1, 9.81).is_err());
+    assert!(force.reduce(&caisson(), 0.6, 0.0).is_err());
+}
