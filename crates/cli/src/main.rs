@@ -1,2 +1,17 @@
 //! The program `standfast`.
-fn main() {}
+
+#![forbid(unsafe_code)]
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    match standfast_cli::run(standfast_cli::args::Cli::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprint!("{}", standfast_cli::report(error.as_ref()));
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -56,7 +56,9 @@ def build(files, style, target):
     font.setupGlyphOrder(list(outlines))
     font.setupCharacterMap(names)
     font.setupGlyf(outlines)
-    font.setupHorizontalMetrics({g: (w, outlines[g].xMin if outlines[g].numberOfContours else 0) for g, (w, _) in metrics.items()})
+    for name, (width, _) in metrics.items():
+        metrics[name] = (width, outlines[name].xMin if outlines[name].numberOfContours else 0)
+    font.setupHorizontalMetrics(metrics)
     font.setupHorizontalHeader(ascent=762, descent=-238)
     font.setupNameTable({"familyName": "STIX Two Text subset", "styleName": style.capitalize()})
     font.setupOS2()

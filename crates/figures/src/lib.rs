@@ -1,1 +1,123 @@
 //! The k–μ diagram and the report's figures, as SVG, PNG and PDF.
+//!
+//! ```
+//! use standfast::Diagram;
+//! use standfast_figures::{DesignPoint, FigureId, diagram, report_figure};
+//!
+//! let id: FigureId = "3.11".parse()?;
+//! assert!(report_figure(id).svg().starts_with("<svg"));
+//!
+//! let body = Diagram::new(2.0, 0.3)?;
+//! let storm = DesignPoint { k: 0.31, mu: 0.6, label: "storm".into() };
+//! let figure = diagram(&body, &[storm]);
+//! assert!(figure.title().contains("γ = 2"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | question | module |
+//! |---|---|
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26) |
+//! | Where does it lie on the page? | `plot`, `chart`, `inset` |
+//! | Where do the words go? | `labels`, `margins`, `caption` |
+//! | How is it written down? | `text`, `font`, `scene`, `render` |
+//!
+//! All geometry is the library's: curves and points of [`standfast::initiation::Chart`], regions of [`Diagram`].
+//! Text is drawn as outlines, so a figure looks the same everywhere and needs no fonts; `<title>` and `<desc>` say
+//! it in words. The same input gives the same bytes.
+
+#![forbid(unsafe_code)]
+
+mod caption;
+mod chart;
+mod font;
+mod inset;
+mod labels;
+mod map;
+mod margins;
+mod number;
+mod palette;
+mod plot;
+mod render;
+mod report;
+mod scene;
+mod sheet;
+mod text;
+
+use standfast::Diagram;
+
+pub use render::RenderError;
+pub use report::{FigureId, UnknownFigure, report_figure};
+#[doc(hidden)]
+pub use scene::{Label, Rect};
+
+/// A drawing with its caption.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    svg: String,
+    title: String,
+    caption: String,
+    labels: Vec<Label>,
+    size: (f64, f64),
+}
+
+impl Figure {
+    /// The SVG document.
+    pub fn svg(&self) -> &str {
+        &self.svg
+    }
+
+    /// What the figure shows, in a line of plain characters: `Fig. 3.11 All modes, case 3, …`.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The body drawn and the coordinates of the named points, in plain characters; empty for a sketch.
+    pub fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    /// Width and height in SVG units, of which 96 make an inch.
+    pub fn size(&self) -> (f64, f64) {
+        self.size
+    }
+
+    /// Every label with its box, for tests of the placement.
+    #[doc(hidden)]
+    pub fn labels(&self) -> &[Label] {
+        &self.labels
+    }
+}
+
+/// A load case to be marked in a diagram. It is drawn if k and μ are finite and not negative.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignPoint {
+    /// F/(m g).
+    pub k: f64,
+    /// Coulomb friction.
+    pub mu: f64,
+    /// Its name; may be empty.
+    pub label: String,
+}
+
+impl DesignPoint {
+    fn is_drawable(&self) -> bool {
+        (0.0..f64::INFINITY).contains(&self.k) && (0.0..f64::INFINITY).contains(&self.mu)
+    }
+}
+
+/// The map of all modes of one body and one elevation of the force, with design points.
+///
+/// The window shows A and the other named points that are not much farther away, and all design points.
+pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
+    let (sheet, condition) = map::sheet(diagram.chart().case());
+    chart::Drawing {
+        diagram,
+        sheet,
+        window: map::window(diagram, points),
+        heading: "All modes,",
+        caption: &format!("{}: {condition}", number::body(diagram.chart())),
+        preface: "",
+        points,
+    }
+    .figure()
+}

@@ -11,7 +11,7 @@
 ///
 /// The limits 1e50 and 1e-50 are far outside any use; within them no formula of this library overflows.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{quantity} is {value}; expected {expected}")]
+#[error("{quantity} is {}; expected {expected}", readable(*.value))]
 pub struct InputError {
     /// The quantity in words and symbol, e.g. `friction μ`.
     pub quantity: &'static str,
@@ -19,6 +19,12 @@ pub struct InputError {
     pub value: f64,
     /// What the quantity has to be.
     pub expected: &'static str,
+}
+
+/// The value as a person would write it: `1e300`, not three hundred digits.
+fn readable(value: f64) -> String {
+    let plain = value == 0.0 || !value.is_finite() || (1e-6..1e15).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The largest magnitude of an input.

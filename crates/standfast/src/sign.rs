@@ -44,7 +44,7 @@
 //! (a sum of positive terms, 8 roundings) are far inside the factor of 2 between 8 and 16. Underflow adds at
 //! most 2⁻¹⁰⁷⁴ to a term, multiplied by at most G: nothing beside 16ε S ≥ 2⁻⁴⁹ while S is finite. An overflow or a
 //! NaN makes S infinite or NaN, and the comparison fails. So one comparison per point says that all five
-//! floating-point signs are right; where it fails, [`Exact`] arithmetic decides. There is no tolerance.
+//! floating-point signs are right; where it fails, exact arithmetic decides. There is no tolerance.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

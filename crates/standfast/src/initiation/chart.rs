@@ -88,6 +88,14 @@ impl Curve {
         }
     }
 
+    /// The k at which a hyperbola has its vertical asymptote, if it has one: d/c for μ** (4.97).
+    pub fn pole(&self) -> Option<f64> {
+        match *self {
+            Curve::Hyperbola { c, d, .. } => Some(-d / c).filter(|k| k.is_finite()),
+            Curve::Line { .. } => None,
+        }
+    }
+
     /// dμ/dk at k (3.24, 4.47).
     pub fn slope(&self, k: f64) -> f64 {
         match *self {
@@ -215,6 +223,22 @@ impl Chart {
     /// μ = −1/γ − k k': DC of chapter IV. On it the sliding body's reaction is at O'.
     pub fn lower_line(&self) -> Curve {
         Curve::Line { slope: -self.k_prime, intercept: -1.0 / self.gamma }
+    }
+
+    /// μ = −k k', in chapter IV μ = k|k'| (4.22): on it the sliding body's reaction is below C, ξ = 0.
+    pub fn centre_line(&self) -> Curve {
+        Curve::Line { slope: -self.k_prime, intercept: 0.0 }
+    }
+
+    /// μ = −1/γ + k k' (3.44): below it the body turns about O with friction pushing to the left.
+    pub fn turning_line(&self) -> Curve {
+        Curve::Line { slope: self.k_prime, intercept: -1.0 / self.gamma }
+    }
+
+    /// |a|/|c|, the limit of μ* (and of μ**) for large k (4.46); infinite for k' = −1.
+    pub fn mu_star_limit(&self) -> f64 {
+        let [a, _, c, _] = self.coefficients();
+        (a / c).abs()
     }
 
     /// μ*(k) = (a k + b)/(c k + d) (3.24, 4.40), signed: right of E (a < 0) it is negative and the bound is

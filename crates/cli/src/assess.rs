@@ -1,0 +1,129 @@
+//! `standfast assess`: a body and its loads from a case file.
+
+mod json;
+mod text;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use miette::Diagnostic;
+use standfast::{Diagram, InputError};
+use thiserror::Error;
+
+use crate::args::Format;
+use crate::case::{Case, CaseError};
+use crate::draw;
+use crate::write::{self, WriteError};
+use standfast_figures::DesignPoint;
+
+/// Why a case was not assessed.
+#[derive(Debug, Error, Diagnostic)]
+pub enum AssessError {
+    /// The case file cannot be read.
+    #[error("cannot read {}: {cause}", path.display())]
+    Read {
+        /// The case file.
+        path: PathBuf,
+        /// What the system says.
+        cause: std::io::Error,
+    },
+    /// The case file is not text.
+    #[error("{} is not UTF-8 text: line {line} has a byte that is no character", path.display())]
+    #[diagnostic(help("save it as UTF-8"))]
+    Encoding {
+        /// The case file.
+        path: PathBuf,
+        /// The first line with such a byte, counted from one.
+        line: usize,
+    },
+    /// The diagram would replace the case file.
+    #[error("the diagram would be written over the case file {}", path.display())]
+    #[diagnostic(help("rename the case file to end in .toml, or choose another directory with -o DIR"))]
+    Overwrite {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// The case file is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    /// The diagram cannot be drawn.
+    #[error(transparent)]
+    Mechanics(#[from] InputError),
+    /// The diagram cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// Assesses a case file, writes its diagrams into `directory` or else beside it, and gives the answer to print.
+///
+/// # Errors
+/// If the case file cannot be read or makes no sense, or a diagram cannot be written.
+pub fn assess(path: &Path, directory: Option<&Path>, format: Format) -> Result<String, AssessError> {
+    let case = read(path)?;
+    let diagrams = draw_diagrams(&case, path, directory)?;
+    Ok(match format {
+        Format::Text => text::render(&case, &diagrams),
+        Format::Json => json::render(&case, &diagrams),
+    })
+}
+
+fn read(path: &Path) -> Result<Case, AssessError> {
+    let bytes = fs::read(path).map_err(|cause| AssessError::Read { path: path.to_owned(), cause })?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        AssessError::Encoding { path: path.to_owned(), line }
+    })?;
+    Ok(Case::parse(&path.display().to_string(), &text)?)
+}
+
+/// A diagram of a case, for all loads of one elevation.
+struct DrawnDiagram {
+    path: PathBuf,
+    k_prime: f64,
+}
+
+/// One diagram for every distinct k'.
+fn draw_diagrams(
+    case: &Case,
+    path: &Path,
+    directory: Option<&Path>,
+) -> Result<Vec<DrawnDiagram>, AssessError> {
+    let mut groups: Vec<(f64, Vec<DesignPoint>)> = Vec::new();
+    for (i, load) in case.loads.iter().enumerate() {
+        let point = &load.reduced.point;
+        let design = DesignPoint { k: point.force(), mu: point.friction(), label: load_name(case, i) };
+        match groups.iter_mut().find(|(k_prime, _)| *k_prime == point.elevation()) {
+            Some((_, points)) => points.push(design),
+            None => groups.push((point.elevation(), vec![design])),
+        }
+    }
+
+    let directory = match directory {
+        Some(directory) => {
+            write::make_directory(directory)?;
+            directory
+        }
+        None => path.parent().unwrap_or(Path::new("")),
+    };
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let several = groups.len() > 1;
+    let mut drawn = Vec::new();
+    for (i, (k_prime, points)) in groups.into_iter().enumerate() {
+        let number = if several { format!("-{}", i + 1) } else { String::new() };
+        let file = directory.join(format!("{stem}{number}.svg"));
+        if file.canonicalize().is_ok_and(|file| path.canonicalize().is_ok_and(|case| case == file)) {
+            return Err(AssessError::Overwrite { path: path.to_owned() });
+        }
+        let diagram = Diagram::new(case.body.slenderness(), k_prime)?;
+        draw::draw_case(&diagram, &points, &file)?;
+        drawn.push(DrawnDiagram { path: file, k_prime });
+    }
+    Ok(drawn)
+}
+
+/// The name of a load, or its number.
+fn load_name(case: &Case, index: usize) -> String {
+    case.loads[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
+}

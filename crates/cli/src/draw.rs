@@ -1,0 +1,151 @@
+//! `standfast diagram` and `standfast figures`: pictures in files.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::ValueEnum;
+use miette::Diagnostic;
+use standfast::Diagram;
+use standfast_figures::{DesignPoint, Figure, FigureId, RenderError, diagram, report_figure};
+use thiserror::Error;
+
+use crate::write::{self, WriteError};
+
+/// How a picture is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Picture {
+    /// Scalable vector graphics.
+    Svg,
+    /// Pixels.
+    Png,
+    /// A page.
+    Pdf,
+}
+
+impl Picture {
+    fn extension(self) -> &'static str {
+        match self {
+            Picture::Svg => "svg",
+            Picture::Png => "png",
+            Picture::Pdf => "pdf",
+        }
+    }
+}
+
+/// A picture's file, whose extension says how it is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PictureFile {
+    path: PathBuf,
+    picture: Picture,
+}
+
+/// A file name that does not say which kind of picture it is.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{found}; the extension has to be svg, png or pdf")]
+pub struct ExtensionError {
+    found: String,
+}
+
+impl FromStr for PictureFile {
+    type Err = ExtensionError;
+
+    fn from_str(text: &str) -> Result<PictureFile, ExtensionError> {
+        let path = PathBuf::from(text);
+        let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+        match Picture::from_str(&extension, true) {
+            Ok(picture) => Ok(PictureFile { path, picture }),
+            Err(_) if extension.is_empty() => {
+                Err(ExtensionError { found: "there is no extension".to_owned() })
+            }
+            Err(_) => Err(ExtensionError { found: format!("unknown extension `{extension}`") }),
+        }
+    }
+}
+
+/// A point K,MU of the command line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KMu {
+    /// k.
+    pub k: f64,
+    /// μ.
+    pub mu: f64,
+}
+
+/// Why a picture was not made.
+#[derive(Debug, Error, Diagnostic)]
+pub enum DrawError {
+    /// The picture cannot be converted.
+    #[error("cannot draw {}: {cause}", path.display())]
+    Render {
+        /// The picture's file.
+        path: PathBuf,
+        /// What the renderer says.
+        cause: RenderError,
+    },
+    /// The picture cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+fn save(figure: &Figure, path: &Path, picture: Picture, scale: f32) -> Result<(), DrawError> {
+    let failed = |cause| DrawError::Render { path: path.to_owned(), cause };
+    match picture {
+        Picture::Svg => write::write_file(path, figure.svg().as_bytes())?,
+        Picture::Png => write::write_file(path, &figure.png(scale).map_err(failed)?)?,
+        Picture::Pdf => write::write_file(path, &figure.pdf().map_err(failed)?)?,
+    }
+    Ok(())
+}
+
+/// Draws the k–μ plane with points on it.
+///
+/// # Errors
+/// If the picture cannot be made or written.
+pub fn draw_diagram(
+    plane: &Diagram,
+    points: &[KMu],
+    file: &PictureFile,
+    scale: f32,
+) -> Result<(), DrawError> {
+    // The caption gives the coordinates.
+    let label = |i: usize| if points.len() == 1 { String::new() } else { (i + 1).to_string() };
+    let points: Vec<_> =
+        points.iter().enumerate().map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i) }).collect();
+    save(&diagram(plane, &points), &file.path, file.picture, scale)
+}
+
+/// Draws the k–μ plane with named points on it, as SVG.
+///
+/// # Errors
+/// If the picture cannot be written.
+pub fn draw_case(plane: &Diagram, points: &[DesignPoint], path: &Path) -> Result<(), WriteError> {
+    write::write_file(path, diagram(plane, points).svg().as_bytes())
+}
+
+/// Draws figures of the report into a directory, which is made if it is not there; gives the files written.
+///
+/// # Errors
+/// If a picture cannot be made or written.
+pub fn draw_figures(
+    directory: &Path,
+    figures: &[FigureId],
+    picture: Picture,
+    scale: f32,
+) -> Result<Vec<PathBuf>, DrawError> {
+    write::make_directory(directory)?;
+    figures
+        .iter()
+        .map(|&id| {
+            let path = directory.join(format!("fig-{id}.{}", picture.extension()));
+            save(&report_figure(id), &path, picture, scale)?;
+            Ok(path)
+        })
+        .collect()
+}
+
+impl fmt::Display for PictureFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.path.display().fmt(f)
+    }
+}

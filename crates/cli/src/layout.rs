@@ -1,0 +1,97 @@
+//! Numbers, paragraphs and columns of the text output.
+
+use comfy_table::{CellAlignment, Table, presets};
+
+/// Widest line of a paragraph, in characters.
+const WIDTH: usize = 88;
+
+/// Four significant digits, without trailing zeros.
+pub fn digits(x: f64) -> String {
+    if x == f64::INFINITY {
+        return "unlimited".to_owned();
+    }
+    // `+ 0.0` turns −0 into 0.
+    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x) + 0.0;
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// Words in lines of at most 88 characters, every line after `indent` spaces and ended by a newline.
+pub fn paragraph(text: &str, indent: usize) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= WIDTH - indent => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| format!("{:indent$}{line}\n", "")).collect()
+}
+
+/// Rows in aligned columns, two spaces apart, every line after `indent` spaces and ended by a newline.
+/// The columns named in `right` are aligned to the right.
+pub fn columns(rows: &[Vec<String>], indent: usize, right: &[usize]) -> String {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    rows.iter().for_each(|row| {
+        table.add_row(row);
+    });
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 2));
+        if right.contains(&index) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table.lines().map(|line| format!("{:indent$}{}\n", "", line.trim_end())).collect()
+}
+
+/// A row of [`columns`].
+macro_rules! row {
+    ($($cell:expr),* $(,)?) => { vec![$(String::from($cell)),*] };
+}
+pub(crate) use row;
+
+#[cfg(test)]
+mod tests {
+    use super::{columns, digits, paragraph};
+
+    #[test]
+    fn four_digits() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.6, "0.6"),
+            (1.0 / 3.0, "0.3333"),
+            (-3708.18, "-3708"),
+            (378_000.0, "378000"),
+            (12345.6, "12350"),
+            (9.81, "9.81"),
+            (0.99996, "1"),
+            (2.5e-7, "2.5e-7"),
+            (1.23456e12, "1.235e12"),
+            (f64::INFINITY, "unlimited"),
+        ];
+        for (x, expected) in cases {
+            assert_eq!(digits(x), expected);
+        }
+    }
+
+    #[test]
+    fn combining_marks_take_no_room() {
+        let rows = [row!["θ̈", "1"], row!["ξξ", "20"]];
+        assert_eq!(columns(&rows, 2, &[1]), "  θ̈    1\n  ξξ  20\n");
+    }
+
+    #[test]
+    fn paragraphs_are_wrapped() {
+        let text = "word ".repeat(40);
+        assert!(paragraph(&text, 2).lines().all(|line| line.len() <= 88 && line.starts_with("  word")));
+        assert_eq!(paragraph("", 2), "");
+    }
+}

@@ -1,0 +1,171 @@
+//! Quantities as people write them, "450 kN/m", to SI.
+//!
+//! Forces, masses and weights are per metre run of the body, as in a cross-section.
+
+use thiserror::Error;
+
+/// What a number measures, and so which units fit it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// m.
+    Length,
+    /// kg per metre run.
+    Mass,
+    /// kg/m³.
+    Density,
+    /// N per metre run.
+    Force,
+    /// m/s².
+    Acceleration,
+}
+
+/// How a value in some unit becomes SI. Small units divide by a whole number, so that "123 mm" is the f64 nearest to
+/// 0.123, just as the plain number 0.123 is.
+#[derive(Debug, Clone, Copy)]
+enum Scale {
+    Times(f64),
+    Over(f64),
+}
+
+type Unit = (&'static str, Scale);
+
+impl Quantity {
+    fn units(self) -> &'static [Unit] {
+        use Scale::{Over, Times};
+        match self {
+            Quantity::Length => &[("mm", Over(1e3)), ("cm", Over(1e2)), ("m", Times(1.0))],
+            Quantity::Mass => &[("kg/m", Times(1.0)), ("t/m", Times(1e3))],
+            Quantity::Density => {
+                &[("kg/m3", Times(1.0)), ("t/m3", Times(1e3)), ("kg/m³", Times(1.0)), ("t/m³", Times(1e3))]
+            }
+            Quantity::Force => &[("N/m", Times(1.0)), ("kN/m", Times(1e3)), ("MN/m", Times(1e6))],
+            Quantity::Acceleration => &[("m/s2", Times(1.0)), ("m/s²", Times(1.0))],
+        }
+    }
+
+    /// The quantity in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Quantity::Length => "a length",
+            Quantity::Mass => "a mass per metre run",
+            Quantity::Density => "a density",
+            Quantity::Force => "a force per metre run",
+            Quantity::Acceleration => "an acceleration",
+        }
+    }
+
+    /// The unit of a plain number.
+    pub fn si(self) -> &'static str {
+        match self {
+            Quantity::Length => "m",
+            Quantity::Mass => "kg/m",
+            Quantity::Density => "kg/m3",
+            Quantity::Force => "N/m",
+            Quantity::Acceleration => "m/s2",
+        }
+    }
+
+    /// The units understood, e.g. `mm, cm or m`.
+    pub fn understood(self) -> String {
+        let names: Vec<_> = self.units().iter().map(|unit| unit.0).collect();
+        match names.split_last() {
+            Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+            _ => names.concat(),
+        }
+    }
+
+    /// The SI value of a text such as "450 kN/m".
+    ///
+    /// # Errors
+    /// If the text does not begin with a number, or its unit is missing or does not fit.
+    pub fn parse(self, text: &str) -> Result<f64, UnitError> {
+        let text = text.trim();
+        let (value, unit) = split(text).ok_or(UnitError::Number)?;
+        if unit.is_empty() {
+            return Err(UnitError::Missing);
+        }
+        if unit.starts_with(',') {
+            return Err(UnitError::Comma);
+        }
+        match self.units().iter().find(|(name, _)| *name == unit) {
+            Some((_, Scale::Times(factor))) => Ok(value * factor),
+            Some((_, Scale::Over(divisor))) => Ok(value / divisor),
+            None => Err(UnitError::Unknown(unit.to_owned())),
+        }
+    }
+}
+
+/// Why a text is no quantity.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum UnitError {
+    /// There is no number at its beginning.
+    #[error("it does not begin with a number")]
+    Number,
+    /// A comma follows the number.
+    #[error("it has a comma; decimals take a point, and thousands nothing")]
+    Comma,
+    /// There is a number only.
+    #[error("it has no unit")]
+    Missing,
+    /// The unit is unknown, or that of another quantity.
+    #[error("the unit `{0}` does not fit")]
+    Unknown(String),
+}
+
+/// The longest number at the beginning of `text`, and what follows it.
+fn split(text: &str) -> Option<(f64, &str)> {
+    // Only these, so that Rust's "inf", "nan" and "infinity" are no numbers.
+    let end =
+        text.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E')).unwrap_or(text.len());
+    (1..=end).rev().find_map(|end| {
+        let value = text[..end].parse().ok()?;
+        Some((value, text[end..].trim_start()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Quantity, UnitError};
+
+    #[test]
+    fn units_convert() {
+        let cases = [
+            (Quantity::Length, "15 m", 15.0),
+            (Quantity::Length, "123 mm", 0.123),
+            (Quantity::Length, "15cm", 0.15),
+            (Quantity::Mass, "370 t/m", 370e3),
+            (Quantity::Mass, "1 kg/m", 1.0),
+            (Quantity::Density, "2.1 t/m³", 2100.0),
+            (Quantity::Density, "2400 kg/m3", 2400.0),
+            (Quantity::Force, "450 kN/m", 450e3),
+            (Quantity::Force, "4.5e2 kN/m", 450e3),
+            (Quantity::Force, " -1.5 MN/m ", -1.5e6),
+            (Quantity::Force, "7 N/m", 7.0),
+            (Quantity::Acceleration, "9.81 m/s2", 9.81),
+            (Quantity::Acceleration, "9.81 m/s²", 9.81),
+        ];
+        for (quantity, text, expected) in cases {
+            assert_eq!(quantity.parse(text), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_an_error() {
+        let unknown = |unit: &str| UnitError::Unknown(unit.to_owned());
+        let cases = [
+            (Quantity::Force, "450 kN", unknown("kN")),
+            (Quantity::Length, "15 kg", unknown("kg")),
+            (Quantity::Length, "15 M", unknown("M")),
+            (Quantity::Length, "15", UnitError::Missing),
+            (Quantity::Length, "m", UnitError::Number),
+            (Quantity::Length, "", UnitError::Number),
+            (Quantity::Length, "inf m", UnitError::Number),
+            (Quantity::Length, "NaN m", UnitError::Number),
+            (Quantity::Length, "1,5 m", UnitError::Comma),
+            (Quantity::Length, "1.5.2 m", unknown(".2 m")),
+        ];
+        for (quantity, text, expected) in cases {
+            assert_eq!(quantity.parse(text), Err(expected), "{text}");
+        }
+    }
+}

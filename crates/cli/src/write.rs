@@ -1,0 +1,131 @@
+//! Files that are either written whole or left as they were.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+use thiserror::Error;
+
+/// Why a file was not written.
+#[derive(Debug, Error)]
+#[error("cannot write {}: {cause}", path.display())]
+pub struct WriteError {
+    /// The file.
+    pub path: PathBuf,
+    /// What the system says.
+    pub cause: io::Error,
+}
+
+/// A file that appears under its name only when it is [finished](Pending::finish). Dropped before, it leaves
+/// nothing behind.
+#[derive(Debug)]
+pub struct Pending {
+    path: PathBuf,
+    target: Target,
+}
+
+#[derive(Debug)]
+enum Target {
+    /// A temporary file beside the place it will be moved to, and that place.
+    Beside(NamedTempFile, PathBuf),
+    /// A device or pipe, which cannot be replaced but only written to.
+    Device(fs::File),
+}
+
+impl Pending {
+    /// Begins the file `path`.
+    ///
+    /// # Errors
+    /// If its directory does not exist or cannot be written to, or `path` is a directory.
+    pub fn create(path: &Path) -> Result<Pending, WriteError> {
+        let open = || -> io::Result<Target> {
+            // A link is followed, so that the file it points to is replaced and not the link.
+            let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+            match fs::metadata(&place) {
+                Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+                Ok(found) if !found.is_file() => {
+                    return Ok(Target::Device(fs::OpenOptions::new().write(true).open(&place)?));
+                }
+                _ => {}
+            }
+            let directory = match place.parent() {
+                Some(parent) if !parent.as_os_str().is_empty() => parent,
+                _ => Path::new("."),
+            };
+            Ok(Target::Beside(temporary(directory)?, place))
+        };
+        let target = open().map_err(|cause| WriteError { path: path.to_owned(), cause })?;
+        Ok(Pending { path: path.to_owned(), target })
+    }
+
+    /// The temporary file, if there is one.
+    pub fn temporary(&self) -> Option<&Path> {
+        match &self.target {
+            Target::Beside(file, _) => Some(file.path()),
+            Target::Device(_) => None,
+        }
+    }
+
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    /// If it cannot be moved there.
+    pub fn finish(self) -> Result<(), WriteError> {
+        match self.target {
+            Target::Beside(file, place) => match file.persist(place) {
+                Ok(_) => Ok(()),
+                Err(error) => Err(WriteError { path: self.path, cause: error.error }),
+            },
+            Target::Device(_) => Ok(()),
+        }
+    }
+}
+
+impl Write for Pending {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.target {
+            Target::Beside(file, _) => file.write(bytes),
+            Target::Device(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.target {
+            Target::Beside(file, _) => file.flush(),
+            Target::Device(file) => file.flush(),
+        }
+    }
+}
+
+/// A temporary file with the permissions of an ordinary new file, which it is going to be.
+fn temporary(directory: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".standfast-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(directory).map_err(|error| {
+        // The name of the temporary file would only puzzle.
+        let message = error.to_string();
+        let cause = message.split(" at path ").next().unwrap_or_default();
+        io::Error::new(error.kind(), cause)
+    })
+}
+
+/// Writes the file `path`, whole or not at all.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    let mut file = Pending::create(path)?;
+    file.write_all(bytes).map_err(|cause| WriteError { path: path.to_owned(), cause })?;
+    file.finish()
+}
+
+/// Makes the directory `path` and those above it, if they are not there.
+///
+/// # Errors
+/// If that is not possible.
+pub fn make_directory(path: &Path) -> Result<(), WriteError> {
+    fs::create_dir_all(path).map_err(|cause| WriteError { path: path.to_owned(), cause })
+}

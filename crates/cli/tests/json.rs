@@ -1,0 +1,112 @@
+//! The JSON documents against the library's own numbers.
+
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::{Value, json};
+use standfast::{Body, HorizontalForce, Point, Slip};
+
+fn standfast(arguments: &[&str], directory: &Path) -> Value {
+    let output = Command::new(env!("CARGO_BIN_EXE_standfast"))
+        .args(arguments)
+        .current_dir(directory)
+        .output()
+        .expect("the program starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty());
+    serde_json::from_slice(&output.stdout).expect("one JSON document")
+}
+
+#[test]
+fn classify_is_the_library() {
+    let here = Path::new(".");
+    for [gamma, k_prime, k, mu] in [
+        [1.0, 0.4, 0.5, 0.6],
+        [0.8, 0.3, 0.9, 0.1],
+        [1.0, 1.0, 2.0, 5.0],
+        [3.0, 0.8, 3.0, 0.1],
+        [1.0, -0.5, 5.0, 3.25],
+        [1.0, -0.5, 8.5, 3.25],
+        [1.0, -2.0, 2.0, 5.0],
+    ] {
+        let point = Point::new(gamma, k_prime, k, mu).expect("a point");
+        let numbers = [gamma, k_prime, k, mu].map(|number| number.to_string());
+        let [g, kp, kk, m] = numbers.each_ref().map(String::as_str);
+        let arguments = ["classify", "--gamma", g, "--k-prime", kp, "--k", kk, "--mu", m, "--format", "json"];
+        let document = standfast(&arguments, here);
+        assert_eq!(document["gamma"], json!(gamma));
+        assert_eq!(document["k_prime"], json!(k_prime));
+        assert_eq!(document["k"], json!(k));
+        assert_eq!(document["mu"], json!(mu));
+        assert_eq!(document["mode"], json!(point.mode().symbol()));
+        assert_eq!(document["mode_words"], json!(point.mode().words()));
+        assert_eq!(document["unique"], json!(point.is_unique()));
+        let others: Vec<_> = point.others().iter().map(|mode| mode.symbol()).collect();
+        assert_eq!(document["also"], json!(others));
+        assert_eq!(document["safety_factors"]["sliding"], json!(point.safety_against_sliding()));
+        assert_eq!(document["safety_factors"]["overturning"], json!(point.safety_against_overturning()));
+        let motion = point.motion();
+        assert_eq!(document["motion"]["x_ddot"], json!(motion.x_ddot));
+        assert_eq!(document["motion"]["y_ddot"], json!(motion.y_ddot));
+        assert_eq!(document["motion"]["theta_ddot"], json!(motion.theta_ddot));
+        assert_eq!(document["motion"]["f_x"], json!(motion.f_x));
+        assert_eq!(document["motion"]["f_y"], json!(motion.f_y));
+        assert_eq!(document["motion"]["xi"], json!(motion.xi));
+        let leaves_rest = point.margins().leaves_rest().expect("a force that moves the body");
+        assert_eq!(document["margins"]["leaves_rest"]["at"], json!(leaves_rest.at));
+        assert_eq!(document["margins"]["leaves_rest"]["to"], json!(leaves_rest.to.symbol()));
+        let trace = document["trace"].as_array().expect("a list");
+        assert_eq!(trace.len(), point.explain().steps.len());
+        assert_eq!(trace.last().expect("a step")["holds"], json!(true));
+    }
+}
+
+#[test]
+fn assess_is_the_library_in_si_units() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/block-two-loads.toml");
+    let document = standfast(&["assess", case, "-o", ".", "--format", "json"], directory.path());
+    let gravity = 9.81;
+    assert_eq!(document["gravity"], json!(gravity));
+    assert_eq!(document["body"]["mass"], json!(4800.0));
+    assert_eq!(document["diagrams"], json!(["./block-two-loads-1.svg", "./block-two-loads-2.svg"]));
+
+    let body = Body::of_density(1.0, 2.0, 2400.0).expect("a body");
+    let weight = body.mass() * gravity;
+    let loads = [
+        ("push", 20e3, 1.5, Slip::Left, 1),
+        ("push back", 20e3, 1.5, Slip::Right, 1),
+        ("low blow", 60e3, 0.4, Slip::Right, 2),
+    ];
+    for ((name, magnitude, elevation, direction, diagram), load) in
+        loads.into_iter().zip(document["loads"].as_array().expect("a list"))
+    {
+        let force = HorizontalForce::new(magnitude, elevation, direction).expect("a force");
+        let reduced = force.reduce(&body, 0.7, gravity).expect("a point");
+        let motion = reduced.motion();
+        assert_eq!(load["name"], json!(name));
+        assert_eq!(load["direction"], json!(if reduced.mirrored { "right" } else { "left" }));
+        assert_eq!(load["k"], json!(reduced.point.force()));
+        assert_eq!(load["k_prime"], json!(reduced.point.elevation()));
+        assert_eq!(load["mode"], json!(reduced.mode().symbol()));
+        assert_eq!(load["motion"]["theta_ddot"], json!(motion.theta_ddot));
+        // B = 0.5 m.
+        let si = |key: &str| load["motion_si"][key].as_f64().expect("a number");
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1.0);
+        assert!(close(si("x_ddot"), motion.x_ddot * gravity));
+        assert!(close(si("y_ddot"), motion.y_ddot * gravity));
+        assert!(close(si("theta_ddot"), motion.theta_ddot * gravity / 0.5));
+        assert!(close(si("f_x"), motion.f_x * weight));
+        assert!(close(si("f_y"), motion.f_y * weight));
+        assert!(close(si("xi"), motion.xi * 0.5));
+        // Newton's second law in the units of the input: kg, m, s, N.
+        let pull = direction.sign() * magnitude;
+        assert!(close(body.mass() * si("x_ddot"), si("f_x") + pull));
+        assert!(close(body.mass() * si("y_ddot"), si("f_y") - weight));
+        let moment = si("f_x") * 1.0 + si("f_y") * si("xi") - pull * (elevation - 1.0);
+        assert!((body.moment_of_inertia() * si("theta_ddot") - moment).abs() < 1e-8 * weight);
+        let path = directory.path().join(format!("block-two-loads-{diagram}.svg"));
+        assert_eq!(load["diagram"], json!(format!("./block-two-loads-{diagram}.svg")));
+        assert!(std::fs::read_to_string(path).expect("a diagram").starts_with("<svg"));
+    }
+}

@@ -1,0 +1,103 @@
+//! Whatever a file contains, it is answered or refused: no panic, and every refusal can be shown.
+
+use proptest::prelude::*;
+use standfast_cli::args::Format;
+use standfast_cli::batch::{OnError, Options, run};
+use standfast_cli::case::Case;
+use standfast_cli::classify::classify;
+
+const CASE: &str = include_str!("../../../examples/caisson-in-air.toml");
+const TABLE: &str = include_str!("../../../examples/points.csv");
+
+/// A text with a piece cut out and something else put in its place.
+fn mutated(text: &'static str) -> impl Strategy<Value = Vec<u8>> {
+    let bytes = text.as_bytes();
+    let values = prop_oneof![
+        any::<f64>().prop_map(|x| x.to_string()),
+        Just("inf".to_owned()),
+        Just("-1e999 m".to_owned()),
+        Just("[[load]]".to_owned()),
+        Just("\"".to_owned()),
+        Just("\r\n\t\u{feff}é🌊".to_owned()),
+        "\\PC{0,12}",
+    ];
+    (0..=bytes.len(), 0..20_usize, values).prop_map(move |(start, length, value)| {
+        let end = (start + length).min(bytes.len());
+        [&bytes[..start], value.as_bytes(), &bytes[end..]].concat()
+    })
+}
+
+/// Numbers of every size the mechanics takes, and some beyond.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => (1.0..10.0, -52..52).prop_map(|(x, n)| x * 10_f64.powi(n)), 1 => 0.0..3.0, 1 => Just(0.0)]
+}
+
+fn try_case(text: &str) {
+    if let Err(error) = Case::parse("case.toml", text) {
+        assert!(!standfast_cli::report(&error).is_empty());
+    }
+}
+
+fn try_table(bytes: &[u8]) {
+    for on_error in [OnError::Stop, OnError::Null] {
+        let options = Options { on_error, ..Options::new("t") };
+        if let Err(error) = run(bytes, Vec::new(), &options) {
+            assert!(!standfast_cli::report(&error).is_empty());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn any_text_is_no_case(text in any::<String>()) {
+        try_case(&text);
+    }
+
+    #[test]
+    fn mutated_cases(bytes in mutated(CASE)) {
+        try_case(&String::from_utf8_lossy(&bytes));
+    }
+
+    #[test]
+    fn extreme_cases(
+        width in number(), height in number(), mass in number(), friction in number(), force in number(),
+        share in 0.0..=1.0,
+    ) {
+        let text = format!(
+            "[body]\nwidth={width:e}\nheight={height:e}\nmass={mass:e}\nfriction={friction:e}\n\
+             [[load]]\nforce={force:e}\nelevation={:e}\n", share * height,
+        );
+        match Case::parse("case.toml", &text) {
+            Ok(case) => {
+                let point = case.loads[0].reduced.point;
+                for format in [Format::Text, Format::Json] {
+                    assert!(!classify(point, true, format).is_empty());
+                }
+            }
+            Err(error) => assert!(!standfast_cli::report(&error).is_empty()),
+        }
+    }
+
+    #[test]
+    fn any_bytes_are_no_table(bytes in any::<Vec<u8>>()) {
+        try_table(&bytes);
+    }
+
+    #[test]
+    fn mutated_tables(bytes in mutated(TABLE)) {
+        try_table(&bytes);
+    }
+
+    #[test]
+    fn rows_of_any_bytes(bytes in any::<Vec<u8>>()) {
+        try_table(&[b"gamma,k_prime,k,mu,id\n1,1,1,1,".as_slice(), &bytes].concat());
+    }
+
+    #[test]
+    fn extreme_rows(gamma in number(), k_prime in number(), k in number(), mu in number(), below in any::<bool>()) {
+        let k_prime = if below { -k_prime } else { k_prime };
+        try_table(format!("gamma,k_prime,k,mu\n{gamma},{k_prime},{k},{mu}\n").as_bytes());
+    }
+}

@@ -1,0 +1,76 @@
+//! What is said below a chart, and to readers who do not see it.
+
+use standfast::diagram::Window;
+
+use crate::chart::Drawing;
+use crate::margins;
+use crate::number::digits;
+use crate::palette::symbol;
+use crate::sheet::{Part, letter_markup};
+use crate::text::Text;
+
+/// Type sizes of the caption and of the details below it.
+pub(crate) const SIZE: f64 = 13.0;
+pub(crate) const SMALL: f64 = 11.7;
+/// How many design points are listed.
+const LISTED: usize = 12;
+
+/// Heading and caption in plain characters.
+pub(crate) fn title(drawing: &Drawing) -> String {
+    format!("{} {}", drawing.heading.trim(), Text::inline(drawing.caption, SIZE).plain)
+}
+
+/// The body, the named points, `legend` (what found no room in the chart) and the design points, of which the
+/// `numbered` ones carry a number in the chart, as words of a paragraph.
+pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) -> Vec<Text> {
+    let pair = |k: f64, mu: f64| format!("$({},{})$", digits(k), digits(mu));
+    let named =
+        drawing.named().map(|point| format!("{} {}", letter_markup(point.name), pair(point.k, point.mu)));
+    let parts: Vec<_> = named.chain(legend.iter().cloned()).collect();
+    let mut words = margins::words(&format!("{} {}.", drawing.preface, parts.join(", ")), SMALL);
+    let shown = drawing.points.iter().enumerate().filter(|(_, point)| point.is_drawable());
+    for (i, point) in shown.take(LISTED) {
+        let name = match point.label.trim() {
+            "" => format!("Point {}", i + 1),
+            label if numbered.contains(&i) => format!("({}) {label}", i + 1),
+            label => label.into(),
+        };
+        words.extend(name.split_whitespace().map(|word| Text::verbatim(&shortened(word), SMALL)));
+        words.extend(margins::words(&format!("{}:", pair(point.k, point.mu)), SMALL));
+        let mode = drawing.diagram.mode_at(point.k, point.mu);
+        words.extend(mode.map(|mode| Text::inline(&format!("{}.", symbol(mode)), SMALL)));
+    }
+    words
+}
+
+/// A word that fits a line.
+fn shortened(word: &str) -> String {
+    const LONGEST: usize = 32;
+    if word.chars().count() <= LONGEST {
+        word.into()
+    } else {
+        word.chars().take(LONGEST - 1).chain(['…']).collect()
+    }
+}
+
+/// The chart in words: axes, shaded regions, and the `details` below it.
+pub(crate) fn description(drawing: &Drawing, details: &str) -> String {
+    let Window { k, mu } = drawing.window;
+    let shaded = drawing.sheet.shaded.iter().map(|part| match *part {
+        Part::Whole(mode) | Part::LeftOfE(mode) | Part::RightOfE(mode) => {
+            let words = mode.words().replace('\'', "′");
+            format!("{}, where the body {words}", Text::inline(symbol(mode), SMALL).plain)
+        }
+        Part::Unresolved(mode) => {
+            let symbol = Text::inline(symbol(mode), SMALL).plain;
+            format!("hatched, where the conditions of {symbol} and of other modes hold together")
+        }
+    });
+    format!(
+        "Chart of the friction coefficient μ, upwards from 0 to {}, over the force k, to the right from 0 to {}. \
+         Shaded: {}. {details}",
+        Text::inline(&format!("${}$", digits(mu)), SMALL).plain,
+        Text::inline(&format!("${}$", digits(k)), SMALL).plain,
+        shaded.collect::<Vec<_>>().join("; ")
+    )
+}

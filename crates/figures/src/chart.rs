@@ -1,0 +1,442 @@
+//! One chart of the k–μ plane, from a [`Sheet`] to a [`Figure`].
+//!
+//! Drawing order: tints, hatching, drop lines, curves, axes, points, then labels: letters of points, design points,
+//! the lens, names of regions, formulas. What finds no free place goes to the plot's edge, and then to the caption.
+
+use standfast::diagram::{Strip, Window};
+use standfast::initiation::NamedPoint;
+use standfast::{Diagram, Mode};
+
+use crate::caption::{SIZE, SMALL};
+use crate::labels::{Board, Leader, Lines};
+use crate::margins::{self, Tab};
+use crate::palette::{FAINT, INK, MARK, PAPER, symbol, tint};
+use crate::plot::{Arc, Frame, Piece, arcs_path, clip, clip_strips, hatch, level, outline};
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::sheet::{Line, Mark, Naming, Part, Sheet, Style, Trace, k_markup, letter_markup};
+use crate::text::Text;
+use crate::{DesignPoint, Figure, caption, inset};
+
+const PLOT: (f64, f64) = (400.0, 310.0);
+const TOP: f64 = 42.0;
+const LETTER: f64 = 14.5;
+const FORMULA: f64 = 13.0;
+pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" };
+
+/// What one chart is drawn from.
+pub(crate) struct Drawing<'a> {
+    pub diagram: &'a Diagram,
+    pub sheet: &'a Sheet,
+    pub window: Window,
+    /// Opens the caption and the title; a space at its end parts it from the caption on the page.
+    pub heading: &'a str,
+    /// The caption in markup.
+    pub caption: &'a str,
+    /// Opens the list of coordinates, in markup; may be empty.
+    pub preface: &'a str,
+    pub points: &'a [DesignPoint],
+}
+
+/// A shaded area as the window shows it.
+struct Area {
+    mode: Mode,
+    pieces: Vec<Piece>,
+    name: String,
+    /// Which of the unresolved parts it is, counted from zero.
+    unresolved: Option<usize>,
+}
+
+/// The drawing under way.
+struct Draft<'a> {
+    given: &'a Drawing<'a>,
+    scene: Scene,
+    board: Board,
+    areas: Vec<Area>,
+    right: Vec<Tab>,
+    above: Vec<Tab>,
+    /// What goes to the caption for want of room.
+    legend: Vec<String>,
+    /// Design points that carry a number in place of their name.
+    numbered: Vec<usize>,
+}
+
+impl Drawing<'_> {
+    /// Draws it.
+    pub(crate) fn figure(&self) -> Figure {
+        let mu_tabs = self.mu_marks();
+        let left = margins::mu_width(mu_tabs.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
+        let frame = Frame {
+            area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 },
+            window: self.window,
+        };
+        let mut draft = Draft {
+            given: self,
+            scene: Scene::default(),
+            board: Board::new(frame),
+            areas: self.areas(),
+            right: Vec::new(),
+            above: Vec::new(),
+            legend: Vec::new(),
+            numbered: Vec::new(),
+        };
+        draft.tints();
+        draft.drop_lines();
+        draft.traces();
+        margins::axes(&mut draft.scene, &frame);
+        let tabs = mu_tabs.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
+        margins::beside_mu_axis(&mut draft.scene, &frame, tabs);
+        draft.letters();
+        draft.design_points();
+        draft.lens();
+        draft.names();
+        draft.notes();
+        draft.formulas();
+        draft.finish()
+    }
+
+    fn areas(&self) -> Vec<Area> {
+        let k_e = self.diagram.chart().k_e();
+        let area = |mode: Mode, strips: &[Strip], name: &str, unresolved| Area {
+            mode,
+            pieces: clip_strips(strips, &self.window),
+            name: name.into(),
+            unresolved,
+        };
+        let mut areas = Vec::new();
+        for &part in self.sheet.shaded {
+            let (mode, from, to) = match part {
+                Part::Whole(mode) => (mode, 0.0, f64::INFINITY),
+                Part::LeftOfE(mode) => (mode, 0.0, k_e),
+                Part::RightOfE(mode) => (mode, k_e, f64::INFINITY),
+                Part::Unresolved(mode) => {
+                    let (_, parts) = self.diagram.before_resolution(mode);
+                    for (i, part) in parts.iter().enumerate() {
+                        let name = format!("${}$", part.name.replace("''", "″").replace('\'', "′"));
+                        areas.push(area(mode, &part.strips, &name, Some(i)));
+                    }
+                    continue;
+                }
+            };
+            let name = match self.sheet.naming {
+                Naming::Symbols => symbol(mode),
+                Naming::Words(words) => words,
+            };
+            let strips: Vec<Strip> = self.diagram.region(mode).map_or(Vec::new(), |region| {
+                let cut =
+                    |strip: &Strip| Strip { from: strip.from.max(from), to: strip.to.min(to), ..*strip };
+                region.strips.iter().map(cut).collect()
+            });
+            areas.push(area(mode, &strips, name, None));
+        }
+        areas.retain(|area| !area.pieces.is_empty());
+        areas
+    }
+
+    fn mu_marks(&self) -> Vec<(f64, Tab)> {
+        let chart = self.diagram.chart();
+        let marks = self.sheet.mu_marks.iter().filter_map(|mark| {
+            let mu = mark.mu(chart).filter(|mu| (0.0..self.window.mu).contains(mu))?;
+            let (name, value) = mark.markup(chart);
+            Some((mu, Tab { at: 0.0, text: equation(name, value) }))
+        });
+        marks.collect()
+    }
+
+    /// The named points of the sheet, with their coordinates.
+    pub(crate) fn named(&self) -> impl Iterator<Item = NamedPoint> {
+        self.sheet.points.iter().filter_map(|&name| self.diagram.chart().point(name))
+    }
+
+    fn stretch(&self, trace: &Trace) -> Vec<Arc> {
+        let chart = self.diagram.chart();
+        let curve = trace.line.curve(chart);
+        curve.map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), &self.window))
+    }
+}
+
+fn equation(name: &str, value: &str) -> Text {
+    let markup = if value.is_empty() { format!("${name}$") } else { format!("${name} = {value}$") };
+    Text::new(&markup, FORMULA)
+}
+
+impl Draft<'_> {
+    fn tints(&mut self) {
+        let frame = self.board.frame;
+        for area in &self.areas {
+            self.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
+        }
+        for area in &self.areas {
+            if let Some(which) = area.unresolved {
+                let lines = hatch(&frame, &area.pieces, 9.0, which % 2 == 1);
+                self.scene.stroke(&lines, Pen::solid(INK, 0.45));
+            }
+        }
+    }
+
+    fn drop_lines(&mut self) {
+        let frame = self.board.frame;
+        for point in self.given.named().filter(|point| frame.shows(point.k, point.mu)) {
+            let (x, y) = frame.at(point.k, point.mu);
+            if self.given.sheet.k_marks.contains(&point.name) && point.mu > 0.0 {
+                self.scene.line((x, y), (x, frame.area.y1), DROP);
+                self.board.verticals.push((x, y, frame.area.y1));
+            }
+            if self.given.sheet.mu_marks.contains(&Mark::Of(point.name)) && point.k > 0.0 {
+                self.scene.line((frame.area.x0, y), (x, y), DROP);
+                self.board.arcs.push(Arc { curve: level(point.mu), from: 0.0, to: point.k });
+            }
+        }
+    }
+
+    fn traces(&mut self) {
+        let frame = self.board.frame;
+        for trace in self.given.sheet.traces {
+            let pen = match trace.style {
+                Style::Solid => Pen::solid(INK, 1.5),
+                Style::Thin => Pen::solid(INK, 0.7),
+                Style::Dashed => Pen { colour: INK, width: 0.9, dashes: "5 3.4" },
+                Style::Dotted => Pen { colour: INK, width: 1.5, dashes: "0 3.6" },
+            };
+            if let Some((k, from)) = trace.line.vertical(self.given.diagram.chart()) {
+                if frame.shows(k, from) {
+                    let (x, y) = frame.at(k, from);
+                    self.scene.line((x, y), (x, frame.area.y0), pen);
+                    self.board.verticals.push((x, frame.area.y0, y));
+                }
+                continue;
+            }
+            let arcs = self.given.stretch(trace);
+            self.scene.stroke(&arcs_path(&frame, &arcs), pen);
+            self.board.arcs.extend(arcs);
+        }
+    }
+
+    /// Dots and letters of named points, letters at the ends of lines.
+    fn letters(&mut self) {
+        let frame = self.board.frame;
+        let shown: Vec<_> = self.given.named().filter(|point| frame.shows(point.k, point.mu)).collect();
+        for point in &shown {
+            let (x, y) = frame.at(point.k, point.mu);
+            self.scene.dot((x, y), 2.6, INK, None);
+            self.board.reserve(Rect::around(x, y, 6.5, 6.5));
+        }
+        for point in &shown {
+            let text = Text::new(&letter_markup(point.name), LETTER);
+            let place = self.board.beside(frame.at(point.k, point.mu), &text, 5.0);
+            self.place(&text, place, INK);
+        }
+        for &(letter, line) in self.given.sheet.ends {
+            let text = Text::new(&format!("${letter}$"), LETTER);
+            self.at_edge(line, text);
+        }
+    }
+
+    /// Puts a label where a line leaves the window; gives it back if the line ends inside.
+    fn at_edge(&mut self, line: Line, text: Text) -> Option<Text> {
+        let Rect { x1, y0, .. } = self.board.frame.area;
+        let Some((x, y)) = self.exit(line) else { return Some(text) };
+        if x > x1 - 0.5 {
+            self.right.push(Tab { at: y, text });
+        } else if y < y0 + 0.5 {
+            self.above.push(Tab { at: x, text });
+        } else {
+            return Some(text);
+        }
+        None
+    }
+
+    /// Where a drawn line ends on the page.
+    fn exit(&self, line: Line) -> Option<(f64, f64)> {
+        let frame = self.board.frame;
+        if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
+            return frame.shows(k, from).then(|| (frame.x(k), frame.area.y0));
+        }
+        let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
+        let arc = traces.flat_map(|trace| self.given.stretch(trace)).max_by(|a, b| a.to.total_cmp(&b.to))?;
+        Some(frame.at(arc.to, arc.curve.at(arc.to)))
+    }
+
+    fn place(&mut self, text: &Text, place: Option<Rect>, colour: &str) -> bool {
+        if let Some(rect) = place {
+            self.board.reserve(rect);
+            self.scene.text_in(text, &rect, colour);
+        }
+        place.is_some()
+    }
+
+    fn design_points(&mut self) {
+        let frame = self.board.frame;
+        let points = self.given.points;
+        let at = |point: &DesignPoint| frame.at(point.k, point.mu);
+        for point in points.iter().filter(|point| point.is_drawable()) {
+            let (x, y) = at(point);
+            let mut diamond = Path::through(&[(x, y - 5.2), (x + 5.2, y), (x, y + 5.2), (x - 5.2, y)]);
+            diamond.close();
+            self.scene.stroke(&diamond, Pen::solid(PAPER, 2.4));
+            self.scene.fill(&diamond, MARK);
+            self.board.reserve(Rect::around(x, y, 11.0, 11.0));
+        }
+        for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
+            let text = Text::verbatim(point.label.trim(), FORMULA);
+            let place = self.board.beside(at(point), &text, 8.0);
+            if point.label.trim().is_empty() || self.place(&text, place, MARK) {
+                continue;
+            }
+            // No room for the name: a number, which the caption explains.
+            let text = Text::verbatim(&(i + 1).to_string(), FORMULA);
+            let place = self.board.beside(at(point), &text, 8.0);
+            if self.place(&text, place, MARK) {
+                self.numbered.push(i);
+            }
+        }
+    }
+
+    fn lens(&mut self) {
+        if self.given.sheet.lens {
+            inset::draw(&mut self.scene, &mut self.board, self.given.diagram);
+        }
+    }
+
+    fn names(&mut self) {
+        for area in std::mem::take(&mut self.areas) {
+            let Some((heart, width)) = self.board.heart(&area.pieces) else { continue };
+            if width < 1.0 {
+                continue;
+            }
+            let largest = if area.unresolved.is_some() { 13.5 } else { 15.5 };
+            let sizes = [largest, 0.85 * largest];
+            let fitting = sizes.into_iter().find_map(|size| {
+                let text = Text::new(&area.name, size);
+                let rect = self.board.inside(&area.pieces, text.width, text.height())?;
+                Some((text, rect))
+            });
+            if let Some((text, rect)) = fitting {
+                if area.unresolved.is_some() {
+                    self.patch(&rect);
+                }
+                self.place(&text, Some(rect), INK);
+                continue;
+            }
+            let text = Text::new(&area.name, 0.85 * largest);
+            if let Some((rect, leader)) =
+                self.board.near(heart, (text.width, text.height()), 13, Lines::Cross)
+            {
+                self.leader(&leader);
+                self.scene.dot(heart, 1.3, INK, None);
+                if area.unresolved.is_some() {
+                    self.patch(&rect);
+                }
+                self.place(&text, Some(rect), INK);
+            }
+        }
+    }
+
+    fn leader(&mut self, leader: &Leader) {
+        self.scene.line(leader.from, leader.to, Pen::solid(INK, 0.6));
+        self.board.reserve_leader(leader);
+    }
+
+    /// Clears the paper behind a label on hatching.
+    fn patch(&mut self, rect: &Rect) {
+        let Rect { x0, y0, x1, y1 } = rect.grown(2.5);
+        let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
+        path.close();
+        self.scene.fill(&path, PAPER);
+    }
+
+    fn notes(&mut self) {
+        let chart = self.given.diagram.chart();
+        for note in self.given.sheet.notes {
+            let (Some(lower), upper) = (note.lower.curve(chart), note.upper.curve(chart)) else { continue };
+            let strip = Strip { from: note.from.k(chart), to: f64::INFINITY, lower, upper };
+            let text = Text::new(note.markup, FORMULA);
+            let pieces = clip_strips(&[strip], &self.given.window);
+            let place = self.board.inside(&pieces, text.width, text.height());
+            self.place(&text, place, INK);
+        }
+    }
+
+    fn formulas(&mut self) {
+        for &line in self.given.sheet.formulas {
+            let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
+            let mut arcs: Vec<_> = traces.flat_map(|trace| self.given.stretch(trace)).collect();
+            arcs.sort_by(|one, other| (other.to - other.from).total_cmp(&(one.to - one.from)));
+            if !arcs.is_empty() {
+                self.formula(line, &arcs);
+            }
+        }
+    }
+
+    /// A line's equation: beside it, near it with a leader, at its end, or, for want of room, in the caption.
+    fn formula(&mut self, line: Line, arcs: &[Arc]) {
+        let chart = self.given.diagram.chart();
+        let markup = line.formula(chart);
+        let text = Text::new(markup, FORMULA);
+        if self.beside(arcs, &text) {
+            return;
+        }
+        let longest = &arcs[0];
+        let joined = [0.5, 0.7, 0.3].into_iter().find_map(|share| {
+            let k = longest.from + share * (longest.to - longest.from);
+            let to = self.board.frame.at(k, longest.curve.at(k));
+            self.board.near(to, (text.width, text.height()), 6, Lines::Avoid)
+        });
+        if let Some((rect, leader)) = joined {
+            self.leader(&leader);
+            self.place(&text, Some(rect), INK);
+            return;
+        }
+        let Some(short) = line.short() else {
+            if self.at_edge(line, text).is_some() {
+                self.legend.push(format!("{}: {markup}", line.name(chart)));
+            }
+            return;
+        };
+        let text = Text::new(short, FORMULA);
+        if !self.beside(arcs, &text) {
+            self.at_edge(line, text);
+        }
+        self.legend.push(markup.into());
+    }
+
+    fn beside(&mut self, arcs: &[Arc], text: &Text) -> bool {
+        let place = arcs.iter().find_map(|arc| self.board.along(arc, text));
+        self.place(text, place, INK)
+    }
+
+    /// Edges, caption, and the document.
+    fn finish(mut self) -> Figure {
+        let frame = self.board.frame;
+        let chart = self.given.diagram.chart();
+        let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
+            let k = chart.point(name)?.k;
+            (k <= frame.window.k).then(|| (frame.x(k), k_markup(name, chart)))
+        });
+        let marks: Vec<_> = marks.collect();
+        let tabs = |full: bool| {
+            let text = |&(name, value)| equation(name, if full { value } else { "" });
+            marks.iter().map(|(at, markup)| Tab { at: *at, text: text(markup) }).collect()
+        };
+        let (bottom, full) = margins::under_k_axis(&mut self.scene, &frame, tabs(true), tabs(false));
+        if !full {
+            self.legend.extend(marks.iter().map(|(_, (name, value))| format!("${name} = {value}$")));
+        }
+        let right = std::mem::take(&mut self.right);
+        let right = margins::right_of(&mut self.scene, &frame, right).unwrap_or(frame.area.x1);
+        margins::above(&mut self.scene, &frame, std::mem::take(&mut self.above));
+
+        let width = (right + 12.0).max(frame.area.x1 + 46.0);
+        let title = caption::title(self.given);
+        let mut words = vec![Text::verbatim(self.given.heading, SIZE)];
+        words.extend(margins::words(self.given.caption, SIZE));
+        let details = caption::details(self.given, &self.legend, &self.numbered);
+        let edges = (16.0, width - 16.0);
+        let below = margins::paragraph(&mut self.scene, &words, edges, bottom + 16.0, SIZE);
+        let below = margins::paragraph(&mut self.scene, &details, edges, below + 5.0, SMALL);
+        let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
+        let description = caption::description(self.given, &caption);
+        let size = (width.ceil(), (below + 10.0).ceil());
+        let (svg, labels) = self.scene.finish(size.0, size.1, &title, &description);
+        Figure { svg, title, caption, labels, size }
+    }
+}

@@ -1,0 +1,107 @@
+//! Which outline does a character have? Two faces, upright and italic, parsed once from the embedded subsets.
+//!
+//! Units are thousandths of the type size, y up.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::sync::LazyLock;
+
+use ttf_parser::{Face as Parsed, OutlineBuilder};
+
+/// A type face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Face {
+    Upright,
+    Italic,
+}
+
+/// A character's outline and measures.
+#[derive(Debug, Default)]
+pub(crate) struct Glyph {
+    pub advance: f64,
+    /// SVG path data; empty for a space.
+    pub outline: String,
+    /// Lowest and highest y of the ink.
+    pub bottom: f64,
+    pub top: f64,
+    /// Rightmost x of the ink, beyond `advance` for slanted letters.
+    pub right: f64,
+}
+
+type Glyphs = BTreeMap<char, Glyph>;
+
+static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(include_bytes!("../fonts/regular.ttf")));
+static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(include_bytes!("../fonts/italic.ttf")));
+
+impl Face {
+    /// The glyph of a character; a question mark stands in for one the fonts lack.
+    pub(crate) fn glyph(self, character: char) -> &'static Glyph {
+        let glyphs = match self {
+            Face::Upright => &*UPRIGHT,
+            Face::Italic => &*ITALIC,
+        };
+        glyphs.get(&character).unwrap_or_else(|| &glyphs[&'?'])
+    }
+
+    /// The SVG id of a character. It names the outline, not the figure, so that several figures in one page agree.
+    pub(crate) fn id(self, character: char) -> String {
+        let face = if self == Face::Upright { 'r' } else { 'i' };
+        format!("sf-{face}{:x}", character as u32)
+    }
+}
+
+fn read(bytes: &[u8]) -> Glyphs {
+    let font = Parsed::parse(bytes, 0).expect("the embedded font is a TrueType font");
+    let mut characters = Vec::new();
+    for table in font.tables().cmap.iter().flat_map(|cmap| cmap.subtables) {
+        table.codepoints(|code| characters.extend(char::from_u32(code)));
+    }
+    let mut glyphs = Glyphs::new();
+    for character in characters {
+        let Some(id) = font.glyph_index(character) else { continue };
+        let mut pen = Pen(String::new());
+        let ink = font.outline_glyph(id, &mut pen);
+        glyphs.insert(
+            character,
+            Glyph {
+                advance: f64::from(font.glyph_hor_advance(id).unwrap_or(0)),
+                outline: pen.0,
+                bottom: ink.map_or(0.0, |ink| f64::from(ink.y_min)),
+                top: ink.map_or(0.0, |ink| f64::from(ink.y_max)),
+                right: ink.map_or(0.0, |ink| f64::from(ink.x_max)),
+            },
+        );
+    }
+    glyphs
+}
+
+struct Pen(String);
+
+impl Pen {
+    fn put(&mut self, command: char, numbers: &[f32]) {
+        self.0.push(command);
+        for (i, number) in numbers.iter().enumerate() {
+            let separator = if i > 0 && *number >= 0.0 { " " } else { "" };
+            // A quadratic point half way between two others may fall on half a unit; more is not in the font.
+            write!(self.0, "{separator}{}", (number * 2.0).round() / 2.0).expect("writing to a string");
+        }
+    }
+}
+
+impl OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.put('M', &[x, y]);
+    }
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.put('L', &[x, y]);
+    }
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.put('Q', &[x1, y1, x, y]);
+    }
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        self.put('C', &[x1, y1, x2, y2, x, y]);
+    }
+    fn close(&mut self) {
+        self.0.push('Z');
+    }
+}

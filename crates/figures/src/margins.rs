@@ -1,0 +1,177 @@
+//! The labels around the plot: values under the k axis and beside the μ axis, letters and formulas at the ends of
+//! lines along the right and upper edges, the caption below.
+
+use crate::labels::spread;
+use crate::palette::{FAINT, INK};
+use crate::plot::Frame;
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::text::Text;
+
+const LEADER: Pen = Pen::solid(FAINT, 0.6);
+const TICK: Pen = Pen::solid(INK, 0.9);
+
+/// A label that belongs to a place on an edge of the plot, given by x or y on the page.
+#[derive(Debug)]
+pub(crate) struct Tab {
+    pub at: f64,
+    pub text: Text,
+}
+
+/// Displacement beyond which a leader joins a label to its place.
+const NEAR: f64 = 3.0;
+
+fn sorted(mut tabs: Vec<Tab>) -> Vec<Tab> {
+    tabs.sort_by(|one, other| one.at.total_cmp(&other.at));
+    tabs
+}
+
+fn places(tabs: &[Tab], length: impl Fn(&Text) -> f64, low: f64, high: f64, gap: f64) -> Option<Vec<f64>> {
+    let wanted: Vec<_> = tabs.iter().map(|tab| (tab.at, length(&tab.text))).collect();
+    spread(&wanted, low, high, gap)
+}
+
+/// Ticks and labels under the k axis, `full` ones if they fit near their ticks, else `short` ones. Returns the y
+/// below them, and whether the full ones were drawn.
+pub(crate) fn under_k_axis(scene: &mut Scene, frame: &Frame, full: Vec<Tab>, short: Vec<Tab>) -> (f64, bool) {
+    const FAR: f64 = 70.0;
+    let Rect { x0, x1, y1, .. } = frame.area;
+    let (full, short) = (sorted(full), sorted(short));
+    let row = |tabs: &[Tab]| places(tabs, |text| text.width, x0 - 1.0, x1 + 10.0, 15.0);
+    let moved = |tabs: &[Tab], at: &[f64]| {
+        tabs.iter().zip(at).fold(0.0, |m: f64, (tab, x)| m.max((tab.at - x).abs()))
+    };
+    let fits = row(&full).filter(|at| moved(&full, at) <= FAR);
+    let is_full = fits.is_some();
+    let tabs = if is_full { full } else { short };
+    let Some(at) = fits.or_else(|| row(&tabs)) else { return (y1 + 8.0, false) };
+    let moved = moved(&tabs, &at) > NEAR;
+    let top = y1 + if moved { 16.0 } else { 9.0 };
+    // Labels with fractions hang from a common line through their letters.
+    let rise = tabs.iter().fold(0.0, |m: f64, tab| m.max(tab.text.ascent));
+    let mut bottom = y1 + 14.0;
+    for (tab, x) in tabs.iter().zip(at) {
+        scene.line((tab.at, y1), (tab.at, y1 + 4.0), TICK);
+        if moved {
+            let tip = top + rise - tab.text.ascent - 2.0;
+            scene.stroke(
+                &Path::through(&[(tab.at, y1 + 5.5), (x, y1 + 12.5), (x, tip.max(y1 + 13.5))]),
+                LEADER,
+            );
+        }
+        scene.text(&tab.text, x - tab.text.width / 2.0, top + rise, INK);
+        bottom = bottom.max(top + rise + tab.text.descent);
+    }
+    (bottom, is_full)
+}
+
+/// The width that labels beside the μ axis take.
+pub(crate) fn mu_width<'a>(tabs: impl Iterator<Item = &'a Tab>) -> f64 {
+    tabs.fold(0.0, |m: f64, tab| m.max(tab.text.width)) + 17.0
+}
+
+/// Ticks and labels beside the μ axis. Labels of the same value share a place side by side.
+pub(crate) fn beside_mu_axis(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) {
+    let Rect { x0, y0, y1, .. } = frame.area;
+    let tabs = sorted(tabs);
+    let Some(at) = places(&tabs, Text::height, y0, y1 - 2.0, 5.0) else { return };
+    for (tab, y) in tabs.iter().zip(at) {
+        scene.line((x0 - 4.0, tab.at), (x0, tab.at), TICK);
+        let moved = (tab.at - y).abs() > NEAR;
+        let right = x0 - if moved { 15.0 } else { 8.0 };
+        if moved {
+            scene.line((x0 - 5.0, tab.at), (right + 2.0, y), LEADER);
+        }
+        let rect =
+            Rect { x0: right - tab.text.width, x1: right, ..Rect::around(0.0, y, 0.0, tab.text.height()) };
+        scene.text_in(&tab.text, &rect, INK);
+    }
+}
+
+/// Labels right of the plot, at the ends of lines. Returns the x right of them, and whether they fitted.
+pub(crate) fn right_of(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<f64> {
+    let Rect { x1, y0, y1, .. } = frame.area;
+    let tabs = sorted(tabs);
+    let at = places(&tabs, Text::height, y0 + 1.0, y1 - 12.0, 5.0)?;
+    let mut right = x1;
+    for (tab, y) in tabs.iter().zip(at) {
+        let moved = (tab.at - y).abs() > NEAR;
+        let left = x1 + if moved { 15.0 } else { 6.0 };
+        if moved {
+            scene.line((x1 + 1.0, tab.at), (left - 2.0, y), LEADER);
+        }
+        let rect =
+            Rect { x0: left, x1: left + tab.text.width, ..Rect::around(0.0, y, 0.0, tab.text.height()) };
+        scene.text_in(&tab.text, &rect, INK);
+        right = right.max(rect.x1);
+    }
+    Some(right)
+}
+
+/// Labels above the plot, at the ends of lines; `None` if they do not fit.
+pub(crate) fn above(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<()> {
+    let Rect { x0, x1, y0, .. } = frame.area;
+    let tabs = sorted(tabs);
+    let at = places(&tabs, |text| text.width, x0 + 8.0, x1, 8.0)?;
+    for (tab, x) in tabs.iter().zip(at) {
+        let moved = (tab.at - x).abs() > NEAR;
+        let bottom = y0 - if moved { 11.0 } else { 5.0 };
+        if moved {
+            scene.line((tab.at, y0 - 1.0), (x, bottom + 2.0), LEADER);
+        }
+        scene.text(&tab.text, x - tab.text.width / 2.0, bottom - tab.text.descent, INK);
+    }
+    Some(())
+}
+
+/// Axes with arrowheads, their names, and the origin.
+pub(crate) fn axes(scene: &mut Scene, frame: &Frame) {
+    let Rect { x0, y0, x1, y1 } = frame.area;
+    let pen = Pen::solid(INK, 1.1);
+    let (k_tip, mu_tip) = ((x1 + 20.0, y1), (x0, y0 - 20.0));
+    scene.line((x0, y1), (k_tip.0 - 5.0, y1), pen);
+    scene.line((x0, y1), (x0, mu_tip.1 + 5.0), pen);
+    scene.arrowhead(k_tip, (1.0, 0.0), INK);
+    scene.arrowhead(mu_tip, (0.0, -1.0), INK);
+    let [k, mu, origin] = ["$k$", "$μ$", "$O$"].map(|letter| Text::new(letter, 15.0));
+    scene.text(&k, k_tip.0 + 6.0, y1 + 4.0, INK);
+    scene.text(&mu, x0 - mu.width - 8.0, mu_tip.1 + 8.0, INK);
+    let rect =
+        Rect { x0: x0 - 6.0 - origin.width, x1: x0 - 6.0, y0: y1 + 5.0, y1: y1 + 5.0 + origin.height() };
+    scene.text_in(&origin, &rect, INK);
+}
+
+/// A paragraph between `left` and `right` with its first line's top at `top`; breaks at the spaces of words.
+/// Returns the y below it.
+pub(crate) fn paragraph(
+    scene: &mut Scene,
+    words: &[Text],
+    (left, right): (f64, f64),
+    top: f64,
+    size: f64,
+) -> f64 {
+    let mut baseline = top + 0.8 * size;
+    let (mut line, mut x) = (Text::default(), left);
+    for word in words {
+        if !line.runs.is_empty() && x + word.width > right {
+            scene.text(&line, left, baseline, INK);
+            baseline += 1.38 * size;
+            (line, x) = (Text::default(), left);
+        }
+        line.push(word, x - left);
+        x += word.width + 0.27 * size;
+    }
+    if !line.runs.is_empty() {
+        scene.text(&line, left, baseline, INK);
+    }
+    baseline + 0.35 * size
+}
+
+/// Markup cut into words at the spaces outside mathematics.
+pub(crate) fn words(markup: &str, size: f64) -> Vec<Text> {
+    let mut inside = false;
+    let between = |character: char| {
+        inside ^= character == '$';
+        character == ' ' && !inside
+    };
+    markup.split(between).filter(|word| !word.is_empty()).map(|word| Text::inline(word, size)).collect()
+}

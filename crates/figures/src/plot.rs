@@ -1,0 +1,294 @@
+//! Where on the page does a point of the k–μ plane lie, and which part of a region or curve is seen?
+//!
+//! Regions and curves are clipped by their own formulas: a curve is monotone between its poles, so it leaves the
+//! window where it takes the values 0 or the largest μ, and nothing is sampled. Hyperbolas become cubic Béziers
+//! through their end tangents, split until they are right to a hundredth of a pixel.
+
+use standfast::diagram::{Strip, Window};
+use standfast::initiation::Curve;
+
+use crate::scene::{Path, Rect};
+
+/// The plot's rectangle on the page and the part of the plane it shows.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Frame {
+    /// On the page; the origin is its lower left corner.
+    pub area: Rect,
+    pub window: Window,
+}
+
+impl Frame {
+    pub(crate) fn x(&self, k: f64) -> f64 {
+        self.area.x0 + k / self.window.k * (self.area.x1 - self.area.x0)
+    }
+
+    pub(crate) fn y(&self, mu: f64) -> f64 {
+        self.area.y1 - mu / self.window.mu * (self.area.y1 - self.area.y0)
+    }
+
+    pub(crate) fn at(&self, k: f64, mu: f64) -> (f64, f64) {
+        (self.x(k), self.y(mu))
+    }
+
+    pub(crate) fn k(&self, x: f64) -> f64 {
+        (x - self.area.x0) / (self.area.x1 - self.area.x0) * self.window.k
+    }
+
+    pub(crate) fn mu(&self, y: f64) -> f64 {
+        (self.area.y1 - y) / (self.area.y1 - self.area.y0) * self.window.mu
+    }
+
+    /// Whether a point of the plane is in the window.
+    pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
+        (0.0..=self.window.k).contains(&k) && (0.0..=self.window.mu).contains(&mu)
+    }
+
+    /// dy/dx on the page for a slope dμ/dk.
+    fn tilt(&self, slope: f64) -> f64 {
+        let Rect { x0, y0, x1, y1 } = self.area;
+        -slope * self.window.k / self.window.mu * (y1 - y0) / (x1 - x0)
+    }
+}
+
+/// A part of a curve that lies in the window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Arc {
+    pub curve: Curve,
+    pub from: f64,
+    pub to: f64,
+}
+
+impl Arc {
+    /// The values of the curve over [`k0`, `k1`] as (least, greatest), if the arc has points there.
+    pub(crate) fn range(&self, k0: f64, k1: f64) -> Option<(f64, f64)> {
+        let (from, to) = (self.from.max(k0), self.to.min(k1));
+        if from > to {
+            return None;
+        }
+        let (start, end) = (self.curve.at(from), self.curve.at(to));
+        Some((start.min(end), start.max(end)))
+    }
+}
+
+/// A part of a region in the window, both edges in the window too.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Piece {
+    pub from: f64,
+    pub to: f64,
+    pub lower: Curve,
+    pub upper: Curve,
+}
+
+/// μ = `level`.
+pub(crate) fn level(level: f64) -> Curve {
+    Curve::Line { slope: 0.0, intercept: level }
+}
+
+/// The intervals of [`from`, `to`] between values of k where a curve may enter or leave the window.
+fn intervals(curves: &[Curve], from: f64, to: f64, window: &Window) -> Vec<(f64, f64)> {
+    let (from, to) = (from.max(0.0), to.min(window.k));
+    if from >= to {
+        return Vec::new();
+    }
+    let mut cuts = vec![from, to];
+    for curve in curves {
+        let ends = [curve.k_at(0.0), curve.k_at(window.mu), curve.pole()];
+        cuts.extend(ends.into_iter().flatten().filter(|&k| from < k && k < to));
+    }
+    cuts.sort_by(f64::total_cmp);
+    cuts.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a < b).collect()
+}
+
+/// The parts of a curve over [`from`, `to`] that lie in the window.
+pub(crate) fn clip(curve: Curve, from: f64, to: f64, window: &Window) -> Vec<Arc> {
+    intervals(&[curve], from, to, window)
+        .into_iter()
+        .filter(|&(a, b)| (0.0..=window.mu).contains(&curve.at((a + b) / 2.0)))
+        .map(|(from, to)| Arc { curve, from, to })
+        .collect()
+}
+
+/// The part of a region that lies in the window.
+pub(crate) fn clip_strips(strips: &[Strip], window: &Window) -> Vec<Piece> {
+    let top = level(window.mu);
+    let mut pieces = Vec::new();
+    for strip in strips {
+        let upper = strip.upper.unwrap_or(top);
+        for (from, to) in intervals(&[strip.lower, upper], strip.from, strip.to, window) {
+            let middle = (from + to) / 2.0;
+            let (low, high) = (strip.lower.at(middle), upper.at(middle));
+            if low < high && low < window.mu && high > 0.0 {
+                let lower = if low < 0.0 { Curve::AXIS } else { strip.lower };
+                let upper = if high > window.mu { top } else { upper };
+                pieces.push(Piece { from, to, lower, upper });
+            }
+        }
+    }
+    pieces
+}
+
+/// Appends a curve from `from` to `to` (either way) to a path that already stands at its start.
+fn follow(path: &mut Path, frame: &Frame, curve: &Curve, from: f64, to: f64) {
+    if let Curve::Line { .. } = curve {
+        let (x, y) = frame.at(to, curve.at(to));
+        path.line_to(x, y);
+    } else {
+        let y = |k: f64| frame.y(curve.at(k));
+        hermite(path, &|k| (frame.x(k), y(k), frame.tilt(curve.slope(k))), from, to, 12);
+    }
+}
+
+/// Appends the graph of a function, given as k ↦ (x, y, dy/dx) on the page, as cubics with the right end tangents.
+pub(crate) fn hermite(
+    path: &mut Path,
+    graph: &dyn Fn(f64) -> (f64, f64, f64),
+    from: f64,
+    to: f64,
+    depth: u32,
+) {
+    const TOLERANCE: f64 = 0.01;
+    let ((x0, y0, t0), (x1, y1, t1)) = (graph(from), graph(to));
+    let third = (x1 - x0) / 3.0;
+    let cubic = |s: f64| {
+        let r = 1.0 - s;
+        r * r * r * y0
+            + 3.0 * r * r * s * (y0 + third * t0)
+            + 3.0 * r * s * s * (y1 - third * t1)
+            + s * s * s * y1
+    };
+    let off = |s: f64| (cubic(s) - graph(from + s * (to - from)).1).abs();
+    if depth > 0 && [0.25, 0.5, 0.75].into_iter().any(|s| off(s) > TOLERANCE) {
+        let middle = (from + to) / 2.0;
+        hermite(path, graph, from, middle, depth - 1);
+        hermite(path, graph, middle, to, depth - 1);
+    } else {
+        path.cubic_to(x0 + third, y0 + third * t0, x1 - third, y1 - third * t1, x1, y1);
+    }
+}
+
+/// Arcs as a path.
+pub(crate) fn arcs_path(frame: &Frame, arcs: &[Arc]) -> Path {
+    let mut path = Path::default();
+    for arc in arcs {
+        let (x, y) = frame.at(arc.from, arc.curve.at(arc.from));
+        path.move_to(x, y);
+        follow(&mut path, frame, &arc.curve, arc.from, arc.to);
+    }
+    path
+}
+
+/// The outline of a region: out along the lower edges, back along the upper ones.
+pub(crate) fn outline(frame: &Frame, pieces: &[Piece]) -> Path {
+    let mut path = Path::default();
+    for row in pieces.chunk_by(|left, right| left.to == right.from) {
+        let (first, last) = (row[0], row[row.len() - 1]);
+        let (x, y) = frame.at(first.from, first.lower.at(first.from));
+        path.move_to(x, y);
+        let line_to = |path: &mut Path, k: f64, mu: f64| {
+            let (x, y) = frame.at(k, mu);
+            path.line_to(x, y);
+        };
+        for (i, piece) in row.iter().enumerate() {
+            if i > 0 {
+                line_to(&mut path, piece.from, piece.lower.at(piece.from));
+            }
+            follow(&mut path, frame, &piece.lower, piece.from, piece.to);
+        }
+        line_to(&mut path, last.to, last.upper.at(last.to));
+        for (i, piece) in row.iter().rev().enumerate() {
+            if i > 0 {
+                line_to(&mut path, piece.to, piece.upper.at(piece.to));
+            }
+            follow(&mut path, frame, &piece.upper, piece.to, piece.from);
+        }
+        path.close();
+    }
+    path
+}
+
+/// Hatching: lines that rise or fall at 45° on the page, `spacing` apart, cut where they leave the pieces.
+pub(crate) fn hatch(frame: &Frame, pieces: &[Piece], spacing: f64, falling: bool) -> Path {
+    let mut path = Path::default();
+    let Rect { x0, y0, x1, y1 } = frame.area;
+    let sign = if falling { 1.0 } else { -1.0 };
+    // On the page y = start + sign (x − x0); all starts whose line meets the plot.
+    let (first, last) = if falling { (y0 - (x1 - x0), y1) } else { (y0, y1 + (x1 - x0)) };
+    for step in 0..=((last - first) / spacing) as usize {
+        let start = first + spacing * step as f64;
+        let mu = |k: f64| frame.mu(start + sign * (frame.x(k) - x0));
+        let line = (mu(0.0), (mu(frame.window.k) - mu(0.0)) / frame.window.k);
+        for piece in pieces {
+            let mut cuts = vec![piece.from, piece.to];
+            let meets = [piece.lower, piece.upper].into_iter().flat_map(|curve| crossings(&curve, line));
+            cuts.extend(meets.filter(|&k| piece.from < k && k < piece.to));
+            cuts.sort_by(f64::total_cmp);
+            for pair in cuts.windows(2) {
+                let middle = (pair[0] + pair[1]) / 2.0;
+                if (piece.lower.at(middle)..=piece.upper.at(middle)).contains(&mu(middle)) {
+                    let (from, to) = (frame.at(pair[0], mu(pair[0])), frame.at(pair[1], mu(pair[1])));
+                    path.move_to(from.0, from.1);
+                    path.line_to(to.0, to.1);
+                }
+            }
+        }
+    }
+    path
+}
+
+/// The values of k where a curve meets the line μ = `at_zero` + `slope` k.
+fn crossings(curve: &Curve, (at_zero, slope): (f64, f64)) -> Vec<f64> {
+    // c·slope k² + (d·slope + c·at_zero − a) k + d·at_zero − b = 0
+    let (a, b, c, d) = match *curve {
+        Curve::Line { slope, intercept } => (slope, intercept, 0.0, 1.0),
+        Curve::Hyperbola { a, b, c, d } => (a, b, c, d),
+    };
+    let (two, one, zero) = (c * slope, d * slope + c * at_zero - a, d * at_zero - b);
+    let root = (one * one - 4.0 * two * zero).sqrt();
+    let half = -0.5 * (one + root.copysign(one));
+    [half / two, zero / half].into_iter().filter(|k| k.is_finite()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame() -> Frame {
+        let area = Rect { x0: 50.0, y0: 20.0, x1: 450.0, y1: 340.0 };
+        Frame { area, window: Window { k: 4.0, mu: 2.0 } }
+    }
+
+    #[test]
+    fn the_page_and_the_plane_map_onto_each_other() {
+        let frame = frame();
+        assert_eq!(frame.at(0.0, 0.0), (50.0, 340.0));
+        assert_eq!(frame.at(4.0, 2.0), (450.0, 20.0));
+        assert!((frame.k(frame.x(1.7)) - 1.7).abs() < 1e-12);
+        assert!((frame.mu(frame.y(0.3)) - 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_curve_with_a_pole_is_cut_at_the_windows_edge() {
+        let curve = Curve::Hyperbola { a: 1.0, b: 0.0, c: -1.0, d: 3.0 }; // k/(3 − k)
+        let arcs = clip(curve, 0.0, f64::INFINITY, &frame().window);
+        assert_eq!(arcs.len(), 1);
+        assert!((arcs[0].to - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_region_is_cut_at_the_windows_edge() {
+        let strip = Strip { from: 1.0, to: f64::INFINITY, lower: Curve::DIAGONAL, upper: None };
+        let pieces = clip_strips(&[strip], &frame().window);
+        assert_eq!(pieces.len(), 1);
+        assert_eq!((pieces[0].from, pieces[0].to, pieces[0].upper), (1.0, 2.0, level(2.0)));
+    }
+
+    #[test]
+    fn hatch_lines_end_on_the_curves() {
+        let curve = Curve::Hyperbola { a: 2.0, b: 1.0, c: 1.0, d: 3.0 };
+        let line = (0.2, 0.3);
+        for k in crossings(&curve, line) {
+            assert!((curve.at(k) - (line.0 + line.1 * k)).abs() < 1e-12);
+        }
+        assert_eq!(crossings(&Curve::DIAGONAL, (1.0, 0.5)), [2.0]);
+    }
+}

@@ -1,0 +1,121 @@
+//! Labels never touch one another and never leave the page, whatever the body.
+
+use standfast::Diagram;
+use standfast_figures::{DesignPoint, Figure, FigureId, Rect, diagram, report_figure};
+
+const SLENDERNESS: [f64; 12] = [0.05, 0.2, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.5, 6.0, 10.0, 20.0];
+const ELEVATION: [f64; 25] = [
+    -3.0, -2.0, -1.7, -1.2, -1.01, -1.0, -0.99, -0.9, -0.75, -0.5, -0.45, -0.3, -0.1, -1e-3, -1e-9, 0.0,
+    1e-9, 1e-3, 0.1, 0.3, 0.5, 0.8, 1.0, 1.8, 3.0,
+];
+
+/// The sweep, with the thresholds between the cases of each γ.
+fn bodies() -> impl Iterator<Item = Diagram> {
+    SLENDERNESS.into_iter().flat_map(|slenderness| {
+        let square = slenderness * slenderness;
+        let thresholds = [
+            (1.0 + square) / (3.0 * square),
+            (4.0 + square) / (3.0 * square),
+            -(1.0 + square) / (4.0 + square),
+        ];
+        let elevations = ELEVATION.into_iter().chain(thresholds);
+        elevations.map(move |k_prime| Diagram::new(slenderness, k_prime).expect("a valid body"))
+    })
+}
+
+fn assert_tidy(figure: &Figure) {
+    let (width, height) = figure.size();
+    let page = Rect { x0: 1.0, y0: 1.0, x1: width - 1.0, y1: height - 1.0 };
+    let labels = figure.labels();
+    for (i, label) in labels.iter().enumerate() {
+        assert!(
+            page.contains(&label.rect),
+            "{:?} leaves the page of {:?}: {:?}",
+            label.text,
+            figure.title(),
+            label.rect
+        );
+        for other in &labels[i + 1..] {
+            assert!(
+                !label.rect.overlaps(&other.rect),
+                "{:?} {:?} touches {:?} {:?} in {:?}",
+                label.text,
+                label.rect,
+                other.text,
+                other.rect,
+                figure.title()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_reports_figures_are_tidy() {
+    FigureId::ALL.into_iter().for_each(|id| assert_tidy(&report_figure(id)));
+}
+
+#[test]
+fn a_diagram_is_tidy_for_any_body() {
+    bodies().for_each(|body| assert_tidy(&diagram(&body, &[])));
+}
+
+#[test]
+fn a_diagram_with_design_points_is_tidy_for_any_body() {
+    for body in bodies() {
+        let unit = 1.0 / body.chart().slenderness();
+        let point =
+            |k: f64, mu: f64, label: &str| DesignPoint { k: k * unit, mu: mu * unit, label: label.into() };
+        let points = [
+            point(0.3, 0.5, "still water"),
+            point(0.31, 0.5, "wave crest, 50-year storm & more <of it>"),
+            point(0.31, 0.5, ""),
+            point(0.9, 0.2, &"W".repeat(300)),
+            point(1.2, 0.4, "trough"),
+            point(0.0, 0.0, "origin"),
+            point(f64::NAN, 0.4, "nowhere"),
+        ];
+        assert_tidy(&diagram(&body, &points));
+    }
+}
+
+#[test]
+fn far_and_crowded_design_points_are_tidy() {
+    let body = Diagram::new(2.0, 0.3).expect("a valid body");
+    let far =
+        [(1e6, 1e-3), (1e-6, 1e5), (3.0, 0.0)].map(|(k, mu)| DesignPoint { k, mu, label: format!("{k}") });
+    assert_tidy(&diagram(&body, &far));
+    let many: Vec<_> = (0..60)
+        .map(|i| DesignPoint { k: 0.3 + 0.002 * f64::from(i), mu: 0.4, label: format!("case number {i}") })
+        .collect();
+    assert_tidy(&diagram(&body, &many));
+}
+
+#[test]
+fn every_region_that_is_wide_enough_is_named() {
+    for (slenderness, k_prime, symbols) in [
+        (1.0, 0.4, &["RE", "SL", "RO", "SRO₋"][..]),
+        (3.0, 0.8, &["RE", "SL", "RO", "SRO₋", "SRO₊"]),
+        (1.0, -0.6, &["RE", "SL", "RO", "SRO′₋"]),
+        (4.0, -0.55, &["RE", "SL", "RO", "SRO₋", "SRO′₋"]),
+        (1.2, -1.7, &["RE", "SL", "RO′", "SRO′₋"]),
+    ] {
+        let figure = diagram(&Diagram::new(slenderness, k_prime).expect("a valid body"), &[]);
+        for symbol in symbols {
+            let named = figure.labels().iter().any(|label| label.text == *symbol);
+            assert!(named, "{symbol} is missing in {:?}", figure.title());
+        }
+    }
+}
+
+#[test]
+fn a_minus_is_never_a_hyphen() {
+    let below = diagram(&Diagram::new(4.0, -0.55).expect("a valid body"), &[]);
+    let figures = FigureId::ALL.map(report_figure).into_iter().chain([below]);
+    for figure in figures {
+        for label in figure.labels() {
+            // "Slide-rock" is a word; a sign has no letter on its left.
+            let signs = label.text.replace("Slide-rock", "");
+            assert!(!signs.contains(['-', '\'']), "{:?} in {:?}", label.text, figure.title());
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Every function and test that validation/traceability.md and docs/errata.md name exists.
+
+use std::fs;
+use std::path::Path;
+
+use crate::root;
+
+/// All Rust sources of the repository, one after another.
+fn sources(directory: &Path, text: &mut String) {
+    for entry in fs::read_dir(directory).unwrap().map(Result::unwrap) {
+        let path = entry.path();
+        if path.is_dir() && path.file_name().is_some_and(|name| name != "target") {
+            sources(&path, text);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            text.push_str(&fs::read_to_string(path).unwrap());
+        }
+    }
+}
+
+/// The names between backticks that look like functions: `like_this` or `Type::like_this`.
+fn functions(page: &str) -> Vec<&str> {
+    let quoted = page.split('`').skip(1).step_by(2);
+    let names = quoted.filter_map(|quoted| quoted.rsplit("::").next());
+    names
+        .filter(|name| {
+            name.contains('_')
+                && name.chars().all(|c| c.is_ascii_lowercase() || c == '_' || c.is_ascii_digit())
+                || name.chars().all(|c| c.is_ascii_lowercase()) && name.len() > 3
+        })
+        .collect()
+}
+
+#[test]
+fn every_function_named_in_the_traceability_table_exists() {
+    let mut text = String::new();
+    for directory in ["crates", "xtask"] {
+        sources(&root().join(directory), &mut text);
+    }
+    for page in ["validation/traceability.md", "docs/errata.md"] {
+        let page = fs::read_to_string(root().join(page)).unwrap();
+        let names = functions(&page);
+        assert!(names.len() > 5);
+        for name in names.into_iter().filter(|name| !["standfast", "classify"].contains(name)) {
+            let defined = [format!("fn {name}("), format!("fn {name}<")];
+            assert!(defined.iter().any(|definition| text.contains(definition)), "no function {name}");
+        }
+    }
+}
+
+#[test]
+fn every_equation_and_figure_has_a_row() {
+    let page = fs::read_to_string(root().join("validation/traceability.md")).unwrap();
+    let listed: Vec<&str> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| ")?.split(" | ").next())
+        .flat_map(|cell| cell.split(", "))
+        .collect();
+    let chapters = [(3, 45), (4, 97)];
+    for (chapter, last) in chapters {
+        for equation in 1..=last {
+            assert!(listed.contains(&format!("{chapter}.{equation}").as_str()), "({chapter}.{equation})");
+        }
+    }
+    for figure in standfast_figures::FigureId::ALL {
+        assert!(listed.contains(&figure.to_string().as_str()), "Fig. {figure}");
+    }
+}
