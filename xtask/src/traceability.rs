@@ -37,9 +37,19 @@ fn every_function_named_in_the_traceability_table_exists() {
         sources(&root().join(directory), &mut text);
     }
     for page in ["validation/traceability.md", "docs/errata.md"] {
+        // The last cell of a row names tests only.
         let page = fs::read_to_string(root().join(page)).unwrap();
         let names = functions(&page);
         assert!(names.len() > 5);
+        let is_test = |name: &str| {
+            let definition = format!("fn {name}(");
+            text.match_indices(&definition).any(|(at, _)| text[..at].trim_end().ends_with("#[test]"))
+        };
+        let held_by =
+            page.lines().filter(|line| line.starts_with("| ")).filter_map(|line| line.rsplit(" | ").next());
+        for name in held_by.flat_map(functions) {
+            assert!(is_test(name), "{name} is no test");
+        }
         for name in names.into_iter().filter(|name| !["standfast", "classify"].contains(name)) {
             let defined = [format!("fn {name}("), format!("fn {name}<")];
             assert!(defined.iter().any(|definition| text.contains(definition)), "no function {name}");

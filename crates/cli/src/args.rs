@@ -118,7 +118,7 @@ pub struct ClassifyArgs {
     #[arg(long, value_name = "G", allow_hyphen_values = true, value_parser = gamma)]
     pub gamma: f64,
     /// Elevation k' of the force above the centre of mass, in half-heights; negative below
-    #[arg(long, value_name = "K'", allow_hyphen_values = true, value_parser = k_prime)]
+    #[arg(long, value_name = "KP", allow_hyphen_values = true, value_parser = k_prime)]
     pub k_prime: f64,
     /// Force k, in weights of the body
     #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = force)]
@@ -141,7 +141,7 @@ pub struct DiagramArgs {
     #[arg(long, value_name = "G", allow_hyphen_values = true, value_parser = gamma)]
     pub gamma: f64,
     /// Elevation k' of the force above the centre of mass, in half-heights; negative below
-    #[arg(long, value_name = "K'", allow_hyphen_values = true, value_parser = k_prime)]
+    #[arg(long, value_name = "KP", allow_hyphen_values = true, value_parser = k_prime)]
     pub k_prime: f64,
     /// A point to mark; may be given again
     #[arg(long = "point", value_name = "K,MU", allow_hyphen_values = true, value_parser = point)]

@@ -51,21 +51,35 @@ pub enum AssessError {
     #[error(transparent)]
     Mechanics(#[from] InputError),
     /// The diagram cannot be written.
-    #[error(transparent)]
+    #[error("{0}")]
+    #[diagnostic(help("-o DIR puts the diagrams into another directory"))]
     Write(#[from] WriteError),
 }
 
-/// Assesses a case file, writes its diagrams into `directory` or else beside it, and gives the answer to print.
+/// A case's answer, and why its diagrams could not be written, if they could not: an answer is not lost with them.
+#[derive(Debug)]
+pub struct Assessed {
+    /// The answer to print.
+    pub answer: String,
+    /// What prevented the diagrams.
+    pub undrawn: Option<AssessError>,
+}
+
+/// Assesses a case file, and writes its diagrams into `directory` or else beside it.
 ///
 /// # Errors
-/// If the case file cannot be read or makes no sense, or a diagram cannot be written.
-pub fn assess(path: &Path, directory: Option<&Path>, format: Format) -> Result<String, AssessError> {
+/// If the case file cannot be read or makes no sense.
+pub fn assess(path: &Path, directory: Option<&Path>, format: Format) -> Result<Assessed, AssessError> {
     let case = read(path)?;
-    let diagrams = draw_diagrams(&case, path, directory)?;
-    Ok(match format {
+    let (diagrams, undrawn) = match draw_diagrams(&case, path, directory) {
+        Ok(diagrams) => (diagrams, None),
+        Err(error) => (Vec::new(), Some(error)),
+    };
+    let answer = match format {
         Format::Text => text::render(&case, &diagrams),
         Format::Json => json::render(&case, &diagrams),
-    })
+    };
+    Ok(Assessed { answer, undrawn })
 }
 
 fn read(path: &Path) -> Result<Case, AssessError> {
@@ -93,7 +107,12 @@ fn draw_diagrams(
     let mut groups: Vec<(f64, Vec<DesignPoint>)> = Vec::new();
     for (i, load) in case.loads.iter().enumerate() {
         let point = &load.reduced.point;
-        let design = DesignPoint { k: point.force(), mu: point.friction(), label: load_name(case, i) };
+        let design = DesignPoint {
+            k: point.force(),
+            mu: point.friction(),
+            label: load_name(case, i),
+            mirrored: load.reduced.mirrored,
+        };
         match groups.iter_mut().find(|(k_prime, _)| *k_prime == point.elevation()) {
             Some((_, points)) => points.push(design),
             None => groups.push((point.elevation(), vec![design])),

@@ -165,7 +165,7 @@ pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
             let to = reduced.orient(crossing.to);
             format!("The body leaves rest at {}: beyond, it {} ({to}).", force(crossing.at), to.words())
         }
-        None => "No force moves the body.".to_owned(),
+        None => "No force up to k = 1e50 moves the body.".to_owned(),
     };
 
     let arrow = |value: String, crossing: &Crossing| {
@@ -174,8 +174,10 @@ pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
     let mut text = paragraph(&leaves_rest, 2);
     let forces: Vec<_> =
         margins.along_force.iter().map(|crossing| arrow(force(crossing.at), crossing)).collect();
-    text += &format!("  as the force grows, at μ = {}:\n", digits(point.friction()));
-    text += &columns(&forces, 4, &[]);
+    if !forces.is_empty() {
+        text += &format!("  as the force grows, at μ = {}:\n", digits(point.friction()));
+        text += &columns(&forces, 4, &[]);
+    }
 
     let frictions: Vec<_> = margins
         .along_friction
@@ -183,7 +185,7 @@ pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
         .map(|crossing| arrow(format!("μ = {}", digits(crossing.at)), crossing))
         .collect();
     if frictions.is_empty() {
-        text += &format!("  at {} friction makes no difference.\n", force(point.force()));
+        text += &format!("  At {} friction makes no difference.\n", force(point.force()));
     } else {
         text += &format!("  as the friction grows, at {}:\n", force(point.force()));
         text += &columns(&frictions, 4, &[]);

@@ -110,8 +110,11 @@ pub fn draw_diagram(
 ) -> Result<(), DrawError> {
     // The caption gives the coordinates.
     let label = |i: usize| if points.len() == 1 { String::new() } else { (i + 1).to_string() };
-    let points: Vec<_> =
-        points.iter().enumerate().map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i) }).collect();
+    let points: Vec<_> = points
+        .iter()
+        .enumerate()
+        .map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i), mirrored: false })
+        .collect();
     save(&diagram(plane, &points), &file.path, file.picture, scale)
 }
 

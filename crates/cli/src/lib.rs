@@ -40,7 +40,11 @@ use standfast_figures::FigureId;
 /// If the input is wrong, or a file cannot be read or written.
 pub fn run(cli: Cli) -> Result<()> {
     match cli.command {
-        Command::Assess(args) => print(&assess::assess(&args.case, args.output.as_deref(), args.format)?),
+        Command::Assess(args) => {
+            let assessed = assess::assess(&args.case, args.output.as_deref(), args.format)?;
+            print(&assessed.answer)?;
+            Ok(assessed.undrawn.map_or(Ok(()), Err)?)
+        }
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
             print(&classify::classify(point, args.explain, args.format))

@@ -40,7 +40,7 @@ impl Pending {
     /// If its directory does not exist or cannot be written to, or `path` is a directory.
     pub fn create(path: &Path) -> Result<Pending, WriteError> {
         let open = || -> io::Result<Target> {
-            // A link is followed, so that the file it points to is replaced and not the link.
+            // A link to a file is followed, so that the file it points to is replaced and not the link.
             let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
             match fs::metadata(&place) {
                 Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
@@ -73,9 +73,11 @@ impl Pending {
     /// If it cannot be moved there.
     pub fn finish(self) -> Result<(), WriteError> {
         match self.target {
-            Target::Beside(file, place) => match file.persist(place) {
+            Target::Beside(file, place) => match keep_permissions(&file, &place)
+                .and_then(|()| file.persist(place).map_err(|error| error.error))
+            {
                 Ok(_) => Ok(()),
-                Err(error) => Err(WriteError { path: self.path, cause: error.error }),
+                Err(cause) => Err(WriteError { path: self.path, cause }),
             },
             Target::Device(_) => Ok(()),
         }
@@ -95,6 +97,14 @@ impl Write for Pending {
             Target::Beside(file, _) => file.flush(),
             Target::Device(file) => file.flush(),
         }
+    }
+}
+
+/// Gives the new file the permissions of the one it replaces, if there is one.
+fn keep_permissions(file: &NamedTempFile, place: &Path) -> io::Result<()> {
+    match fs::metadata(place) {
+        Ok(found) => file.as_file().set_permissions(found.permissions()),
+        Err(_) => Ok(()),
     }
 }
 

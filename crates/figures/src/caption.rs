@@ -28,6 +28,9 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
         drawing.named().map(|point| format!("{} {}", letter_markup(point.name), pair(point.k, point.mu)));
     let parts: Vec<_> = named.chain(legend.iter().cloned()).collect();
     let mut words = margins::words(&format!("{} {}.", drawing.preface, parts.join(", ")), SMALL);
+    if drawing.sheet.shaded.iter().any(|part| matches!(part, Part::Unresolved(_))) {
+        words.extend(margins::words("Hatched: given to another mode in IV.7.", SMALL));
+    }
     let shown = drawing.points.iter().enumerate().filter(|(_, point)| point.is_drawable());
     for (i, point) in shown.take(LISTED) {
         let name = match point.label.trim() {
@@ -37,8 +40,15 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
         };
         words.extend(name.split_whitespace().map(|word| Text::verbatim(&shortened(word), SMALL)));
         words.extend(margins::words(&format!("{}:", pair(point.k, point.mu)), SMALL));
-        let mode = drawing.diagram.mode_at(point.k, point.mu);
-        words.extend(mode.map(|mode| Text::inline(&format!("{}.", symbol(mode)), SMALL)));
+        if let Ok(mode) = drawing.diagram.mode_at(point.k, point.mu) {
+            let (mode, remark) =
+                if point.mirrored { (mode.mirrored(), " (to the right, mirrored).") } else { (mode, ".") };
+            words.extend(margins::words(&format!("{}{remark}", symbol(mode)), SMALL));
+        }
+    }
+    let beyond = drawing.points.iter().filter(|point| point.is_drawable()).count().saturating_sub(LISTED);
+    if beyond > 0 {
+        words.extend(margins::words(&format!("And {beyond} more."), SMALL));
     }
     words
 }

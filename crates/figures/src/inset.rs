@@ -64,7 +64,7 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
 
     let quantity = Text::new(r"$μ − (\frac{1}{γ} + k|k′|)$", 11.5);
     let factor = magnification(tall / in_main);
-    let factor = Text::new(&format!("× ${factor}$"), 11.5);
+    let factor = Text::new(&format!("height × ${factor}$"), 11.5);
     let line = y0 + 5.0 + quantity.ascent;
     scene.text(&quantity, x0 + 8.0, line, INK);
     scene.text(&factor, x1 - 8.0 - factor.width, line, INK);
@@ -74,6 +74,9 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
         let left = (x(k) - label.width / 2.0).clamp(x0 + 5.0, x1 - 5.0 - label.width);
         scene.text(&label, left, inner.y1 + 5.0 + label.ascent, INK);
     }
+    let curve = Text::new("$μ*$", 11.5);
+    let knee = from + 0.78 * (to - from);
+    scene.text(&curve, x(knee) + 5.0, y(height(knee)) - 1.0, INK);
     let name = Text::new(symbol(Mode::SlideRockOLeft), 12.5);
     scene.text_in(&name, &Rect::around(x((from + to) / 2.0), inner.y1 - 0.4 * tall, 0.0, 0.0), INK);
 }

@@ -8,7 +8,7 @@
 //! assert!(report_figure(id).svg().starts_with("<svg"));
 //!
 //! let body = Diagram::new(2.0, 0.3)?;
-//! let storm = DesignPoint { k: 0.31, mu: 0.6, label: "storm".into() };
+//! let storm = DesignPoint { k: 0.31, mu: 0.6, label: "storm".into(), mirrored: false };
 //! let figure = diagram(&body, &[storm]);
 //! assert!(figure.title().contains("γ = 2"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -97,6 +97,9 @@ pub struct DesignPoint {
     pub mu: f64,
     /// Its name; may be empty.
     pub label: String,
+    /// Whether its force points right: the diagram is that of the mirror image, and the caption names the mode of the
+    /// real body.
+    pub mirrored: bool,
 }
 
 impl DesignPoint {

@@ -155,15 +155,14 @@ pub(crate) fn sheet(case: Case) -> (&'static Sheet, &'static str) {
     }
 }
 
-/// The window of a diagram: A where it can be seen, the other named points up to some times its distance, and all
+/// The window of a diagram: A, unless it is at infinity or next to it, the other named points up to some times its distance, and all
 /// design points.
 pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> Window {
-    const FAR_A: f64 = 25.0;
     const FAR: f64 = 7.0;
     let chart = diagram.chart();
     let unit = 1.0 / chart.slenderness();
     let (k_a, k_d) = (chart.k_a(), chart.k_d());
-    let a = Some(k_a).filter(|&k| k < FAR_A * k_d.min(1e6 * unit));
+    let a = Some(k_a).filter(|&k| k < 1e6 * unit);
     let base = a.unwrap_or(k_d);
     // Fig. 3.9 reads best with A about a quarter along the axis.
     let mut k = if a.is_some() { 2.2 * base } else { 3.5 * base };

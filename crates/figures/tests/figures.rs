@@ -20,7 +20,7 @@ fn every_figure_is_well_formed_and_says_what_it_shows() {
 
 #[test]
 fn the_description_puts_modes_and_points_in_words() {
-    let points = [DesignPoint { k: 0.3, mu: 0.5, label: "crest <1> & trough".into() }];
+    let points = [DesignPoint { k: 0.3, mu: 0.5, label: "crest <1> & trough".into(), mirrored: false }];
     let figure = diagram(&Diagram::new(3.0, 0.8).expect("a valid body"), &points);
     let svg = figure.svg();
     for words in [
@@ -69,4 +69,57 @@ fn the_regions_of_a_picture_have_the_colours_of_their_modes() {
     for tint in ["#f1f4f7", "#f7de8b", "#aad2f0", "#f0ab6b"] {
         assert_eq!(figure.svg().matches(tint).count(), 1, "{tint}");
     }
+}
+
+/// What the specification of the figures wants to read in each chart: letters of points and line ends, values on the
+/// axes, formulas and names. What finds no room in the chart stands in its caption.
+const WANTED: [(&str, &[&str]); 26] = [
+    ("2.1", &["C", "O", "O′", "F", "h = k′H", "2B", "2H", "x", "y", "θ", "ξ", "f_x", "f_y"]),
+    ("3.1", &["A", "B", "O", "Rest", "μ = k", "k_A", "μ_A"]),
+    ("3.2", &["A", "B", "C", "D", "Slide", "μ = k", "μ = 1/γ − kk′", "μ_C", "k_D", "k_A"]),
+    ("3.3a", &["A", "B", "C", "D", "a/c", "b/d", "μ_A", "k_A", "k_D", "μ*(k) = (ak + b)/(ck + d)"]),
+    ("3.3b", &["A", "B", "C", "D", "a/c", "b/d", "μ_A", "k_A", "k_D", "μ*(k) = (ak + b)/(ck + d)"]),
+    ("3.4", &["A", "B", "C", "D", "E", "k_E", "k_A", "k_D", "μ*(k) = (−|a|k + b)/(ck + d)"]),
+    ("3.5", &["A", "B", "C", "D", "E", "|a|/c", "k_A", "k_D", "k_E", "μ*(k) = (|a|k − b)/(ck + d)"]),
+    ("3.6a", &["A", "B", "C", "D", "a/c"]),
+    ("3.6b", &["A", "B", "C", "D", "a/c"]),
+    ("3.7", &["A", "B", "C", "D", "E"]),
+    ("3.8", &["C", "D", "E", "|a|/c", "μ = −1/γ + kk′"]),
+    ("3.9a", &["A", "B", "D", "RE", "SL", "RO", "SRO₋", "μ*(k)", "k"]),
+    ("3.9b", &["A", "B", "D", "RE", "SL", "RO", "SRO₋", "μ*(k)", "k"]),
+    ("3.10", &["A", "B", "D", "E", "RE", "SL", "RO", "SRO₋"]),
+    ("3.11", &["A", "B", "D", "E", "RE", "SL", "RO", "SRO₋", "SRO₊", "|a|/c"]),
+    ("4.1", &["C", "O", "O′", "F", "|h| = |k′|H", "2B", "2H", "x", "y", "θ", "ξ", "f_x", "f_y"]),
+    ("4.2", &["A", "E", "O", "Rest", "k_A", "μ_A", "μ = k"]),
+    ("4.3", &["A", "B", "D", "C", "E", "ξ < 0", "ξ > 0", "μ = 1/γ + k|k′|", "μ = −1/γ + k|k′|", "μ = k|k′|"]),
+    ("4.4a", &["A", "B", "B′", "C", "C′", "C″", "D", "E", "BB′C′C", "CC′C″", "μ_B′", "k_B′"]),
+    ("4.4b", &["A", "B", "C", "C′", "C″", "D", "E", "BAC′C", "CC′C″"]),
+    ("4.5a", &["A", "B", "B′", "C", "C′", "C″", "D", "k_A", "k_B′", "μ_B′", "BB′C′C", "CC′C″"]),
+    ("4.5b", &["A", "B", "C", "C′", "C″", "D", "BAC′C", "CC′C″"]),
+    ("4.6a", &["A", "B", "B′", "C", "D", "F", "μ**(k)", "μ = −1/γ + k|k′|"]),
+    ("4.6b", &["A", "B", "C", "D", "F", "μ**(k)", "μ = −1/γ + k|k′|"]),
+    ("4.7a", &["A", "B", "B′", "C", "D", "E", "RE", "SL", "RO", "SRO₋", "SRO′₋"]),
+    ("4.7b", &["A", "B", "C", "D", "E", "RE", "SL", "RO", "SRO′₋"]),
+];
+
+#[test]
+fn every_figure_says_what_its_specification_asks() {
+    let mut missing = Vec::new();
+    for (number, wanted) in WANTED {
+        let figure = report_figure(number.parse().expect("a figure"));
+        let labels: Vec<&str> = figure.labels().iter().map(|label| label.text.as_str()).collect();
+        for &words in wanted {
+            // Letters and names stand alone; symbols and formulas may be part of an equation or of the caption.
+            let alone = words.chars().all(|c| c.is_ascii_alphabetic() || "′″₋₊".contains(c));
+            let found = if alone {
+                labels.contains(&words)
+            } else {
+                labels.iter().any(|label| label.contains(words)) || figure.caption().contains(words)
+            };
+            if !found {
+                missing.push(format!("Fig. {number} lacks {words:?}: {labels:?} {}", figure.caption()));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
 }

@@ -63,8 +63,12 @@ fn a_diagram_is_tidy_for_any_body() {
 fn a_diagram_with_design_points_is_tidy_for_any_body() {
     for body in bodies() {
         let unit = 1.0 / body.chart().slenderness();
-        let point =
-            |k: f64, mu: f64, label: &str| DesignPoint { k: k * unit, mu: mu * unit, label: label.into() };
+        let point = |k: f64, mu: f64, label: &str| DesignPoint {
+            k: k * unit,
+            mu: mu * unit,
+            label: label.into(),
+            mirrored: false,
+        };
         let points = [
             point(0.3, 0.5, "still water"),
             point(0.31, 0.5, "wave crest, 50-year storm & more <of it>"),
@@ -81,11 +85,20 @@ fn a_diagram_with_design_points_is_tidy_for_any_body() {
 #[test]
 fn far_and_crowded_design_points_are_tidy() {
     let body = Diagram::new(2.0, 0.3).expect("a valid body");
-    let far =
-        [(1e6, 1e-3), (1e-6, 1e5), (3.0, 0.0)].map(|(k, mu)| DesignPoint { k, mu, label: format!("{k}") });
+    let far = [(1e6, 1e-3), (1e-6, 1e5), (3.0, 0.0)].map(|(k, mu)| DesignPoint {
+        k,
+        mu,
+        label: format!("{k}"),
+        mirrored: false,
+    });
     assert_tidy(&diagram(&body, &far));
     let many: Vec<_> = (0..60)
-        .map(|i| DesignPoint { k: 0.3 + 0.002 * f64::from(i), mu: 0.4, label: format!("case number {i}") })
+        .map(|i| DesignPoint {
+            k: 0.3 + 0.002 * f64::from(i),
+            mu: 0.4,
+            label: format!("case number {i}"),
+            mirrored: false,
+        })
         .collect();
     assert_tidy(&diagram(&body, &many));
 }

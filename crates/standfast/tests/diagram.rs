@@ -477,3 +477,24 @@ fn case_1b_exists_without_the_caption_s_condition() {
     assert_eq!(chart.case(), Case::OneB);
     assert!(chart.mu_star().slope(chart.k_a()) < 0.0);
 }
+
+/// (4.22): on μ = −k k' the sliding body's reaction acts below its centre; above it, towards O.
+#[test]
+fn the_reaction_is_below_the_centre_on_its_line() {
+    let chart = Chart::new(1.0, -0.6).unwrap();
+    let slide = |mu| Point::new(1.0, -0.6, 3.0, mu).unwrap();
+    let on_line = chart.centre_line().at(3.0);
+    assert_eq!(slide(on_line).mode(), Mode::SlideLeft);
+    assert!(slide(on_line).motion().xi.abs() < 1e-15);
+    assert!(slide(on_line + 0.1).motion().xi < 0.0 && slide(on_line - 0.1).motion().xi > 0.0);
+}
+
+/// The line of (3.44) is CD mirrored in the k axis, and μ* tends to its limit.
+#[test]
+fn lines_drawn_only_are_where_they_should_be() {
+    let chart = Chart::new(3.0, 0.8).unwrap();
+    assert_eq!(chart.turning_line().at(2.0), -chart.upper_line().at(2.0));
+    assert!((chart.mu_star_rising().at(1e9) - chart.mu_star_limit()).abs() < 1e-6);
+    let below = Chart::new(1.0, -0.6).unwrap();
+    assert!((below.mu_star_star().pole().unwrap() - 25.0 / 6.0).abs() < 1e-12); // d/c = 5/1.2
+}

@@ -39,7 +39,7 @@ const SLIDE: Sheet = Sheet {
     ends: &[("E", VerticalA), ("B", Upper), ("C", Lower)],
     k_marks: &[PointName::A, PointName::D],
     mu_marks: &[Mark::Of(PointName::A), Mark::Foot],
-    formulas: &[Upper, Middle, Lower],
+    formulas: &[Upper, Middle, Lower, Diagonal],
     notes: &[
         Note { markup: "$ξ < 0$", lower: Middle, upper: Upper, from: A },
         Note { markup: "$ξ > 0$", lower: Lower, upper: Middle, from: D },
@@ -55,7 +55,7 @@ const ROCK_B: Sheet = Sheet {
     ends: &[("E", VerticalA), ("B", Upper), ("C", Lower), ("C″", MuStar)],
     k_marks: &[PointName::A, PointName::D],
     mu_marks: &[Mark::Of(PointName::A)],
-    formulas: &[MuStar, Upper, Lower],
+    formulas: &[MuStar, Upper, Lower, Diagonal],
     notes: &[],
     naming: Naming::Words("Rock"),
     ..SLIDE
@@ -90,7 +90,7 @@ const ABOUT_O_PRIME_B: Sheet = Sheet {
     points: &[PointName::A, PointName::D, PointName::F],
     ends: &[("B", Upper), ("C", Lower)],
     k_marks: &[PointName::A, PointName::D, PointName::F],
-    formulas: &[MuStarStar, Lower, Upper, MuStar],
+    formulas: &[Upper, MuStarStar, Lower, MuStar, Diagonal],
     naming: Naming::Words("Slide-rock"),
     ..ROCK_B
 };
