@@ -64,7 +64,9 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
 
     let quantity = Text::new(r"$μ − (\frac{1}{γ} + k|k′|)$", 11.5);
     let factor = magnification(tall / in_main);
-    let factor = Text::new(&format!("height × ${factor}$"), 11.5);
+    let wide = Text::new(&format!("height × ${factor}$"), 11.5);
+    let fits = quantity.width + wide.width + 26.0 < x1 - x0;
+    let factor = if fits { wide } else { Text::new(&format!("× ${factor}$"), 11.5) };
     let line = y0 + 5.0 + quantity.ascent;
     scene.text(&quantity, x0 + 8.0, line, INK);
     scene.text(&factor, x1 - 8.0 - factor.width, line, INK);
