@@ -17,6 +17,8 @@
 //! | What does the whole k–μ plane look like? | [`Diagram`], [`initiation::Chart`] |
 //! | My body has metres and my force kilonewtons | [`Body`], [`HorizontalForce`] |
 //! | Ten million points | [`batch`] |
+//! | Water, waves, uplift, earthquakes, added mass: the whole situation | [`Situation`], [`wave`] |
+//! | Safety factors and heel pressure | [`Actions`] |
 //! | Any wrench, added mass, μ_s ≠ μ_k, eccentric bodies | [`contact`] |
 //!
 //! The symbols are those of the report this library implements, on vertical caisson breakwaters, after Shenton's
@@ -36,11 +38,16 @@ mod load;
 mod mode;
 mod motion;
 pub mod sign;
+mod situation;
+mod stability;
+pub mod wave;
 
-pub use body::Body;
+pub use body::{Body, StillWater};
 pub use diagram::Diagram;
 pub use error::InputError;
 pub use initiation::{Point, classify};
 pub use load::{HorizontalForce, Reduced};
 pub use mode::{Corner, Mode, Modes, Slip};
 pub use motion::Motion;
+pub use situation::{Load, LoadKind, Situation, State, first_departure};
+pub use stability::{Actions, HeelPressure, Stability};

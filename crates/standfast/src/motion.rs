@@ -37,6 +37,22 @@ impl Motion {
         }
     }
 
+    /// The motion in other units: accelerations times `acceleration`, lengths times `length`, forces times `force`,
+    /// and θ̈ times `acceleration`/`length`.
+    pub fn scaled(&self, acceleration: f64, length: f64, force: f64) -> Motion {
+        Motion {
+            x_ddot: self.x_ddot * acceleration,
+            y_ddot: self.y_ddot * acceleration,
+            theta_ddot: self.theta_ddot * (acceleration / length),
+            f_x: self.f_x * force,
+            f_y: self.f_y * force,
+            xi: self.xi * length,
+            slip: self.slip * acceleration,
+            lift_o: self.lift_o * acceleration,
+            lift_o_prime: self.lift_o_prime * acceleration,
+        }
+    }
+
     /// The motion seen in a mirror: x to the left, θ clockwise, O and O' exchanged.
     pub fn mirrored(&self) -> Motion {
         // `0.0 − x` rather than `−x`, so that nothing becomes −0.

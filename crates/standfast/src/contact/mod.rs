@@ -52,9 +52,16 @@
 //! # Ok::<(), standfast::InputError>(())
 //! ```
 
-use std::cmp::Ordering::{self, Equal, Greater, Less};
+mod conditions;
 
-use crate::approx::{Approx, Signed};
+use conditions::{Numbers, Rotation, Verdict, conditions};
+
+pub mod path;
+pub mod plane;
+
+use std::ops::{Add, Mul};
+
+use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
 use crate::initiation::Point;
@@ -125,6 +132,25 @@ pub struct Wrench {
     pub m: f64,
 }
 
+impl Wrench {
+    /// No load.
+    pub const ZERO: Wrench = Wrench { x: 0.0, p: 0.0, m: 0.0 };
+}
+
+impl Add for Wrench {
+    type Output = Wrench;
+    fn add(self, other: Wrench) -> Wrench {
+        Wrench { x: self.x + other.x, p: self.p + other.p, m: self.m + other.m }
+    }
+}
+
+impl Mul<f64> for Wrench {
+    type Output = Wrench;
+    fn mul(self, factor: f64) -> Wrench {
+        Wrench { x: self.x * factor, p: self.p * factor, m: self.m * factor }
+    }
+}
+
 /// The consistent modes of a block under a wrench.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
@@ -166,7 +192,7 @@ pub fn solve(block: &Block, wrench: &Wrench) -> Result<Answer, InputError> {
 /// [`Point::mode`] and [`Point::others`] that shares no formula with them.
 pub fn enumerate(point: &Point) -> Modes {
     // ρ² = (1+γ²)/3 is no f64, but modes do not change if all inertia is trebled.
-    fn numbers<T: Real>(point: &Point) -> [T; 11] {
+    fn numbers<T: Real>(point: &Point) -> Numbers<T> {
         let [γ, k_prime, k, μ] =
             [point.slenderness(), point.elevation(), point.force(), point.friction()].map(T::of);
         let [one, three] = [1.0, 3.0].map(T::of);
@@ -178,158 +204,21 @@ pub fn enumerate(point: &Point) -> Modes {
 }
 
 /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
-fn numbers(block: &Block, wrench: &Wrench) -> [f64; 11] {
+fn numbers(block: &Block, wrench: &Wrench) -> Numbers<f64> {
     let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
     let Wrench { x, p, m } = *wrench;
     [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m]
 }
 
-/// The consistent modes and the one reported.
-struct Verdict {
-    modes: Modes,
-    mode: Option<Mode>,
-}
-
 /// The verdict by tracked floating point, or by exact arithmetic where that cannot tell.
-fn decide(approx: impl Fn() -> [Approx; 11], exact: impl Fn() -> [Exact; 11]) -> Verdict {
-    let verdict = consistent(approx()).or_else(|| consistent(exact()));
+fn decide(approx: impl Fn() -> Numbers<Approx>, exact: impl Fn() -> Numbers<Exact>) -> Verdict {
+    let verdict = Verdict::of(conditions(&approx())).or_else(|| Verdict::of(conditions(&exact())));
     verdict.expect("exact signs are always known")
 }
 
-/// Tries all ten modes; `None` if a sign is unknown.
-///
-/// The numbers are b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
-fn consistent<T: Signed>(numbers: [T; 11]) -> Option<Verdict> {
-    let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers.clone();
-    // The groups in which modes are reported, first to last.
-    let [mut rest, mut slides, mut regular, mut rocks, mut painlevé, mut flight] = [Modes::NONE; 6];
-    let zero = || T::of(0.0);
-    let mul = |a: &T, b: &T| a.clone() * b.clone();
-    let sub = |a: &T, b: &T| a.clone() - b.clone();
-    let signed = |slip: Slip, value: &T| match slip {
-        Slip::Left => -value.clone(),
-        Slip::Right => value.clone(),
-    };
-    // −b₁P ≤ Nξ ≤ b₂P: the reaction acts on the base.
-    let on_base = |moment: &T| -> Option<bool> {
-        let left = moment.clone() + mul(&b1, &p);
-        Some(left.sign()? != Less && sub(&mul(&b2, &p), moment).sign()? != Less)
-    };
-
-    let grip = mul(&mu_s, &p);
-    let too_far = |slip| Some(sub(&signed(slip, &x), &grip).sign()? == Greater);
-    let [pulled_left, pulled_right] = [too_far(Slip::Left)?, too_far(Slip::Right)?];
-    if !pulled_left && !pulled_right && on_base(&sub(&mul(&x, &d), &m))? {
-        rest.insert(Mode::Rest);
-    }
-    for (slip, pulled) in [(Slip::Left, pulled_left), (Slip::Right, pulled_right)] {
-        if pulled && on_base(&sub(&signed(slip, &mul(&mul(&mu_k, &d), &p)), &m))? {
-            slides.insert(Mode::slide(slip));
-        }
-    }
-
-    for corner in [Corner::O, Corner::OPrime] {
-        // σα > 0 lifts the other corner.
-        let (r, lifting) = match corner {
-            Corner::O => (-b1.clone(), Greater),
-            Corner::OPrime => (b2.clone(), Less),
-        };
-
-        // α = A/J with J > 0; all conditions times J.
-        let Rotation { moment, inertia } = Rotation::rocking(&numbers, corner);
-        if moment.sign()? == lifting {
-            let normal = sub(&mul(&p, &inertia), &mul(&m_y, &mul(&r, &moment)));
-            let tangential = mul(&x, &inertia) + mul(&m_x, &mul(&d, &moment));
-            let cone = mul(&mu_s, &normal);
-            if normal.sign()? != Less
-                && sub(&cone, &tangential).sign()? != Less
-                && (cone + tangential).sign()? != Less
-            {
-                rocks.insert(Mode::rock(corner));
-            }
-        }
-
-        for slip in [Slip::Left, Slip::Right] {
-            // α = A/J; all conditions times |J|.
-            let Rotation { moment, inertia } = Rotation::slipping(&numbers, corner, slip);
-            let orientation = inertia.sign()?;
-            let same = |sign: Ordering| if orientation == Less { sign.reverse() } else { sign };
-            if orientation == Equal || same(moment.sign()?) != lifting {
-                continue;
-            }
-            let normal = sub(&mul(&p, &inertia), &mul(&m_y, &mul(&r, &moment)));
-            let pull = sub(&mul(&x, &inertia), &signed(slip, &mul(&mu_k, &normal)));
-            let base = pull + mul(&m_x, &mul(&d, &moment));
-            if same(normal.sign()?) != Less && same(signed(slip, &base).sign()?) == Greater {
-                let group = if orientation == Greater { &mut regular } else { &mut painlevé };
-                group.insert(Mode::slide_rock(corner, slip));
-            }
-        }
-    }
-
-    if sub(&mu_s, &mu_k).sign()? == Greater {
-        let sticks = |corner| !rest.is_empty() || rocks.contains(Mode::rock(corner));
-        for corner in [Corner::O, Corner::OPrime].into_iter().filter(|corner| sticks(*corner)) {
-            for slip in [Slip::Left, Slip::Right] {
-                slides.remove(Mode::slide(slip));
-                regular.remove(Mode::slide_rock(corner, slip));
-                painlevé.remove(Mode::slide_rock(corner, slip));
-            }
-        }
-    }
-
-    // ÿ and α times m_y ρ².
-    let fall = mul(&p, &rho2);
-    let spin = mul(&m_y, &m);
-    if (zero() - fall.clone() - mul(&b1, &spin)).sign()? != Less
-        && (zero() - fall + mul(&b2, &spin)).sign()? != Less
-    {
-        flight.insert(Mode::Flight);
-    }
-
-    let groups = [rest, slides, regular, rocks, painlevé, flight];
-    let modes: Modes = groups.iter().flat_map(|group| group.iter()).collect();
-    let mode = groups.iter().find_map(|group| group.iter().next());
-    Some(Verdict { modes, mode })
-}
-
-/// The rotation about a corner, α = `moment`/`inertia`.
-struct Rotation<T> {
-    moment: T,
-    inertia: T,
-}
-
-impl<T: Real> Rotation<T> {
-    /// α = (Pr − Xd + M)/(ρ² + m_xd² + m_yr²).
-    fn rocking(numbers: &[T; 11], corner: Corner) -> Rotation<T> {
-        let [_, _, d, rho2, m_x, m_y, _, _, x, p, m] = numbers.clone();
-        let r = position(numbers, corner);
-        Rotation {
-            moment: p * r.clone() - x * d.clone() + m,
-            inertia: rho2 + m_x * d.clone() * d + m_y * r.clone() * r,
-        }
-    }
-
-    /// α = (Pc + M)/(ρ² + m_yrc), c = r − sμ_kd.
-    fn slipping(numbers: &[T; 11], corner: Corner, slip: Slip) -> Rotation<T> {
-        let [_, _, d, rho2, _, m_y, _, mu_k, _, p, m] = numbers.clone();
-        let r = position(numbers, corner);
-        let c = r.clone() - T::of(slip.sign()) * mu_k * d;
-        Rotation { moment: p * c.clone() + m, inertia: rho2 + m_y * r * c }
-    }
-}
-
-/// r: −b₁ at O, b₂ at O'.
-fn position<T: Real>(numbers: &[T; 11], corner: Corner) -> T {
-    match corner {
-        Corner::O => -numbers[0].clone(),
-        Corner::OPrime => numbers[1].clone(),
-    }
-}
-
 /// α of a mode that turns about a corner, with its sign and digits right however much cancels.
-fn rotation(numbers: [f64; 11], corner: Corner, slip: Option<Slip>) -> f64 {
-    fn of<T: Real>(numbers: [f64; 11], corner: Corner, slip: Option<Slip>) -> Rotation<T> {
+fn rotation(numbers: Numbers<f64>, corner: Corner, slip: Option<Slip>) -> f64 {
+    fn of<T: Real>(numbers: Numbers<f64>, corner: Corner, slip: Option<Slip>) -> Rotation<T> {
         let numbers = numbers.map(T::of);
         match slip {
             Some(slip) => Rotation::slipping(&numbers, corner, slip),

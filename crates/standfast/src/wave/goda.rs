@@ -1,0 +1,149 @@
+//! The pressures, their resultants, and every number on the way to them.
+
+use std::f64::consts::TAU;
+
+use super::heights::breaking_depth;
+use super::{Choices, DesignHeights, Heights, Sea, Section, Warning, deep_water_wavelength, wavelength};
+use crate::error::InputError;
+
+/// Goda's pressures on a wall and everything they were computed from; SI units, per metre run. Fields carry the names
+/// of the [module's table](super).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Goda {
+    /// β after the turn towards the normal, degrees.
+    pub angle_deg: f64,
+    /// Computed from deep water, or `None` where the heights were given at the wall.
+    pub heights: Option<DesignHeights>,
+    /// H_1/3, m.
+    pub h_13: f64,
+    /// H_max, m.
+    pub h_max: f64,
+    /// L₀, m.
+    pub deep_water_wavelength: f64,
+    /// L, m.
+    pub wavelength: f64,
+    /// h_b, m.
+    pub h_b: f64,
+    /// η*, m: how far above still water the pressure would reach.
+    pub eta_star: f64,
+    /// α₁.
+    pub alpha_1: f64,
+    /// α₂.
+    pub alpha_2: f64,
+    /// α₃.
+    pub alpha_3: f64,
+    /// α₄.
+    pub alpha_4: f64,
+    /// α_I, Takahashi's impulsive coefficient, whether used or not.
+    pub alpha_impulsive: f64,
+    /// α*, the larger of α₂ and α_I, or α₂.
+    pub alpha_star: f64,
+    /// h_c*, m: how far above still water the pressure reaches on the wall.
+    pub h_c_star: f64,
+    /// p₁ at still water, Pa.
+    pub p1: f64,
+    /// p₃ at the base, Pa.
+    pub p3: f64,
+    /// p₄ at the top of the loaded wall, Pa.
+    pub p4: f64,
+    /// p_u at the seaward toe, Pa; zero at the heel.
+    pub pu: f64,
+    /// P, N/m: horizontal force on the wall.
+    pub force: f64,
+    /// M_p, N·m/m: its moment about the base.
+    pub force_moment: f64,
+    /// U, N/m: uplift.
+    pub uplift: f64,
+    /// M_U, N·m/m: its moment about the heel.
+    pub uplift_moment: f64,
+    /// What leaves the range of the formulas.
+    pub warnings: Vec<Warning>,
+}
+
+/// The wave pressures on a wall.
+///
+/// # Errors
+/// If a number is not finite or not possible: a berm deeper than the sea, a crest under water, a maximum wave below
+/// the significant one, a turn beyond 15 degrees.
+pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) -> Result<Goda, InputError> {
+    sea.check()?;
+    heights.check()?;
+    section.check(sea)?;
+    choices.check()?;
+
+    let Sea { water_depth: h, period, water_density: ρ, gravity: g, .. } = *sea;
+    let Section { base_depth, depth_above_berm: d, crest_height, caisson_width, .. } = *section;
+    let [λ1, λ2, λ3] = choices.lambda;
+
+    let l0 = deep_water_wavelength(period, g);
+    let l = wavelength(period, h, g);
+    let (computed, h_13, h_max) = match *heights {
+        Heights::DeepWater(height) => {
+            let computed = DesignHeights::from_deep_water(sea, height);
+            (Some(computed), computed.significant, computed.maximum)
+        }
+        Heights::Local { significant, maximum } => (None, significant, maximum),
+    };
+    let h_b = breaking_depth(sea, h_13);
+    let angle_deg = (sea.angle_deg - choices.turn_deg).max(0.0);
+    let cos_β = angle_deg.to_radians().cos();
+
+    let κh = TAU * h / l;
+    let η_star = 0.75 * (1.0 + cos_β) * λ1 * h_max;
+    let α1 = 0.6 + 0.5 * (2.0 * κh / (2.0 * κh).sinh()).powi(2);
+    let α2 = ((h_b - d) / (3.0 * h_b) * (h_max / d).powi(2)).min(2.0 * d / h_max);
+    let α3 = 1.0 - base_depth / h * (1.0 - 1.0 / κh.cosh());
+    let h_c_star = η_star.min(crest_height);
+    let α4 = 1.0 - h_c_star / η_star;
+    let α_impulsive = impulsive(h_max, h, d, section.berm_width / l);
+    let α_star = if choices.impulsive { α2.max(α_impulsive) } else { α2 };
+
+    let obliquity = 0.5 * (1.0 + cos_β);
+    let p1 = obliquity * (λ1 * α1 + λ2 * α_star * cos_β * cos_β) * ρ * g * h_max;
+    // A base so deep that α₃ is negative would be sucked at; there is no pressure then, and a warning.
+    let p3 = α3.max(0.0) * p1;
+    let p4 = α4 * p1;
+    let pu = obliquity * λ3 * α1 * α3.max(0.0) * ρ * g * h_max;
+    let uplift = 0.5 * pu * caisson_width;
+    let mut goda = Goda {
+        angle_deg,
+        heights: computed,
+        h_13,
+        h_max,
+        deep_water_wavelength: l0,
+        wavelength: l,
+        h_b,
+        eta_star: η_star,
+        alpha_1: α1,
+        alpha_2: α2,
+        alpha_3: α3,
+        alpha_4: α4,
+        alpha_impulsive: α_impulsive,
+        alpha_star: α_star,
+        h_c_star,
+        p1,
+        p3,
+        p4,
+        pu,
+        force: 0.5 * (p1 + p3) * base_depth + 0.5 * (p1 + p4) * h_c_star,
+        force_moment: (2.0 * p1 + p3) * base_depth * base_depth / 6.0
+            + (p1 + p4) * base_depth * h_c_star / 2.0
+            + (p1 + 2.0 * p4) * h_c_star * h_c_star / 6.0,
+        uplift,
+        uplift_moment: 2.0 / 3.0 * uplift * caisson_width,
+        warnings: Vec::new(),
+    };
+    goda.warnings = Warning::all(sea, heights, section, &goda);
+    Ok(goda)
+}
+
+/// α_I (Takahashi, Tanimoto and Shimosako 1994), for the berm width relative to the wavelength.
+fn impulsive(h_max: f64, h: f64, d: f64, relative_width: f64) -> f64 {
+    let (width, height) = (relative_width - 0.12, (h - d) / h - 0.6);
+    let δ11 = 0.93 * width + 0.36 * height;
+    let δ22 = -0.36 * width + 0.93 * height;
+    let δ1 = if δ11 <= 0.0 { 20.0 } else { 15.0 } * δ11;
+    let δ2 = if δ22 <= 0.0 { 4.9 } else { 3.0 } * δ22;
+    let α_i1 = if δ2 <= 0.0 { δ2.cos() / δ1.cosh() } else { 1.0 / (δ1.cosh() * δ2.cosh().sqrt()) };
+    (h_max / d).min(2.0) * α_i1
+}

@@ -1,0 +1,45 @@
+//! Design wave heights at the wall from the deep-water height, by Goda's formulas for random waves breaking on a slope.
+
+use super::{Sea, deep_water_wavelength, shoaling};
+
+/// Wave heights at the wall and what they were computed from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DesignHeights {
+    /// K_s, linear shoaling at the wall.
+    pub shoaling: f64,
+    /// H_1/3 at the wall, m.
+    pub significant: f64,
+    /// h_b = h + 5 H_1/3 tanθ, the depth five significant heights in front of the wall, m.
+    pub breaking_depth: f64,
+    /// H_max, m.
+    pub maximum: f64,
+}
+
+impl DesignHeights {
+    /// The heights for the equivalent deep-water height H₀' (m). Formulas for breaking waves hold for h/L₀ < 0.2;
+    /// deeper water only shoals.
+    pub(super) fn from_deep_water(sea: &Sea, height: f64) -> DesignHeights {
+        let Sea { water_depth: h, sea_bottom_slope: t, period, gravity, .. } = *sea;
+        let l0 = deep_water_wavelength(period, gravity);
+        let k_s = shoaling(period, h, gravity);
+        let steepness = height / l0;
+        let shallow = h / l0 < 0.2;
+        // min{β₀H₀' + β₁h, β_max H₀', K_s H₀'}, for H_1/3 at h and for H_max at h_b.
+        let limited = |depth: f64, [c0, c1, s1, least, c_max]: [f64; 5], shoaled: f64| {
+            let β0 = c0 * steepness.powf(-0.38) * (20.0 * t.powf(1.5)).exp();
+            let β1 = c1 * (s1 * t).exp();
+            let β_max = (c_max * steepness.powf(-0.29) * (2.4 * t).exp()).max(least);
+            let breaking = (β0 * height + β1 * depth).min(β_max * height);
+            if shallow { breaking.min(shoaled) } else { shoaled }
+        };
+        let significant = limited(h, [0.028, 0.52, 4.2, 0.92, 0.32], k_s * height);
+        let breaking_depth = breaking_depth(sea, significant);
+        let maximum = limited(breaking_depth, [0.052, 0.63, 3.8, 1.65, 0.53], 1.8 * k_s * height);
+        DesignHeights { shoaling: k_s, significant, breaking_depth, maximum }
+    }
+}
+
+/// h_b, m.
+pub(super) fn breaking_depth(sea: &Sea, significant: f64) -> f64 {
+    sea.water_depth + 5.0 * significant * sea.sea_bottom_slope
+}

@@ -1,0 +1,191 @@
+//! Wave loads on a vertical caisson: Goda's pressures, with Takahashi's coefficient for impulsive breaking.
+//!
+//! ```text
+//!                      ┌────────────┐ ─┬─
+//!     p₄ at h_c* ───►  │            │  h_c
+//!  ~~~~~~~~~~ p₁ ───►  │            │ ─┼─ still water
+//!                      │            │  │
+//!   d                  │            │  h'
+//!   berm ── p₃ ─────►  │            │ ─┴─
+//!  ────────────────────┴────────────┴───
+//!                  p_u ▲▲▲▲▲▲▲▲  0
+//!                      toe      heel
+//! ```
+//!
+//! The symbols of this module are Goda's, and clash with the report's (P, d, h', H, k); nothing of them leaves it
+//! but a force, an uplift and their moments. SI units, per metre run of caisson.
+//!
+//! | symbol | identifier | meaning |
+//! |---|---|---|
+//! | H | `h_max` | design wave height H_max |
+//! | h, tanθ | `water_depth`, `sea_bottom_slope` | depth at the wall, slope of the sea bed |
+//! | h_b | `h_b` | depth at 5 H_1/3 in front of the wall |
+//! | d, B_M | `depth_above_berm`, `berm_width` | depth above the berm's armour, width of the berm |
+//! | h', h_c | `base_depth`, `crest_height` | depth of the caisson's base, height of its crest above still water |
+//! | β | `angle_deg` | angle of the waves from the wall's normal |
+//! | L, L₀ | `wavelength`, `deep_water_wavelength` | at the depth h, and in deep water, for T_1/3 |
+//!
+//! ```text
+//! η* = 0.75(1+cosβ) λ₁ H
+//! α₁ = 0.6 + 0.5[(4πh/L)/sinh(4πh/L)]²         α₂ = min{(h_b−d)/(3h_b)·(H/d)², 2d/H}
+//! α₃ = 1 − (h'/h)[1 − 1/cosh(2πh/L)]           α₄ = 1 − h_c*/η*,  h_c* = min(η*, h_c)
+//! p₁ = ½(1+cosβ)(λ₁α₁ + λ₂α*cos²β) ρgH         α* = max(α₂, α_I), or α₂ without the impulsive coefficient
+//! p₃ = α₃p₁,  p₄ = α₄p₁                        p_u = ½(1+cosβ) λ₃α₁α₃ ρgH
+//! P = ½(p₁+p₃)h' + ½(p₁+p₄)h_c*                U = ½p_uB_c,  M_U = ⅔UB_c
+//! M_p = (2p₁+p₃)h'²/6 + (p₁+p₄)h'h_c*/2 + (p₁+2p₄)h_c*²/6
+//! ```
+//!
+//! References: Y. Goda, *Random Seas and Design of Maritime Structures*; S. Takahashi, K. Tanimoto, K. Shimosako (1994)
+//! for the impulsive coefficient. Validity: a wall on a berm, waves that do not overtop so far that the pressure is
+//! relieved; [`Warning`] names what leaves the range of the formulas.
+
+mod added_mass;
+mod dispersion;
+mod goda;
+mod heights;
+mod warning;
+
+pub use added_mass::added_mass;
+pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
+pub use goda::{Goda, goda};
+pub use heights::DesignHeights;
+pub use warning::Warning;
+
+use crate::error::InputError;
+
+/// The sea in front of the wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sea {
+    /// h, m.
+    pub water_depth: f64,
+    /// tanθ.
+    pub sea_bottom_slope: f64,
+    /// T_1/3, s.
+    pub period: f64,
+    /// β, degrees from the wall's normal, used as given.
+    pub angle_deg: f64,
+    /// ρ, kg/m³.
+    pub water_density: f64,
+    /// g, m/s².
+    pub gravity: f64,
+}
+
+/// How the waves are given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Heights {
+    /// The equivalent deep-water height H₀' (m), from which the heights at the wall are computed.
+    DeepWater(f64),
+    /// The heights at the wall.
+    Local {
+        /// H_1/3, m.
+        significant: f64,
+        /// H_max, m.
+        maximum: f64,
+    },
+}
+
+/// The caisson and its berm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// h', depth of the caisson's base below still water, m.
+    pub base_depth: f64,
+    /// d, depth above the berm's armour, m.
+    pub depth_above_berm: f64,
+    /// h_c, height of the crest above still water, m.
+    pub crest_height: f64,
+    /// B_M, m.
+    pub berm_width: f64,
+    /// B_c, m.
+    pub caisson_width: f64,
+}
+
+/// Choices in the formulas.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choices {
+    /// λ₁, λ₂, λ₃: factors on the standing, the breaking and the uplift pressure; 1 for a plain wall.
+    pub lambda: [f64; 3],
+    /// Whether α* takes Takahashi's impulsive coefficient α_I into account.
+    pub impulsive: bool,
+    /// By how much the waves are turned towards the normal, at most to it: 0 to 15 degrees.
+    pub turn_deg: f64,
+}
+
+impl Default for Choices {
+    /// A plain wall, with the impulsive coefficient, waves not turned.
+    fn default() -> Choices {
+        Choices { lambda: [1.0; 3], impulsive: true, turn_deg: 0.0 }
+    }
+}
+
+impl Sea {
+    fn check(&self) -> Result<(), InputError> {
+        InputError::positive("water depth", self.water_depth)?;
+        InputError::not_negative("sea bottom slope", self.sea_bottom_slope)?;
+        InputError::positive("wave period", self.period)?;
+        InputError::within(
+            "wave angle",
+            self.angle_deg,
+            0.0,
+            90.0,
+            "from 0 to 90 degrees from the wall's normal",
+        )?;
+        InputError::positive("water density", self.water_density)?;
+        InputError::positive("gravity", self.gravity)?;
+        Ok(())
+    }
+}
+
+impl Heights {
+    fn check(&self) -> Result<(), InputError> {
+        match *self {
+            Heights::DeepWater(height) => {
+                InputError::positive("deep-water wave height", height)?;
+            }
+            Heights::Local { significant, maximum } => {
+                InputError::positive("significant wave height", significant)?;
+                InputError::positive("maximum wave height", maximum)?;
+                if maximum < significant {
+                    let expected = "no less than the significant wave height";
+                    return Err(InputError { quantity: "maximum wave height", value: maximum, expected });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Section {
+    fn check(&self, sea: &Sea) -> Result<(), InputError> {
+        InputError::positive("depth of the base", self.base_depth)?;
+        InputError::positive("depth above the berm", self.depth_above_berm)?;
+        if self.depth_above_berm > sea.water_depth {
+            let expected = "no more than the water depth: the berm lies on the sea bed";
+            return Err(InputError {
+                quantity: "depth above the berm",
+                value: self.depth_above_berm,
+                expected,
+            });
+        }
+        InputError::finite("crest height", self.crest_height)?;
+        if self.crest_height <= 0.0 {
+            let expected = "above zero: the crest has to stand above still water";
+            return Err(InputError { quantity: "crest height", value: self.crest_height, expected });
+        }
+        InputError::not_negative("berm width", self.berm_width)?;
+        InputError::positive("caisson width", self.caisson_width)?;
+        Ok(())
+    }
+}
+
+impl Choices {
+    fn check(&self) -> Result<(), InputError> {
+        for (name, factor) in
+            ["factor lambda1", "factor lambda2", "factor lambda3"].into_iter().zip(self.lambda)
+        {
+            InputError::not_negative(name, factor)?;
+        }
+        InputError::positive("factor lambda1", self.lambda[0])?;
+        InputError::within("turn of the waves", self.turn_deg, 0.0, 15.0, "from 0 to 15 degrees")?;
+        Ok(())
+    }
+}

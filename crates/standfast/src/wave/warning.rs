@@ -1,0 +1,105 @@
+//! What leaves the range in which the formulas were found.
+
+use std::fmt;
+
+use super::{Goda, Heights, Sea, Section, shoaling};
+
+/// A condition outside the formulas' range, with the values that triggered it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Warning {
+    /// The berm or the bed may make the waves break onto the wall, with impulsive pressures beyond these.
+    ImpulsiveBreaking {
+        /// B_M/L.
+        berm_width_ratio: f64,
+        /// d/h.
+        berm_depth_ratio: f64,
+        /// tanθ.
+        bed_slope: f64,
+        /// H₀'/L₀.
+        steepness: f64,
+    },
+    /// h/L₀ ≥ 0.2: heights are shoaled from deep water without breaking.
+    DeepWater {
+        /// h/L₀.
+        ratio: f64,
+    },
+    /// H_max is above Miche's limit 0.142 L tanh(2πh/L) for the depth at the wall.
+    HigherThanBreaking {
+        /// H_max, m.
+        height: f64,
+        /// The limit, m.
+        limit: f64,
+    },
+    /// α₃ ≤ 0: the base is so deep that the formula would suck at it; no pressure is taken there.
+    NoPressureAtBase {
+        /// α₃.
+        alpha_3: f64,
+    },
+}
+
+impl Warning {
+    pub(super) fn all(sea: &Sea, heights: &Heights, section: &Section, goda: &Goda) -> Vec<Warning> {
+        let h = sea.water_depth;
+        let berm_width_ratio = section.berm_width / goda.wavelength;
+        let berm_depth_ratio = section.depth_above_berm / h;
+        let mut warnings = Vec::new();
+
+        let bed_slope = sea.sea_bottom_slope;
+        // From a height at the wall, the deep-water height that shoals to it.
+        let deep_water_height = match *heights {
+            Heights::DeepWater(height) => height,
+            Heights::Local { significant, .. } => significant / shoaling(sea.period, h, sea.gravity),
+        };
+        let steepness = deep_water_height / goda.deep_water_wavelength;
+        let narrow_berm = berm_width_ratio < 0.02 && bed_slope > 0.02 && steepness < 0.03;
+        let high_berm = berm_width_ratio > 0.02 && berm_width_ratio < 0.3 && berm_depth_ratio < 0.6;
+        let steep_front = goda.angle_deg < 20.0 && section.crest_height / goda.h_13 > 0.3;
+        if steep_front && (narrow_berm || high_berm) {
+            warnings.push(Warning::ImpulsiveBreaking {
+                berm_width_ratio,
+                berm_depth_ratio,
+                bed_slope,
+                steepness,
+            });
+        }
+        let ratio = h / goda.deep_water_wavelength;
+        if ratio >= 0.2 && matches!(heights, Heights::DeepWater(_)) {
+            warnings.push(Warning::DeepWater { ratio });
+        }
+        let limit = 0.142 * goda.wavelength * (std::f64::consts::TAU * h / goda.wavelength).tanh();
+        if goda.h_max > limit {
+            warnings.push(Warning::HigherThanBreaking { height: goda.h_max, limit });
+        }
+        if goda.alpha_3 <= 0.0 {
+            warnings.push(Warning::NoPressureAtBase { alpha_3: goda.alpha_3 });
+        }
+        warnings
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Warning::ImpulsiveBreaking { berm_width_ratio, berm_depth_ratio, bed_slope, steepness } => {
+                write!(
+                    f,
+                    "impulsive breaking is possible: berm width B_M/L = {berm_width_ratio:.3}, depth above the berm \
+                 d/h = {berm_depth_ratio:.3}, bed slope {bed_slope:.3}, steepness H0'/L0 = {steepness:.4}; the \
+                 pressures may be exceeded"
+                )
+            }
+            Warning::DeepWater { ratio } => write!(
+                f,
+                "h/L0 = {ratio:.3} is not below 0.2: wave heights are shoaled from deep water without breaking"
+            ),
+            Warning::HigherThanBreaking { height, limit } => write!(
+                f,
+                "H_max = {height:.2} m is above the breaking limit {limit:.2} m at the wall's depth \
+                 (0.142 L tanh 2πh/L)"
+            ),
+            Warning::NoPressureAtBase { alpha_3 } => {
+                write!(f, "alpha_3 = {alpha_3:.3}: no pressure is taken at so deep a base")
+            }
+        }
+    }
+}

@@ -1,0 +1,452 @@
+//! Loads in SI units, their reduction to the report's plane, and the way to the full load: the special cases that have
+//! to come out of the one general problem.
+
+mod common;
+
+use common::Random;
+use standfast::LoadKind::{Horizontal, Uplift, Weight};
+use standfast::contact::path::stages;
+use standfast::contact::plane::regions;
+use standfast::contact::{Block, Wrench, solve};
+use standfast::initiation::Chart;
+use standfast::{Actions, Body, Mode, Modes, Point, Situation, first_departure};
+
+const G: f64 = 9.81;
+
+/// Whether a point lies within rounding of a change of mode, where two ways to compute it may differ.
+fn near_boundary(point: &Point) -> bool {
+    let near = |at: f64, value: f64| (at - value).abs() <= 1e-9 * (at.abs() + value.abs());
+    let (margins, chart) = (point.margins(), point.chart());
+    // N begins where no mode changes.
+    let curves = [chart.upper_line(), chart.lower_line(), chart.mu_star()];
+    curves.iter().any(|curve| near(curve.at(point.force()), point.friction()))
+        || near(chart.k_a(), point.force())
+        || margins.along_force.iter().any(|crossing| near(crossing.at, point.force()))
+        || margins.along_friction.iter().any(|crossing| near(crossing.at, point.friction()))
+}
+
+fn all_modes(point: &Point) -> Modes {
+    let mut modes = point.others();
+    modes.insert(point.mode());
+    modes
+}
+
+/// Force in air: X = −k, P = 1, M = k k'γ.
+#[test]
+fn a_force_in_air_is_the_report_s_problem() {
+    let mut random = Random(41);
+    let mut compared = 0;
+    while compared < 100_000 {
+        let [gamma, k_prime, k, mu] = random.point();
+        let point = Point::new(gamma, k_prime, k, mu).unwrap();
+        if near_boundary(&point) {
+            continue;
+        }
+        let wrench = Wrench { x: -k, p: 1.0, m: k * k_prime * gamma };
+        let answer = solve(&Block::uniform(gamma, mu), &wrench).unwrap();
+        assert_eq!(answer.modes, all_modes(&point), "{point:?}");
+        assert_eq!(answer.mode(), Some(point.mode()), "{point:?}");
+        compared += 1;
+    }
+}
+
+/// Any wrench on a uniform block with P > 0 is a point (k_eff, k'_eff), mirrored if X points right, with the motion
+/// times P.
+#[test]
+fn any_wrench_on_a_uniform_block_is_a_point_of_the_report_s_plane() {
+    let mut random = Random(42);
+    let mut compared = 0;
+    while compared < 100_000 {
+        let (width, height) = (random.uniform(1.0, 20.0), random.uniform(1.0, 20.0));
+        let body = Body::new(width, height, random.log(1e2, 1e6)).unwrap();
+        let weight = body.mass() * G;
+        let wrench = Wrench {
+            x: random.uniform(-3.0, 3.0) * weight,
+            p: random.uniform(0.01, 3.0) * weight,
+            m: random.uniform(-3.0, 3.0) * weight * width,
+        };
+        let situation = Situation::new(body, random.log(0.05, 5.0), G).permanent(Weight, wrench);
+        let state = situation.at(0.0).unwrap();
+        let reduced = state.effective.unwrap();
+        if near_boundary(&reduced.point) {
+            continue;
+        }
+        let wrench = situation.reduced_wrench(&wrench);
+        let general = solve(&situation.block(), &wrench).unwrap();
+        assert_eq!(general.modes, state.modes, "{situation:?}");
+        assert_eq!(general.mode(), state.mode, "{situation:?}");
+        let ours = state.motion.unwrap();
+        let theirs = general.motion(state.mode.unwrap()).unwrap().scaled(G, width / 2.0, weight);
+        let size = 1.0
+            + theirs.theta_ddot.abs() * (width + height)
+            + theirs.x_ddot.abs()
+            + state.wrench.p / body.mass();
+        if size < 1e4 {
+            for (ours, theirs) in [
+                (ours.x_ddot, theirs.x_ddot),
+                (ours.y_ddot, theirs.y_ddot),
+                (ours.theta_ddot * width, theirs.theta_ddot * width),
+                (ours.f_x / body.mass(), theirs.f_x / body.mass()),
+                (ours.f_y / body.mass(), theirs.f_y / body.mass()),
+                (ours.slip, theirs.slip),
+            ] {
+                assert!((ours - theirs).abs() <= 1e-8 * size, "{situation:?}: {ours} {theirs}");
+            }
+        }
+        compared += 1;
+    }
+}
+
+/// Base pressures p₁ at O and p₂ at O': P = 1 − (p₁+p₂)B/(mg), M = (p₂−p₁)B/(3mg), lengths in B.
+#[test]
+fn buoyancy_and_uplift_lower_p_and_turn() {
+    let mut random = Random(43);
+    for _ in 0..100_000 {
+        let body =
+            Body::new(random.uniform(1.0, 20.0), random.uniform(1.0, 20.0), random.log(1e3, 1e6)).unwrap();
+        let (half_width, weight) = (body.width() / 2.0, body.mass() * G);
+        let [p1, p2] = [0, 1].map(|_| random.uniform(0.0, 1.0) * weight / half_width);
+        let situation = Situation::new(body, 0.6, G);
+        let reduced = situation.reduced_wrench(&(body.weight(G) + body.base_pressure(p1, p2)));
+        let close = |one: f64, two: f64| (one - two).abs() <= 1e-12 * (1.0 + two.abs());
+        assert!(close(reduced.p, 1.0 - (p1 + p2) * half_width / weight));
+        assert!(close(reduced.m, (p2 - p1) * half_width / (3.0 * weight)));
+        assert_eq!(reduced.x, 0.0);
+    }
+}
+
+/// Base excitation, Shenton's problem: k' = 0, k = a_h/(1 + a_v), with the regions in closed form.
+#[test]
+fn base_excitation_has_its_regions() {
+    let mut random = Random(44);
+    let mut compared = 0;
+    while compared < 100_000 {
+        let body = Body::new(2.0, 2.0 * random.uniform(0.2, 6.0), random.log(1e2, 1e5)).unwrap();
+        let γ = body.slenderness();
+        let (a_h, a_v, μ) = (random.uniform(0.01, 3.0), random.uniform(-0.9, 1.0), random.uniform(0.0, 3.0));
+        let situation = Situation::new(body, μ, G)
+            .permanent(Weight, body.weight(G))
+            .variable(Horizontal, body.base_acceleration(a_h * G, a_v * G));
+        let state = situation.at(1.0).unwrap();
+        let k = a_h / (1.0 + a_v);
+        let μ_rock = ((4.0 + γ * γ) * k + 3.0 * γ) / (1.0 + 4.0 * γ * γ + 3.0 * γ * k);
+        let gaps = [μ - k, γ * k - 1.0, γ * μ - 1.0, μ - μ_rock];
+        if gaps.iter().any(|gap| gap.abs() < 1e-9) {
+            continue;
+        }
+        let expected = if μ > k && k * γ < 1.0 {
+            Mode::Rest
+        } else if μ < k && μ * γ < 1.0 {
+            Mode::SlideLeft
+        } else if μ > μ_rock {
+            Mode::RockO
+        } else {
+            Mode::SlideRockOLeft
+        };
+        assert_eq!(state.mode, Some(expected), "γ {γ}, a_h {a_h}, a_v {a_v}, μ {μ}");
+        let general = solve(&situation.block(), &situation.reduced_wrench(&state.wrench)).unwrap();
+        assert_eq!(general.mode(), Some(expected));
+        assert!(state.is_unique());
+        compared += 1;
+    }
+}
+
+/// Added mass slows the slide, and rocking by its moment; it turns the same wrench into other modes.
+#[test]
+fn added_mass_enters_the_inertia() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    let with = |friction, force| {
+        let body_in_water = Situation { added_mass: 500.0, ..Situation::new(body, friction, 10.0) };
+        body_in_water.permanent(Weight, body.weight(10.0)).variable(Horizontal, force)
+    };
+    let slide = with(0.2, body.horizontal_force(-5000.0, 1.0)).at(1.0).unwrap();
+    assert_eq!(slide.mode, Some(Mode::SlideLeft));
+    assert!(slide.effective.is_none());
+    // (μ m g − F)/(m + M_a)
+    assert!((slide.motion.unwrap().x_ddot - (2000.0 - 5000.0) / 1500.0).abs() < 1e-12);
+    let rock = with(9.0, body.horizontal_force(-15000.0, 2.0)).at(1.0).unwrap();
+    assert_eq!(rock.mode, Some(Mode::RockO));
+    // (F·2H − m g B)/(I + (m + M_a)H² + m B²)
+    let expected = (15000.0 * 2.0 - 10_000.0) / (1000.0 * 2.0 / 3.0 + 1500.0 + 1000.0);
+    assert!((rock.motion.unwrap().theta_ddot - expected).abs() < 1e-12 * expected);
+}
+
+/// The same on random bodies: what slides or rocks obeys the equations of motion with m + M_a against ẍ.
+#[test]
+fn added_mass_obeys_the_equations_of_motion() {
+    let mut random = Random(48);
+    let mut seen = Modes::NONE;
+    for _ in 0..100_000 {
+        let (width, height) = (random.uniform(1.0, 20.0), random.uniform(1.0, 20.0));
+        let body = Body::new(width, height, random.log(1e3, 1e6)).unwrap();
+        let (mass, weight) = (body.mass(), body.mass() * G);
+        let added = mass * random.uniform(0.0, 2.0);
+        let force = body.horizontal_force(-random.uniform(0.0, 2.0) * weight, random.uniform(0.0, height));
+        let situation = Situation { added_mass: added, ..Situation::new(body, random.log(0.05, 2.0), G) }
+            .permanent(Weight, body.weight(G))
+            .variable(Horizontal, force);
+        let state = situation.at(1.0).unwrap();
+        let motion = state.motion.unwrap();
+        seen.insert(state.mode.unwrap());
+        let size = weight * (1.0 + motion.theta_ddot.abs() * (width + height) / G);
+        let balance = (mass + added) * motion.x_ddot - motion.f_x - force.x;
+        assert!(balance.abs() <= 1e-9 * size, "{situation:?}");
+        assert!((mass * motion.y_ddot - motion.f_y + weight).abs() <= 1e-9 * size, "{situation:?}");
+        let moment = body.moment_of_inertia() * motion.theta_ddot
+            - motion.f_x * body.centroid_height()
+            - motion.f_y * motion.xi
+            - force.m;
+        assert!(moment.abs() <= 1e-9 * size * (width + height), "{situation:?}");
+    }
+    assert!(seen.len() >= 4, "{seen}");
+}
+
+/// Forces and pressures by their moments about O, for a body with an eccentric centre of mass and an unequal base.
+#[test]
+fn loads_have_their_moments() {
+    let body =
+        Body::new(10.0, 8.0, 1e5).unwrap().with_centroid(0.5, 3.0).unwrap().with_base(4.0, 5.0).unwrap();
+    assert_eq!((body.heel_distance(), body.toe_distance(), body.base_width()), (4.5, 4.5, 9.0));
+    assert!(!body.is_uniform());
+    // Moments about O, counter-clockwise: M − P·(−b₁)… = M + X d·(−1)… from the wrench at C.
+    let about_o =
+        |wrench: Wrench| wrench.m - wrench.p * body.heel_distance() - wrench.x * body.centroid_height();
+    assert_eq!(about_o(body.weight(10.0)), -1e6 * 4.5);
+    assert_eq!(about_o(body.horizontal_force(-100.0, 6.0)), 600.0);
+    assert_eq!(about_o(body.vertical_force(100.0, 2.0)), -200.0);
+    let pressure = body.base_pressure(6.0, 12.0); // 81 N/m at 5 m from O
+    assert_eq!(pressure.p, -81.0);
+    assert!((about_o(pressure) - 81.0 * 5.0).abs() < 1e-9);
+    // 1000·10·(5² − 2²)/2 to the left; moments of both triangles, and of the base.
+    let water = body.still_water(2.0, 5.0, 10_000.0).unwrap();
+    assert_eq!((water.sides.x, water.sides.p), (-105_000.0, 0.0));
+    assert_eq!((water.base.x, water.base.p), (0.0, -(20_000.0 + 50_000.0) / 2.0 * 9.0));
+    assert!((about_o(water.sides) - (125_000.0 * 5.0 / 3.0 - 20_000.0 * 2.0 / 3.0)).abs() < 1e-6);
+    assert!((about_o(water.base) - (20_000.0 + 2.0 * 50_000.0) / 6.0 * 81.0).abs() < 1e-6);
+}
+
+#[test]
+fn impossible_bodies_and_water_are_refused() {
+    let body = Body::new(10.0, 8.0, 1e5).unwrap();
+    assert_eq!(
+        body.with_centroid(5.5, 4.0).unwrap_err().to_string(),
+        "offset of the centre of mass is 5.5; expected one that lies between O and O'"
+    );
+    assert!(body.with_base(-1.0, 0.5).is_err());
+    assert!(body.with_moment_of_inertia(0.0).is_err());
+    assert_eq!(
+        body.still_water(3.0, 8.5, 1e4).unwrap_err().to_string(),
+        "water level is 8.5; expected no more than the height of the body: its crest has to stand above still water"
+    );
+}
+
+/// P ≤ 0 is an answer: the body is lifted, and flies or is carried off.
+#[test]
+fn a_floating_body_is_an_answer() {
+    let body = Body::new(10.0, 8.0, 5e4).unwrap();
+    let situation = Situation::new(body, 0.6, G)
+        .permanent(Weight, body.weight(G))
+        .permanent(Weight, body.still_water(7.0, 7.0, 1025.0 * G).unwrap().base);
+    let state = situation.at(0.0).unwrap();
+    assert!(state.is_lifted());
+    assert_eq!(state.mode, Some(Mode::Flight));
+    assert!(state.effective.is_none());
+}
+
+/// A random body, friction and pair of wrenches.
+fn random_path(random: &mut Random) -> (Block, Wrench, Wrench) {
+    let mut block = Block::uniform(random.uniform(0.3, 4.0), random.log(0.1, 4.0));
+    if random.coin() {
+        block.b1 *= random.uniform(0.5, 1.5);
+        block.m_x += random.uniform(0.0, 1.0);
+        block.rho2 *= random.uniform(0.7, 1.4);
+    }
+    let mut wrench = |p: f64| Wrench { x: random.uniform(-1.0, 1.0), p, m: random.uniform(-1.0, 1.0) };
+    (block, wrench(1.0), wrench(-0.3))
+}
+
+/// The stages of a rising load: constant between their ends, different across them.
+#[test]
+fn a_path_has_every_crossing() {
+    let mut random = Random(45);
+    for _ in 0..5_000 {
+        let (block, permanent, variable) = random_path(&mut random);
+        let stages = stages(&block, &permanent, &variable, 5.0).unwrap();
+        assert_eq!((stages[0].from, stages.last().unwrap().to), (0.0, 5.0));
+        for pair in stages.windows(2) {
+            assert_eq!(pair[0].to, pair[1].from);
+            assert_ne!((pair[0].mode, pair[0].modes), (pair[1].mode, pair[1].modes));
+            // The boundary is there, to round-off.
+            let at = |λ: f64| solve(&block, &(permanent + variable * λ)).unwrap().modes;
+            let λ = pair[0].to;
+            assert_eq!(at(λ - 1e-9 * λ.max(1e-3)), pair[0].modes, "{block:?} {permanent:?} {variable:?} {λ}");
+            assert_eq!(at(λ + 1e-9 * λ.max(1e-3)), pair[1].modes, "{block:?} {permanent:?} {variable:?} {λ}");
+        }
+        for _ in 0..20 {
+            let λ = random.uniform(0.0, 5.0);
+            let stage = stages.iter().find(|stage| λ <= stage.to).unwrap();
+            if (λ - stage.from).min(stage.to - λ) > 1e-9 {
+                assert_eq!(solve(&block, &(permanent + variable * λ)).unwrap().modes, stage.modes);
+            }
+        }
+    }
+}
+
+/// In air the path of a force through the report's plane has the report's crossings, in k.
+#[test]
+fn a_path_in_air_crosses_where_the_margins_say() {
+    let mut random = Random(46);
+    for _ in 0..5_000 {
+        let (gamma, k_prime, mu) =
+            (random.uniform(0.3, 4.0), random.uniform(-1.5, 1.5), random.uniform(0.05, 2.0));
+        let margins = Point::new(gamma, k_prime, 1.0, mu).unwrap().margins();
+        let unit = Wrench { x: -1.0, p: 0.0, m: k_prime * gamma };
+        let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+        let stages = stages(&Block::uniform(gamma, mu), &weight, &unit, 50.0).unwrap();
+        let changes: Vec<_> = stages.windows(2).filter(|pair| pair[0].mode != pair[1].mode).collect();
+        let expected: Vec<_> = margins.along_force.iter().filter(|crossing| crossing.at < 50.0).collect();
+        assert_eq!(changes.len(), expected.len(), "{gamma} {k_prime} {mu}");
+        for (pair, crossing) in changes.iter().zip(expected) {
+            assert!((pair[0].to - crossing.at).abs() <= 1e-9 * crossing.at);
+            assert_eq!((pair[0].mode, pair[1].mode), (Some(crossing.from), Some(crossing.to)));
+        }
+    }
+}
+
+/// Inside N a suddenly applied load and a rising one end in different modes: the body has begun to rock before.
+#[test]
+fn a_rising_load_enters_n_from_rocking() {
+    // γ = 1, k' = −1/2, μ = 3: rest to k_A = 2, then RO up to AB (μ = 1 + k/2 at k = 4), where SL takes over.
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    let situation = Situation::new(body, 3.0, 10.0)
+        .permanent(Weight, body.weight(10.0))
+        .variable(Horizontal, body.horizontal_force(-10_000.0, 0.5));
+    let path = situation.path(6.0).unwrap();
+    let departure = first_departure(&path).unwrap();
+    assert_eq!((departure.from, departure.mode), (2.0, Some(Mode::RockO)));
+    let full = situation.at(5.0).unwrap();
+    assert_eq!(full.mode, Some(Mode::SlideLeft));
+    assert_eq!(full.others().to_string(), "RO SRO-");
+}
+
+/// The plane of load factor and friction: regions fill it, do not overlap, and hold their mode; for a force in air it is
+/// the report's.
+#[test]
+fn the_plane_of_any_block_has_its_regions() {
+    let mut random = Random(47);
+    for case in 0..60 {
+        let (mut block, permanent, variable) = if case % 3 == 0 {
+            let (gamma, k_prime) = (random.uniform(0.3, 4.0), random.uniform(-1.0, 1.0));
+            let unit = Wrench { x: -1.0, p: 0.0, m: k_prime * gamma };
+            (Block::uniform(gamma, 1.0), Wrench { x: 0.0, p: 1.0, m: 0.0 }, unit)
+        } else {
+            random_path(&mut random)
+        };
+        if random.coin() {
+            block.mu_k *= random.uniform(0.3, 1.0);
+        }
+        let regions = regions(&block, &permanent, &variable, 4.0).unwrap();
+        let mut missed = 0;
+        for _ in 0..500 {
+            let (λ, μ) = (random.uniform(0.0, 4.0), random.uniform(0.0, 4.0));
+            let at = Block { mu_s: μ, mu_k: μ * (block.mu_k / block.mu_s), ..block };
+            let mode = solve(&at, &(permanent + variable * λ)).unwrap().mode().unwrap();
+            let holders: Vec<Mode> =
+                regions.iter().filter(|region| region.contains(λ, μ)).map(|region| region.mode).collect();
+            missed += usize::from(holders != [mode]);
+        }
+        assert!(missed == 0, "{missed} of 500: {block:?} {permanent:?} {variable:?}");
+    }
+}
+
+/// In air, the plane's regions end where the report's do.
+#[test]
+fn in_air_the_plane_is_the_report_s_diagram() {
+    let (gamma, k_prime) = (3.0, 0.8);
+    let chart = Chart::new(gamma, k_prime).unwrap();
+    let unit = Wrench { x: -1.0, p: 0.0, m: k_prime * gamma };
+    let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+    let regions = regions(&Block::uniform(gamma, 1.0), &weight, &unit, 4.0).unwrap();
+    let rocks = regions.iter().find(|region| region.mode == Mode::RockO).unwrap();
+    assert!((rocks.strips[0].from - chart.k_a()).abs() < 1e-12);
+    for strip in &rocks.strips {
+        let k = (strip.from + strip.to) / 2.0;
+        assert!((strip.lower.at(k) - chart.mu_star().at(k).abs()).abs() < 1e-12);
+        assert!(strip.upper.is_none());
+    }
+    let symbols: Modes = regions.iter().map(|region| region.mode).collect();
+    assert_eq!(symbols.to_string(), "RE SL RO SRO- SRO+");
+    assert_eq!(regions.len(), 5);
+}
+
+/// The classical actions, by hand, for loads towards either side; in air they give μ/k and 1/(kγ(1+k')).
+#[test]
+fn classical_actions_are_taken_about_the_heel() {
+    let body = Body::new(4.0, 6.0, 1000.0).unwrap();
+    for side in [-1.0, 1.0] {
+        let uplift = if side < 0.0 { body.base_pressure(0.0, 500.0) } else { body.base_pressure(500.0, 0.0) };
+        let situation = Situation::new(body, 0.5, 10.0)
+            .permanent(Weight, body.weight(10.0))
+            .variable(Uplift, uplift)
+            .variable(Horizontal, body.horizontal_force(side * 2000.0, 4.0));
+        let actions = situation.actions(1.0);
+        let expected = Actions {
+            buoyant_weight: 10_000.0,
+            weight_arm: 2.0,
+            uplift: 1000.0,
+            uplift_moment: 1000.0 * 8.0 / 3.0,
+            force: 2000.0,
+            force_moment: 8000.0,
+        };
+        assert!((actions.uplift_moment - expected.uplift_moment).abs() < 1e-9);
+        assert_eq!(Actions { uplift_moment: expected.uplift_moment, ..actions }, expected);
+        let stability = actions.stability(0.5, 4.0);
+        assert_eq!(stability.sliding, 0.5 * 9000.0 / 2000.0);
+        assert!((stability.overturning - (20_000.0 - expected.uplift_moment) / 8000.0).abs() < 1e-12);
+
+        let in_air = Situation::new(body, 0.5, 10.0)
+            .permanent(Weight, body.weight(10.0))
+            .variable(Horizontal, body.horizontal_force(side * 2000.0, 4.0));
+        let point = in_air.at(1.0).unwrap().effective.unwrap().point;
+        let stability = in_air.actions(1.0).stability(0.5, 4.0);
+        assert!((stability.sliding - point.safety_against_sliding()).abs() < 1e-12);
+        assert!((stability.overturning - point.safety_against_overturning()).abs() < 1e-12);
+    }
+}
+
+/// The plane does not depend on what the load is measured in, and reaches the end of its range.
+#[test]
+fn the_plane_is_free_of_scale() {
+    let block = Block::uniform(1.5, 1.0);
+    let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+    for size in [1e-7, 1.0, 1e6] {
+        let variable = Wrench { x: size, p: 0.0, m: -0.3 * size };
+        let up_to = 4.0 / size;
+        let regions = regions(&block, &weight, &variable, up_to).unwrap();
+        let symbols: Modes = regions.iter().map(|region| region.mode).collect();
+        assert_eq!(symbols.to_string(), "RE RO' SL+ SRO'+", "{size}");
+        assert!(regions.iter().any(|region| region.contains(up_to, 0.1)));
+    }
+}
+
+/// What a load of one kind has of the other is not lost: an earthquake that lifts while it pushes.
+#[test]
+fn both_parts_of_an_earthquake_count() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    let situation = Situation::new(body, 0.6, 10.0)
+        .permanent(Weight, body.weight(10.0))
+        .variable(Horizontal, body.base_acceleration(4.0, -5.0));
+    let actions = situation.actions(1.0);
+    assert_eq!((actions.buoyant_weight, actions.force), (5000.0, 4000.0));
+    assert_eq!(actions.stability(0.6, 2.0).sliding, 0.75);
+    assert_eq!(situation.at(1.0).unwrap().mode, Some(Mode::SlideLeft));
+}
+
+#[test]
+fn gravity_has_to_be_above_zero() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    for gravity in [0.0, -9.81, f64::NAN] {
+        let situation = Situation::new(body, 0.6, gravity).permanent(Weight, body.weight(9.81));
+        assert!(situation.at(1.0).is_err() && situation.path(1.0).is_err() && situation.plane(1.0).is_err());
+    }
+}
