@@ -1,6 +1,7 @@
 //! What is said below a chart, and to readers who do not see it.
 
-use standfast::diagram::Window;
+use standfast::diagram::{Unresolved, Window};
+use standfast::{Modes, Point};
 
 use crate::chart::Drawing;
 use crate::margins;
@@ -40,10 +41,14 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
         };
         words.extend(name.split_whitespace().map(|word| Text::verbatim(&shortened(word), SMALL)));
         words.extend(margins::words(&format!("{}:", pair(point.k, point.mu)), SMALL));
-        if let Ok(mode) = drawing.diagram.mode_at(point.k, point.mu) {
-            let (mode, remark) =
-                if point.mirrored { (mode.mirrored(), " (to the right, mirrored).") } else { (mode, ".") };
-            words.extend(margins::words(&format!("{}{remark}", symbol(mode)), SMALL));
+        let chart = drawing.diagram.chart();
+        if let Ok(at) = Point::new(chart.slenderness(), chart.elevation(), point.k, point.mu) {
+            let (mode, others, remark) = if point.mirrored {
+                (at.mode().mirrored(), at.others().mirrored(), " (to the right, mirrored)")
+            } else {
+                (at.mode(), at.others(), "")
+            };
+            words.extend(margins::words(&format!("{}{}{remark}.", symbol(mode), also(others)), SMALL));
         }
     }
     let beyond = drawing.points.iter().filter(|point| point.is_drawable()).count().saturating_sub(LISTED);
@@ -53,8 +58,25 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
     words
 }
 
+/// The modes that are consistent beside the one reported, as a remark behind it in markup.
+pub(crate) fn also(others: Modes) -> String {
+    if others.is_empty() { String::new() } else { format!(" (also {})", symbols(others)) }
+}
+
+/// The symbols of modes in markup.
+fn symbols(modes: Modes) -> String {
+    modes.iter().map(symbol).collect::<Vec<_>>().join(", ")
+}
+
+/// What hatching means: the parts of the indeterminate set, and the modes consistent in each.
+pub(crate) fn hatching(parts: &[Unresolved]) -> Option<String> {
+    let modes = parts.iter().map(|part| format!("one of {}", symbols(part.modes)));
+    let parts = modes.collect::<Vec<_>>().join(" or ");
+    (!parts.is_empty()).then(|| format!("hatched: {parts}"))
+}
+
 /// A word that fits a line.
-fn shortened(word: &str) -> String {
+pub(crate) fn shortened(word: &str) -> String {
     const LONGEST: usize = 32;
     if word.chars().count() <= LONGEST {
         word.into()

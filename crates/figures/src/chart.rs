@@ -3,16 +3,17 @@
 //! Drawing order: tints, hatching, drop lines, curves, axes, points, then labels: letters of points, design points,
 //! the lens, names of regions, formulas. What finds no free place goes to the plot's edge, and then to the caption.
 
-use standfast::diagram::{Strip, Window};
+use standfast::diagram::{Strip, Unresolved, Window};
 use standfast::initiation::NamedPoint;
 use standfast::{Diagram, Mode};
 
+use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL};
-use crate::labels::{Board, Leader, Lines};
+use crate::labels::Lines;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, MARK, PAPER, symbol, tint};
 use crate::plot::{Arc, Frame, Piece, arcs_path, clip, clip_strips, hatch, level, outline};
-use crate::scene::{Path, Pen, Rect, Scene};
+use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Sheet, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
 use crate::{DesignPoint, Figure, caption, inset};
@@ -35,6 +36,8 @@ pub(crate) struct Drawing<'a> {
     /// Opens the list of coordinates, in markup; may be empty.
     pub preface: &'a str,
     pub points: &'a [DesignPoint],
+    /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
+    pub hatched: &'a [Unresolved],
 }
 
 /// A shaded area as the window shows it.
@@ -49,8 +52,7 @@ struct Area {
 /// The drawing under way.
 struct Draft<'a> {
     given: &'a Drawing<'a>,
-    scene: Scene,
-    board: Board,
+    canvas: Canvas,
     areas: Vec<Area>,
     right: Vec<Tab>,
     above: Vec<Tab>,
@@ -71,8 +73,7 @@ impl Drawing<'_> {
         };
         let mut draft = Draft {
             given: self,
-            scene: Scene::default(),
-            board: Board::new(frame),
+            canvas: Canvas::new(frame),
             areas: self.areas(),
             right: Vec::new(),
             above: Vec::new(),
@@ -82,9 +83,9 @@ impl Drawing<'_> {
         draft.tints();
         draft.drop_lines();
         draft.traces();
-        margins::axes(&mut draft.scene, &frame);
+        margins::axes(&mut draft.canvas.scene, &frame, &margins::PLANE);
         let tabs = mu_tabs.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
-        margins::beside_mu_axis(&mut draft.scene, &frame, tabs);
+        margins::beside_mu_axis(&mut draft.canvas.scene, &frame, tabs);
         draft.letters();
         draft.design_points();
         draft.lens();
@@ -161,35 +162,41 @@ fn equation(name: &str, value: &str) -> Text {
 
 impl Draft<'_> {
     fn tints(&mut self) {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         for area in &self.areas {
-            self.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
+            self.canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
         }
         for area in &self.areas {
             if let Some(which) = area.unresolved {
                 let lines = hatch(&frame, &area.pieces, 9.0, which % 2 == 1);
-                self.scene.stroke(&lines, Pen::solid(INK, 0.45));
+                self.canvas.scene.stroke(&lines, Pen::solid(INK, 0.45));
             }
+        }
+        for (i, part) in self.given.hatched.iter().enumerate() {
+            let pieces = clip_strips(&part.strips, &frame.window);
+            let lines = hatch(&frame, &pieces, 9.0, i % 2 == 1);
+            self.canvas.scene.stroke(&lines, Pen::solid(FAINT, 0.4));
+            self.canvas.hatched.push((pieces, tint(part.resolved_as)));
         }
     }
 
     fn drop_lines(&mut self) {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         for point in self.given.named().filter(|point| frame.shows(point.k, point.mu)) {
             let (x, y) = frame.at(point.k, point.mu);
             if self.given.sheet.k_marks.contains(&point.name) && point.mu > 0.0 {
-                self.scene.line((x, y), (x, frame.area.y1), DROP);
-                self.board.verticals.push((x, y, frame.area.y1));
+                self.canvas.scene.line((x, y), (x, frame.area.y1), DROP);
+                self.canvas.board.verticals.push((x, y, frame.area.y1));
             }
             if self.given.sheet.mu_marks.contains(&Mark::Of(point.name)) && point.k > 0.0 {
-                self.scene.line((frame.area.x0, y), (x, y), DROP);
-                self.board.arcs.push(Arc { curve: level(point.mu), from: 0.0, to: point.k });
+                self.canvas.scene.line((frame.area.x0, y), (x, y), DROP);
+                self.canvas.board.arcs.push(Arc { curve: level(point.mu), from: 0.0, to: point.k });
             }
         }
     }
 
     fn traces(&mut self) {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         for trace in self.given.sheet.traces {
             let pen = match trace.style {
                 Style::Solid => Pen::solid(INK, 1.5),
@@ -200,30 +207,30 @@ impl Draft<'_> {
             if let Some((k, from)) = trace.line.vertical(self.given.diagram.chart()) {
                 if frame.shows(k, from) {
                     let (x, y) = frame.at(k, from);
-                    self.scene.line((x, y), (x, frame.area.y0), pen);
-                    self.board.verticals.push((x, frame.area.y0, y));
+                    self.canvas.scene.line((x, y), (x, frame.area.y0), pen);
+                    self.canvas.board.verticals.push((x, frame.area.y0, y));
                 }
                 continue;
             }
             let arcs = self.given.stretch(trace);
-            self.scene.stroke(&arcs_path(&frame, &arcs), pen);
-            self.board.arcs.extend(arcs);
+            self.canvas.scene.stroke(&arcs_path(&frame, &arcs), pen);
+            self.canvas.board.arcs.extend(arcs);
         }
     }
 
     /// Dots and letters of named points, letters at the ends of lines.
     fn letters(&mut self) {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         let shown: Vec<_> = self.given.named().filter(|point| frame.shows(point.k, point.mu)).collect();
         for point in &shown {
             let (x, y) = frame.at(point.k, point.mu);
-            self.scene.dot((x, y), 2.6, INK, None);
-            self.board.reserve(Rect::around(x, y, 6.5, 6.5));
+            self.canvas.scene.dot((x, y), 2.6, INK, None);
+            self.canvas.board.reserve(Rect::around(x, y, 6.5, 6.5));
         }
         for point in &shown {
             let text = Text::new(&letter_markup(point.name), LETTER);
-            let place = self.board.beside(frame.at(point.k, point.mu), &text, 5.0);
-            self.place(&text, place, INK);
+            let place = self.canvas.board.beside(frame.at(point.k, point.mu), &text, 5.0);
+            self.canvas.place(&text, place, INK);
         }
         for &(letter, line) in self.given.sheet.ends {
             let text = Text::new(&format!("${letter}$"), LETTER);
@@ -233,7 +240,7 @@ impl Draft<'_> {
 
     /// Puts a label where a line leaves the window; gives it back if the line ends inside.
     fn at_edge(&mut self, line: Line, text: Text) -> Option<Text> {
-        let Rect { x1, y0, .. } = self.board.frame.area;
+        let Rect { x1, y0, .. } = self.canvas.board.frame.area;
         let Some((x, y)) = self.exit(line) else { return Some(text) };
         if x > x1 - 0.5 {
             self.right.push(Tab { at: y, text });
@@ -247,7 +254,7 @@ impl Draft<'_> {
 
     /// Where a drawn line ends on the page.
     fn exit(&self, line: Line) -> Option<(f64, f64)> {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
             return frame.shows(k, from).then(|| (frame.x(k), frame.area.y0));
         }
@@ -256,36 +263,23 @@ impl Draft<'_> {
         Some(frame.at(arc.to, arc.curve.at(arc.to)))
     }
 
-    fn place(&mut self, text: &Text, place: Option<Rect>, colour: &str) -> bool {
-        if let Some(rect) = place {
-            self.board.reserve(rect);
-            self.scene.text_in(text, &rect, colour);
-        }
-        place.is_some()
-    }
-
     fn design_points(&mut self) {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         let points = self.given.points;
         let at = |point: &DesignPoint| frame.at(point.k, point.mu);
         for point in points.iter().filter(|point| point.is_drawable()) {
-            let (x, y) = at(point);
-            let mut diamond = Path::through(&[(x, y - 5.2), (x + 5.2, y), (x, y + 5.2), (x - 5.2, y)]);
-            diamond.close();
-            self.scene.stroke(&diamond, Pen::solid(PAPER, 2.4));
-            self.scene.fill(&diamond, MARK);
-            self.board.reserve(Rect::around(x, y, 11.0, 11.0));
+            self.canvas.diamond(at(point));
         }
         for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
             let text = Text::verbatim(point.label.trim(), FORMULA);
-            let place = self.board.beside(at(point), &text, 8.0);
-            if point.label.trim().is_empty() || self.place(&text, place, MARK) {
+            let place = self.canvas.board.beside(at(point), &text, 8.0);
+            if point.label.trim().is_empty() || self.canvas.place(&text, place, MARK) {
                 continue;
             }
             // No room for the name: a number, which the caption explains.
             let text = Text::verbatim(&(i + 1).to_string(), FORMULA);
-            let place = self.board.beside(at(point), &text, 8.0);
-            if self.place(&text, place, MARK) {
+            let place = self.canvas.board.beside(at(point), &text, 8.0);
+            if self.canvas.place(&text, place, MARK) {
                 self.numbered.push(i);
             }
         }
@@ -293,55 +287,15 @@ impl Draft<'_> {
 
     fn lens(&mut self) {
         if self.given.sheet.lens {
-            inset::draw(&mut self.scene, &mut self.board, self.given.diagram);
+            inset::draw(&mut self.canvas.scene, &mut self.canvas.board, self.given.diagram);
         }
     }
 
     fn names(&mut self) {
         for area in std::mem::take(&mut self.areas) {
-            let Some((heart, width)) = self.board.heart(&area.pieces) else { continue };
-            if width < 1.0 {
-                continue;
-            }
-            let largest = if area.unresolved.is_some() { 13.5 } else { 15.5 };
-            let sizes = [largest, 0.85 * largest];
-            let fitting = sizes.into_iter().find_map(|size| {
-                let text = Text::new(&area.name, size);
-                let rect = self.board.inside(&area.pieces, text.width, text.height())?;
-                Some((text, rect))
-            });
-            if let Some((text, rect)) = fitting {
-                if area.unresolved.is_some() {
-                    self.patch(&rect);
-                }
-                self.place(&text, Some(rect), INK);
-                continue;
-            }
-            let text = Text::new(&area.name, 0.85 * largest);
-            if let Some((rect, leader)) =
-                self.board.near(heart, (text.width, text.height()), 13, Lines::Cross)
-            {
-                self.leader(&leader);
-                self.scene.dot(heart, 1.3, INK, None);
-                if area.unresolved.is_some() {
-                    self.patch(&rect);
-                }
-                self.place(&text, Some(rect), INK);
-            }
+            let (largest, patch) = if area.unresolved.is_some() { (13.5, Some(PAPER)) } else { (15.5, None) };
+            self.canvas.name(&area.pieces, &area.name, largest, patch);
         }
-    }
-
-    fn leader(&mut self, leader: &Leader) {
-        self.scene.line(leader.from, leader.to, Pen::solid(INK, 0.6));
-        self.board.reserve_leader(leader);
-    }
-
-    /// Clears the paper behind a label on hatching.
-    fn patch(&mut self, rect: &Rect) {
-        let Rect { x0, y0, x1, y1 } = rect.grown(2.5);
-        let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
-        path.close();
-        self.scene.fill(&path, PAPER);
     }
 
     fn notes(&mut self) {
@@ -351,8 +305,8 @@ impl Draft<'_> {
             let strip = Strip { from: note.from.k(chart), to: f64::INFINITY, lower, upper };
             let text = Text::new(note.markup, FORMULA);
             let pieces = clip_strips(&[strip], &self.given.window);
-            let place = self.board.inside(&pieces, text.width, text.height());
-            self.place(&text, place, INK);
+            let place = self.canvas.board.inside(&pieces, text.width, text.height());
+            self.canvas.place(&text, place, INK);
         }
     }
 
@@ -378,12 +332,12 @@ impl Draft<'_> {
         let longest = &arcs[0];
         let joined = [0.5, 0.7, 0.3].into_iter().find_map(|share| {
             let k = longest.from + share * (longest.to - longest.from);
-            let to = self.board.frame.at(k, longest.curve.at(k));
-            self.board.near(to, (text.width, text.height()), 6, Lines::Avoid)
+            let to = self.canvas.board.frame.at(k, longest.curve.at(k));
+            self.canvas.board.near(to, (text.width, text.height()), 6, Lines::Avoid)
         });
         if let Some((rect, leader)) = joined {
-            self.leader(&leader);
-            self.place(&text, Some(rect), INK);
+            self.canvas.leader(&leader);
+            self.canvas.place(&text, Some(rect), INK);
             return;
         }
         let Some(short) = line.short() else {
@@ -400,13 +354,13 @@ impl Draft<'_> {
     }
 
     fn beside(&mut self, arcs: &[Arc], text: &Text) -> bool {
-        let place = arcs.iter().find_map(|arc| self.board.along(arc, text));
-        self.place(text, place, INK)
+        let place = arcs.iter().find_map(|arc| self.canvas.board.along(arc, text));
+        self.canvas.place(text, place, INK)
     }
 
     /// Edges, caption, and the document.
     fn finish(mut self) -> Figure {
-        let frame = self.board.frame;
+        let frame = self.canvas.board.frame;
         let chart = self.given.diagram.chart();
         let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
             let k = chart.point(name)?.k;
@@ -417,13 +371,14 @@ impl Draft<'_> {
             let text = |&(name, value)| equation(name, if full { value } else { "" });
             marks.iter().map(|(at, markup)| Tab { at: *at, text: text(markup) }).collect()
         };
-        let (bottom, full) = margins::under_k_axis(&mut self.scene, &frame, tabs(true), tabs(false));
+        self.legend.extend(caption::hatching(self.given.hatched));
+        let (bottom, full) = margins::under_k_axis(&mut self.canvas.scene, &frame, tabs(true), tabs(false));
         if !full {
             self.legend.extend(marks.iter().map(|(_, (name, value))| format!("${name} = {value}$")));
         }
         let right = std::mem::take(&mut self.right);
-        let right = margins::right_of(&mut self.scene, &frame, right).unwrap_or(frame.area.x1);
-        margins::above(&mut self.scene, &frame, std::mem::take(&mut self.above));
+        let right = margins::right_of(&mut self.canvas.scene, &frame, right).unwrap_or(frame.area.x1);
+        margins::above(&mut self.canvas.scene, &frame, std::mem::take(&mut self.above));
 
         let width = (right + 12.0).max(frame.area.x1 + 46.0);
         let title = caption::title(self.given);
@@ -431,12 +386,12 @@ impl Draft<'_> {
         words.extend(margins::words(self.given.caption, SIZE));
         let details = caption::details(self.given, &self.legend, &self.numbered);
         let edges = (16.0, width - 16.0);
-        let below = margins::paragraph(&mut self.scene, &words, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(&mut self.scene, &details, edges, below + 5.0, SMALL);
+        let below = margins::paragraph(&mut self.canvas.scene, &words, edges, bottom + 16.0, SIZE);
+        let below = margins::paragraph(&mut self.canvas.scene, &details, edges, below + 5.0, SMALL);
         let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
         let description = caption::description(self.given, &caption);
         let size = (width.ceil(), (below + 10.0).ceil());
-        let (svg, labels) = self.scene.finish(size.0, size.1, &title, &description);
+        let (svg, labels) = self.canvas.scene.finish(size.0, size.1, &title, &description);
         Figure { svg, title, caption, labels, size }
     }
 }

@@ -64,7 +64,7 @@ impl Board {
     }
 
     /// Whether a rectangle is `margin` away from all lines.
-    fn off_lines(&self, rect: &Rect, margin: f64) -> bool {
+    pub(crate) fn off_lines(&self, rect: &Rect, margin: f64) -> bool {
         let Rect { x0, y0, x1, y1 } = rect.grown(margin);
         let (k0, k1, high, low) = (self.frame.k(x0), self.frame.k(x1), self.frame.mu(y0), self.frame.mu(y1));
         let on_arc =
@@ -73,7 +73,8 @@ impl Board {
         !self.arcs.iter().any(on_arc) && !self.verticals.iter().any(on_vertical)
     }
 
-    fn clear(&self, rect: &Rect, margin: f64) -> bool {
+    /// Whether a rectangle lies in the plot, `margin` away from all boxes and lines.
+    pub(crate) fn clear(&self, rect: &Rect, margin: f64) -> bool {
         self.off_boxes(rect, margin) && self.off_lines(rect, margin)
     }
 
@@ -159,6 +160,8 @@ impl Board {
 
     /// Whether a rectangle on the page lies in a region.
     fn holds(&self, pieces: &[Piece], rect: &Rect) -> bool {
+        /// A gap between pieces that is none, as a share of the window.
+        const SEAM: f64 = 1e-6;
         if !self.frame.area.contains(rect) {
             return false;
         }
@@ -171,12 +174,24 @@ impl Board {
             let upper = Arc { curve: piece.upper, from, to }.range(from, to);
             let inside =
                 lower.is_some_and(|(_, most)| most <= low) && upper.is_some_and(|(least, _)| least >= high);
-            if from > reached || !inside {
+            if from > reached + SEAM * self.frame.window.k || !inside {
                 return false;
             }
             reached = to;
         }
-        reached >= k1
+        reached + SEAM * self.frame.window.k >= k1
+    }
+
+    /// Whether a corner, the middle of an edge, or the centre of a rectangle on the page lies in a region.
+    pub(crate) fn touches(&self, pieces: &[Piece], rect: &Rect) -> bool {
+        let (x, y) = rect.centre();
+        let points = [rect.x0, x, rect.x1].into_iter().flat_map(|x| [rect.y0, y, rect.y1].map(|y| (x, y)));
+        points.map(|(x, y)| (self.frame.k(x), self.frame.mu(y))).any(|(k, mu)| {
+            let holds = |piece: &Piece| {
+                (piece.from..=piece.to).contains(&k) && (piece.lower.at(k)..=piece.upper.at(k)).contains(&mu)
+            };
+            pieces.iter().any(holds)
+        })
     }
 
     fn bounds(&self, pieces: &[Piece]) -> Option<Rect> {

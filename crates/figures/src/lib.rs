@@ -16,8 +16,8 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26) |
-//! | Where does it lie on the page? | `plot`, `chart`, `inset` |
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
+//! | Where does it lie on the page? | `plot`, `canvas`, `chart`, `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render` |
 //!
@@ -27,6 +27,7 @@
 
 #![forbid(unsafe_code)]
 
+mod canvas;
 mod caption;
 mod chart;
 mod font;
@@ -36,6 +37,7 @@ mod map;
 mod margins;
 mod number;
 mod palette;
+mod plane;
 mod plot;
 mod render;
 mod report;
@@ -44,6 +46,8 @@ mod sheet;
 mod text;
 
 use standfast::Diagram;
+use standfast::contact::path::Stage;
+use standfast::diagram::Region;
 
 pub use render::RenderError;
 pub use report::{FigureId, UnknownFigure, report_figure};
@@ -110,9 +114,13 @@ impl DesignPoint {
 
 /// The map of all modes of one body and one elevation of the force, with design points.
 ///
-/// The window shows A and the other named points that are not much farther away, and all design points.
+/// The window shows A and the other named points that are not much farther away, and all design points. The
+/// indeterminate set N, where several modes are consistent, is hatched if a design point lies in it.
 pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
     let (sheet, condition) = map::sheet(diagram.chart().case());
+    let unresolved = diagram.unresolved();
+    let within = |point: &DesignPoint| unresolved.iter().any(|part| part.contains(point.k, point.mu));
+    let undecided = points.iter().any(|point| point.is_drawable() && within(point));
     chart::Drawing {
         diagram,
         sheet,
@@ -121,6 +129,52 @@ pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
         caption: &format!("{}: {condition}", number::body(diagram.chart())),
         preface: "",
         points,
+        hatched: if undecided { &unresolved } else { &[] },
     }
     .figure()
+}
+
+/// The plane of load factor and friction of any block, and the way of a rising load through it.
+///
+/// `regions` and `stages` are those of [`Situation::plane`](standfast::Situation::plane) and
+/// [`Situation::path`](standfast::Situation::path) up to the same load factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadPlane<'a> {
+    /// Which mode holds where.
+    pub regions: &'a [Region],
+    /// The largest load factor; above zero.
+    pub up_to: f64,
+    /// The body's friction to stick: the load path runs along it.
+    pub friction: f64,
+    /// The modes along the load path.
+    pub stages: &'a [Stage],
+    /// What is loaded, in a line; not markup.
+    pub title: &'a str,
+}
+
+/// The plane of load factor λ and friction μ, with the load path: a line at the body's friction, a tick with the load
+/// factor at every change of mode, and a diamond at the full load, λ = 1.
+///
+/// ```
+/// use standfast::LoadKind::{Horizontal, Weight};
+/// use standfast::{Body, Situation};
+/// use standfast_figures::{LoadPlane, load_plane};
+///
+/// let body = Body::new(15.0, 10.5, 346_050.0)?;
+/// let situation = Situation::new(body, 0.6, 9.81)
+///     .permanent(Weight, body.weight(9.81))
+///     .variable(Horizontal, body.horizontal_force(-1e6, 5.2));
+/// let (regions, stages) = (situation.plane(2.0)?, situation.path(2.0)?);
+/// let figure = load_plane(&LoadPlane {
+///     regions: &regions,
+///     up_to: 2.0,
+///     friction: situation.static_friction,
+///     stages: &stages,
+///     title: "Caisson in air",
+/// });
+/// assert!(figure.caption().contains("Full load (λ = 1, diamond): RE"));
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
+    plane::figure(plane)
 }

@@ -123,8 +123,18 @@ pub(crate) fn above(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<
     Some(())
 }
 
+/// What is written at the arrowheads and at the origin, in markup; nothing where empty.
+pub(crate) struct Axes {
+    pub right: &'static str,
+    pub up: &'static str,
+    pub origin: &'static str,
+}
+
+/// The axes of the k–μ plane.
+pub(crate) const PLANE: Axes = Axes { right: "$k$", up: "$μ$", origin: "$O$" };
+
 /// Axes with arrowheads, their names, and the origin.
-pub(crate) fn axes(scene: &mut Scene, frame: &Frame) {
+pub(crate) fn axes(scene: &mut Scene, frame: &Frame, names: &Axes) {
     let Rect { x0, y0, x1, y1 } = frame.area;
     let pen = Pen::solid(INK, 1.1);
     let (k_tip, mu_tip) = ((x1 + 20.0, y1), (x0, y0 - 20.0));
@@ -132,12 +142,22 @@ pub(crate) fn axes(scene: &mut Scene, frame: &Frame) {
     scene.line((x0, y1), (x0, mu_tip.1 + 5.0), pen);
     scene.arrowhead(k_tip, (1.0, 0.0), INK);
     scene.arrowhead(mu_tip, (0.0, -1.0), INK);
-    let [k, mu, origin] = ["$k$", "$μ$", "$O$"].map(|letter| Text::new(letter, 15.0));
-    scene.text(&k, k_tip.0 + 6.0, y1 + 4.0, INK);
-    scene.text(&mu, x0 - mu.width - 8.0, mu_tip.1 + 8.0, INK);
+    let [right, up, origin] = [names.right, names.up, names.origin].map(|letter| Text::new(letter, 15.0));
+    scene.text(&right, k_tip.0 + 6.0, y1 + 4.0, INK);
+    scene.text(&up, x0 - up.width - 8.0, mu_tip.1 + 8.0, INK);
     let rect =
         Rect { x0: x0 - 6.0 - origin.width, x1: x0 - 6.0, y0: y1 + 5.0, y1: y1 + 5.0 + origin.height() };
     scene.text_in(&origin, &rect, INK);
+}
+
+/// Round numbers above zero and up to `limit`, for the ticks of an axis: a few steps of 1, 2 or 5 times a power of ten.
+pub(crate) fn ticks(limit: f64) -> Vec<f64> {
+    const MOST: f64 = 7.0;
+    let power = 10f64.powf((limit / MOST).log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|step| step * power).into_iter().find(|step| limit / step <= MOST);
+    let step = step.unwrap_or(limit);
+    let count = (limit / step * (1.0 + 1e-9)).floor() as u32;
+    (1..=count).map(|i| f64::from(i) * step).collect()
 }
 
 /// A paragraph between `left` and `right` with its first line's top at `top`; breaks at the spaces of words.

@@ -4,14 +4,28 @@ use standfast::initiation::Chart;
 
 /// A number in markup that is the same in plain characters.
 pub(crate) fn digits(number: f64) -> String {
+    to_digits(number, 3)
+}
+
+/// A number with more than three significant digits if it takes them to tell it from its `neighbours`.
+pub(crate) fn distinct_digits(number: f64, neighbours: &[f64]) -> String {
+    const MOST: usize = 9;
+    let tells = |count: &usize| {
+        let shown = to_digits(number, *count);
+        neighbours.iter().all(|&other| other == number || to_digits(other, *count) != shown)
+    };
+    to_digits(number, (3..MOST).find(tells).unwrap_or(MOST))
+}
+
+fn to_digits(number: f64, count: usize) -> String {
     if number == 0.0 {
         return "0".into();
     }
-    let scientific = format!("{number:.2e}");
-    let (mantissa, exponent) = scientific.split_once('e').expect("the format has an exponent");
+    let scientific = format!("{number:.*e}", count - 1);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
     let exponent: i32 = exponent.parse().expect("the exponent is a whole number");
     let text = if (-4..6).contains(&exponent) {
-        let decimals = (2 - exponent).max(0) as usize;
+        let decimals = (count as i32 - 1 - exponent).max(0) as usize;
         trimmed(&format!("{number:.decimals$}")).to_string()
     } else {
         format!("{} × 10^{{{exponent}}}", trimmed(mantissa))
@@ -30,7 +44,7 @@ fn trimmed(number: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::digits;
+    use super::{digits, distinct_digits};
 
     #[test]
     fn three_significant_digits() {
@@ -38,5 +52,12 @@ mod tests {
         let expected =
             ["0", "0.714", "2.5", "−0.55", "12", "123456", "0.000123", "1 × 10^{7}", "−2.5 × 10^{−9}"];
         assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn neighbours_are_told_apart() {
+        assert_eq!(distinct_digits(0.83, &[0.0, 1.2]), "0.83");
+        assert_eq!(distinct_digits(0.99961, &[0.7, 1.0]), "0.9996");
+        assert_eq!(distinct_digits(1.0, &[1.0 + 1e-12]), "1");
     }
 }

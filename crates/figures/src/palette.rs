@@ -1,7 +1,7 @@
 //! One colour for each mode, the same in every figure.
 //!
 //! The tints keep their order in grey print (lightness falls from rest to slide-rock) and differ in blue against
-//! yellow, which colour-blind readers see.
+//! yellow, which colour-blind readers see. A mode that the report's force cannot start has the tint of its mirror image.
 
 use standfast::Mode;
 
@@ -21,10 +21,10 @@ pub(crate) fn tint(mode: Mode) -> &'static str {
         Mode::SlideLeft | Mode::SlideRight => "#f7de8b",
         Mode::RockO => "#aad2f0",
         Mode::RockOPrime => "#b3b4e6",
-        Mode::SlideRockOLeft => "#f0ab6b",
-        Mode::SlideRockOPrimeLeft | Mode::SlideRockOPrimeRight => "#6cb7a2",
+        Mode::SlideRockOLeft | Mode::SlideRockOPrimeRight => "#f0ab6b",
+        Mode::SlideRockOPrimeLeft => "#6cb7a2",
         Mode::SlideRockORight => "#c5799f",
-        Mode::Flight => "#ffffff",
+        Mode::Flight => "#dcd6cb",
     }
 }
 

@@ -108,6 +108,20 @@ pub(crate) fn clip(curve: Curve, from: f64, to: f64, window: &Window) -> Vec<Arc
         .collect()
 }
 
+/// An interval over which curves lie in the window, its ends pulled in by too little to be seen where rounding left them
+/// on the wrong side of a pole or a cut.
+fn settled(from: f64, to: f64, curves: [Curve; 2], window: &Window) -> (f64, f64) {
+    const PULLS: [f64; 6] = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2];
+    let slack = 1e-9 * window.mu;
+    let within = |k: f64| curves.iter().all(|curve| (-slack..=window.mu + slack).contains(&curve.at(k)));
+    let middle = (from + to) / 2.0;
+    let pulled = |end: f64| {
+        let ends = PULLS.into_iter().map(|share| end + share * (middle - end));
+        ends.into_iter().find(|&k| within(k)).unwrap_or(middle)
+    };
+    (pulled(from), pulled(to))
+}
+
 /// The part of a region that lies in the window.
 pub(crate) fn clip_strips(strips: &[Strip], window: &Window) -> Vec<Piece> {
     let top = level(window.mu);
@@ -120,7 +134,10 @@ pub(crate) fn clip_strips(strips: &[Strip], window: &Window) -> Vec<Piece> {
             if low < high && low < window.mu && high > 0.0 {
                 let lower = if low < 0.0 { Curve::AXIS } else { strip.lower };
                 let upper = if high > window.mu { top } else { upper };
-                pieces.push(Piece { from, to, lower, upper });
+                let (from, to) = settled(from, to, [lower, upper], window);
+                if from < to {
+                    pieces.push(Piece { from, to, lower, upper });
+                }
             }
         }
     }
@@ -162,7 +179,9 @@ pub(crate) fn hermite(
         hermite(path, graph, from, middle, depth - 1);
         hermite(path, graph, middle, to, depth - 1);
     } else {
-        path.cubic_to(x0 + third, y0 + third * t0, x1 - third, y1 - third * t1, x1, y1);
+        // Too steep to be resolved, next to a pole, a tangent must not leave the box of its ends.
+        let held = |y: f64| if depth == 0 { y.clamp(y0.min(y1), y0.max(y1)) } else { y };
+        path.cubic_to(x0 + third, held(y0 + third * t0), x1 - third, held(y1 - third * t1), x1, y1);
     }
 }
 

@@ -181,6 +181,9 @@ impl Scene {
 
     /// Text with the left end of its baseline at (`x`, `y`).
     pub(crate) fn text(&mut self, text: &Text, x: f64, y: f64, colour: &str) {
+        if text.runs.is_empty() {
+            return;
+        }
         self.labels.push(Label {
             text: text.plain.clone(),
             rect: Rect { x0: x, y0: y - text.ascent, x1: x + text.width, y1: y + text.descent },

@@ -137,6 +137,7 @@ pub fn report_figure(id: FigureId) -> Figure {
                 caption: entry.caption,
                 preface: &format!("{}:", number::body(diagram.chart())),
                 points: &[],
+                hatched: &[],
             }
             .figure()
         }

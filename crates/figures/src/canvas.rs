@@ -1,0 +1,90 @@
+//! A drawing under way: what is on the page already, and the labels, leaders and marks that keep off it.
+
+use crate::labels::{Board, Leader, Lines};
+use crate::palette::{INK, MARK, PAPER};
+use crate::plot::{Frame, Piece};
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::text::Text;
+
+/// A scene and the board that knows what is drawn in its plot.
+pub(crate) struct Canvas {
+    pub scene: Scene,
+    pub board: Board,
+    /// Light hatching over regions and their tints, which labels are laid on.
+    pub hatched: Vec<(Vec<Piece>, &'static str)>,
+}
+
+impl Canvas {
+    pub(crate) fn new(frame: Frame) -> Canvas {
+        Canvas { scene: Scene::default(), board: Board::new(frame), hatched: Vec::new() }
+    }
+
+    /// Sets a label, if there is a place for it, and keeps others off.
+    pub(crate) fn place(&mut self, text: &Text, place: Option<Rect>, colour: &str) -> bool {
+        if let Some(rect) = place {
+            let under = self.hatched.iter().find(|(pieces, _)| self.board.touches(pieces, &rect));
+            if let Some(&(_, tint)) = under.filter(|_| self.board.off_lines(&rect, 1.5)) {
+                self.patch(&rect, 1.5, tint);
+            }
+            self.board.reserve(rect);
+            self.scene.text_in(text, &rect, colour);
+        }
+        place.is_some()
+    }
+
+    /// Draws a leader and keeps labels off it.
+    pub(crate) fn leader(&mut self, leader: &Leader) {
+        self.scene.line(leader.from, leader.to, Pen::solid(INK, 0.6));
+        self.board.reserve_leader(leader);
+    }
+
+    /// Clears the paper behind a label on hatching.
+    fn patch(&mut self, rect: &Rect, margin: f64, colour: &str) {
+        let Rect { x0, y0, x1, y1 } = rect.grown(margin);
+        let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
+        path.close();
+        self.scene.fill(&path, colour);
+    }
+
+    /// A design point.
+    pub(crate) fn diamond(&mut self, (x, y): (f64, f64)) {
+        let mut diamond = Path::through(&[(x, y - 5.2), (x + 5.2, y), (x, y + 5.2), (x - 5.2, y)]);
+        diamond.close();
+        self.scene.stroke(&diamond, Pen::solid(PAPER, 2.4));
+        self.scene.fill(&diamond, MARK);
+        self.board.reserve(Rect::around(x, y, 11.0, 11.0));
+    }
+
+    /// Names a region: inside it, or beside it with a leader; not at all if it is too small to be seen. `patch` is the
+    /// colour laid behind a name on hatching.
+    pub(crate) fn name(&mut self, pieces: &[Piece], name: &str, largest: f64, patch: Option<&str>) {
+        let Some((heart, width)) = self.board.heart(pieces) else { return };
+        if width < 1.0 {
+            return;
+        }
+        let sizes = [largest, 0.85 * largest];
+        let fitting = sizes.into_iter().find_map(|size| {
+            let text = Text::new(name, size);
+            let rect = self.board.inside(pieces, text.width, text.height())?;
+            Some((text, rect))
+        });
+        let (text, rect) = match fitting {
+            Some(fitting) => fitting,
+            None => {
+                let text = Text::new(name, 0.85 * largest);
+                let Some((rect, leader)) =
+                    self.board.near(heart, (text.width, text.height()), 13, Lines::Cross)
+                else {
+                    return;
+                };
+                self.leader(&leader);
+                self.scene.dot(heart, 1.3, INK, None);
+                (text, rect)
+            }
+        };
+        if let Some(colour) = patch {
+            self.patch(&rect, 2.5, colour);
+        }
+        self.place(&text, Some(rect), INK);
+    }
+}

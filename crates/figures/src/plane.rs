@@ -1,0 +1,414 @@
+//! The plane of load factor and friction of any block, with the path of a rising load.
+//!
+//! Nothing is known of the boundaries but the strips of the regions: they are drawn where neighbours differ in mode. So
+//! there are no formulas here, and the axes have numbers.
+
+use standfast::contact::path::Stage;
+use standfast::diagram::{Strip, Window};
+use standfast::initiation::Curve;
+use standfast::{Mode, Modes};
+
+use crate::canvas::Canvas;
+use crate::caption::{SIZE, SMALL, also, shortened};
+use crate::labels::Lines;
+use crate::margins::{self, Axes, Tab};
+use crate::number::{digits, distinct_digits};
+use crate::palette::{INK, MARK, PAPER, symbol, tint};
+use crate::plot::{Arc, Frame, Piece, arcs_path, clip_strips, level, outline};
+use crate::scene::{Path, Pen, Rect};
+use crate::text::Text;
+use crate::{Figure, LoadPlane};
+
+const PLOT: (f64, f64) = (430.0, 310.0);
+const TOP: f64 = 42.0;
+const TICK: f64 = 12.5;
+const BOUNDARY: Pen = Pen::solid(INK, 1.3);
+const AXES: Axes = Axes { right: "", up: "$μ$", origin: "$0$" };
+/// What counts as one load factor, as a share of the window: far below a pixel.
+const SAME: f64 = 1e-6;
+
+/// A region as the window shows it.
+struct Area {
+    mode: Mode,
+    pieces: Vec<Piece>,
+}
+
+/// A vertical boundary: load factor, and the μ it runs between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Side {
+    at: f64,
+    low: f64,
+    high: f64,
+}
+
+/// Draws it.
+pub(crate) fn figure(given: &LoadPlane) -> Figure {
+    let window = window(given);
+    let ticks = |limit: f64| margins::ticks(limit).into_iter().map(|at| (at, format!("${}$", digits(at))));
+    let tab = |at: f64, markup: &str| Tab { at, text: Text::new(markup, TICK) };
+    // A tick at the very top has no room for its number.
+    let top = window.mu * (1.0 - 6.0 / PLOT.1);
+    let mu_ticks: Vec<_> =
+        ticks(window.mu).filter(|(mu, _)| *mu < top).map(|(mu, markup)| (mu, tab(0.0, &markup))).collect();
+    let left = margins::mu_width(mu_ticks.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
+    let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window };
+    let areas = areas(given, &window);
+    let mut canvas = Canvas::new(frame);
+
+    for area in &areas {
+        canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
+    }
+    boundaries(&mut canvas, given, &areas);
+    margins::axes(&mut canvas.scene, &frame, &AXES);
+    let tabs = mu_ticks.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
+    margins::beside_mu_axis(&mut canvas.scene, &frame, tabs);
+    let path = LoadPath::of(given, window.k);
+    path.draw(&mut canvas);
+    for area in &areas {
+        canvas.name(&area.pieces, symbol(area.mode), 15.5, None);
+    }
+
+    let tabs = || ticks(window.k).map(|(at, markup)| tab(frame.x(at), &markup)).collect();
+    let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, tabs(), tabs());
+    let name = Text::new("load factor $λ$", 13.5);
+    let baseline = below + 8.0 + name.ascent;
+    canvas.scene.text(&name, (frame.area.x0 + frame.area.x1 - name.width) / 2.0, baseline, INK);
+    let right = path.friction.map(|mu| tab(frame.y(mu), &format!("$μ = {}$", digits(mu))));
+    let right = margins::right_of(&mut canvas.scene, &frame, right.into_iter().collect());
+
+    let width = (right.unwrap_or(frame.area.x1) + 12.0).max(frame.area.x1 + 46.0);
+    let edges = (16.0, width - 16.0);
+    let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
+    let words: Vec<Text> =
+        heading.split_whitespace().map(|word| Text::verbatim(&shortened(word), SIZE)).collect();
+    let details = margins::words(&path.caption(), SMALL);
+    let title = joined(&words);
+    let caption = joined(&details);
+    let below = margins::paragraph(&mut canvas.scene, &words, edges, baseline + name.descent + 14.0, SIZE);
+    let below = margins::paragraph(&mut canvas.scene, &details, edges, below + 5.0, SMALL);
+    let size = (width.ceil(), (below + 10.0).ceil());
+    let description = description(&window, &areas, &caption);
+    let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
+    Figure { svg, title, caption, labels, size }
+}
+
+fn joined(words: &[Text]) -> String {
+    words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ")
+}
+
+/// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
+/// that is not much farther up.
+fn window(given: &LoadPlane) -> Window {
+    let k = if given.up_to.is_finite() && given.up_to > 0.0 { given.up_to } else { 1.0 };
+    let friction = drawable(given.friction).unwrap_or(0.0);
+    let limit = (2.5 * friction).max(1.2);
+    let corners = given.regions.iter().flat_map(|region| corners(&region.strips, k));
+    let seen = corners.map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
+    Window { k, mu: seen.fold((2.0 * friction).max(0.4 * limit), f64::max) }
+}
+
+/// A friction that can be shown.
+fn drawable(friction: f64) -> Option<f64> {
+    (0.0..f64::INFINITY).contains(&friction).then_some(friction)
+}
+
+/// The μ at which the edges of a region begin, end, or change from one curve to another, within the plane.
+fn corners(strips: &[Strip], up_to: f64) -> Vec<f64> {
+    let mut found = Vec::new();
+    let edges = |strip: &Strip| [Some(strip.lower), strip.upper];
+    let inner = |at: &f64| 0.0 < *at && *at < up_to;
+    for (i, strip) in strips.iter().enumerate() {
+        for (which, curve) in edges(strip).into_iter().enumerate() {
+            let Some(curve) = curve else { continue };
+            let follows =
+                |other: Option<&Strip>| other.is_some_and(|other| edges(other)[which] == Some(curve));
+            let before = i.checked_sub(1).and_then(|before| strips.get(before));
+            let ends = [(strip.from, follows(before)), (strip.to, follows(strips.get(i + 1)))];
+            let ends = ends.into_iter().filter(|(at, follows)| inner(at) && !follows);
+            found.extend(ends.map(|(at, _)| curve.at(at)));
+        }
+    }
+    found
+}
+
+fn areas(given: &LoadPlane, window: &Window) -> Vec<Area> {
+    let area = given.regions.iter().map(|region| {
+        let pieces = clip_strips(&region.strips, window);
+        Area { mode: region.mode, pieces }
+    });
+    area.filter(|area| !area.pieces.is_empty()).collect()
+}
+
+/// Draws lines between different modes, and keeps labels off them.
+fn boundaries(canvas: &mut Canvas, given: &LoadPlane, areas: &[Area]) {
+    let frame = canvas.board.frame;
+    let arcs = edges(areas, &frame.window);
+    canvas.scene.stroke(&arcs_path(&frame, &arcs), BOUNDARY);
+    canvas.board.arcs.extend(arcs);
+    let mut path = Path::default();
+    for side in sides(given, areas, &frame.window) {
+        let (x, top, bottom) = (frame.x(side.at), frame.y(side.high), frame.y(side.low));
+        path.move_to(x, top);
+        path.line_to(x, bottom);
+        canvas.board.verticals.push((x, top, bottom));
+    }
+    canvas.scene.stroke(&path, BOUNDARY);
+}
+
+/// The lower and upper edges of all areas, each once, as long as they run on.
+fn edges(areas: &[Area], window: &Window) -> Vec<Arc> {
+    let mut arcs: Vec<Arc> = Vec::new();
+    let bare = |curve: &Curve| *curve == Curve::AXIS || *curve == level(window.mu);
+    for edge in [|piece: &Piece| piece.lower, |piece: &Piece| piece.upper] {
+        // What has been drawn from below need not be drawn from above.
+        let drawn = arcs.clone();
+        for piece in areas.iter().flat_map(|area| &area.pieces) {
+            let (curve, middle) = (edge(piece), (piece.from + piece.to) / 2.0);
+            let is_drawn = |arc: &Arc| arc.curve == curve && (arc.from..=arc.to).contains(&middle);
+            if bare(&curve) || drawn.iter().any(is_drawn) {
+                continue;
+            }
+            match arcs.iter_mut().find(|arc| arc.curve == curve && arc.to == piece.from) {
+                Some(arc) => arc.to = piece.to,
+                None => arcs.push(Arc { curve, from: piece.from, to: piece.to }),
+            }
+        }
+    }
+    arcs
+}
+
+/// The vertical stretches with different modes on their sides.
+fn sides(given: &LoadPlane, areas: &[Area], window: &Window) -> Vec<Side> {
+    // Half a pixel.
+    const SHORT: f64 = 0.5 / PLOT.1;
+    let near = SAME * window.k;
+    let mut places: Vec<f64> =
+        given.regions.iter().flat_map(|region| &region.strips).map(|s| s.from).collect();
+    places.retain(|at| near < *at && *at < window.k - near);
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|later, earlier| *later - *earlier <= near);
+
+    let spans = |is_there: &dyn Fn(&Piece) -> bool, end: fn(&Piece) -> f64| -> Vec<(f64, f64, Mode)> {
+        let pieces = areas.iter().flat_map(|area| area.pieces.iter().map(|piece| (piece, area.mode)));
+        let there = pieces.filter(|(piece, _)| is_there(piece));
+        there.map(|(piece, mode)| (piece.lower.at(end(piece)), piece.upper.at(end(piece)), mode)).collect()
+    };
+    let mut sides: Vec<Side> = Vec::new();
+    for at in places {
+        let left = spans(&|p| (p.to - at).abs() <= near && p.from < at - near, |p| p.to);
+        let right = spans(&|p| (p.from - at).abs() <= near && p.to > at + near, |p| p.from);
+        let mode = |spans: &[(f64, f64, Mode)], mu: f64| {
+            spans.iter().find(|(low, high, _)| (*low..=*high).contains(&mu)).map(|(.., mode)| *mode)
+        };
+        let mut cuts: Vec<f64> = left.iter().chain(&right).flat_map(|(low, high, _)| [*low, *high]).collect();
+        cuts.iter_mut().for_each(|mu| *mu = mu.clamp(0.0, window.mu));
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            let (low, high) = (pair[0], pair[1]);
+            let [before, after] = [&left, &right].map(|spans| mode(spans, (low + high) / 2.0));
+            if before.is_none() || after.is_none() || before == after || low == high {
+                continue;
+            }
+            match sides.last_mut() {
+                Some(last) if (last.at, last.high) == (at, low) => last.high = high,
+                _ => sides.push(Side { at, low, high }),
+            }
+        }
+    }
+    sides.retain(|side| side.high - side.low > SHORT * window.mu);
+    sides
+}
+
+/// The way of a rising load: a line along the body's friction.
+struct LoadPath<'a> {
+    stages: &'a [Stage],
+    up_to: f64,
+    friction: Option<f64>,
+}
+
+impl<'a> LoadPath<'a> {
+    fn of(given: &LoadPlane<'a>, up_to: f64) -> LoadPath<'a> {
+        LoadPath { stages: given.stages, up_to, friction: drawable(given.friction) }
+    }
+
+    /// The load factors at which stages change.
+    fn changes(&self) -> impl Iterator<Item = (f64, &[Stage])> {
+        self.stages.windows(2).map(|pair| (pair[0].to, pair))
+    }
+
+    /// A load factor among the ends of stages, in markup.
+    fn number(&self, factor: f64) -> String {
+        let ends = self.stages.iter().flat_map(|stage| [stage.from, stage.to]);
+        let at = |other: &f64| (other - factor).abs();
+        let mut others: Vec<f64> = ends.chain([1.0]).filter(|other| *other != factor).collect();
+        others.sort_by(|one, other| at(one).total_cmp(&at(other)));
+        format!("${}$", distinct_digits(factor, &others[..others.len().min(4)]))
+    }
+
+    /// The line with ticks, the diamond, load factors and the names of stages.
+    fn draw(&self, canvas: &mut Canvas) {
+        let Some(mu) = self.friction else { return };
+        let frame = canvas.board.frame;
+        let y = frame.y(mu);
+        let x = |factor: f64| frame.x(factor.clamp(0.0, frame.window.k));
+        let Rect { x0, x1, .. } = frame.area;
+        canvas.scene.line((x0, y), (x1, y), Pen::solid(PAPER, 4.0));
+        for stage in self.stages {
+            let dashes = if stage.modes.len() > 1 { "6 3" } else { "" };
+            let pen = Pen { colour: MARK, width: 1.8, dashes };
+            canvas.scene.line((x(stage.from), y), (x(stage.to), y), pen);
+        }
+        canvas.board.reserve(Rect { x0, y0: y - 2.0, x1, y1: y + 2.0 });
+        for (at, pair) in self.changes() {
+            // A change of the modes beside the one reported is a smaller event.
+            let reach = if pair[0].mode == pair[1].mode { 3.5 } else { 6.5 };
+            let at = x(at);
+            canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(PAPER, 3.6));
+            canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(MARK, 1.6));
+            canvas.board.reserve(Rect::around(at, y, 3.0, 2.0 * reach + 1.0));
+        }
+        if frame.shows(1.0, mu) {
+            canvas.diamond(frame.at(1.0, mu));
+        }
+        self.numbers(canvas, y);
+        self.names(canvas, y);
+    }
+
+    /// Load factors at the ticks: those of changes of mode first.
+    fn numbers(&self, canvas: &mut Canvas, y: f64) {
+        let frame = canvas.board.frame;
+        let (lesser, greater): (Vec<_>, Vec<_>) =
+            self.changes().partition(|(_, pair)| pair[0].mode == pair[1].mode);
+        for (at, _) in greater.into_iter().chain(lesser) {
+            let text = Text::new(&self.number(at), TICK);
+            let (x, size) = (frame.x(at), (text.width, text.height()));
+            let ways = [0.0, 1.0, -1.0].into_iter().flat_map(|across| [-1.0, 1.0].map(|down| (across, down)));
+            let places = ways.map(|(across, down)| {
+                let centre = y + down * (10.0 + text.height() / 2.0);
+                Rect::around(x + across * (4.0 + text.width / 2.0), centre, size.0, size.1)
+            });
+            let clear = places.clone().find(|rect| canvas.board.clear(rect, 1.8));
+            if canvas.place(&text, clear, MARK) {
+                continue;
+            }
+            // From either end of the tick.
+            let tips = [-1.0, 1.0].map(|down| (x, y + down * 9.0));
+            let joined = tips.into_iter().find_map(|tip| canvas.board.near(tip, size, 8, Lines::Cross));
+            if let Some((rect, leader)) = joined {
+                canvas.leader(&leader);
+                canvas.place(&text, Some(rect), MARK);
+            }
+        }
+    }
+
+    /// Symbols of modes along their stages, where there is room.
+    fn names(&self, canvas: &mut Canvas, y: f64) {
+        let frame = canvas.board.frame;
+        for stage in self.stages {
+            let Some(mode) = stage.mode else { continue };
+            let text = Text::new(symbol(mode), TICK);
+            let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k)));
+            let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
+            let mut places =
+                shares.flat_map(|share| [-1.0, 1.0].map(|down| (share, down))).map(|(share, down)| {
+                    let centre = y + down * (7.0 + text.height() / 2.0);
+                    Rect::around(from + share * (to - from), centre, text.width, text.height())
+                });
+            let fits =
+                |rect: &Rect| rect.x0 > from + 3.0 && rect.x1 < to - 3.0 && canvas.board.clear(rect, 2.0);
+            let place = places.find(fits);
+            canvas.place(&text, place, MARK);
+        }
+    }
+
+    /// The stages in words, and the mode under the full load.
+    fn caption(&self) -> String {
+        let mode = |stage: &Stage| {
+            let mut others: Modes = stage.modes;
+            stage.mode.iter().for_each(|mode| others.remove(*mode));
+            format!("{}{}", stage.mode.map_or("none", symbol), also(others))
+        };
+        let stages = self
+            .stages
+            .iter()
+            .map(|stage| format!("{}–{} {}", self.number(stage.from), self.number(stage.to), mode(stage)));
+        let mut caption = format!("Rising load: {}.", stages.collect::<Vec<_>>().join(", "));
+        let full =
+            self.stages.iter().filter(|stage| stage.from <= 1.0 && 1.0 <= stage.to).collect::<Vec<_>>();
+        match full[..] {
+            [stage] => caption.push_str(&format!(" Full load ($λ = 1$, diamond): {}.", mode(stage))),
+            [before, after, ..] => caption.push_str(&format!(
+                " Full load ($λ = 1$, diamond): on the boundary of {} and {}.",
+                mode(before),
+                mode(after)
+            )),
+            [] => caption.push_str(&format!(" Full load, $λ = 1$, lies beyond {}.", self.number(self.up_to))),
+        }
+        if self.stages.iter().any(|stage| stage.modes.len() > 1) {
+            caption.push_str(" Dashed: several modes are consistent.");
+        }
+        caption
+    }
+}
+
+/// The figure in words.
+fn description(window: &Window, areas: &[Area], caption: &str) -> String {
+    let plain = |markup: &str| Text::inline(markup, SMALL).plain;
+    let modes: Modes = areas.iter().map(|area| area.mode).collect();
+    let shaded = modes
+        .iter()
+        .map(|mode| format!("{}, where the body {}", plain(symbol(mode)), mode.words().replace('\'', "′")));
+    format!(
+        "Chart of the friction coefficient μ, upwards from 0 to {}, over the load factor λ, to the right from 0 to {}. \
+         Shaded: {}. The load path is a line at the body's friction with a tick at every change; a diamond marks the \
+         full load. {caption}",
+        plain(&format!("${}$", digits(window.mu))),
+        plain(&format!("${}$", digits(window.k))),
+        shaded.collect::<Vec<_>>().join("; ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use standfast::contact::{Block, Wrench, plane};
+
+    use super::*;
+
+    /// The report's γ = 3, k′ = 0.8 as a load plane: λ is k.
+    fn in_air() -> Vec<standfast::diagram::Region> {
+        let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+        let force = Wrench { x: -1.0, p: 0.0, m: 0.8 * 3.0 };
+        plane::regions(&Block::uniform(3.0, 0.3), &weight, &force, 2.0).expect("a valid block")
+    }
+
+    fn plane(regions: &[standfast::diagram::Region]) -> LoadPlane<'_> {
+        LoadPlane { regions, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
+    }
+
+    #[test]
+    fn in_air_the_one_vertical_is_the_report_s() {
+        let regions = in_air();
+        let given = plane(&regions);
+        let window = window(&given);
+        let sides = sides(&given, &areas(&given, &window), &window);
+        let k_a = 1.0 / (3.0 * 1.8);
+        assert_eq!(sides.len(), 1, "{sides:?}");
+        assert!((sides[0].at - k_a).abs() < 1e-12 && (sides[0].low - k_a).abs() < 1e-9);
+        assert_eq!(sides[0].high, window.mu);
+    }
+
+    #[test]
+    fn lines_part_different_modes() {
+        let regions = in_air();
+        let given = plane(&regions);
+        let window = window(&given);
+        let mode = |k: f64, mu: f64| regions.iter().find(|region| region.contains(k, mu)).map(|r| r.mode);
+        for arc in edges(&areas(&given, &window), &window) {
+            for share in [0.1, 0.5, 0.9] {
+                let k = arc.from + share * (arc.to - arc.from);
+                let mu = arc.curve.at(k);
+                assert_ne!(mode(k, mu - 1e-6), mode(k, mu + 1e-6), "{arc:?}");
+            }
+        }
+    }
+}

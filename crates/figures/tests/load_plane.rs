@@ -1,0 +1,281 @@
+//! The plane of load factor and friction: tidy for any block, the same bytes every time, and it says what the path does.
+
+use std::time::{Duration, Instant};
+
+use resvg::usvg;
+use standfast::LoadKind::{Horizontal, Uplift, Weight};
+use standfast::contact::path::Stage;
+use standfast::contact::{Block, Wrench, path, plane};
+use standfast::diagram::Region;
+use standfast::{Body, Diagram, Mode, Situation};
+use standfast_figures::{DesignPoint, Figure, LoadPlane, Rect, diagram, load_plane};
+
+const G: f64 = 9.81;
+
+/// SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn uniform(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn coin(&mut self) -> bool {
+        self.uniform(0.0, 1.0) < 0.5
+    }
+}
+
+/// A block and its load, solved.
+struct Case {
+    regions: Vec<Region>,
+    stages: Vec<Stage>,
+    up_to: f64,
+    friction: f64,
+    name: String,
+}
+
+impl Case {
+    fn of(situation: &Situation, up_to: f64, name: &str) -> Case {
+        Case {
+            regions: situation.plane(up_to).expect("a valid situation"),
+            stages: situation.path(up_to).expect("a valid situation"),
+            up_to,
+            friction: situation.static_friction,
+            name: name.into(),
+        }
+    }
+
+    fn figure(&self) -> Figure {
+        load_plane(&LoadPlane {
+            regions: &self.regions,
+            up_to: self.up_to,
+            friction: self.friction,
+            stages: &self.stages,
+            title: &self.name,
+        })
+    }
+}
+
+/// Uniform and eccentric blocks, forces to either side, uplift that may lift the block, friction from ice to rubber.
+fn random_cases(count: usize) -> impl Iterator<Item = Case> {
+    let mut random = Random(31);
+    (0..count).map(move |i| {
+        let slenderness = random.uniform(0.2, 5.0);
+        let friction = random.uniform(0.05f64.ln(), 4.0f64.ln()).exp();
+        let mut block = Block::uniform(slenderness, friction);
+        if random.coin() {
+            block.b1 *= random.uniform(0.3, 1.7);
+            block.b2 *= random.uniform(0.3, 1.7);
+            block.rho2 *= random.uniform(0.5, 1.5);
+            block.m_x += random.uniform(0.0, 1.0);
+        }
+        if random.coin() {
+            block.mu_k *= random.uniform(0.5, 1.0);
+        }
+        let lift = if random.coin() { random.uniform(-1.5, 0.5) } else { 0.0 };
+        let x = random.uniform(-1.0, 1.0);
+        let m = -x * slenderness * random.uniform(-1.5, 1.5);
+        let permanent = if random.coin() {
+            Wrench { x: 0.0, p: 1.0, m: 0.0 }
+        } else {
+            Wrench { x: random.uniform(-0.3, 0.3), p: random.uniform(0.2, 1.0), m: random.uniform(-0.5, 0.5) }
+        };
+        let variable = Wrench { x, p: lift, m };
+        let up_to = [2.0, 5.0, 0.5, 20.0][i % 4];
+        Case {
+            regions: plane::regions(&block, &permanent, &variable, up_to).expect("a valid block"),
+            stages: path::stages(&block, &permanent, &variable, up_to).expect("a valid block"),
+            up_to,
+            friction,
+            name: format!("random block {i}: {block:?} {permanent:?} {variable:?}"),
+        }
+    })
+}
+
+fn caisson(friction: f64) -> (Body, Situation) {
+    let body = Body::new(15.0, 10.5, 346_050.0).expect("a body");
+    let buoyant = Wrench { x: 0.0, p: 2318.6e3, m: 0.0 };
+    (body, Situation::new(body, friction, G).permanent(Weight, buoyant))
+}
+
+/// Cases worth looking at.
+fn gallery() -> Vec<Case> {
+    let (body, still) = caisson(0.6);
+    let wave = body.horizontal_force(-940.68e3, 4849.6 / 940.68);
+    let goda = still.clone().variable(Horizontal, wave).variable(Uplift, body.base_pressure(0.0, 65_739.0));
+    let lifted =
+        still.clone().variable(Horizontal, wave).variable(Uplift, body.base_pressure(30_000.0, 180_000.0));
+    let right = still
+        .variable(Horizontal, body.horizontal_force(940.68e3, 4849.6 / 940.68))
+        .variable(Uplift, body.base_pressure(65_739.0, 0.0));
+    let monument = Body::new(0.8, 2.4, 4_000.0).expect("a body");
+    let seismic = Situation::new(monument, 0.7, G)
+        .permanent(Weight, monument.weight(G))
+        .variable(Horizontal, monument.base_acceleration(0.5 * G, -0.2 * G));
+    let leaning = Body::new(10.0, 8.0, 2e5).expect("a body");
+    let leaning = leaning.with_centroid(2.0, 5.0).and_then(|body| body.with_base(4.0, 5.0)).expect("a body");
+    let eccentric = Situation::new(leaning, 0.5, G)
+        .permanent(Weight, leaning.weight(G))
+        .variable(Horizontal, leaning.horizontal_force(-900e3, 6.0));
+    let square = Body::new(2.0, 2.0, 1000.0).expect("a body");
+    let undecided = Situation::new(square, 3.0, 10.0)
+        .permanent(Weight, square.weight(10.0))
+        .variable(Horizontal, square.horizontal_force(-10_000.0, 0.5));
+    let sticky = Situation { kinetic_friction: 0.4, ..goda.clone() };
+    vec![
+        Case::of(&goda, 3.0, "Caisson, Goda 2000"),
+        Case::of(&lifted, 3.0, "Caisson lifted by its uplift"),
+        Case::of(&seismic, 3.0, "Monument, earthquake"),
+        Case::of(&eccentric, 4.0, "Eccentric body"),
+        Case::of(&right, 3.0, "Caisson, wave to the right"),
+        Case::of(&undecided, 6.0, "Into N"),
+        Case::of(&sticky, 3.0, "Caisson, slip lower than stick"),
+    ]
+}
+
+fn assert_tidy(figure: &Figure) {
+    usvg::Tree::from_str(figure.svg(), &usvg::Options::default()).expect("well-formed SVG");
+    assert!(!figure.svg().contains("NaN") && !figure.svg().contains("inf"));
+    let (width, height) = figure.size();
+    let page = Rect { x0: 1.0, y0: 1.0, x1: width - 1.0, y1: height - 1.0 };
+    for (i, label) in figure.labels().iter().enumerate() {
+        assert!(page.contains(&label.rect), "{:?} leaves the page of {:?}", label, figure.title());
+        for other in &figure.labels()[i + 1..] {
+            let apart = !label.rect.overlaps(&other.rect);
+            assert!(apart, "{label:?} touches {other:?} in {:?}", figure.title());
+        }
+    }
+}
+
+/// Every coordinate of every path lies on the page: no pole escapes.
+fn assert_on_page(figure: &Figure) {
+    let body = figure.svg().split("</defs>").nth(1).expect("a body");
+    for path in body.split("<path d=\"").skip(1) {
+        let data = path.split('"').next().expect("path data");
+        for number in
+            data.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter(|part| !part.is_empty())
+        {
+            let number: f64 = number.parse().expect("a number");
+            assert!((-1.0..=1200.0).contains(&number), "{number} in {:?}", figure.title());
+        }
+    }
+}
+
+#[test]
+fn a_load_plane_is_tidy_for_any_block() {
+    for case in random_cases(400).chain(gallery()) {
+        let figure = case.figure();
+        assert_tidy(&figure);
+        assert_on_page(&figure);
+        assert_eq!(figure, case.figure(), "the same bytes every time");
+    }
+}
+
+#[test]
+fn numbers_out_of_the_ordinary_are_drawn_or_left_out() {
+    let cases = gallery();
+    for friction in [0.0, 1e-9, 1e-3, 40.0, 1e7, f64::NAN, f64::INFINITY, -1.0] {
+        for up_to in [1e-6, 0.3, 1.0, 1e7, f64::NAN, 0.0] {
+            for Case { regions, stages, .. } in &cases {
+                let (title, empty) = ("W".repeat(400), String::new());
+                for title in [&title, &empty] {
+                    let figure = load_plane(&LoadPlane { regions, up_to, friction, stages, title });
+                    assert_tidy(&figure);
+                    assert_on_page(&figure);
+                }
+            }
+            assert_tidy(&load_plane(&LoadPlane { regions: &[], up_to, friction, stages: &[], title: "<&>" }));
+        }
+    }
+}
+
+#[test]
+fn a_picture_takes_less_than_five_milliseconds() {
+    let cases: Vec<_> = random_cases(50).chain(gallery()).collect();
+    cases[0].figure(); // reads the fonts
+    for case in &cases {
+        // The best of three: other tests run beside this one.
+        let times = [0; 3].map(|_| {
+            let start = Instant::now();
+            std::hint::black_box(case.figure());
+            start.elapsed()
+        });
+        let best = times.into_iter().min().expect("three");
+        assert!(best < Duration::from_millis(5), "{best:?} for {}", case.name);
+    }
+}
+
+#[test]
+fn the_path_has_its_numbers_and_words() {
+    let [goda, lifted, ..] = &gallery()[..] else { panic!("too few cases") };
+    let figure = lifted.figure();
+    assert_eq!(figure.title(), "Caisson lifted by its uplift");
+    assert_eq!(
+        figure.caption(),
+        "Rising load: 0–0.738 RE, 0.738–1.05 SL, 1.05–2.75 SRO₋, 2.75–3 FL. Full load (λ = 1, diamond): SL."
+    );
+    let has = |figure: &Figure, text: &str| figure.labels().iter().filter(|label| label.text == text).count();
+    for text in ["0.738", "1.05", "2.75", "μ = 0.6", "load factor λ"] {
+        assert_eq!(has(&figure, text), 1, "{text}");
+    }
+    // The region's name, and the stage's.
+    for text in ["RE", "SL", "SRO₋", "FL"] {
+        assert_eq!(has(&figure, text), 2, "{text}");
+    }
+    assert!(figure.svg().contains("FL, where the body leaves the base"));
+    assert_eq!(has(&goda.figure(), "1.13"), 1);
+}
+
+#[test]
+fn stages_with_several_modes_are_dashed_and_name_them() {
+    let figure = gallery()[5].figure();
+    assert!(figure.caption().contains("4–6 SL (also RO, SRO₋)"), "{}", figure.caption());
+    assert!(figure.caption().ends_with("Dashed: several modes are consistent."));
+    assert!(figure.svg().contains("stroke-dasharray=\"6 3\""));
+    assert!(!gallery()[0].figure().svg().contains("stroke-dasharray"));
+}
+
+#[test]
+fn load_factors_that_nearly_agree_are_told_apart() {
+    let stage = |from, to, mode| Stage { from, to, mode: Some(mode), modes: [mode].into_iter().collect() };
+    let stages = [
+        stage(0.0, 0.9996, Mode::Rest),
+        stage(0.9996, 0.9998, Mode::SlideLeft),
+        stage(0.9998, 2.0, Mode::RockO),
+    ];
+    let figure =
+        load_plane(&LoadPlane { regions: &[], up_to: 2.0, friction: 0.6, stages: &stages, title: "" });
+    assert_tidy(&figure);
+    assert_eq!(
+        figure.caption(),
+        "Rising load: 0–0.9996 RE, 0.9996–0.9998 SL, 0.9998–2 RO. Full load (λ = 1, diamond): RO."
+    );
+}
+
+/// Mirrored loads give mirrored modes in the tints of the partners the report has.
+#[test]
+fn a_force_to_the_right_has_the_same_lines() {
+    let cases = gallery();
+    let [left, right] = [0, 4].map(|i| cases[i].figure());
+    assert_eq!(right.caption(), left.caption().replace("SL", "SL₊"));
+    for tint in ["#f7de8b", "#f0ab6b"] {
+        assert_eq!(right.svg().matches(tint).count(), left.svg().matches(tint).count());
+    }
+    assert!(right.labels().iter().any(|label| label.text == "SRO′₊"));
+}
+
+#[test]
+fn the_indeterminate_set_is_hatched_if_a_design_point_lies_in_it() {
+    let body = Diagram::new(1.0, -0.5).expect("a valid body");
+    let point = |k, mu| [DesignPoint { k, mu, label: "storm".into(), mirrored: false }];
+    let (outside, inside) = (diagram(&body, &point(1.0, 3.0)), diagram(&body, &point(5.0, 3.0)));
+    assert_tidy(&inside);
+    assert!(inside.caption().contains("hatched: one of SL, RO, SRO₋ or one of RO, SRO₋, SRO′₋"));
+    assert!(inside.caption().contains("storm (5, 3): SL (also RO, SRO₋)."), "{}", inside.caption());
+    assert!(!outside.caption().contains("hatched") && outside.caption().contains("storm (1, 3): RE."));
+    assert_eq!(inside, diagram(&body, &point(5.0, 3.0)));
+}
