@@ -3,14 +3,16 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use standfast_cli::batch::{OnError, Options, run};
+use standfast_cli::batch::{OnError, Options, Problem, run};
 use standfast_cli::report;
 
 fuzz_target!(|bytes: &[u8]| {
-    for on_error in [OnError::Stop, OnError::Null] {
-        let options = Options { name: "points.csv".into(), on_error };
-        if let Err(error) = run(bytes, Vec::new(), &options) {
-            assert!(!report(&error).is_empty());
+    for problem in [Problem::Force, Problem::Wrench] {
+        for on_error in [OnError::Stop, OnError::Null] {
+            let options = Options { name: "points.csv".into(), problem, on_error };
+            if let Err(error) = run(bytes, Vec::new(), &options) {
+                assert!(!report(&error).is_empty());
+            }
         }
     }
 });

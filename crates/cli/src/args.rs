@@ -6,7 +6,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use standfast::{InputError, Point};
 
-use crate::batch::OnError;
+use crate::batch::{OnError, Problem};
+use crate::design::Target;
 use crate::draw::{KMu, Picture, PictureFile};
 use standfast_figures::FigureId;
 
@@ -37,7 +38,9 @@ pub enum Command {
     /// Assess a body and its loads from a case file
     ///
     /// Prints the mode of response, the inequalities that decide it, safety factors, accelerations and reactions at
-    /// onset, and where the mode changes; draws the case in the k–μ plane.
+    /// onset, and where the mode changes; draws the case in the k–μ plane, one diagram for every elevation of a force. With water, waves, uplift or an earthquake:
+    /// pressures, forces and moments, safety factors and heel pressure, the mode under the full load, and where the body
+    /// first leaves rest as the variable loads rise; draws that path as well.
     #[command(after_help = "Example:\n  standfast assess examples/caisson-in-air.toml\n\n\
         Example of a case file (numbers without unit are SI: m, kg/m, kg/m3, N/m):\n\
         \u{20} [body]\n\
@@ -49,8 +52,35 @@ pub enum Command {
         \u{20} force = \"450 kN/m\"\n\
         \u{20} elevation = \"8 m\"       # above the base\n\
         \u{20} direction = \"left\"      # or \"right\"; left if not given\n\n\
-        Optional: title, note, gravity = \"9.81 m/s2\" at the top; name in a load.")]
+        Optional: title, note, gravity = \"9.81 m/s2\" at the top; name in a load.\n\n\
+        More loads, which act together and with each [[load]] in turn (quantities with units as above):\n\
+        \u{20} [water]       level, or left and right, above the base; density\n\
+        \u{20} [uplift]      left, right: pressures at the corners; grows = true to rise with the variable loads\n\
+        \u{20} [earthquake]  horizontal, vertical: of g, or \"2 m/s2\"; positive horizontal pushes the body left\n\
+        \u{20} [wave]        Goda's pressures, sea at the right: deep_water_height, or H13 and Hmax; period,\n\
+        \u{20}               sea_bottom_slope, water_depth, depth_above_berm, base_depth, crest_height,\n\
+        \u{20}               berm_width, angle_deg, water_density; optional caisson_width, turn_deg,\n\
+        \u{20}               impulsive = true, lambda = [1, 1, 1]\n\
+        \u{20} [added_mass]  sides = 1 or 2, or mass\n\
+        \u{20} [body]        kinetic_friction, centroid_offset, centroid_height, moment_of_inertia, base_left,\n\
+        \u{20}               base_right; buoyant_weight and weight_arm in place of [water]\n\n\
+        With them, --format json names its numbers as Goda does: P, U, M_p, M_U, p1, SF_sliding and so on,\n\
+        in kN, kN m and kPa per metre run; lengths in m; body, gravity and motion_si in SI units.")]
     Assess(AssessArgs),
+
+    /// Find the least value of a quantity of a case that meets a target
+    ///
+    /// Prints the value, what binds just below it, and what every number of the case does to both safety factors and
+    /// to the load factor at which the body first leaves rest. Each value tried goes through the whole case, waves
+    /// and water included; what has to go with it does: the mass with the width, the crest with the height.
+    #[command(after_help = "Targets:\n\
+        \u{20} rest              the body rests under the full load\n\
+        \u{20} factor=1.2        both safety factors are 1.2 at least\n\
+        \u{20} load-factor=1.2   the rising load moves the body at 1.2 times its value at the earliest\n\
+        \u{20} no-rock           the body turns about no corner, at once or while the load rises\n\
+        \u{20} no-slide          the body slips at no corner, at once or while the load rises\n\n\
+        Example:\n  standfast design examples/goda-2000.toml --vary width --target factor=1.2")]
+    Design(DesignArgs),
 
     /// Classify one point of the k–μ plane
     #[command(
@@ -74,6 +104,12 @@ pub enum Command {
     /// carried over as they are, and mode, unique, also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi are appended.
     /// Accelerations are in g, theta_ddot in g/B, forces in m g and xi in B; `also` lists the other consistent modes
     /// where the answer is not unique.
+    ///
+    /// With --problem wrench the columns are b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s and mu_k, non-dimensional by the
+    /// mass, g and one length: distances of O, O' and the base from the centre of mass, squared radius of gyration,
+    /// inertia, the wrench at the centre of mass (right, down with the weight, counter-clockwise), friction to stick
+    /// and to slip. Appended are modes (all consistent ones), mode (the one reported) and its motion in the same
+    /// units.
     #[command(after_help = "Example:\n  standfast batch examples/points.csv -o modes.csv")]
     Batch(BatchArgs),
 
@@ -106,6 +142,32 @@ pub struct AssessArgs {
     /// Where to put the diagrams; made if it is not there [default: beside the case file]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// How far to follow the rising load, as a multiple of the full load; for cases whose loads act together
+    #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
+    pub up_to: f64,
+    /// How to print the answer
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Arguments of `design`.
+#[derive(Debug, Args)]
+pub struct DesignArgs {
+    /// The case file (TOML)
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// What to vary: width, height, mass, friction, water_level, crest_height, or any number of the case as in wave.period
+    #[arg(long, value_name = "QUANTITY")]
+    pub vary: String,
+    /// What to reach
+    #[arg(long, value_name = "TARGET")]
+    pub target: Target,
+    /// Where to begin, e.g. "8 m", or a number in SI units [default: a fifth of the present value]
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Where to end [default: five times the present value]
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    pub to: Option<String>,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -180,6 +242,9 @@ pub struct BatchArgs {
     /// The file to write; - writes to standard output, as far as rows make sense
     #[arg(short, long, value_name = "OUT.csv")]
     pub output: PathBuf,
+    /// Which problem the rows are
+    #[arg(long, value_enum, default_value_t)]
+    pub problem: Problem,
     /// What to do with a row that makes no sense
     #[arg(long, value_enum, default_value_t, value_name = "ACTION")]
     pub on_error: OnError,
@@ -219,4 +284,11 @@ fn scale(text: &str) -> Result<f32, String> {
     let range = 0.1..=20.0;
     let value = text.parse().ok().filter(|value| range.contains(value));
     value.ok_or_else(|| format!("expected a number from {} to {}", range.start(), range.end()))
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    // Up to the full load at least.
+    let range = 1.0..=1e6;
+    let value = text.trim().parse().ok().filter(|value| range.contains(value));
+    value.ok_or_else(|| "expected a number from 1 to 1000000".to_owned())
 }

@@ -1,6 +1,7 @@
 //! `standfast assess`: a body and its loads from a case file.
 
 mod json;
+pub(crate) mod situation;
 mod text;
 
 use std::fs;
@@ -13,6 +14,7 @@ use thiserror::Error;
 use crate::args::Format;
 use crate::case::{Case, CaseError};
 use crate::draw;
+use crate::layout::paragraph;
 use crate::write::{self, WriteError};
 use standfast_figures::DesignPoint;
 
@@ -56,21 +58,31 @@ pub enum AssessError {
     Write(#[from] WriteError),
 }
 
-/// A case's answer, and why its diagrams could not be written, if they could not: an answer is not lost with them.
+/// The answer to a case, and why a diagram of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
-pub struct Assessed {
+pub struct Answered {
     /// The answer to print.
     pub answer: String,
-    /// What prevented the diagrams.
+    /// What prevented a diagram.
     pub undrawn: Option<AssessError>,
 }
 
-/// Assesses a case file, and writes its diagrams into `directory` or else beside it.
+/// Assesses a case file, and writes its diagrams into `directory` or else beside it. The path of a rising load is
+/// followed up to `up_to` times the load.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense.
-pub fn assess(path: &Path, directory: Option<&Path>, format: Format) -> Result<Assessed, AssessError> {
-    let case = read(path)?;
+pub fn assess(
+    path: &Path,
+    directory: Option<&Path>,
+    up_to: f64,
+    format: Format,
+) -> Result<Answered, AssessError> {
+    let text = read(path)?;
+    let case = Case::parse(&path.display().to_string(), &text)?;
+    if !case.is_plain() {
+        return situation::assess(&case, path, directory, up_to, format);
+    }
     let (diagrams, undrawn) = match draw_diagrams(&case, path, directory) {
         Ok(diagrams) => (diagrams, None),
         Err(error) => (Vec::new(), Some(error)),
@@ -79,17 +91,44 @@ pub fn assess(path: &Path, directory: Option<&Path>, format: Format) -> Result<A
         Format::Text => text::render(&case, &diagrams),
         Format::Json => json::render(&case, &diagrams),
     };
-    Ok(Assessed { answer, undrawn })
+    Ok(Answered { answer, undrawn })
 }
 
-fn read(path: &Path) -> Result<Case, AssessError> {
+/// The text of a case file.
+pub(crate) fn read(path: &Path) -> Result<String, AssessError> {
     let bytes = fs::read(path).map_err(|cause| AssessError::Read { path: path.to_owned(), cause })?;
-    let text = String::from_utf8(bytes).map_err(|error| {
+    String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
         AssessError::Encoding { path: path.to_owned(), line }
-    })?;
-    Ok(Case::parse(&path.display().to_string(), &text)?)
+    })
+}
+
+/// Where the diagrams of a case go.
+struct Place<'a> {
+    case: &'a Path,
+    directory: &'a Path,
+}
+
+impl<'a> Place<'a> {
+    /// In `directory`, which is made if it is not there, or beside the case file.
+    fn new(case: &'a Path, directory: Option<&'a Path>) -> Result<Place<'a>, AssessError> {
+        if let Some(directory) = directory {
+            write::make_directory(directory)?;
+        }
+        let beside = || case.parent().unwrap_or(Path::new(""));
+        Ok(Place { case, directory: directory.unwrap_or_else(beside) })
+    }
+
+    /// The file of a diagram, named after the case and ended by `suffix`.
+    fn file(&self, suffix: &str) -> Result<PathBuf, AssessError> {
+        let stem = self.case.file_stem().unwrap_or_default().to_string_lossy();
+        let file = self.directory.join(format!("{stem}{suffix}.svg"));
+        if file.canonicalize().is_ok_and(|file| self.case.canonicalize().is_ok_and(|case| case == file)) {
+            return Err(AssessError::Overwrite { path: self.case.to_owned() });
+        }
+        Ok(file)
+    }
 }
 
 /// A diagram of a case, for all loads of one elevation.
@@ -119,22 +158,11 @@ fn draw_diagrams(
         }
     }
 
-    let directory = match directory {
-        Some(directory) => {
-            write::make_directory(directory)?;
-            directory
-        }
-        None => path.parent().unwrap_or(Path::new("")),
-    };
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let place = Place::new(path, directory)?;
     let several = groups.len() > 1;
     let mut drawn = Vec::new();
     for (i, (k_prime, points)) in groups.into_iter().enumerate() {
-        let number = if several { format!("-{}", i + 1) } else { String::new() };
-        let file = directory.join(format!("{stem}{number}.svg"));
-        if file.canonicalize().is_ok_and(|file| path.canonicalize().is_ok_and(|case| case == file)) {
-            return Err(AssessError::Overwrite { path: path.to_owned() });
-        }
+        let file = place.file(&if several { format!("-{}", i + 1) } else { String::new() })?;
         let diagram = Diagram::new(case.body.slenderness(), k_prime)?;
         draw::draw_case(&diagram, &points, &file)?;
         drawn.push(DrawnDiagram { path: file, k_prime });
@@ -145,4 +173,18 @@ fn draw_diagrams(
 /// The name of a load, or its number.
 fn load_name(case: &Case, index: usize) -> String {
     case.loads[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
+}
+
+/// Title and note.
+pub(crate) fn heading(case: &Case) -> String {
+    let mut text = String::new();
+    if let Some(title) = &case.title {
+        text += &paragraph(title, 0);
+        text += "\n";
+    }
+    if let Some(note) = &case.note {
+        text += &paragraph(note, 2);
+        text += "\n";
+    }
+    text
 }

@@ -20,23 +20,21 @@
 mod columns;
 mod error;
 mod file;
+mod problem;
 mod watched;
 
 pub use error::{BatchError, RowProblem};
 pub use file::process;
+pub use problem::Problem;
 
 use std::io::{Read, Write};
 
 use clap::ValueEnum;
 use csv::{ByteRecord, ReaderBuilder, WriterBuilder};
-use standfast::{InputError, Motion, Point};
 
-use columns::{Inputs, NAMES};
+use columns::Inputs;
+use problem::{Answer, MOST};
 use watched::Watched;
-
-/// The columns appended.
-pub const RESULTS: [&str; 9] =
-    ["mode", "unique", "also", "x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi"];
 
 /// What to do with a row that makes no sense.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -53,14 +51,16 @@ pub enum OnError {
 pub struct Options {
     /// What errors call the input.
     pub name: String,
+    /// Which problem the rows are.
+    pub problem: Problem,
     /// What to do with a row that makes no sense.
     pub on_error: OnError,
 }
 
 impl Options {
-    /// Stop at the first row that makes no sense; `name` is what errors call the input.
+    /// The report's problem; stop at the first row that makes no sense; `name` is what errors call the input.
     pub fn new(name: &str) -> Options {
-        Options { name: name.to_owned(), on_error: OnError::Stop }
+        Options { name: name.to_owned(), problem: Problem::Force, on_error: OnError::Stop }
     }
 }
 
@@ -89,9 +89,10 @@ pub fn run(input: impl Read, output: impl Write, options: &Options) -> Result<Su
     let read = |error| BatchError::Read { name: name.clone(), error };
 
     let header = reader.byte_headers().map_err(read)?.clone();
-    let inputs = Inputs::find(&header, name)?;
+    let inputs = Inputs::find(&header, name, options.problem)?;
     let mut record = header.clone();
-    RESULTS.iter().for_each(|result| record.push_field(result.as_bytes()));
+    let results = options.problem.results();
+    results.iter().for_each(|result| record.push_field(result.as_bytes()));
     writer.write_byte_record(&record).map_err(BatchError::Write)?;
 
     let mut summary = Summary::default();
@@ -100,7 +101,7 @@ pub fn run(input: impl Read, output: impl Write, options: &Options) -> Result<Su
             return Err(BatchError::Quote { name: name.clone(), line });
         }
         match answer(&record, &header, &inputs) {
-            Ok(point) => append(&mut record, &point),
+            Ok(answer) => answer.append(&mut record),
             Err(problem) => {
                 let line = watched::line(&reader, &record);
                 let error = BatchError::Row { name: name.clone(), line, problem };
@@ -110,7 +111,7 @@ pub fn run(input: impl Read, output: impl Write, options: &Options) -> Result<Su
                 summary.bad += 1;
                 summary.first.get_or_insert(error);
                 record.truncate(header.len());
-                (record.len()..header.len() + RESULTS.len()).for_each(|_| record.push_field(b""));
+                (record.len()..header.len() + results.len()).for_each(|_| record.push_field(b""));
             }
         }
         writer.write_byte_record(&record).map_err(BatchError::Write)?;
@@ -120,8 +121,8 @@ pub fn run(input: impl Read, output: impl Write, options: &Options) -> Result<Su
     Ok(summary)
 }
 
-/// The point of a row.
-fn answer(record: &ByteRecord, header: &ByteRecord, inputs: &Inputs) -> Result<Point, RowProblem> {
+/// The answer to a row.
+fn answer(record: &ByteRecord, header: &ByteRecord, inputs: &Inputs) -> Result<Answer, RowProblem> {
     if record.len() != header.len() {
         return Err(RowProblem::Length { found: record.len(), expected: header.len() });
     }
@@ -130,28 +131,20 @@ fn answer(record: &ByteRecord, header: &ByteRecord, inputs: &Inputs) -> Result<P
             return Err(RowProblem::Encoding { column: lossy(column), value: lossy(field) });
         }
     }
-    let mut values = [0.0; 4];
-    for ((value, column), &place) in values.iter_mut().zip(NAMES).zip(&inputs.places) {
+    let problem = inputs.problem;
+    let mut values = [0.0; MOST];
+    for ((value, column), &place) in values.iter_mut().zip(problem.columns()).zip(&inputs.places) {
         *value = number(&record[place]).ok_or_else(|| RowProblem::Value {
-            column,
+            column: column.name,
             value: lossy(&record[place]),
             expected: "a number",
         })?;
     }
-    let [gamma, k_prime, k, mu] = values;
-    Point::new(gamma, k_prime, k, mu).map_err(|error| blame(values, error, record, inputs))
-}
-
-/// Which column is at fault for a point that does not exist.
-fn blame(values: [f64; 4], error: InputError, record: &ByteRecord, inputs: &Inputs) -> RowProblem {
-    // Each value is tried alone, among others that are fine.
-    let culprit = (0..values.len()).find(|&i| {
-        let mut alone = [1.0; 4];
-        alone[i] = values[i];
-        Point::new(alone[0], alone[1], alone[2], alone[3]).is_err()
-    });
-    let i = culprit.unwrap_or_default();
-    RowProblem::Value { column: NAMES[i], value: lossy(&record[inputs.places[i]]), expected: error.expected }
+    problem.solve(values).map_err(|error| {
+        let i = problem.blame(&error);
+        let value = lossy(&record[inputs.places[i]]);
+        RowProblem::Value { column: problem.columns()[i].name, value, expected: error.expected }
+    })
 }
 
 fn number(field: &[u8]) -> Option<f64> {
@@ -160,17 +153,4 @@ fn number(field: &[u8]) -> Option<f64> {
 
 fn lossy(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
-}
-
-/// Appends the results to a row.
-fn append(record: &mut ByteRecord, point: &Point) {
-    let others = point.others();
-    record.push_field(point.mode().symbol().as_bytes());
-    record.push_field(if others.is_empty() { b"true" } else { b"false" });
-    record.push_field(others.to_string().as_bytes());
-    let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = point.motion();
-    let mut buffer = ryu::Buffer::new();
-    for value in [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi] {
-        record.push_field(buffer.format(value).as_bytes());
-    }
 }

@@ -3,7 +3,7 @@
 use standfast::initiation::{Crossing, Relation};
 use standfast::{Body, Mode, Motion, Reduced};
 
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{apart, columns, digits, paragraph, row};
 
 /// What the non-dimensional numbers of a point are measured in: m, m g, g, B and g/B of the real body.
 #[derive(Debug, Clone, Copy)]
@@ -24,18 +24,7 @@ impl Scale {
 
     /// A motion in SI units: m/s², rad/s², N per metre run and m.
     pub fn si(&self, motion: &Motion) -> Motion {
-        let Scale { acceleration, length, weight } = *self;
-        Motion {
-            x_ddot: motion.x_ddot * acceleration,
-            y_ddot: motion.y_ddot * acceleration,
-            theta_ddot: motion.theta_ddot * (acceleration / length),
-            f_x: motion.f_x * weight,
-            f_y: motion.f_y * weight,
-            xi: motion.xi * length,
-            slip: motion.slip * acceleration,
-            lift_o: motion.lift_o * acceleration,
-            lift_o_prime: motion.lift_o_prime * acceleration,
-        }
+        motion.scaled(self.acceleration, self.length, self.weight)
     }
 }
 
@@ -152,6 +141,18 @@ pub fn motion(reduced: &Reduced, scale: Option<&Scale>) -> String {
     columns(&rows, 2, &[2, 4])
 }
 
+/// Accelerations and reactions of a real body.
+pub fn motion_si(motion: &Motion) -> String {
+    let rows: Vec<_> = QUANTITIES
+        .iter()
+        .map(|quantity| {
+            let value = digits((quantity.of)(motion) / quantity.si_units);
+            row![quantity.symbol, quantity.words, value, quantity.si_unit]
+        })
+        .collect();
+    columns(&rows, 2, &[2])
+}
+
 /// Where the mode changes as the force or the friction varies.
 pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
     let point = &reduced.point;
@@ -172,17 +173,26 @@ pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
         row![value, format!("{} → {}", reduced.orient(crossing.from), reduced.orient(crossing.to))]
     };
     let mut text = paragraph(&leaves_rest, 2);
-    let forces: Vec<_> =
-        margins.along_force.iter().map(|crossing| arrow(force(crossing.at), crossing)).collect();
+    let values: Vec<f64> = margins.along_force.iter().map(|crossing| crossing.at).collect();
+    let forces: Vec<_> = apart(&values)
+        .into_iter()
+        .zip(&margins.along_force)
+        .map(|(value, crossing)| {
+            let k = format!("k = {value}");
+            let force = scale.map(|scale| kilonewtons(crossing.at * scale.weight));
+            arrow(force.map_or(k.clone(), |force| format!("F = {force} ({k})")), crossing)
+        })
+        .collect();
     if !forces.is_empty() {
         text += &format!("  as the force grows, at μ = {}:\n", digits(point.friction()));
         text += &columns(&forces, 4, &[]);
     }
 
-    let frictions: Vec<_> = margins
-        .along_friction
-        .iter()
-        .map(|crossing| arrow(format!("μ = {}", digits(crossing.at)), crossing))
+    let values: Vec<f64> = margins.along_friction.iter().map(|crossing| crossing.at).collect();
+    let frictions: Vec<_> = apart(&values)
+        .into_iter()
+        .zip(&margins.along_friction)
+        .map(|(value, crossing)| arrow(format!("μ = {value}"), crossing))
         .collect();
     if frictions.is_empty() {
         text += &format!("  At {} friction makes no difference.\n", force(point.force()));

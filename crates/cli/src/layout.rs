@@ -7,11 +7,27 @@ const WIDTH: usize = 88;
 
 /// Four significant digits, without trailing zeros.
 pub fn digits(x: f64) -> String {
+    significant(x, 4)
+}
+
+/// Different numbers in as few significant digits, four at least, as tell them apart.
+pub fn apart(numbers: &[f64]) -> Vec<String> {
+    let mut texts = Vec::new();
+    for count in 4..=17 {
+        texts = numbers.iter().map(|x| significant(*x, count)).collect();
+        if texts.windows(2).all(|pair| pair[0] != pair[1]) {
+            break;
+        }
+    }
+    texts
+}
+
+fn significant(x: f64, count: usize) -> String {
     if x == f64::INFINITY {
         return "unlimited".to_owned();
     }
     // `+ 0.0` turns −0 into 0.
-    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x) + 0.0;
+    let rounded: f64 = format!("{x:.*e}", count - 1).parse().unwrap_or(x) + 0.0;
     if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
         rounded.to_string()
     } else {

@@ -5,6 +5,7 @@
 //! | What does the command line look like? | [`args`] |
 //! | What is in a case file, and how do units become SI? | [`case`], [`units`] |
 //! | What is printed for one point? | [`describe`] as text, [`answer`] as JSON |
+//! | What to change for a case to be safe? | [`design`] |
 //! | How are tables processed? | [`batch`] |
 //!
 //! All mechanics is `standfast`'s; all drawing is `standfast-figures`'.
@@ -18,6 +19,7 @@ pub mod batch;
 pub mod case;
 pub mod classify;
 pub mod describe;
+pub mod design;
 pub mod draw;
 pub mod layout;
 pub mod suggest;
@@ -41,9 +43,13 @@ use standfast_figures::FigureId;
 pub fn run(cli: Cli) -> Result<()> {
     match cli.command {
         Command::Assess(args) => {
-            let assessed = assess::assess(&args.case, args.output.as_deref(), args.format)?;
-            print(&assessed.answer)?;
-            Ok(assessed.undrawn.map_or(Ok(()), Err)?)
+            let answered = assess::assess(&args.case, args.output.as_deref(), args.up_to, args.format)?;
+            print(&answered.answer)?;
+            Ok(answered.undrawn.map_or(Ok(()), Err)?)
+        }
+        Command::Design(args) => {
+            let args::DesignArgs { case, vary, target, from, to, format } = args;
+            print(&design::design(&case, &design::Request { vary, target, from, to }, format)?)
         }
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
@@ -74,7 +80,7 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     } else {
         args.input.display().to_string()
     };
-    let options = batch::Options { name, on_error: args.on_error };
+    let options = batch::Options { name, problem: args.problem, on_error: args.on_error };
     let summary = batch::process(&args.input, &args.output, &options)?;
     if let Some(first) = summary.first {
         eprintln!("warning: {} of {} rows without a result; the first: {first}", summary.bad, summary.rows);

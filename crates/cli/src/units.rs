@@ -17,6 +17,12 @@ pub enum Quantity {
     Force,
     /// m/s².
     Acceleration,
+    /// kg m² per metre run.
+    Inertia,
+    /// Pa.
+    Pressure,
+    /// s.
+    Time,
 }
 
 /// How a value in some unit becomes SI. Small units divide by a whole number, so that "123 mm" is the f64 nearest to
@@ -40,6 +46,16 @@ impl Quantity {
             }
             Quantity::Force => &[("N/m", Times(1.0)), ("kN/m", Times(1e3)), ("MN/m", Times(1e6))],
             Quantity::Acceleration => &[("m/s2", Times(1.0)), ("m/s²", Times(1.0))],
+            Quantity::Inertia => &[
+                ("kg m2/m", Times(1.0)),
+                ("t m2/m", Times(1e3)),
+                ("kg m²/m", Times(1.0)),
+                ("t m²/m", Times(1e3)),
+            ],
+            Quantity::Pressure => {
+                &[("Pa", Times(1.0)), ("kPa", Times(1e3)), ("kN/m2", Times(1e3)), ("kN/m²", Times(1e3))]
+            }
+            Quantity::Time => &[("s", Times(1.0))],
         }
     }
 
@@ -51,6 +67,9 @@ impl Quantity {
             Quantity::Density => "a density",
             Quantity::Force => "a force per metre run",
             Quantity::Acceleration => "an acceleration",
+            Quantity::Inertia => "a moment of inertia per metre run",
+            Quantity::Pressure => "a pressure",
+            Quantity::Time => "a time",
         }
     }
 
@@ -62,6 +81,9 @@ impl Quantity {
             Quantity::Density => "kg/m3",
             Quantity::Force => "N/m",
             Quantity::Acceleration => "m/s2",
+            Quantity::Inertia => "kg m2/m",
+            Quantity::Pressure => "Pa",
+            Quantity::Time => "s",
         }
     }
 
@@ -143,6 +165,10 @@ mod tests {
             (Quantity::Force, "7 N/m", 7.0),
             (Quantity::Acceleration, "9.81 m/s2", 9.81),
             (Quantity::Acceleration, "9.81 m/s²", 9.81),
+            (Quantity::Inertia, "9500 t m2/m", 9.5e6),
+            (Quantity::Pressure, "65.7 kPa", 65.7e3),
+            (Quantity::Pressure, "65.7 kN/m2", 65.7e3),
+            (Quantity::Time, "11.4 s", 11.4),
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Ok(expected), "{text}");

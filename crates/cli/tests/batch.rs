@@ -5,7 +5,8 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use standfast::Point;
-use standfast_cli::batch::{BatchError, OnError, Options, run};
+use standfast::contact::{Block, Wrench, solve};
+use standfast_cli::batch::{BatchError, OnError, Options, Problem, run};
 
 /// Numbers from 0 to 1, the same in every run.
 fn random() -> impl FnMut() -> f64 {
@@ -57,6 +58,45 @@ fn every_row_is_a_scalar_call() {
     }
     assert_eq!(rows, 2000);
     assert_eq!(seen.into_iter().collect::<Vec<_>>().join(" "), "RE RO RO' SL SRO'- SRO+ SRO-");
+}
+
+#[test]
+fn every_wrench_is_a_scalar_call() {
+    let mut random = random();
+    let mut table = String::from("m,p,x,id,mu_k,mu_s,m_y,m_x,rho2,d,b2,b1\n");
+    let mut answers = Vec::new();
+    for i in 0..2000 {
+        let mut between = |low: f64, high: f64| low + (high - low) * random();
+        let [b1, b2, d] = [(); 3].map(|()| between(0.3, 2.0));
+        let (rho2, m_x, m_y) = (between(0.2, 2.0), between(1.0, 2.0), between(1.0, 1.5));
+        let mu_s = between(0.0, 3.0);
+        let mu_k = if i % 2 == 0 { mu_s } else { mu_s * between(0.5, 1.0) };
+        let wrench = Wrench { x: between(-3.0, 3.0), p: between(-0.3, 1.5), m: between(-3.0, 3.0) };
+        let Wrench { x, p, m } = wrench;
+        table += &format!("{m},{p},{x},row {i},{mu_k},{mu_s},{m_y},{m_x},{rho2},{d},{b2},{b1}\n");
+        answers.push(solve(&Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k }, &wrench).expect("an answer"));
+    }
+    let options = Options { problem: Problem::Wrench, ..Options::new("table") };
+    let mut output = Vec::new();
+    let summary = run(table.as_bytes(), &mut output, &options).expect("a table");
+    assert_eq!((summary.rows, summary.bad), (2000, 0));
+
+    let mut reader = csv::Reader::from_reader(&output[..]);
+    let header = reader.headers().expect("a header").iter().skip(12).collect::<Vec<_>>().join(",");
+    assert_eq!(header, "modes,mode,x_ddot,y_ddot,theta_ddot,f_x,f_y,xi");
+    let mut seen = std::collections::BTreeSet::new();
+    for (record, answer) in reader.records().zip(&answers) {
+        let record = record.expect("a row");
+        assert_eq!(&record[12], answer.modes.to_string());
+        let mode = answer.mode().expect("a mode");
+        assert_eq!(&record[13], mode.symbol());
+        let motion = answer.motion(mode).expect("a motion");
+        let expected = [motion.x_ddot, motion.y_ddot, motion.theta_ddot, motion.f_x, motion.f_y, motion.xi];
+        let found: Vec<f64> = record.iter().skip(14).map(|field| field.parse().expect("a number")).collect();
+        assert_eq!(found, expected);
+        seen.insert(mode.symbol());
+    }
+    assert_eq!(seen.len(), 10, "{seen:?}");
 }
 
 #[test]

@@ -7,6 +7,12 @@ use standfast_cli::case::Case;
 use standfast_cli::classify::classify;
 
 const CASE: &str = include_str!("../../../examples/caisson-in-air.toml");
+const CASES: [&str; 4] = [
+    include_str!("../../../examples/goda-2000.toml"),
+    include_str!("../../../examples/goda-lower-berm.toml"),
+    include_str!("../../../examples/head-difference.toml"),
+    include_str!("../../../examples/monument.toml"),
+];
 const TABLE: &str = include_str!("../../../examples/points.csv");
 
 /// A text with a piece cut out and something else put in its place.
@@ -33,8 +39,13 @@ fn number() -> impl Strategy<Value = f64> {
 }
 
 fn try_case(text: &str) {
-    if let Err(error) = Case::parse("case.toml", text) {
-        assert!(!standfast_cli::report(&error).is_empty());
+    match Case::parse("case.toml", text) {
+        // Answered, or refused by the mechanics as out of range.
+        Ok(case) => case.situations().iter().for_each(|loaded| {
+            let _ = loaded.situation.at(1.0);
+            let _ = loaded.situation.path(2.0);
+        }),
+        Err(error) => assert!(!standfast_cli::report(&error).is_empty()),
     }
 }
 
@@ -57,6 +68,13 @@ proptest! {
 
     #[test]
     fn mutated_cases(bytes in mutated(CASE)) {
+        try_case(&String::from_utf8_lossy(&bytes));
+    }
+
+    #[test]
+    fn mutated_cases_of_all_loads(bytes in prop_oneof![
+        mutated(CASES[0]), mutated(CASES[1]), mutated(CASES[2]), mutated(CASES[3]),
+    ]) {
         try_case(&String::from_utf8_lossy(&bytes));
     }
 

@@ -4,22 +4,14 @@ use std::fmt::Write;
 
 use standfast::Slip;
 
-use super::{DrawnDiagram, load_name};
+use super::{DrawnDiagram, heading, load_name};
 use crate::case::{Case, Load};
 use crate::describe::{self, Scale, kilonewtons};
 use crate::layout::{columns, digits, paragraph, row};
 
 pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
     let scale = Scale::of(&case.body, case.gravity);
-    let mut text = String::new();
-    if let Some(title) = &case.title {
-        text += &paragraph(title, 0);
-        text += "\n";
-    }
-    if let Some(note) = &case.note {
-        text += &paragraph(note, 2);
-        text += "\n";
-    }
+    let mut text = heading(case);
     text += "Body\n";
     text += &body(case, &scale);
     if case.loads.len() > 1 {
@@ -28,7 +20,7 @@ pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
     }
     for (i, load) in case.loads.iter().enumerate() {
         let several = case.loads.len() > 1;
-        let heading = match &load.name {
+        let title = match &load.name {
             Some(name) if several => format!("Load {}: {name}", i + 1),
             Some(name) => format!("Load: {name}"),
             None if several => format!("Load {}", i + 1),
@@ -38,7 +30,7 @@ pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
             let _ = write!(text, "\n{}\n", "─".repeat(88));
         }
         text += "\n";
-        text += &paragraph(&heading, 0);
+        text += &paragraph(&title, 0);
         text += &details(case, load, &scale);
     }
     text += "\n";

@@ -2,55 +2,49 @@
 
 use csv::ByteRecord;
 
-use super::{BatchError, RESULTS, lossy};
+use super::problem::Column;
+use super::{BatchError, Problem, lossy};
 use crate::suggest::closest;
 
-/// The columns of γ, k', k and μ.
-pub(super) const NAMES: [&str; 4] = ["gamma", "k_prime", "k", "mu"];
-
-/// What people call them otherwise.
-const OTHER_NAMES: [&[&str]; 4] = [
-    &["gamma", "γ", "slenderness", "h/b"],
-    &["k_prime", "k'", "kprime", "kp", "elevation", "height"],
-    &["k", "force", "f", "load"],
-    &["mu", "μ", "friction", "friction coefficient"],
-];
-
-/// Where the four columns are.
+/// Where the columns of a problem are.
 pub(super) struct Inputs {
-    pub(super) places: [usize; 4],
+    pub(super) problem: Problem,
+    pub(super) places: Vec<usize>,
 }
 
 impl Inputs {
-    pub(super) fn find(header: &ByteRecord, name: &str) -> Result<Inputs, BatchError> {
+    pub(super) fn find(header: &ByteRecord, name: &str, problem: Problem) -> Result<Inputs, BatchError> {
         if header.is_empty() {
-            return Err(BatchError::Empty { name: name.to_owned() });
+            return Err(BatchError::Empty { name: name.to_owned(), needed: problem.needed() });
         }
         let found: Vec<String> = header.iter().map(|column| lossy(column).trim().to_owned()).collect();
-        if let Some(column) = RESULTS.into_iter().find(|result| found.iter().any(|column| column == result)) {
+        let result = problem.results().iter().find(|result| found.iter().any(|column| column == *result));
+        if let Some(column) = result {
             return Err(BatchError::ResultExists { name: name.to_owned(), column });
         }
-        let mut places = [0; 4];
-        for (i, column) in NAMES.into_iter().enumerate() {
+        let mut places = Vec::new();
+        for column in problem.columns() {
             let mut matches =
-                found.iter().enumerate().filter(|(_, found)| *found == column).map(|(place, _)| place);
-            places[i] = matches.next().ok_or_else(|| BatchError::MissingColumn {
+                found.iter().enumerate().filter(|(_, found)| *found == column.name).map(|(place, _)| place);
+            places.push(matches.next().ok_or_else(|| BatchError::MissingColumn {
                 name: name.to_owned(),
-                column,
+                column: column.name,
                 found: found.join(", "),
-                suggestion: similar(i, &found),
-            })?;
+                suggestion: similar(column, &found, problem),
+                needed: problem.needed(),
+            })?);
             if matches.next().is_some() {
-                return Err(BatchError::TwoColumns { name: name.to_owned(), column });
+                return Err(BatchError::TwoColumns { name: name.to_owned(), column: column.name });
             }
         }
-        Ok(Inputs { places })
+        Ok(Inputs { problem, places })
     }
 }
 
-/// The column that is most likely meant by `NAMES[i]`.
-fn similar(i: usize, found: &[String]) -> Option<String> {
-    let free = || found.iter().map(String::as_str).filter(|column| !NAMES.contains(column));
-    let exact = free().find(|column| OTHER_NAMES[i].contains(&column.to_lowercase().as_str()));
-    exact.or_else(|| OTHER_NAMES[i].iter().find_map(|other| closest(other, free()))).map(str::to_owned)
+/// The column that is most likely meant.
+fn similar(column: &Column, found: &[String], problem: Problem) -> Option<String> {
+    let needed = |name: &str| problem.columns().iter().any(|column| column.name == name);
+    let free = || found.iter().map(String::as_str).filter(|name| !needed(name));
+    let exact = free().find(|name| column.other_names.contains(&name.to_lowercase().as_str()));
+    exact.or_else(|| column.other_names.iter().find_map(|other| closest(other, free()))).map(str::to_owned)
 }

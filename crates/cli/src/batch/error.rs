@@ -10,14 +10,16 @@ use crate::write::WriteError;
 pub enum BatchError {
     /// There is not even a header.
     #[error("{name} is empty")]
-    #[diagnostic(help("a table begins with the names of its columns, among them gamma, k_prime, k and mu"))]
+    #[diagnostic(help("a table begins with the names of its columns, among them {needed}"))]
     Empty {
         /// The table.
         name: String,
+        /// The columns needed.
+        needed: String,
     },
-    /// One of the four columns is not there.
+    /// One of the columns needed is not there.
     #[error("{name} has no column {column}; its columns are {found}")]
-    #[diagnostic(help("{}", rename(column, suggestion.as_deref())))]
+    #[diagnostic(help("{}", rename(column, suggestion.as_deref(), needed)))]
     MissingColumn {
         /// The table.
         name: String,
@@ -27,8 +29,10 @@ pub enum BatchError {
         found: String,
         /// The one that may be meant.
         suggestion: Option<String>,
+        /// The columns needed.
+        needed: String,
     },
-    /// One of the four columns is there twice.
+    /// One of the columns needed is there twice.
     #[error("{name} has two columns {column}")]
     TwoColumns {
         /// The table.
@@ -120,9 +124,9 @@ pub enum RowProblem {
     },
 }
 
-fn rename(column: &str, suggestion: Option<&str>) -> String {
+fn rename(column: &str, suggestion: Option<&str>, needed: &str) -> String {
     match suggestion {
         Some(found) => format!("did you mean `{found}`? then name it {column}"),
-        None => "the columns needed are gamma, k_prime, k and mu, in any order".to_owned(),
+        None => format!("the columns needed are {needed}, in any order"),
     }
 }

@@ -86,6 +86,107 @@ pub enum Problem {
     /// `load = []`.
     #[error("the case file has no load")]
     NoLoad,
+    /// Slip with more friction than stick.
+    #[error("`kinetic_friction` is {kinetic}; expected no more than `friction`, which is {friction}")]
+    KineticFriction {
+        /// To slip.
+        kinetic: f64,
+        /// To stick.
+        friction: f64,
+    },
+    /// `weight_arm` alone.
+    #[error("[body] has `weight_arm` but no `buoyant_weight`")]
+    ArmWithoutWeight,
+    /// A water table beside a weight from which buoyancy is taken off.
+    #[error("the case has both [water] and `buoyant_weight`, so buoyancy would be taken off twice")]
+    WaterTwice,
+    /// Waves without still water.
+    #[error("[wave] needs [water], for the buoyancy, or `buoyant_weight` in [body]")]
+    NoWater,
+    /// No level.
+    #[error("[water] has no level")]
+    NoLevel,
+    /// The level of one side.
+    #[error("[water] lacks `{missing}`; water on one side only has level 0 on the other")]
+    OneLevel {
+        /// The key.
+        missing: &'static str,
+    },
+    /// Both are given.
+    #[error("[water] has `level`, for both sides, and one for a side")]
+    LevelAndSides,
+    /// Neither here nor with the waves.
+    #[error("[water] lacks `density`, and there is no `water_density` in [wave] to take")]
+    NoWaterDensity,
+    /// Two densities of one water.
+    #[error("`density` is {density} kg/m3, but `water_density` in [wave] is {of_wave} kg/m3")]
+    Densities {
+        /// Of the still water.
+        density: f64,
+        /// Of the waves.
+        of_wave: f64,
+    },
+    /// Two levels of one sea.
+    #[error(
+        "`{key}` is {level} m above the base, but the sea at the right is {base_depth} m, by `base_depth` in [wave]"
+    )]
+    LevelOfWave {
+        /// The key of the level.
+        key: &'static str,
+        /// Of the still water, m.
+        level: f64,
+        /// Of the waves, m.
+        base_depth: f64,
+    },
+    /// Water whose mass is to be added, but there is none.
+    #[error("`sides` counts sides with water, but there is neither [water] nor [wave]")]
+    SidesWithoutWater,
+    /// None is given.
+    #[error("[added_mass] has neither `mass` nor `sides`")]
+    NoAddedMass,
+    /// Both are given.
+    #[error("[added_mass] has both `mass` and `sides`")]
+    MassAndSides,
+    /// Both are given.
+    #[error("[wave] has `deep_water_height` and a height at the wall")]
+    DeepAndLocal,
+    /// None is given.
+    #[error("[wave] has no wave height")]
+    NoWaveHeight,
+    /// One of the heights at the wall.
+    #[error("[wave] lacks `{missing}`; at the wall, both `H13` and `Hmax` are needed")]
+    OneWaveHeight {
+        /// The key.
+        missing: &'static str,
+    },
+    /// Two widths of one caisson.
+    #[error("`caisson_width` is {width} m, but the base of the body is {base} m wide")]
+    CaissonWidth {
+        /// Of the waves, m.
+        width: f64,
+        /// From O to O', m.
+        base: f64,
+    },
+    /// Two heights of one caisson.
+    #[error(
+        "`base_depth` and `crest_height` make {base_depth} m + {crest_height} m, but the body is {height} m high"
+    )]
+    Height {
+        /// Below still water, m.
+        base_depth: f64,
+        /// Above still water, m.
+        crest_height: f64,
+        /// Of the body, m.
+        height: f64,
+    },
+    /// A value that does not go with the others.
+    #[error("`{key}` is {}; expected {}", .error.value, .error.expected)]
+    Impossible {
+        /// The key.
+        key: &'static str,
+        /// What the library says.
+        error: InputError,
+    },
     /// Numbers beyond what can be computed, by themselves or together.
     #[error("these numbers are too large or too small to be computed with: {} is {:e}; expected {}", .0.quantity, .0.value, .0.expected)]
     Mechanics(InputError),
@@ -126,7 +227,31 @@ impl Problem {
             Problem::Syntax(message) if message.contains("missing value") || message.contains("quot") => {
                 "texts and numbers with a unit stand in quotes, e.g. width = \"15 m\"".into()
             }
-            Problem::Syntax(_) | Problem::Mechanics(_) => return None,
+            Problem::WaterTwice => "keep [water] to work with the total weight and explicit pressures, or \
+                 `buoyant_weight` to work with W'"
+                .into(),
+            Problem::NoWater => "add for example\n[water]\nlevel = \"7.1 m\"".into(),
+            Problem::NoLevel => "add level = \"7.1 m\" for both sides, or left and right".into(),
+            Problem::NoWaterDensity => "add for example density = \"1030 kg/m3\"".into(),
+            Problem::NoAddedMass => "add sides = 1 or 2, or for example mass = \"50 t/m\"".into(),
+            Problem::DeepAndLocal | Problem::NoWaveHeight => {
+                "give either deep_water_height, or H13 and Hmax at the wall".into()
+            }
+            Problem::LevelAndSides | Problem::MassAndSides => "keep one of them".into(),
+            Problem::ArmWithoutWeight => "the arm is that of W'; add buoyant_weight, or remove it".into(),
+            Problem::Height { base_depth, crest_height, .. } => {
+                format!("with them the height is {} m", base_depth + crest_height)
+            }
+            Problem::Syntax(_)
+            | Problem::Mechanics(_)
+            | Problem::KineticFriction { .. }
+            | Problem::OneLevel { .. }
+            | Problem::Densities { .. }
+            | Problem::LevelOfWave { .. }
+            | Problem::SidesWithoutWater
+            | Problem::OneWaveHeight { .. }
+            | Problem::CaissonWidth { .. }
+            | Problem::Impossible { .. } => return None,
         };
         Some(help)
     }
@@ -149,6 +274,35 @@ fn example(key: &str) -> Option<&'static str> {
         "force" => "force = \"450 kN/m\"",
         "elevation" => "elevation = \"8 m\"",
         "direction" => "direction = \"left\"",
+        "kinetic_friction" => "kinetic_friction = 0.5",
+        "centroid_offset" => "centroid_offset = \"0.4 m\"",
+        "centroid_height" => "centroid_height = \"5 m\"",
+        "moment_of_inertia" => "moment_of_inertia = \"9500 t m2/m\"",
+        "base_left" => "base_left = \"7 m\"",
+        "base_right" => "base_right = \"7 m\"",
+        "buoyant_weight" => "buoyant_weight = \"2300 kN/m\"",
+        "weight_arm" => "weight_arm = \"7.5 m\"",
+        "level" => "level = \"7.1 m\"",
+        "grows" => "grows = true",
+        "horizontal" => "horizontal = 0.2    # of g, or \"2 m/s2\"",
+        "vertical" => "vertical = -0.1    # of g, or \"-1 m/s2\"",
+        "sides" => "sides = 1",
+        "deep_water_height" => "deep_water_height = \"6.3 m\"",
+        "H13" => "H13 = \"5.8 m\"",
+        "Hmax" => "Hmax = \"8.05 m\"",
+        "period" => "period = \"11.4 s\"",
+        "sea_bottom_slope" => "sea_bottom_slope = 0.01",
+        "water_depth" => "water_depth = \"10.1 m\"",
+        "depth_above_berm" => "depth_above_berm = \"5.6 m\"",
+        "base_depth" => "base_depth = \"7.1 m\"",
+        "crest_height" => "crest_height = \"3.4 m\"",
+        "berm_width" => "berm_width = \"8 m\"",
+        "caisson_width" => "caisson_width = \"15 m\"",
+        "angle_deg" => "angle_deg = 15",
+        "turn_deg" => "turn_deg = 15",
+        "water_density" => "water_density = \"1030 kg/m3\"",
+        "impulsive" => "impulsive = true",
+        "lambda" => "lambda = [1, 1, 1]",
         _ => return None,
     })
 }

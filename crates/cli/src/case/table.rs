@@ -5,6 +5,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Problem, Span};
+use crate::case::number::{Number, NumberId, Numbers};
 use crate::suggest::closest;
 use crate::units::Quantity;
 
@@ -14,24 +15,43 @@ pub(super) struct At {
     pub(super) span: Span,
 }
 
+/// What every table and value of a file refers to.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    pub(super) text: &'a str,
+    /// The numbers read so far, and those that are replaced.
+    pub(super) numbers: &'a Numbers<'a>,
+}
+
 /// A table of the file.
 pub(super) struct Table<'a> {
     table: &'a DeTable<'a>,
     span: Span,
     name: &'static str,
-    text: &'a str,
+    /// Its place among tables of that name.
+    index: usize,
+    source: Source<'a>,
 }
 
 /// A value of a table.
 pub(super) struct Field<'a> {
     value: &'a Spanned<DeValue<'a>>,
     key: &'static str,
-    text: &'a str,
+    table: (&'static str, usize),
+    source: Source<'a>,
 }
 
+const ABOVE_ZERO: &str = "a finite number above zero";
+const NOT_NEGATIVE: &str = "a finite number, zero or more";
+
 impl<'a> Table<'a> {
-    pub(super) fn new(table: &'a DeTable<'a>, span: Span, name: &'static str, text: &'a str) -> Table<'a> {
-        Table { table, span, name, text }
+    pub(super) fn new(
+        table: &'a DeTable<'a>,
+        span: Span,
+        name: &'static str,
+        source: Source<'a>,
+    ) -> Table<'a> {
+        Table { table, span, name, index: 0, source }
     }
 
     /// Refuses every key that is not one of `allowed`; the first in the text is reported.
@@ -49,7 +69,20 @@ impl<'a> Table<'a> {
     }
 
     pub(super) fn get(&self, key: &'static str) -> Option<Field<'a>> {
-        self.table.get(key).map(|value| Field { value, key, text: self.text })
+        let table = (self.name, self.index);
+        self.table.get(key).map(|value| Field { value, key, table, source: self.source })
+    }
+
+    pub(super) fn has(&self, key: &'static str) -> bool {
+        self.table.contains_key(key)
+    }
+
+    /// A problem of a value, or of the table if it does not have it.
+    pub(super) fn problem_at(&self, key: &'static str, problem: Problem) -> At {
+        match self.get(key) {
+            Some(field) => field.problem(problem),
+            None => self.problem(problem),
+        }
     }
 
     pub(super) fn optional<T>(
@@ -84,7 +117,7 @@ impl<'a> Field<'a> {
 
     /// The value as it stands in the file.
     fn as_written(&self) -> String {
-        self.text.get(self.value.span()).unwrap_or_default().to_owned()
+        self.source.text.get(self.value.span()).unwrap_or_default().to_owned()
     }
 
     fn wrong_type(&self, expected: &'static str) -> At {
@@ -102,12 +135,16 @@ impl<'a> Field<'a> {
 
     pub(super) fn text(&self) -> Result<String, At> {
         let text = self.value.get_ref().as_str().ok_or_else(|| self.wrong_type("a text in quotes"))?;
+        // A terminal would obey them.
+        if text.chars().any(|c| c.is_control() && !c.is_whitespace()) {
+            return Err(self.wrong_type("one without control characters"));
+        }
         Ok(text.to_owned())
     }
 
     pub(super) fn table(&self, header: &'static str) -> Result<Table<'a>, At> {
         let table = self.value.get_ref().as_table().ok_or_else(|| self.wrong_type("a table"))?;
-        Ok(Table::new(table, self.value.span(), header, self.text))
+        Ok(Table::new(table, self.value.span(), header, self.source))
     }
 
     pub(super) fn tables(&self, header: &'static str) -> Result<Vec<Table<'a>>, At> {
@@ -116,7 +153,11 @@ impl<'a> Field<'a> {
         if list.is_empty() {
             return Err(self.problem(Problem::NoLoad));
         }
-        list.iter().map(|value| Field { value, key: self.key, text: self.text }.table(header)).collect()
+        let tables = list.iter().enumerate().map(|(index, value)| {
+            let table = Field { value, ..*self }.table(header)?;
+            Ok(Table { index, ..table })
+        });
+        tables.collect()
     }
 
     /// A plain TOML number; `None` for every other type, and for integers that are no decimals (hexadecimal etc.).
@@ -128,7 +169,8 @@ impl<'a> Field<'a> {
         }
     }
 
-    fn quantity(&self, quantity: Quantity) -> Result<f64, At> {
+    /// A number with a unit, or without one in SI units.
+    fn written(&self, quantity: Quantity) -> Result<f64, At> {
         if let Some(value) = self.plain_number() {
             return Ok(value);
         }
@@ -140,8 +182,15 @@ impl<'a> Field<'a> {
         }
     }
 
-    fn checked(&self, value: f64, expected: &'static str, ok: bool) -> Result<f64, At> {
-        if ok && value.is_finite() {
+    /// Notes the number under this key, or takes the one that replaces it.
+    fn noted(&self, key: &'static str, value: f64, quantity: Option<Quantity>) -> f64 {
+        let (table, index) = self.table;
+        let id = NumberId { table, index, key };
+        self.source.numbers.note(Number { id, value, quantity })
+    }
+
+    fn checked(&self, value: f64, expected: &'static str, ok: impl Fn(f64) -> bool) -> Result<f64, At> {
+        if ok(value) && value.is_finite() {
             // A written "-0.0" is zero.
             Ok(value + 0.0)
         } else {
@@ -149,19 +198,77 @@ impl<'a> Field<'a> {
         }
     }
 
+    fn quantity(
+        &self,
+        quantity: Quantity,
+        expected: &'static str,
+        ok: impl Fn(f64) -> bool,
+    ) -> Result<f64, At> {
+        let value = self.checked(self.written(quantity)?, expected, &ok)?;
+        self.checked(self.noted(self.key, value, Some(quantity)), expected, ok)
+    }
+
+    fn plain(&self, expected: &'static str, ok: impl Fn(f64) -> bool) -> Result<f64, At> {
+        let value = self.plain_number().ok_or_else(|| self.wrong_type("a number without unit or quotes"))?;
+        let value = self.checked(value, expected, &ok)?;
+        self.checked(self.noted(self.key, value, None), expected, ok)
+    }
+
+    pub(super) fn finite(&self, quantity: Quantity) -> Result<f64, At> {
+        self.quantity(quantity, "a finite number", |_| true)
+    }
+
     pub(super) fn positive(&self, quantity: Quantity) -> Result<f64, At> {
-        let value = self.quantity(quantity)?;
-        self.checked(value, "a finite number above zero", value > 0.0)
+        self.quantity(quantity, ABOVE_ZERO, |value| value > 0.0)
     }
 
     pub(super) fn not_negative(&self, quantity: Quantity) -> Result<f64, At> {
-        let value = self.quantity(quantity)?;
-        self.checked(value, "a finite number, zero or more", value >= 0.0)
+        self.quantity(quantity, NOT_NEGATIVE, |value| value >= 0.0)
     }
 
-    pub(super) fn friction(&self) -> Result<f64, At> {
-        let value = self.plain_number().ok_or_else(|| self.wrong_type("a number without unit or quotes"))?;
-        self.checked(value, "a finite number, zero or more", value >= 0.0)
+    /// A number without unit, zero or more.
+    pub(super) fn ratio(&self) -> Result<f64, At> {
+        self.plain(NOT_NEGATIVE, |value| value >= 0.0)
+    }
+
+    /// An acceleration, where a number without unit counts `gravity` (m/s²).
+    pub(super) fn acceleration(&self, gravity: f64) -> Result<f64, At> {
+        let value = match self.plain_number() {
+            Some(shares) => shares * gravity,
+            None => self.written(Quantity::Acceleration)?,
+        };
+        let value = self.checked(value, "a finite number", |_| true)?;
+        Ok(self.noted(self.key, value, Some(Quantity::Acceleration)))
+    }
+
+    /// Three numbers without unit in a list; they are noted under `keys`.
+    pub(super) fn three(&self, keys: [&'static str; 3]) -> Result<[f64; 3], At> {
+        const EXPECTED: &str = "a list of three numbers";
+        let list = self.value.get_ref().as_array().ok_or_else(|| self.wrong_type(EXPECTED))?;
+        if list.len() != keys.len() {
+            let problem =
+                Problem::OutOfRange { key: self.key, written: self.as_written(), expected: EXPECTED };
+            return Err(self.problem(problem));
+        }
+        let mut numbers = [0.0; 3];
+        for ((number, value), key) in numbers.iter_mut().zip(list.iter()).zip(keys) {
+            let field = Field { value, ..*self };
+            let plain = field.plain_number().ok_or_else(|| field.wrong_type("a list of numbers"))?;
+            let written = field.checked(plain, NOT_NEGATIVE, |value| value >= 0.0)?;
+            *number = field.noted(key, written, None);
+        }
+        Ok(numbers)
+    }
+
+    pub(super) fn truth(&self) -> Result<bool, At> {
+        self.value.get_ref().as_bool().ok_or_else(|| self.wrong_type("true or false"))
+    }
+
+    /// 1 or 2.
+    pub(super) fn sides(&self) -> Result<u8, At> {
+        let value = self.plain_number().ok_or_else(|| self.wrong_type("1 or 2"))?;
+        let value = self.checked(value, "1 or 2", |value| value == 1.0 || value == 2.0)?;
+        Ok(if value == 1.0 { 1 } else { 2 })
     }
 
     pub(super) fn direction(&self) -> Result<Slip, At> {

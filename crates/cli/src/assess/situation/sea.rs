@@ -1,0 +1,86 @@
+//! The sea, the waves and their pressures, for reading.
+
+use standfast::wave::Heights;
+
+use crate::case::WaveLoad;
+use crate::layout::{columns, digits, paragraph, row};
+
+pub(super) fn render(wave: &WaveLoad) -> String {
+    let mut text = "\nSea and waves\n".to_owned();
+    text += &sea(wave);
+    for warning in &wave.goda.warnings {
+        text += &paragraph(&format!("Warning: {warning}."), 2);
+    }
+    text += "\nPressures on the wall (Goda)\n";
+    text += &pressures(wave);
+    text
+}
+
+fn metres(x: f64) -> String {
+    format!("{} m", digits(x))
+}
+
+fn sea(WaveLoad { sea, heights, section, choices, goda }: &WaveLoad) -> String {
+    let mut rows = Vec::new();
+    match *heights {
+        Heights::DeepWater(height) => {
+            rows.push(row!["deep-water height H0'", metres(height)]);
+            let from = "from H0' by shoaling and breaking";
+            rows.push(row!["significant height H13", format!("{}, {from}", metres(goda.h_13))]);
+            rows.push(row!["maximum height Hmax", format!("{}, {from}", metres(goda.h_max))]);
+        }
+        Heights::Local { .. } => {
+            rows.push(row!["significant height H13", format!("{}, as given", metres(goda.h_13))]);
+            rows.push(row!["maximum height Hmax", format!("{}, as given", metres(goda.h_max))]);
+        }
+    }
+    let turned = match choices.turn_deg {
+        0.0 => "as given, not turned towards the normal".to_owned(),
+        turn => format!("{}° turned towards the normal by up to {}°", digits(sea.angle_deg), digits(turn)),
+    };
+    rows.extend([
+        row!["period T13", format!("{} s", digits(sea.period))],
+        row![
+            "wavelength L",
+            format!("{} at the wall, L0 = {}", metres(goda.wavelength), metres(goda.deep_water_wavelength))
+        ],
+        row!["angle β", format!("{}° ({turned})", digits(goda.angle_deg))],
+        row![
+            "water depth h",
+            format!("{}, bed slope {}", metres(sea.water_depth), digits(sea.sea_bottom_slope))
+        ],
+        row!["depth h_b", format!("{} at 5 H13 in front of the wall", metres(goda.h_b))],
+        row![
+            "depth above berm d",
+            format!("{}, berm width B_M = {}", metres(section.depth_above_berm), metres(section.berm_width))
+        ],
+        row!["base depth h'", metres(section.base_depth)],
+        row!["crest height h_c", format!("{} above still water", metres(section.crest_height))],
+        row!["water density", format!("{} kg/m³", digits(sea.water_density))],
+    ]);
+    columns(&rows, 2, &[])
+}
+
+fn pressures(WaveLoad { choices, goda, .. }: &WaveLoad) -> String {
+    let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
+    let [λ1, λ2, λ3] = choices.lambda.map(digits);
+    let impulsive = if choices.impulsive { "in use" } else { "not used" };
+    let rows = [
+        row![
+            "η*",
+            metres(goda.eta_star),
+            format!("acts up to h_c* = {} above still water", metres(goda.h_c_star))
+        ],
+        row!["α1", digits(goda.alpha_1), format!("λ1, λ2, λ3 = {λ1}, {λ2}, {λ3}")],
+        row!["α2", digits(goda.alpha_2)],
+        row!["α_I", digits(goda.alpha_impulsive), format!("Takahashi's impulsive coefficient, {impulsive}")],
+        row!["α*", digits(goda.alpha_star)],
+        row!["α3", digits(goda.alpha_3)],
+        row!["α4", digits(goda.alpha_4)],
+        row!["p1", kilopascals(goda.p1), "at still water"],
+        row!["p3", kilopascals(goda.p3), "at the base"],
+        row!["p4", kilopascals(goda.p4), "at the top of the loaded wall"],
+        row!["pu", kilopascals(goda.pu), "uplift at the seaward toe, none at the heel"],
+    ];
+    columns(&rows, 2, &[])
+}
