@@ -1,17 +1,23 @@
-//! docs/gallery.md and the figures it shows.
+//! docs/gallery.md and the figures it shows: the report's, and those of the worked cases.
 
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
+use standfast_cli::args::Format;
+use standfast_cli::assess::assess;
 use standfast_figures::{FigureId, report_figure};
 
-/// Every file of the gallery, by its path in docs.
-fn files() -> Vec<(String, String)> {
+/// A file of the gallery: its path in docs, and its content.
+type File = (String, String);
+
+/// Every file of the gallery.
+fn files(root: &Path) -> io::Result<Vec<File>> {
     let mut page = String::from(
         "# Gallery\n\n\
          The report's 26 figures, drawn to true scale from the library's curves and regions for the body that each\n\
-         caption names. `standfast figures -o DIR` draws them as SVG, PNG or PDF; this page is written by\n\
-         `cargo xtask gallery`, and a test fails when a figure in it is stale.\n",
+         caption names, and the diagrams of the worked cases in `examples`. `standfast figures -o DIR` draws the figures\n\
+         as SVG, PNG or PDF, `standfast assess CASE.toml` those of a case. This page is written by `cargo xtask gallery`,\n\
+         and a test fails when a figure in it is stale.\n",
     );
     let mut files = Vec::new();
     for id in FigureId::ALL {
@@ -20,17 +26,52 @@ fn files() -> Vec<(String, String)> {
         page.push_str(&format!("\n## Fig. {id}\n\n![{}]({path})\n", figure.title()));
         files.push((path, figure.svg().to_owned()));
     }
+    for (name, figures) in cases(root)? {
+        page.push_str(&format!("\n## Case {name}\n\n[The case file](../examples/{name}.toml)\n"));
+        for (path, svg) in figures {
+            page.push_str(&format!("\n![{path}]({path})\n"));
+            files.push((path, svg));
+        }
+    }
     files.push(("gallery.md".to_owned(), page));
-    files
+    Ok(files)
+}
+
+/// The diagrams of every example, by its name.
+fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
+    let mut cases = Vec::new();
+    for path in sorted(&root.join("examples"), "toml")? {
+        let folder = tempfile::tempdir()?;
+        let assessed = assess(&path, Some(folder.path()), 2.0, Format::Text).map_err(io::Error::other)?;
+        if let Some(error) = assessed.undrawn {
+            return Err(io::Error::other(error));
+        }
+        let figures = sorted(folder.path(), "svg")?.into_iter().map(|figure| {
+            let name = figure.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            Ok((format!("gallery/case-{name}"), fs::read_to_string(figure)?))
+        });
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        cases.push((name, figures.collect::<io::Result<_>>()?));
+    }
+    Ok(cases)
+}
+
+/// The files of a folder with an extension, by name.
+fn sorted(folder: &Path, extension: &str) -> io::Result<Vec<std::path::PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
+    let mut paths = entries.collect::<io::Result<Vec<_>>>()?;
+    paths.retain(|path| path.extension().is_some_and(|found| found == extension));
+    paths.sort();
+    Ok(paths)
 }
 
 /// Writes all files; returns their number.
 pub fn write(root: &Path) -> io::Result<usize> {
     let docs = root.join("docs");
-    std::fs::create_dir_all(docs.join("gallery"))?;
-    let files = files();
+    fs::create_dir_all(docs.join("gallery"))?;
+    let files = files(root)?;
     for (path, content) in &files {
-        std::fs::write(docs.join(path), content)?;
+        fs::write(docs.join(path), content)?;
     }
     Ok(files.len())
 }
@@ -41,8 +82,9 @@ mod tests {
 
     #[test]
     fn every_figure_in_the_gallery_is_current() {
-        for (path, content) in files() {
-            let kept = std::fs::read_to_string(crate::root().join("docs").join(&path)).unwrap_or_default();
+        let root = crate::root();
+        for (path, content) in files(&root).unwrap() {
+            let kept = fs::read_to_string(root.join("docs").join(&path)).unwrap_or_default();
             assert!(
                 kept == content,
                 "docs/{path} is stale; run `cargo xtask gallery` and look at what changed"

@@ -1,4 +1,4 @@
-//! Every function and test that validation/traceability.md and docs/errata.md name exists.
+//! Every function and test that the pages of validation and docs/errata.md name exists.
 
 use std::fs;
 use std::path::Path;
@@ -36,7 +36,7 @@ fn every_function_named_in_the_traceability_table_exists() {
     for directory in ["crates", "xtask"] {
         sources(&root().join(directory), &mut text);
     }
-    for page in ["validation/traceability.md", "docs/errata.md"] {
+    for page in ["validation/traceability.md", "validation/loads.md", "docs/errata.md"] {
         // The last cell of a row names tests only.
         let page = fs::read_to_string(root().join(page)).unwrap();
         let names = functions(&page);
