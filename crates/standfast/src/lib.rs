@@ -24,7 +24,7 @@
 //! The symbols are those of the report this library implements, on vertical caisson breakwaters, after Shenton's
 //! treatment of earthquakes (1996): γ = H/B, k = F/(m g), k' the height of the force above the centre of mass in H,
 //! μ Coulomb friction. Numbers in parentheses are the report's equations. Modes are decided exactly for the f64
-//! given; there is no tolerance anywhere.
+//! given; no decision has a tolerance.
 
 mod approx;
 pub mod batch;
