@@ -69,7 +69,7 @@ pub enum DesignError {
         error: UnitError,
     },
     /// A bracket without inside.
-    #[error("the bracket from {from} to {to} is empty")]
+    #[error("the bracket from {from} to {to} is empty; give its ends with --from and --to, in SI units")]
     EmptyBracket {
         /// Its lower end, SI.
         from: f64,
@@ -165,8 +165,9 @@ fn bracket(request: &Request, variable: &Variable) -> Result<[f64; 2], DesignErr
             DesignError::Bracket { option, written: written.clone(), quantity, error }
         }),
     };
-    let from = end("--from", &request.from, variable.present / 5.0)?;
-    let to = end("--to", &request.to, variable.present * 5.0)?;
+    let [low, high] = [variable.present / 5.0, variable.present * 5.0];
+    let from = end("--from", &request.from, low.min(high))?;
+    let to = end("--to", &request.to, low.max(high))?;
     if from < to { Ok([from, to]) } else { Err(DesignError::EmptyBracket { from, to }) }
 }
 

@@ -72,7 +72,9 @@ impl Target {
         match self {
             Target::Rest => assessed.full.mode == Some(Mode::Rest),
             Target::Factor(factor) => {
-                sliding >= factor && overturning >= factor && !assessed.full.is_lifted()
+                // The classical factor looks at one corner; a body that turns about the other does not meet it.
+                let turns = factor >= 1.0 && assessed.full.mode != Some(Mode::Rest);
+                sliding >= factor && overturning >= factor && !assessed.full.is_lifted() && !turns
             }
             Target::LoadFactor(factor) => first(assessed) >= factor,
             Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),

@@ -131,8 +131,14 @@ pub(super) fn classical(assessed: &Assessed) -> String {
     text += "\nSafety factors and heel pressure\n";
     text += &columns(&rows, 2, &[]);
     if several {
-        let both = "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one \
-            as less resistance. They differ except at 1, which they pass together.";
+        let beyond = assessed.full.effective.is_some_and(|reduced| reduced.point.elevation() < -1.0);
+        let both = if beyond {
+            "The classical factor looks at the heel, on the side the force points to; the loads turn this body about \
+             the other corner, of which the factor in effective coordinates speaks."
+        } else {
+            "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one as \
+             less resistance. They differ except at 1, which they pass together."
+        };
         text += &paragraph(both, 2);
     }
     text

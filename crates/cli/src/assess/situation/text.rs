@@ -104,8 +104,8 @@ fn details(case: &Case, assessed: &Assessed) -> String {
         }
         None => {
             text += &paragraph(
-                "The load is no point of the report's diagram, which needs a uniform body with one friction, pressed on \
-                 its base and pushed sideways; it is answered by the general contact problem.",
+                "The load is no point of the report's diagram, which needs a uniform body with one friction and no \
+                 added mass, pressed on its base and pushed sideways; it is answered by the general contact problem.",
                 2,
             );
         }

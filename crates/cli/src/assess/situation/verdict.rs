@@ -21,10 +21,17 @@ pub(super) fn full_load(assessed: &Assessed) -> String {
     let mut text = String::new();
     if full.is_lifted() {
         let lift = kilonewtons(0.0 - full.wrench.p);
-        let lifted = format!(
-            "Nothing presses the body on its base any more: the loads lift it with {lift}. It floats or is lifted; \
-             friction and safety factors mean nothing."
-        );
+        let lifted = if full.wrench.p == 0.0 {
+            "The loads carry the whole weight: nothing presses the body on its base, and safety factors mean nothing."
+                .to_owned()
+        } else if full.mode == Some(Mode::Flight) {
+            format!("The loads lift the body with {lift} more than its weight: safety factors mean nothing.")
+        } else {
+            format!(
+                "The loads lift the body with {lift} more than its weight, but press one corner down by their moment; \
+                 safety factors mean nothing."
+            )
+        };
         text += &paragraph(&lifted, 2);
     }
     text += &paragraph(&format!("Applied at once, the full load: the body {}.", predicate(full.mode)), 2);
@@ -75,7 +82,15 @@ pub(super) fn departure(assessed: &Assessed) -> String {
             format!("The body does not leave rest up to {} times the variable load.", digits(assessed.up_to))
         }
         Some(Stage { from: 0.0, mode, .. }) => {
-            format!("The permanent loads alone move the body: it {}.", predicate(*mode))
+            let permanent = assessed.loaded.situation.at(0.0).ok().and_then(|state| state.mode);
+            if permanent == Some(Mode::Rest) {
+                format!(
+                    "Any share of the variable load, however small, moves the body: it {}.",
+                    predicate(*mode)
+                )
+            } else {
+                format!("The permanent loads alone move the body: it {}.", predicate(*mode))
+            }
         }
         Some(Stage { from, mode, .. }) => {
             let into = mode.map_or("no consistent mode", Mode::symbol);
