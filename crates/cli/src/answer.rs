@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 use standfast::initiation::{Crossing, Relation, Step};
-use standfast::{Mode, Motion, Reduced};
+use standfast::{Mode, Motion, Reduced, Slip};
 
 /// Everything that is known of one point.
 #[derive(Debug, Serialize)]
@@ -141,5 +141,13 @@ impl TraceRelation {
             holds,
             margin: relation.margin(),
         }
+    }
+}
+
+/// Where a force points, as a case file says it.
+pub(crate) fn direction(towards: Slip) -> &'static str {
+    match towards {
+        Slip::Left => "left",
+        Slip::Right => "right",
     }
 }

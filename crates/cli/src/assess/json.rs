@@ -1,10 +1,9 @@
 //! A case's answer as one JSON document, at full precision. Units are SI.
 
 use serde::Serialize;
-use standfast::Slip;
 
 use super::DrawnDiagram;
-use crate::answer::{Answer, Onset};
+use crate::answer::{Answer, Onset, direction};
 use crate::case::{Case, Load};
 use crate::describe::Scale;
 
@@ -65,10 +64,7 @@ fn load_answer<'a>(load: &'a Load, scale: &Scale, diagrams: &[DrawnDiagram]) -> 
         name: load.name.as_deref(),
         force: load.force.magnitude(),
         elevation: load.force.elevation(),
-        direction: match load.force.direction() {
-            Slip::Left => "left",
-            Slip::Right => "right",
-        },
+        direction: direction(load.force.direction()),
         answer: Answer::of(&load.reduced),
         motion_si: Onset::of(&scale.si(&load.reduced.motion())),
         leaves_rest_force: point.margins().leaves_rest().map(|crossing| crossing.at * scale.weight),

@@ -5,10 +5,10 @@
 
 use serde::Serialize;
 use standfast::wave::Goda;
-use standfast::{LoadKind, Mode, Modes, Slip};
+use standfast::{LoadKind, Mode, Modes};
 
 use super::{Assessed, loads};
-use crate::answer::Onset;
+use crate::answer::{Onset, direction};
 use crate::case::{Case, Component, WaveLoad};
 
 /// What the numbers are measured in.
@@ -189,10 +189,7 @@ fn load_answer<'a>(case: &'a Case, assessed: &Assessed) -> Option<LoadAnswer<'a>
         name: load.name.as_deref(),
         force: load.force.magnitude() / 1e3,
         elevation: load.force.elevation(),
-        direction: match load.force.direction() {
-            Slip::Left => "left",
-            Slip::Right => "right",
-        },
+        direction: direction(load.force.direction()),
         answer: Answer::of(assessed),
     })
 }
