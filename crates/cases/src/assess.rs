@@ -84,7 +84,7 @@ impl<'a> Assessment<'a> {
 }
 
 /// The name of a load, or its number.
-fn load_name(case: &Case, index: usize) -> String {
+pub(crate) fn load_name(case: &Case, index: usize) -> String {
     case.loads[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
 }
 

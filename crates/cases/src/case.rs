@@ -30,6 +30,7 @@ mod loads;
 mod number;
 mod situation;
 mod table;
+mod warning;
 mod wave;
 
 pub use error::{CaseError, Problem};
@@ -75,8 +76,8 @@ pub struct Case {
     pub earthquake: Option<Earthquake>,
     /// Waves.
     pub wave: Option<WaveLoad>,
-    /// Mass of water that a horizontal motion carries along, kg per metre run.
-    pub added_mass: f64,
+    /// Water that a horizontal motion carries along.
+    pub added_mass: AddedMass,
     /// Forces, each an alternative to the others; all other loads act together with each.
     pub loads: Vec<Load>,
     /// Every number of the file, in the order they were read.
@@ -118,6 +119,15 @@ pub struct Uplift {
     pub right: f64,
     /// Whether it grows with the variable load.
     pub grows: bool,
+}
+
+/// Water that a horizontal motion carries along.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AddedMass {
+    /// Its mass, kg per metre run.
+    pub mass: f64,
+    /// Height above the base at which it presses, m; `None` where the mass alone is given.
+    pub height: Option<f64>,
 }
 
 /// An acceleration of the base.

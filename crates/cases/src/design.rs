@@ -18,7 +18,7 @@ use miette::Diagnostic;
 use standfast::InputError;
 use thiserror::Error;
 
-use crate::case::{Case, CaseError, Replacement};
+use crate::case::{Case, CaseError, Problem, Replacement};
 use crate::layout::digits;
 use crate::units::{Quantity, UnitError};
 use outcome::Outcome;
@@ -67,6 +67,29 @@ pub enum DesignError {
         from: f64,
         /// Its upper end, SI.
         to: f64,
+    },
+    /// An end of the bracket that the quantity cannot have.
+    #[error("{option} is \"{written}\"; expected {expected}, as {name} has to be")]
+    Impossible {
+        /// The option.
+        option: &'static str,
+        /// What was given.
+        written: String,
+        /// What was varied.
+        name: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// The target does not depend on the quantity.
+    #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
+    #[diagnostic(help("another quantity helps: see the sensitivities of a target that can be met"))]
+    NoInfluence {
+        /// What was varied.
+        name: String,
+        /// The target.
+        target: Target,
+        /// What fails.
+        binding: String,
     },
     /// No value meets the target.
     #[error("no {name} from {from} to {to} meets the target {target}; {best}")]
@@ -138,10 +161,18 @@ impl Design {
         let case = chain.case(&[])?;
         let variable = Variable::find(&request.vary, &case)?;
         let bracket = bracket(&request, &variable)?;
+        possible(&chain, &case, &request, &variable, bracket)?;
         let present = chain.outcome(&[])?;
         let found = search(&chain, &case, &variable, request.target, bracket)?;
         let sensitivities = sensitivity::all(&chain, &case);
         Ok(Design { case, request, variable, bracket, present, found, sensitivities })
+    }
+
+    /// What is unusual about the case with the value found, and is not at present.
+    fn new_warnings(&self) -> impl Iterator<Item = &str> {
+        let new =
+            self.found.outcome.warnings.iter().filter(|warning| !self.present.warnings.contains(warning));
+        new.map(String::as_str)
     }
 
     /// The design for reading.
@@ -167,6 +198,26 @@ fn bracket(request: &Request, variable: &Variable) -> Result<[f64; 2], DesignErr
     let from = end("--from", &request.from, low.min(high))?;
     let to = end("--to", &request.to, low.max(high))?;
     if from < to { Ok([from, to]) } else { Err(DesignError::EmptyBracket { from, to }) }
+}
+
+/// Refuses ends, where given, with a sign that the quantity cannot have.
+fn possible(
+    chain: &Chain<'_>,
+    case: &Case,
+    request: &Request,
+    variable: &Variable,
+    [from, to]: [f64; 2],
+) -> Result<(), DesignError> {
+    for (option, written, value) in [("--from", &request.from, from), ("--to", &request.to, to)] {
+        let Some(written) = written.clone().filter(|_| value < 0.0) else { continue };
+        if let Err(error) = chain.case(&variable.replacements(case, value))
+            && let Problem::OutOfRange { key, expected, .. } = *error.problem()
+            && variable.is_under(key)
+        {
+            return Err(DesignError::Impossible { option, written, name: variable.name.clone(), expected });
+        }
+    }
+    Ok(())
 }
 
 fn units(quantity: Option<Quantity>) -> String {

@@ -109,6 +109,11 @@ impl Body {
         }
     }
 
+    /// How far the base reaches to the left and to the right of mid-width, m; see [`with_base`](Body::with_base).
+    pub fn base_edges(&self) -> (f64, f64) {
+        (self.base_left, self.base_right)
+    }
+
     /// 2B, m.
     pub fn width(&self) -> f64 {
         self.width

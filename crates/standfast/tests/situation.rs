@@ -253,6 +253,60 @@ fn a_floating_body_is_an_answer() {
     assert!(state.effective.is_none());
 }
 
+/// Where nothing presses the body on its base, the same motion is not counted twice: on a lattice full of coincidences,
+/// modes that are consistent together are different motions, and one is always consistent.
+#[test]
+fn consistent_modes_are_different_motions() {
+    let mut unpressed = 0;
+    for i in 0..4_u32.pow(6) {
+        let digit = |place: u32| f64::from(i / 4_u32.pow(place) % 4);
+        let mu = digit(0) / 2.0;
+        let block =
+            Block { mu_s: mu, mu_k: mu, b2: 1.0 + digit(5) / 2.0, ..Block::uniform(1.0 + digit(1), mu) };
+        let wrench = Wrench { x: digit(2) - 1.0, p: digit(3) - 2.0, m: digit(4) - 1.0 };
+        let answer = solve(&block, &wrench).unwrap();
+        assert!(answer.mode().is_some(), "{block:?} {wrench:?}");
+        let motions: Vec<_> = answer.modes.iter().map(|mode| answer.motion(mode).unwrap()).collect();
+        unpressed += u32::from(motions.iter().any(|motion| motion.f_y == 0.0 && wrench.p >= 0.0));
+        for (i, one) in motions.iter().enumerate() {
+            for two in &motions[..i] {
+                let far = |a: f64, b: f64| (a - b).abs() > 1e-9;
+                assert!(
+                    far(one.x_ddot, two.x_ddot)
+                        || far(one.y_ddot, two.y_ddot)
+                        || far(one.theta_ddot, two.theta_ddot),
+                    "{block:?} {wrench:?} {}",
+                    answer.modes
+                );
+            }
+        }
+    }
+    assert!(unpressed > 100);
+}
+
+/// About the toe by hand: a force far below turns the body over the other corner; uplift alone may turn it as well.
+#[test]
+fn overturning_has_a_factor_about_each_corner() {
+    let body = Body::new(4.0, 2.0, 1e4).unwrap();
+    let weight = body.mass() * G;
+    let at = |situation: Situation| situation.actions(1.0).stability(0.6, 4.0);
+    // A force to the left and a moment to the right about the base, 0.75 of what the weight resists.
+    let twist = Wrench { x: -1e3, p: 0.0, m: -1e3 - 1.5 * weight };
+    let twisted =
+        at(Situation::new(body, 0.6, G).permanent(Weight, body.weight(G)).variable(Horizontal, twist));
+    assert_eq!(twisted.overturning, f64::INFINITY);
+    assert!((twisted.overturning_about_toe - 2.0 / 1.5).abs() < 1e-12);
+    assert_eq!(twisted.least_overturning(), twisted.overturning_about_toe);
+    // 0 to 40 kPa from O to O' turns it about O with 40e3·4/2·(8/3) N·m against 2 m g, and does not lift it.
+    let uplifted = Situation::new(body, 0.6, G)
+        .permanent(Weight, body.weight(G))
+        .variable(standfast::LoadKind::Uplift, body.base_pressure(0.0, 40e3));
+    assert!(40e3 * 2.0 * 8.0 / 3.0 > 2.0 * weight && 40e3 * 2.0 < weight);
+    assert_eq!(at(uplifted.clone()).overturning, 0.0);
+    assert!(uplifted.at(1.0).unwrap().mode != Some(Mode::Rest));
+    assert_eq!(at(uplifted).overturning_about_toe, f64::INFINITY);
+}
+
 /// A random body, friction and pair of wrenches.
 fn random_path(random: &mut Random) -> (Block, Wrench, Wrench) {
     let mut block = Block::uniform(random.uniform(0.3, 4.0), random.log(0.1, 4.0));

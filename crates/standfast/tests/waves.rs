@@ -280,8 +280,8 @@ fn heel_pressure_has_its_ranges() {
     assert!((below - 20.0).abs() < 1e-6 && (above - 20.0).abs() < 1e-6); // 2W/B
     assert_eq!(at(4.5), HeelPressure::Pressed(10.0)); // W/B
     assert_eq!(at(6.5), HeelPressure::Unloaded);
-    assert_eq!(at(0.0), HeelPressure::NoContact);
-    assert_eq!(at(-1.0), HeelPressure::NoContact);
+    assert_eq!(at(0.0), HeelPressure::OutsideBase);
+    assert_eq!(at(-1.0), HeelPressure::OutsideBase);
 }
 
 #[test]
@@ -302,7 +302,7 @@ fn warnings_name_their_trigger() {
             "impulsive breaking is possible: berm width B_M/L = 0.074, depth above the berm d/h = 0.554, bed slope 0.010, steepness H0'/L0 = 0.0310; the pressures may be exceeded"
         ]
     );
-    let low_berm = Section { depth_above_berm: 8.0, ..section };
+    let low_berm = Section { depth_above_berm: 6.5, ..section };
     assert!(names(&sea, &heights, &low_berm).is_empty());
     let deep = Sea { water_depth: 60.0, ..sea };
     let deep_section = Section { depth_above_berm: 50.0, base_depth: 52.0, ..section };
@@ -313,6 +313,31 @@ fn warnings_name_their_trigger() {
     let high = Heights::Local { significant: 9.0, maximum: 15.0 };
     assert!(
         names(&sea, &high, &low_berm)[0].starts_with("H_max = 15.00 m is above the breaking limit 8.09 m")
+    );
+    let deep_base = Section { base_depth: 11.0, ..low_berm };
+    assert_eq!(
+        names(&sea, &heights, &deep_base),
+        [
+            "base_depth = 11.00 m is more than the water depth 10.10 m: the base would lie below the sea bed in front of it"
+        ]
+    );
+    let sunk_berm = Section { depth_above_berm: 8.0, ..section };
+    assert_eq!(
+        names(&sea, &heights, &sunk_berm),
+        ["depth_above_berm = 8.00 m is more than base_depth = 7.10 m: the berm would lie below the base"]
+    );
+    let tide = Sea { period: 40.0, sea_bottom_slope: 0.0, ..sea };
+    let local = Heights::Local { significant: 2.0, maximum: 3.0 };
+    assert_eq!(
+        names(&tide, &local, &low_berm),
+        [
+            "period = 40 s is longer than that of wind waves and swell (30 s at most), for which the formulas were found"
+        ]
+    );
+    let steep = Sea { sea_bottom_slope: 0.2, ..sea };
+    assert_eq!(
+        names(&steep, &local, &low_berm),
+        ["bed slope 0.2: the wave heights were computed for beds of 0.1 at most"]
     );
 }
 

@@ -1,6 +1,6 @@
 //! The table `[body]`.
 
-use standfast::Body;
+use standfast::{Body, Point};
 
 use super::table::{At, Field, Table};
 use super::{Problem, Weight, impossible};
@@ -46,6 +46,8 @@ pub(super) fn read(table: &Table<'_>) -> Result<ReadBody, At> {
         (None, Some(density)) => Body::of_density(width, height, density.positive(Quantity::Density)?),
     };
     let friction = table.required("friction", Field::ratio)?;
+    Point::new(1.0, 0.0, 0.0, friction)
+        .map_err(|error| impossible(table, &[("friction μ", "friction")], error))?;
     // Signs are fine; what remains is the library's range, for the numbers and what follows from them.
     let body = body.map_err(|error| table.problem(Problem::Mechanics(error)))?;
     let kinetic_friction = table.optional("kinetic_friction", Field::ratio)?.unwrap_or(friction);

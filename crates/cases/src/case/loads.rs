@@ -4,7 +4,7 @@ use standfast::wave;
 use standfast::{Body, HorizontalForce, Slip};
 
 use super::table::{At, Field, Table};
-use super::{Earthquake, Load, Problem, Uplift, Water, WaveLoad, impossible};
+use super::{AddedMass, Earthquake, Load, Problem, Uplift, Water, WaveLoad, impossible};
 use crate::units::Quantity;
 
 /// How far lengths that have to be equal may differ, m.
@@ -66,7 +66,7 @@ pub(super) fn added_mass(
     table: &Table<'_>,
     water: Option<&Water>,
     wave: Option<&WaveLoad>,
-) -> Result<f64, At> {
+) -> Result<AddedMass, At> {
     table.only(&["mass", "sides"])?;
     let mass = table.optional("mass", |field| field.not_negative(Quantity::Mass))?;
     let sides = table.optional("sides", Field::sides)?;
@@ -79,15 +79,21 @@ pub(super) fn added_mass(
         (None, None) => None,
     };
     match (mass, sides, depths) {
-        (Some(mass), None, _) => Ok(mass),
-        (None, Some(1), Some((density, right, _))) => Ok(wave::added_mass(1, density, right)),
-        (None, Some(_), Some((density, right, left))) => {
-            Ok(wave::added_mass(1, density, right) + wave::added_mass(1, density, left))
-        }
+        (Some(mass), None, _) => Ok(AddedMass { mass, height: None }),
+        (None, Some(1), Some((density, right, _))) => Ok(beside(density, &[right])),
+        (None, Some(_), Some((density, right, left))) => Ok(beside(density, &[right, left])),
         (None, Some(_), None) => Err(table.problem_at("sides", Problem::SidesWithoutWater)),
         (None, None, _) => Err(table.problem(Problem::NoAddedMass)),
         (Some(_), Some(_), _) => Err(table.problem_at("sides", Problem::MassAndSides)),
     }
+}
+
+/// The water that moves with a wall, of a density and the depths on its sides.
+fn beside(density: f64, depths: &[f64]) -> AddedMass {
+    let masses = || depths.iter().map(|&depth| (wave::added_mass(1, density, depth), depth));
+    let mass: f64 = masses().map(|(mass, _)| mass).sum();
+    let moment: f64 = masses().map(|(mass, depth)| mass * wave::added_mass_height(depth)).sum();
+    AddedMass { mass, height: (mass > 0.0).then(|| moment / mass) }
 }
 
 pub(super) fn force(table: &Table<'_>, body: &Body, friction: f64, gravity: f64) -> Result<Load, At> {

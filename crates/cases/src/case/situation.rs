@@ -3,7 +3,7 @@
 use standfast::contact::Wrench;
 use standfast::{LoadKind, Situation};
 
-use super::{Case, Weight};
+use super::{AddedMass, Case, Weight};
 
 /// A load and what it is called.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ impl Case {
         }
         let mut situation = Situation::new(self.body, self.friction, self.gravity);
         situation.kinetic_friction = self.kinetic_friction;
-        situation.added_mass = self.added_mass;
+        situation.added_mass = self.added_mass.mass;
         for &Component { kind, permanent, wrench, .. } in &components {
             situation =
                 if permanent { situation.permanent(kind, wrench) } else { situation.variable(kind, wrench) };
@@ -85,6 +85,11 @@ impl Case {
         if let Some(earthquake) = &self.earthquake {
             let horizontal = body.base_acceleration(earthquake.horizontal, 0.0);
             components.push(variable("earthquake, horizontal".to_owned(), LoadKind::Horizontal, horizontal));
+            // Against the shaken wall, water presses as if its mass were shaken, too.
+            if let AddedMass { mass, height: Some(height) } = self.added_mass {
+                let water = body.horizontal_force(-mass * earthquake.horizontal, height);
+                components.push(variable("water on the shaken wall".to_owned(), LoadKind::Horizontal, water));
+            }
             if earthquake.vertical != 0.0 {
                 let vertical = body.base_acceleration(0.0, earthquake.vertical);
                 components.push(variable("earthquake, vertical".to_owned(), LoadKind::Weight, vertical));

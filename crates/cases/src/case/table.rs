@@ -6,6 +6,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Problem, Span};
 use crate::case::number::{Number, NumberId, Numbers};
+use crate::layout::digits;
 use crate::suggest::closest;
 use crate::units::Quantity;
 
@@ -205,13 +206,27 @@ impl<'a> Field<'a> {
         ok: impl Fn(f64) -> bool,
     ) -> Result<f64, At> {
         let value = self.checked(self.written(quantity)?, expected, &ok)?;
-        self.checked(self.noted(self.key, value, Some(quantity)), expected, ok)
+        self.replaced(value, self.noted(self.key, value, Some(quantity)), expected, ok)
     }
 
     fn plain(&self, expected: &'static str, ok: impl Fn(f64) -> bool) -> Result<f64, At> {
         let value = self.plain_number().ok_or_else(|| self.wrong_type("a number without unit or quotes"))?;
         let value = self.checked(value, expected, &ok)?;
-        self.checked(self.noted(self.key, value, None), expected, ok)
+        self.replaced(value, self.noted(self.key, value, None), expected, ok)
+    }
+
+    /// A value that may stand in place of the one read, checked like that.
+    fn replaced(
+        &self,
+        read: f64,
+        value: f64,
+        expected: &'static str,
+        ok: impl Fn(f64) -> bool,
+    ) -> Result<f64, At> {
+        if value == read || ok(value) && value.is_finite() {
+            return Ok(value);
+        }
+        Err(self.problem(Problem::OutOfRange { key: self.key, written: digits(value), expected }))
     }
 
     pub(super) fn finite(&self, quantity: Quantity) -> Result<f64, At> {
@@ -254,7 +269,7 @@ impl<'a> Field<'a> {
         for ((number, value), key) in numbers.iter_mut().zip(list.iter()).zip(keys) {
             let field = Field { value, ..*self };
             let plain = field.plain_number().ok_or_else(|| field.wrong_type("a list of numbers"))?;
-            let written = field.checked(plain, NOT_NEGATIVE, |value| value >= 0.0)?;
+            let written = field.checked(plain, ABOVE_ZERO, |value| value > 0.0)?;
             *number = field.noted(key, written, None);
         }
         Ok(numbers)

@@ -5,6 +5,7 @@ use standfast::Mode;
 
 use super::Design;
 use super::outcome::Outcome;
+use super::search::Below;
 use super::sensitivity::Sensitivity;
 use crate::units::Quantity;
 
@@ -20,6 +21,8 @@ struct Document<'a> {
     found: State,
     /// What fails just below the value found.
     binding: Option<&'a str>,
+    /// What the value found brings about that the present one does not.
+    warnings: Vec<&'a str>,
     /// Beyond this value the target fails again.
     holds_up_to: Option<f64>,
     notes: Vec<String>,
@@ -61,7 +64,11 @@ pub(super) fn render(design: &Design) -> String {
         bracket: *bracket,
         present: State::of(variable.present, present),
         found: State::of(found.value, &found.outcome),
-        binding: found.binding.as_deref(),
+        binding: match &found.below {
+            Below::End => None,
+            Below::Fails(why) | Below::NoCase(why) => Some(why),
+        },
+        warnings: design.new_warnings().collect(),
         holds_up_to: found.until.as_ref().map(|(value, _)| *value),
         notes: variable.notes(case),
         sensitivity_per_percent: sensitivities.iter().map(Change::of).collect(),

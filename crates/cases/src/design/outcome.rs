@@ -1,6 +1,6 @@
 //! What a case comes to: the worst of its situations in each respect.
 
-use standfast::{InputError, Mode, Stability};
+use standfast::{InputError, Mode};
 
 use crate::assess::situation::Assessed;
 use crate::case::Case;
@@ -11,33 +11,41 @@ pub(super) const FAR: f64 = 1e4;
 /// The answers to a case's situations.
 pub(super) struct Outcome {
     pub(super) all: Vec<Assessed>,
+    /// What is unusual about the case.
+    pub(super) warnings: Vec<String>,
 }
 
 impl Outcome {
     pub(super) fn of(case: &Case) -> Result<Outcome, InputError> {
         let situations = case.situations().into_iter();
-        Ok(Outcome { all: situations.map(|loaded| Assessed::of(loaded, FAR)).collect::<Result<_, _>>()? })
+        let all = situations.map(|loaded| Assessed::of(loaded, FAR)).collect::<Result<_, _>>()?;
+        Ok(Outcome { all, warnings: case.warnings() })
     }
 
-    fn worst(&self, of: impl Fn(&Assessed) -> f64) -> f64 {
-        self.all.iter().map(of).fold(f64::INFINITY, f64::min)
+    /// The least of a number over all situations.
+    fn worst(&self, of: fn(&Assessed) -> f64) -> f64 {
+        of(self.governing(of))
+    }
+
+    /// The situation in which a number is least.
+    pub(super) fn governing(&self, of: fn(&Assessed) -> f64) -> &Assessed {
+        let worst = self.all.iter().min_by(|one, two| of(one).total_cmp(&of(two)));
+        worst.expect("a case has a situation")
     }
 
     /// SF_sliding.
     pub(super) fn sliding(&self) -> f64 {
-        self.worst(|assessed| assessed.stability.sliding)
+        self.worst(sliding)
     }
 
-    /// SF_overturning.
+    /// SF_overturning, about either corner.
     pub(super) fn overturning(&self) -> f64 {
-        self.worst(|assessed| assessed.stability.overturning)
+        self.worst(overturning)
     }
 
     /// The smaller of both factors.
     pub(super) fn factor(&self) -> f64 {
-        self.worst(|Assessed { stability: Stability { sliding, overturning, .. }, .. }| {
-            sliding.min(*overturning)
-        })
+        self.sliding().min(self.overturning())
     }
 
     /// The load factor at which the body first leaves rest; infinite if it does not.
@@ -45,24 +53,27 @@ impl Outcome {
         self.worst(first)
     }
 
-    /// The situation that leaves rest first.
-    pub(super) fn governing(&self) -> &Assessed {
-        let worst = self.all.iter().min_by(|one, two| first(one).total_cmp(&first(two)));
-        worst.expect("a case has a situation")
-    }
-
     /// The mode under the full load, of the situation that leaves rest first.
     pub(super) fn mode(&self) -> Option<Mode> {
-        self.governing().full.mode
+        self.governing(first).full.mode
     }
 
     /// The mode in which the body leaves rest.
     pub(super) fn first_mode(&self) -> Option<Mode> {
-        self.governing().departure().and_then(|stage| stage.mode)
+        self.governing(first).departure().and_then(|stage| stage.mode)
     }
 }
 
-/// Without a load that rises, the body moves at once or never.
+pub(super) fn sliding(assessed: &Assessed) -> f64 {
+    assessed.stability.sliding
+}
+
+/// About either corner.
+pub(super) fn overturning(assessed: &Assessed) -> f64 {
+    assessed.stability.least_overturning()
+}
+
+/// Where the rising load first moves the body. Without a load that rises, the body moves at once or never.
 pub(super) fn first(assessed: &Assessed) -> f64 {
     match assessed.departure() {
         Some(stage) => stage.from,

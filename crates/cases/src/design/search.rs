@@ -17,12 +17,20 @@ const NEAR: f64 = 1e-9;
 pub(super) struct Found {
     pub(super) value: f64,
     pub(super) outcome: Outcome,
-    /// What fails just below; `None` if the value is the bracket's lower end or the case makes no sense below.
-    pub(super) binding: Option<String>,
-    /// Whether it is the bracket's lower end.
-    pub(super) at_lower_end: bool,
+    /// What there is just below.
+    pub(super) below: Below,
     /// Beyond this value the target fails again, within the bracket, and why.
     pub(super) until: Option<(f64, String)>,
+}
+
+/// What there is just below the value found.
+pub(super) enum Below {
+    /// It is the lower end of the bracket.
+    End,
+    /// The target fails: in words, why.
+    Fails(String),
+    /// The case makes no sense: in words, why.
+    NoCase(String),
 }
 
 /// A value with what it comes to, or why it does not.
@@ -45,44 +53,44 @@ pub(super) fn search(
         let met = outcome.as_ref().is_ok_and(|outcome| target.is_met(outcome));
         Trial { value, outcome, met }
     };
-    let scan: Vec<Trial> =
+    let mut scan: Vec<Trial> =
         (0..=PARTS).map(|i| attempt(from + (to - from) * (f64::from(i) / f64::from(PARTS)))).collect();
     let Some(first) = scan.iter().position(|trial| trial.met) else {
         return Err(unmet(scan, variable, target, [from, to]));
     };
+    let size = from.abs().max(to.abs());
 
-    let mut trials = scan.into_iter().skip(first.saturating_sub(1));
-    let mut met = trials.next().expect("there is a trial");
-    let (mut binding, at_lower_end) = (None, first == 0);
-    if !at_lower_end {
-        let below = met;
-        let above = trials.next().expect("a trial that meets the target");
-        let (failing, meeting) = halve(&attempt, below, above);
-        binding = failing.outcome.ok().map(|outcome| target.binding(&outcome));
-        met = meeting;
-    }
-    let mut last_met = Trial { value: met.value, outcome: chain.outcome(&[]), met: true };
-    let mut until = None;
-    for trial in trials {
-        if trial.met {
-            last_met = trial;
-        } else {
-            let (failing, meeting) = halve(&attempt, trial, last_met);
-            let reason = match failing.outcome {
-                Ok(outcome) => target.binding(&outcome),
-                Err(error) => error.to_string(),
-            };
-            until = Some((meeting.value, reason));
-            break;
+    // Beyond the first value that meets it, the target may fail again.
+    let again = scan[first..].iter().position(|trial| !trial.met).map(|later| first + later);
+    let until = again.map(|again| {
+        let failing = scan.swap_remove(again);
+        let meeting = attempt(scan[again - 1].value);
+        let (failing, meeting) = halve(&attempt, size, failing, meeting);
+        (meeting.value, why(&attempt, target, meeting.value, failing))
+    });
+    scan.truncate(first + 1);
+    let met = scan.pop().expect("the trial that meets the target");
+    let (met, below) = match scan.pop() {
+        None => (met, Below::End),
+        Some(below) => {
+            let (failing, meeting) = halve(&attempt, size, below, met);
+            let fails = failing.outcome.is_ok();
+            let why = why(&attempt, target, meeting.value, failing);
+            (meeting, if fails { Below::Fails(why) } else { Below::NoCase(why) })
         }
-    }
-    let Trial { value, outcome, .. } = met;
-    Ok(Found { value, outcome: outcome?, binding, at_lower_end, until })
+    };
+    Ok(Found { value: met.value, outcome: met.outcome?, below, until })
 }
 
-/// Brings a value that fails and one that meets the target together.
-fn halve(attempt: &impl Fn(f64) -> Trial, mut failing: Trial, mut meeting: Trial) -> (Trial, Trial) {
-    while (meeting.value - failing.value).abs() > NEAR * meeting.value.abs() {
+/// Brings a value that fails and one that meets the target together, in a bracket whose values are of a size.
+fn halve(
+    attempt: &impl Fn(f64) -> Trial,
+    size: f64,
+    mut failing: Trial,
+    mut meeting: Trial,
+) -> (Trial, Trial) {
+    // Near zero, what counts is the size of the bracket.
+    while (meeting.value - failing.value).abs() > NEAR * meeting.value.abs().max(1e-3 * size) {
         let middle = attempt(failing.value + (meeting.value - failing.value) / 2.0);
         if middle.met {
             meeting = middle;
@@ -90,16 +98,33 @@ fn halve(attempt: &impl Fn(f64) -> Trial, mut failing: Trial, mut meeting: Trial
             failing = middle;
         }
     }
-    (failing, meeting)
+    // A round number as near is as good: 0 rather than 1e-15.
+    let step = 10_f64.powf((2.0 * NEAR * meeting.value.abs().max(1e-3 * size)).log10().ceil());
+    let round = attempt((meeting.value / step).round() * step + 0.0);
+    if round.met { (failing, round) } else { (failing, meeting) }
+}
+
+/// Why a value beside `met` fails. Of a case that makes no sense it is said with a round value, a little farther away.
+fn why(attempt: &impl Fn(f64) -> Trial, target: Target, met: f64, failing: Trial) -> String {
+    let error = match failing.outcome {
+        Ok(outcome) => return target.binding(&outcome),
+        Err(error) => error,
+    };
+    let step = 10_f64.powf(failing.value.abs().max(1e-12).log10().floor() - 3.0);
+    let towards = if failing.value > met { f64::ceil } else { f64::floor };
+    let round = attempt(towards(failing.value / step) * step);
+    round.outcome.err().unwrap_or(error).to_string()
 }
 
 fn unmet(scan: Vec<Trial>, variable: &Variable, target: Target, [from, to]: [f64; 2]) -> DesignError {
     let mut best: Option<(f64, f64, Outcome)> = None;
+    let mut worst = f64::INFINITY;
     let mut first_error = None;
     for Trial { value, outcome, .. } in scan {
         match outcome {
             Ok(outcome) => {
                 let score = target.score(&outcome);
+                worst = worst.min(score);
                 if best.as_ref().is_none_or(|(best, ..)| score > *best) {
                     best = Some((score, value, outcome));
                 }
@@ -109,11 +134,17 @@ fn unmet(scan: Vec<Trial>, variable: &Variable, target: Target, [from, to]: [f64
             }
         }
     }
-    let Some((_, value, outcome)) = best else {
+    let Some((score, value, outcome)) = best else {
         return first_error.expect("a trial without outcome has an error");
     };
+    if score == worst {
+        let name = variable.name.clone();
+        let binding = target.binding(&outcome);
+        return DesignError::NoInfluence { name, target, binding };
+    }
     let best = format!(
-        "the best is {}, with safety factors {} and {}, leaving rest at {} times the load",
+        "the best of {} values tried is {}, with safety factors {} and {}, leaving rest at {} times the load",
+        PARTS + 1,
         with_unit(value, variable),
         digits(outcome.sliding()),
         digits(outcome.overturning()),

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use standfast::{Mode, Stability};
+use standfast::Mode;
 use thiserror::Error;
 
 use super::outcome::{FAR, Outcome, first};
@@ -68,11 +68,11 @@ impl Target {
     }
 
     fn is_met_by(self, assessed: &Assessed) -> bool {
-        let Stability { sliding, overturning, .. } = assessed.stability;
+        let (sliding, overturning) = (assessed.stability.sliding, assessed.stability.least_overturning());
         match self {
             Target::Rest => assessed.full.mode == Some(Mode::Rest),
             Target::Factor(factor) => {
-                // The classical factor looks at one corner; a body that turns about the other does not meet it.
+                // By uplift that turns it, a body may move with both factors above 1.
                 let turns = factor >= 1.0 && assessed.full.mode != Some(Mode::Rest);
                 sliding >= factor && overturning >= factor && !assessed.full.is_lifted() && !turns
             }

@@ -2,10 +2,10 @@
 
 use standfast::Mode;
 
-use super::outcome::Outcome;
-use super::search::Found;
+use super::outcome::{self, Outcome, first};
+use super::search::{Below, Found};
 use super::{Design, Target, with_unit};
-use crate::assess::heading;
+use crate::assess::{heading, load_name};
 use crate::layout::{columns, digits, paragraph, row};
 
 pub(super) fn render(design: &Design) -> String {
@@ -22,6 +22,9 @@ pub(super) fn render(design: &Design) -> String {
     if let Some((until, reason)) = &found.until {
         let until = with_unit(*until, variable);
         text += &paragraph(&format!("Beyond {until} the target fails again: {reason}."), 2);
+    }
+    for warning in design.new_warnings() {
+        text += &paragraph(&format!("Warning: {warning}."), 2);
     }
     for note in variable.notes(case) {
         text += &paragraph(&note, 2);
@@ -44,32 +47,39 @@ fn words(target: Target) -> String {
 }
 
 fn before_and_after(design: &Design) -> String {
-    let Design { variable, present, found, .. } = design;
+    let Design { case, variable, present, found, .. } = design;
     let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol);
     let factor = |outcome: &Outcome| match outcome.first_load_factor() {
         f64::INFINITY => "never".to_owned(),
         factor => format!("{} %", digits(100.0 * factor)),
     };
+    // Of several alternative forces, the one that governs.
+    let under = |outcome: &Outcome, of| {
+        let load = outcome.governing(of).loaded.load.filter(|_| outcome.all.len() > 1);
+        load.map_or(String::new(), |load| format!(", {}", load_name(case, load)))
+    };
     let both = |words: &str, of: &dyn Fn(&Outcome) -> String| row![words, of(present), of(&found.outcome)];
     let rows = [
         row!["", "at present", "found"],
         row![variable.name.as_str(), with_unit(variable.present, variable), with_unit(found.value, variable)],
-        both("SF sliding", &|outcome| digits(outcome.sliding())),
-        both("SF overturning", &|outcome| digits(outcome.overturning())),
-        both("mode under the full load", &|outcome| symbol(outcome.mode()).to_owned()),
-        both("leaves rest at", &factor),
+        both("SF sliding", &|outcome| digits(outcome.sliding()) + &under(outcome, outcome::sliding)),
+        both("SF overturning", &|outcome| {
+            digits(outcome.overturning()) + &under(outcome, outcome::overturning)
+        }),
+        both("mode under the full load", &|outcome| {
+            symbol(outcome.mode()).to_owned() + &under(outcome, first)
+        }),
+        both("leaves rest at", &|outcome| factor(outcome) + &under(outcome, first)),
         both("into", &|outcome| outcome.first_mode().map_or("", Mode::symbol).to_owned()),
     ];
     columns(&rows, 2, &[1, 2])
 }
 
 fn binding(found: &Found) -> String {
-    match &found.binding {
-        Some(binding) => format!("Just below the value found: {binding}."),
-        None if found.at_lower_end => {
-            "The lower end of the range meets the target already; nothing binds.".to_owned()
-        }
-        None => "Below the value found the case makes no sense.".to_owned(),
+    match &found.below {
+        Below::End => "The lower end of the range meets the target already; nothing binds.".to_owned(),
+        Below::Fails(why) => format!("Just below the value found: {why}."),
+        Below::NoCase(why) => format!("Just below the value found the case makes no sense: {why}."),
     }
 }
 

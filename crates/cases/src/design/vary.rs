@@ -93,6 +93,11 @@ impl Variable {
         Variable { name: full_name(id), present: value, quantity, id, kind }
     }
 
+    /// Whether the number stands under this key.
+    pub(super) fn is_under(&self, key: &str) -> bool {
+        self.id.key == key
+    }
+
     /// The value that a text says, with a unit or in SI.
     pub(super) fn parse(&self, text: &str) -> Result<f64, UnitError> {
         match (text.trim().parse::<f64>(), self.quantity) {
@@ -180,10 +185,25 @@ impl Variable {
             Kind::Mass if buoyant => {
                 notes.push("The buoyant weight takes up the weight added or taken away.".to_owned());
             }
-            Kind::WaterLevel if case.wave.is_some() => notes.push(
-                "The sea rises or falls: depths change with the level, the crest stays where it is."
-                    .to_owned(),
-            ),
+            Kind::WaterLevel => {
+                if case.wave.is_some() {
+                    let sea =
+                        "The sea rises or falls: depths change with the level, the crest stays where it is.";
+                    notes.push(sea.to_owned());
+                }
+                if case.water.is_some_and(|water| water.left != water.right) {
+                    let sides = match self.name.as_str() {
+                        "water_level" => {
+                            "The level named is that at the right; the one at the left moves with it."
+                        }
+                        _ => "The level at the left stays: water_level in place of water.right moves both.",
+                    };
+                    notes.push(sides.to_owned());
+                }
+            }
+            Kind::Friction if has("kinetic_friction") => {
+                notes.push("Friction to slip goes with friction to stick, in proportion.".to_owned());
+            }
             _ => {}
         }
         if has("moment_of_inertia") && matches!(self.kind, Kind::Width | Kind::Height | Kind::Mass) {

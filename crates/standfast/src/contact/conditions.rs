@@ -121,6 +121,8 @@ impl Verdict {
         let (flight_signs, friction_signs) = signs.split_at(2);
         let none_negative = |signs: &[Ordering]| signs.iter().all(|sign| *sign != Less);
 
+        // Whether a mode that touches the base does so without reaction: its motion is flight's.
+        let mut unpressed = flight_signs == [Equal, Equal];
         // The groups in which modes are reported, first to last.
         let [mut rest, mut slides, mut regular, mut rocks, mut painlevé, mut flight] = [Modes::NONE; 6];
         let (pulled, on_base) = rest_signs.split_at(2);
@@ -138,6 +140,7 @@ impl Verdict {
             let (rock, slide_rocks) = signs.split_at(ROCK);
             if rock[0] == lifting && none_negative(&rock[1..]) {
                 rocks.insert(Mode::rock(corner));
+                unpressed |= rock[1] == Equal;
             }
             for (slip, signs) in SLIPS.into_iter().zip(slide_rocks.chunks(SLIDE_ROCK)) {
                 let orientation = signs[0];
@@ -146,6 +149,7 @@ impl Verdict {
                 if orientation != Equal && turns == lifting && presses != Less && slips == Greater {
                     let group = if orientation == Greater { &mut regular } else { &mut painlevé };
                     group.insert(Mode::slide_rock(corner, slip));
+                    unpressed |= presses == Equal;
                 }
             }
         }
@@ -159,7 +163,7 @@ impl Verdict {
                 }
             }
         }
-        if none_negative(flight_signs) {
+        if none_negative(flight_signs) && !unpressed {
             flight.insert(Mode::Flight);
         }
 

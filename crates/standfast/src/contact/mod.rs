@@ -34,7 +34,8 @@
 //! From rest, stick is tried before slip: for μ_s > μ_k, slip at a corner counts only where that corner cannot stick.
 //! So a slide-rock about a corner does not count where the body can rest, or rock about the same corner; nor a slide
 //! where it can rock about either. The conditions are decided exactly for the f64 given, multiplied out so that
-//! nothing is divided. For μ_s = μ_k several modes are consistent only if the friction reaches Painlevé's bound
+//! nothing is divided. Where a touching corner is not pressed at all, the motion is flight's; it counts once, as the mode that
+//! touches. For μ_s = μ_k several modes are consistent only if the friction reaches Painlevé's bound
 //! (ρ²/m_y + r²)/(|r| d) at a corner, where ρ² + m_y r c changes its sign; for μ_s > μ_k also where one corner could
 //! stick and the other slip. The one [reported](Answer::mode) is then, as in the report's section IV.7, the first of
 //! rest, slide, slide-rock (ρ² + m_y r c > 0), rock, slide-rock (ρ² + m_y r c < 0), flight.

@@ -45,7 +45,7 @@ mod goda;
 mod heights;
 mod warning;
 
-pub use added_mass::added_mass;
+pub use added_mass::{added_mass, added_mass_height};
 pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
 pub use goda::{Goda, goda};
 pub use heights::DesignHeights;

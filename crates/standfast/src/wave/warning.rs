@@ -35,7 +35,37 @@ pub enum Warning {
         /// α₃.
         alpha_3: f64,
     },
+    /// h' > h: the caisson's base lies below the sea bed in front of it.
+    BaseBelowBed {
+        /// h', m.
+        base_depth: f64,
+        /// h, m.
+        water_depth: f64,
+    },
+    /// d > h': the armour of the berm lies below the base that it should cover.
+    BermBelowBase {
+        /// d, m.
+        depth_above_berm: f64,
+        /// h', m.
+        base_depth: f64,
+    },
+    /// T_1/3 > 30 s: longer than wind waves and swell, for which the formulas were found.
+    LongPeriod {
+        /// T_1/3, s.
+        period: f64,
+    },
+    /// tanθ > 0.1: steeper than the beds for which the wave heights were computed.
+    SteepBed {
+        /// tanθ.
+        bed_slope: f64,
+    },
 }
+
+/// Longest period of wind waves and swell, s.
+const LONGEST_PERIOD: f64 = 30.0;
+
+/// The steepest bed of the charts of wave heights that the formulas approximate.
+const STEEPEST_BED: f64 = 0.1;
 
 impl Warning {
     pub(super) fn all(sea: &Sea, heights: &Heights, section: &Section, goda: &Goda) -> Vec<Warning> {
@@ -73,6 +103,19 @@ impl Warning {
         if goda.alpha_3 <= 0.0 {
             warnings.push(Warning::NoPressureAtBase { alpha_3: goda.alpha_3 });
         }
+        let Section { base_depth, depth_above_berm, .. } = *section;
+        if base_depth > h {
+            warnings.push(Warning::BaseBelowBed { base_depth, water_depth: h });
+        }
+        if depth_above_berm > base_depth {
+            warnings.push(Warning::BermBelowBase { depth_above_berm, base_depth });
+        }
+        if sea.period > LONGEST_PERIOD {
+            warnings.push(Warning::LongPeriod { period: sea.period });
+        }
+        if bed_slope > STEEPEST_BED {
+            warnings.push(Warning::SteepBed { bed_slope });
+        }
         warnings
     }
 }
@@ -100,6 +143,25 @@ impl fmt::Display for Warning {
             Warning::NoPressureAtBase { alpha_3 } => {
                 write!(f, "alpha_3 = {alpha_3:.3}: no pressure is taken at so deep a base")
             }
+            Warning::BaseBelowBed { base_depth, water_depth } => write!(
+                f,
+                "base_depth = {base_depth:.2} m is more than the water depth {water_depth:.2} m: the base would lie \
+                 below the sea bed in front of it"
+            ),
+            Warning::BermBelowBase { depth_above_berm, base_depth } => write!(
+                f,
+                "depth_above_berm = {depth_above_berm:.2} m is more than base_depth = {base_depth:.2} m: the berm \
+                 would lie below the base"
+            ),
+            Warning::LongPeriod { period } => write!(
+                f,
+                "period = {period} s is longer than that of wind waves and swell ({LONGEST_PERIOD} s at most), for which \
+                 the formulas were found"
+            ),
+            Warning::SteepBed { bed_slope } => write!(
+                f,
+                "bed slope {bed_slope}: the wave heights were computed for beds of {STEEPEST_BED} at most"
+            ),
         }
     }
 }

@@ -90,9 +90,11 @@ struct Answer {
     buoyant_weight: f64,
     weight_arm: f64,
     #[serde(rename = "SF_sliding")]
-    sliding: f64,
+    sliding: Option<f64>,
     #[serde(rename = "SF_overturning")]
-    overturning: f64,
+    overturning: Option<f64>,
+    #[serde(rename = "SF_overturning_about_toe")]
+    overturning_about_toe: Option<f64>,
     heel_pressure: Option<f64>,
     heel: &'static str,
     resultant_arm: Option<f64>,
@@ -159,7 +161,7 @@ pub(in crate::assess) fn render(case: &Case, all: &[Assessed], files: &[String])
             weight: body.mass() * case.gravity,
             friction: case.friction,
             kinetic_friction: case.kinetic_friction,
-            added_mass: case.added_mass,
+            added_mass: case.added_mass.mass,
             centroid_height: body.centroid_height(),
             heel_distance: body.heel_distance(),
             toe_distance: body.toe_distance(),
@@ -167,16 +169,11 @@ pub(in crate::assess) fn render(case: &Case, all: &[Assessed], files: &[String])
         },
         weight_counted_as: loads::weight(case),
         waves: case.wave.as_ref().map(Waves::of),
-        warnings: warnings(case),
+        warnings: case.warnings(),
         governing: Answer::of(governing),
         loads: all.iter().filter_map(|assessed| load_answer(case, assessed)).collect(),
         diagrams: files,
     })
-}
-
-fn warnings(case: &Case) -> Vec<String> {
-    let goda = case.wave.iter().map(|wave| &wave.goda);
-    goda.flat_map(|goda| goda.warnings.iter().map(ToString::to_string)).collect()
 }
 
 fn load_answer<'a>(case: &'a Case, assessed: &Assessed) -> Option<LoadAnswer<'a>> {
@@ -229,6 +226,8 @@ impl Answer {
         let Assessed { full, actions, stability, .. } = assessed;
         let (heel_pressure, heel) = loads::heel_pressure(stability.heel_pressure);
         let departure = assessed.departure();
+        // Safety factors of a body that is lifted mean nothing.
+        let factor = |factor: f64| (!full.is_lifted()).then_some(factor);
         Answer {
             force: actions.force / 1e3,
             force_moment: actions.force_moment / 1e3,
@@ -236,8 +235,9 @@ impl Answer {
             uplift_moment: actions.uplift_moment / 1e3,
             buoyant_weight: actions.buoyant_weight / 1e3,
             weight_arm: actions.weight_arm,
-            sliding: stability.sliding,
-            overturning: stability.overturning,
+            sliding: factor(stability.sliding),
+            overturning: factor(stability.overturning),
+            overturning_about_toe: factor(stability.overturning_about_toe),
             heel_pressure,
             heel,
             resultant_arm: stability.resultant_arm,

@@ -17,8 +17,8 @@ pub(super) fn body(case: &Case) -> String {
     ];
     let gravity = format!("g = {} m/s²", digits(case.gravity));
     rows.push(row!["weight m g", format!("{} ({gravity})", kilonewtons(body.mass() * case.gravity))]);
-    if case.added_mass > 0.0 {
-        let mass = format!("{} t/m, moves with the body horizontally", digits(case.added_mass / 1e3));
+    if case.added_mass.mass > 0.0 {
+        let mass = format!("{} t/m, moves with the body horizontally", digits(case.added_mass.mass / 1e3));
         rows.push(row!["added mass of water", mass]);
     }
     rows.push(row!["slenderness γ = H/B", digits(body.slenderness())]);
@@ -114,12 +114,16 @@ pub(super) fn classical(assessed: &Assessed) -> String {
         row!["sliding", "μ(W' − U)/P", factor(stability.sliding)],
         row!["overturning", "(W' t − M_U)/M_p", factor(stability.overturning)],
     ];
+    if stability.overturning_about_toe.is_finite() && !assessed.full.is_lifted() {
+        let formula = "(W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe";
+        rows.push(row!["", formula, factor(stability.overturning_about_toe)]);
+    }
     let effective = assessed.full.effective.map(|reduced| reduced.point.safety_against_overturning());
-    if let Some(effective) = effective.filter(|effective| digits(*effective) != digits(stability.overturning))
-    {
+    let classical = digits(stability.least_overturning());
+    let effective = effective.filter(|effective| digits(*effective) != classical);
+    if let Some(effective) = effective {
         rows.push(row!["", "1/(k_eff γ |1+k'_eff|)", digits(effective)]);
     }
-    let several = rows.len() > 2;
     rows.push(row!["heel pressure", words, pressure]);
     if assessed.full.wrench.p > 0.0 {
         rows.push(row![
@@ -130,16 +134,15 @@ pub(super) fn classical(assessed: &Assessed) -> String {
     }
     text += "\nSafety factors and heel pressure\n";
     text += &columns(&rows, 2, &[]);
-    if several {
-        let beyond = assessed.full.effective.is_some_and(|reduced| reduced.point.elevation() < -1.0);
-        let both = if beyond {
-            "The classical factor looks at the heel, on the side the force points to; the loads turn this body about \
-             the other corner, of which the factor in effective coordinates speaks."
-        } else {
-            "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one as \
-             less resistance. They differ except at 1, which they pass together."
-        };
+    if effective.is_some() {
+        let both = "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one \
+             as less resistance. They differ except at 1, which they pass together.";
         text += &paragraph(both, 2);
+    }
+    if stability.least_overturning() == 0.0 && !assessed.full.is_lifted() {
+        let turned = "An overturning factor of 0 says that uplift or eccentric weight turn the body without any \
+             horizontal force.";
+        text += &paragraph(turned, 2);
     }
     text
 }
@@ -149,6 +152,7 @@ pub(super) fn heel_pressure(heel: HeelPressure) -> (Option<f64>, &'static str) {
     match heel {
         HeelPressure::Pressed(pressure) => (Some(pressure / 1e3), "largest, at the heel"),
         HeelPressure::Unloaded => (None, "heel unloaded"),
-        HeelPressure::NoContact => (None, "no contact left"),
+        HeelPressure::OutsideBase => (None, "the resultant misses the base"),
+        HeelPressure::Lifted => (None, "nothing presses on the base"),
     }
 }

@@ -2,15 +2,14 @@
 
 use standfast::wave::Heights;
 
-use crate::case::WaveLoad;
-use crate::layout::{columns, digits, paragraph, row};
+use super::text::warnings;
+use crate::case::{Case, WaveLoad};
+use crate::layout::{columns, digits, row};
 
-pub(super) fn render(wave: &WaveLoad) -> String {
+pub(super) fn render(case: &Case, wave: &WaveLoad) -> String {
     let mut text = "\nSea and waves\n".to_owned();
     text += &sea(wave);
-    for warning in &wave.goda.warnings {
-        text += &paragraph(&format!("Warning: {warning}."), 2);
-    }
+    text += &warnings(case.wave_warnings());
     text += "\nPressures on the wall (Goda)\n";
     text += &pressures(wave);
     text

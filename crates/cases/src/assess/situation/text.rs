@@ -14,16 +14,17 @@ use crate::layout::{columns, digits, paragraph, row};
 const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of the centre of mass; that it acts at \
     another height, and so couples sway and rotation, is left out.";
 
-/// What an earthquake does to water, and is not counted.
-const SHAKEN_WATER: &str = "The earthquake's own pressure of the water on the moving wall is not among the loads: add \
-    it as a [[load]].";
+/// What an earthquake does to water, and is not counted where the added mass is given as such.
+const SHAKEN_WATER: &str = "The pressure of the water on the shaken wall is not among the loads, because its height is \
+    not given: give sides in [added_mass] in place of the mass, or add it as a [[load]].";
 
 pub(in crate::assess) fn render(case: &Case, all: &[Assessed]) -> String {
     let mut text = heading(case);
     text += "Body\n";
     text += &loads::body(case);
+    text += &warnings(case.body_warnings());
     if let Some(wave) = &case.wave {
-        text += &sea::render(wave);
+        text += &sea::render(case, wave);
     }
     let several = all.len() > 1;
     if several {
@@ -40,6 +41,11 @@ pub(in crate::assess) fn render(case: &Case, all: &[Assessed]) -> String {
     text
 }
 
+/// Warnings, each a paragraph.
+pub(super) fn warnings(warnings: impl Iterator<Item = String>) -> String {
+    warnings.map(|warning| paragraph(&format!("Warning: {warning}."), 2)).collect()
+}
+
 /// One line for each alternative force.
 fn summary(case: &Case, all: &[Assessed]) -> String {
     let mut rows = vec![
@@ -52,7 +58,7 @@ fn summary(case: &Case, all: &[Assessed]) -> String {
             assessed.loaded.load.map(|load| load_name(case, load)).unwrap_or_default(),
             assessed.full.mode.map_or("none", Mode::symbol),
             digits(assessed.stability.sliding),
-            digits(assessed.stability.overturning),
+            digits(assessed.stability.least_overturning()),
             departure.map_or_else(|| beyond(assessed), |stage| digits(100.0 * stage.from)),
             departure.and_then(|stage| stage.mode).map_or("", Mode::symbol),
             if assessed.full.is_unique() { "yes" } else { "no" },
@@ -69,9 +75,9 @@ fn beyond(assessed: &Assessed) -> String {
 fn details(case: &Case, assessed: &Assessed) -> String {
     let mut text = "\nForces and moments\n".to_owned();
     text += &loads::components(assessed);
-    if case.added_mass > 0.0 {
+    if case.added_mass.mass > 0.0 {
         text += &paragraph(ADDED_MASS, 2);
-        if case.earthquake.is_some() {
+        if case.earthquake.is_some() && case.added_mass.height.is_none() {
             text += &paragraph(SHAKEN_WATER, 2);
         }
     }
