@@ -3,8 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use standfast_cli::case::Case;
-use standfast_cli::report;
+use standfast_cases::{Case, report};
 
 fuzz_target!(|text: &str| {
     if let Err(error) = Case::parse("case.toml", text) {

@@ -3,8 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
+use standfast_cases::report;
 use standfast_cli::batch::{OnError, Options, Problem, run};
-use standfast_cli::report;
 
 fuzz_target!(|bytes: &[u8]| {
     for problem in [Problem::Force, Problem::Wrench] {

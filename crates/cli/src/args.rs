@@ -7,8 +7,8 @@ use clap_complete::Shell;
 use standfast::{InputError, Point};
 
 use crate::batch::{OnError, Problem};
-use crate::design::Target;
 use crate::draw::{KMu, Picture, PictureFile};
+use standfast_cases::design::Target;
 use standfast_figures::FigureId;
 
 const EXIT_CODES: &str = "\

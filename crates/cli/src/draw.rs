@@ -7,9 +7,7 @@ use std::str::FromStr;
 use clap::ValueEnum;
 use miette::Diagnostic;
 use standfast::Diagram;
-use standfast_figures::{
-    DesignPoint, Figure, FigureId, LoadPlane, RenderError, diagram, load_plane, report_figure,
-};
+use standfast_figures::{DesignPoint, Figure, FigureId, RenderError, diagram, report_figure};
 use thiserror::Error;
 
 use crate::write::{self, WriteError};
@@ -118,22 +116,6 @@ pub fn draw_diagram(
         .map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i), mirrored: false })
         .collect();
     save(&diagram(plane, &points), &file.path, file.picture, scale)
-}
-
-/// Draws the k–μ plane with named points on it, as SVG.
-///
-/// # Errors
-/// If the picture cannot be written.
-pub fn draw_case(plane: &Diagram, points: &[DesignPoint], path: &Path) -> Result<(), WriteError> {
-    write::write_file(path, diagram(plane, points).svg().as_bytes())
-}
-
-/// Draws a rising load in the plane of load factor and friction, as SVG.
-///
-/// # Errors
-/// If the picture cannot be written.
-pub fn draw_path(plane: &LoadPlane<'_>, file: &Path) -> Result<(), WriteError> {
-    write::write_file(file, load_plane(plane).svg().as_bytes())
 }
 
 /// Draws figures of the report into a directory, which is made if it is not there; gives the files written.

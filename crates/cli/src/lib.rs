@@ -3,38 +3,29 @@
 //! | question | start at |
 //! |---|---|
 //! | What does the command line look like? | [`args`] |
-//! | What is in a case file, and how do units become SI? | [`case`], [`units`] |
-//! | What is printed for one point? | [`describe`] as text, [`answer`] as JSON |
-//! | What to change for a case to be safe? | [`design`] |
 //! | How are tables processed? | [`batch`] |
+//! | What becomes of a case file and its diagrams? | [`assess`] |
 //!
-//! All mechanics is `standfast`'s; all drawing is `standfast-figures`'.
+//! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`'.
 
 #![forbid(unsafe_code)]
 
-pub mod answer;
 pub mod args;
 pub mod assess;
 pub mod batch;
-pub mod case;
-pub mod classify;
-pub mod describe;
-pub mod design;
 pub mod draw;
-pub mod layout;
-pub mod suggest;
-pub mod units;
 pub mod write;
 
 use std::io::{self, Write};
 
 use clap::CommandFactory;
-use miette::{Diagnostic, IntoDiagnostic, Result, WrapErr};
-use serde::Serialize;
+use miette::{IntoDiagnostic, Result, WrapErr};
 use standfast::{Diagram, Point};
-
-use args::{Cli, Command};
+use standfast_cases::design::{Design, Request};
+use standfast_cases::point;
 use standfast_figures::FigureId;
+
+use args::{Cli, Command, Format};
 
 /// Does what the command line says.
 ///
@@ -49,11 +40,20 @@ pub fn run(cli: Cli) -> Result<()> {
         }
         Command::Design(args) => {
             let args::DesignArgs { case, vary, target, from, to, format } = args;
-            print(&design::design(&case, &design::Request { vary, target, from, to }, format)?)
+            let text = assess::read(&case)?;
+            let request = Request { vary, target, from, to };
+            let design = Design::of(&case.display().to_string(), &text, request)?;
+            print(&match format {
+                Format::Text => design.text(),
+                Format::Json => design.json(),
+            })
         }
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
-            print(&classify::classify(point, args.explain, args.format))
+            print(&match args.format {
+                Format::Text => point::text(point, args.explain),
+                Format::Json => point::json(point),
+            })
         }
         Command::Diagram(args) => {
             let plane = Diagram::new(args.gamma, args.k_prime).into_diagnostic()?;
@@ -88,12 +88,6 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     Ok(())
 }
 
-/// A JSON document, ended by a newline.
-fn json(document: &impl Serialize) -> String {
-    // Plain structs with string keys always serialise.
-    serde_json::to_string_pretty(document).map_or_else(|error| error.to_string(), |json| json + "\n")
-}
-
 /// Prints, without complaint if nobody reads.
 fn print(text: &str) -> Result<()> {
     match io::stdout().write_all(text.as_bytes()) {
@@ -101,16 +95,5 @@ fn print(text: &str) -> Result<()> {
             Err(error).into_diagnostic().wrap_err("cannot write to standard output")
         }
         _ => Ok(()),
-    }
-}
-
-/// An error as a user sees it on standard error.
-pub fn report(error: &(dyn Diagnostic + 'static)) -> String {
-    let theme = miette::GraphicalTheme::unicode_nocolor();
-    let handler = miette::GraphicalReportHandler::new_themed(theme).with_width(90).with_links(false);
-    let mut text = String::new();
-    match handler.render_report(&mut text, error) {
-        Ok(()) => text,
-        Err(_) => format!("{error}\n"),
     }
 }

@@ -10,7 +10,7 @@ fn main() -> ExitCode {
     match standfast_cli::run(standfast_cli::args::Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprint!("{}", standfast_cli::report(error.as_ref()));
+            eprint!("{}", standfast_cases::report(error.as_ref()));
             ExitCode::FAILURE
         }
     }

@@ -1,10 +1,8 @@
 //! Whatever a file contains, it is answered or refused: no panic, and every refusal can be shown.
 
 use proptest::prelude::*;
-use standfast_cli::args::Format;
+use standfast_cases::{Case, point};
 use standfast_cli::batch::{OnError, Options, run};
-use standfast_cli::case::Case;
-use standfast_cli::classify::classify;
 
 const CASE: &str = include_str!("../../../examples/caisson-in-air.toml");
 const CASES: [&str; 4] = [
@@ -45,7 +43,7 @@ fn try_case(text: &str) {
             let _ = loaded.situation.at(1.0);
             let _ = loaded.situation.path(2.0);
         }),
-        Err(error) => assert!(!standfast_cli::report(&error).is_empty()),
+        Err(error) => assert!(!standfast_cases::report(&error).is_empty()),
     }
 }
 
@@ -53,7 +51,7 @@ fn try_table(bytes: &[u8]) {
     for on_error in [OnError::Stop, OnError::Null] {
         let options = Options { on_error, ..Options::new("t") };
         if let Err(error) = run(bytes, Vec::new(), &options) {
-            assert!(!standfast_cli::report(&error).is_empty());
+            assert!(!standfast_cases::report(&error).is_empty());
         }
     }
 }
@@ -90,11 +88,10 @@ proptest! {
         match Case::parse("case.toml", &text) {
             Ok(case) => {
                 let point = case.loads[0].reduced.point;
-                for format in [Format::Text, Format::Json] {
-                    assert!(!classify(point, true, format).is_empty());
-                }
+                assert!(!point::text(point, true).is_empty());
+                assert!(!point::json(point).is_empty());
             }
-            Err(error) => assert!(!standfast_cli::report(&error).is_empty()),
+            Err(error) => assert!(!standfast_cases::report(&error).is_empty()),
         }
     }
 

@@ -4,7 +4,7 @@ use csv::ByteRecord;
 
 use super::problem::Column;
 use super::{BatchError, Problem, lossy};
-use crate::suggest::closest;
+use standfast_cases::suggest::closest;
 
 /// Where the columns of a problem are.
 pub(super) struct Inputs {

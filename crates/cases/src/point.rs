@@ -1,22 +1,22 @@
-//! `standfast classify`: one point of the k–μ plane.
+//! The answer to one point of the k–μ plane.
 
 use std::fmt::Write;
 
 use standfast::{Point, Reduced};
 
 use crate::answer::Answer;
-use crate::args::Format;
 use crate::describe;
 use crate::layout::{digits, paragraph};
 
-/// The answer to one point, as text or JSON.
-pub fn classify(point: Point, explain: bool, format: Format) -> String {
+/// The answer as one line of text, or with `explain` every step of the decision, the motion, and where the mode changes.
+pub fn text(point: Point, explain: bool) -> String {
     let reduced = Reduced { point, mirrored: false };
-    match format {
-        Format::Json => crate::json(&Answer::of(&reduced)),
-        Format::Text if explain => explanation(&reduced),
-        Format::Text => one_line(&reduced),
-    }
+    if explain { explanation(&reduced) } else { one_line(&reduced) }
+}
+
+/// The answer as a JSON document, complete and at full precision.
+pub fn json(point: Point) -> String {
+    crate::json(&Answer::of(&Reduced { point, mirrored: false }))
 }
 
 fn one_line(reduced: &Reduced) -> String {

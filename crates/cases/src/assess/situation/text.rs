@@ -18,7 +18,7 @@ const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of t
 const SHAKEN_WATER: &str = "The earthquake's own pressure of the water on the moving wall is not among the loads: add \
     it as a [[load]].";
 
-pub(super) fn render(case: &Case, all: &[Assessed]) -> String {
+pub(in crate::assess) fn render(case: &Case, all: &[Assessed]) -> String {
     let mut text = heading(case);
     text += "Body\n";
     text += &loads::body(case);
@@ -36,12 +36,6 @@ pub(super) fn render(case: &Case, all: &[Assessed]) -> String {
             text += &paragraph(&format!("With load {}: {}", load + 1, load_name(case, load)), 0);
         }
         text += &details(case, assessed);
-    }
-    if all.iter().any(|assessed| !assessed.diagrams.is_empty()) {
-        text += "\n";
-    }
-    for drawn in all.iter().flat_map(|assessed| &assessed.diagrams) {
-        let _ = writeln!(text, "{} written to {}", drawn.words, drawn.path.display());
     }
     text
 }

@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use standfast::Slip;
 
-use super::{DrawnDiagram, heading, load_name};
+use crate::assess::{heading, load_name};
 use crate::case::{Case, Load};
 use crate::describe::{self, Scale, kilonewtons};
 use crate::layout::{columns, digits, paragraph, row};
 
-pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
+pub(super) fn render(case: &Case) -> String {
     let scale = Scale::of(&case.body, case.gravity);
     let mut text = heading(case);
     text += "Body\n";
@@ -32,13 +32,6 @@ pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
         text += "\n";
         text += &paragraph(&title, 0);
         text += &details(case, load, &scale);
-    }
-    text += "\n";
-    for DrawnDiagram { path, k_prime } in diagrams {
-        let _ = match diagrams.len() {
-            1 => writeln!(text, "Diagram written to {}", path.display()),
-            _ => writeln!(text, "Diagram for k' = {} written to {}", digits(*k_prime), path.display()),
-        };
     }
     text
 }

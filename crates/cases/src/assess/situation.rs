@@ -6,16 +6,14 @@ mod sea;
 mod text;
 mod verdict;
 
-use std::path::{Path, PathBuf};
-
 use standfast::contact::path::Stage;
 use standfast::{Actions, Diagram, InputError, Mode, Stability, State, first_departure};
-use standfast_figures::{DesignPoint, LoadPlane};
+use standfast_figures::{DesignPoint, LoadPlane, diagram, load_plane};
 
-use super::{Answered, AssessError, Place, load_name};
-use crate::args::Format;
+use super::{CaseFigure, load_name};
 use crate::case::{Case, LoadedBody};
-use crate::draw;
+pub(super) use json::render as json;
+pub(super) use text::render as text;
 
 /// A situation with everything that is said about it.
 pub(crate) struct Assessed {
@@ -28,13 +26,6 @@ pub(crate) struct Assessed {
     pub(crate) stability: Stability,
     /// How far the path goes.
     pub(crate) up_to: f64,
-    diagrams: Vec<DrawnDiagram>,
-}
-
-/// A diagram and what it shows.
-struct DrawnDiagram {
-    words: &'static str,
-    path: PathBuf,
 }
 
 impl Assessed {
@@ -46,7 +37,7 @@ impl Assessed {
         let path = if varies { situation.path(up_to)? } else { Vec::new() };
         let actions = situation.actions(1.0);
         let stability = actions.stability(situation.static_friction, situation.body.base_width());
-        Ok(Assessed { full, path, actions, stability, up_to, loaded, diagrams: Vec::new() })
+        Ok(Assessed { full, path, actions, stability, up_to, loaded })
     }
 
     /// Where the body first leaves rest as the variable load rises.
@@ -69,20 +60,22 @@ impl Assessed {
         self.departure().map_or(f64::INFINITY, |stage| stage.from)
     }
 
-    fn draw(&mut self, case: &Case, place: &Place, number: &str) -> Result<(), AssessError> {
+    /// Adds the figures; `suffix` tells the situation from the others of the case.
+    fn draw(&self, case: &Case, suffix: &str, figures: &mut Vec<CaseFigure>) -> Result<(), InputError> {
         let name = self.loaded.load.map(|load| load_name(case, load));
         if let Some(reduced) = &self.full.effective {
             let point = &reduced.point;
             let label = name.clone().unwrap_or_else(|| "full load".to_owned());
             let design =
                 DesignPoint { k: point.force(), mu: point.friction(), label, mirrored: reduced.mirrored };
-            let file = place.file(number)?;
-            let diagram = Diagram::new(point.slenderness(), point.elevation())?;
-            draw::draw_case(&diagram, &[design], &file)?;
-            self.diagrams.push(DrawnDiagram { words: "k–μ diagram in effective coordinates", path: file });
+            let plane = Diagram::new(point.slenderness(), point.elevation())?;
+            figures.push(CaseFigure {
+                suffix: suffix.to_owned(),
+                words: "k–μ diagram in effective coordinates".to_owned(),
+                figure: diagram(&plane, &[design]),
+            });
         }
         if !self.path.is_empty() {
-            let file = place.file(&format!("{number}-path"))?;
             let title: Vec<_> = case.title.iter().cloned().chain(name).collect();
             let situation = &self.loaded.situation;
             let regions = situation.plane(self.up_to)?;
@@ -93,43 +86,23 @@ impl Assessed {
                 stages: &self.path,
                 title: &title.join(", "),
             };
-            draw::draw_path(&plane, &file)?;
-            self.diagrams.push(DrawnDiagram { words: "Load path", path: file });
+            figures.push(CaseFigure {
+                suffix: format!("{suffix}-path"),
+                words: "Load path".to_owned(),
+                figure: load_plane(&plane),
+            });
         }
         Ok(())
     }
 }
 
-/// Assesses a case whose loads act together.
-pub(super) fn assess(
-    case: &Case,
-    path: &Path,
-    directory: Option<&Path>,
-    up_to: f64,
-    format: Format,
-) -> Result<Answered, AssessError> {
-    let situations = case.situations();
-    let mut all =
-        situations.into_iter().map(|loaded| Assessed::of(loaded, up_to)).collect::<Result<Vec<_>, _>>()?;
-    let undrawn = draw_all(case, &mut all, path, directory).err();
-    let answer = match format {
-        Format::Text => text::render(case, &all),
-        Format::Json => json::render(case, &all),
-    };
-    Ok(Answered { answer, undrawn })
-}
-
-fn draw_all(
-    case: &Case,
-    all: &mut [Assessed],
-    path: &Path,
-    directory: Option<&Path>,
-) -> Result<(), AssessError> {
-    let place = Place::new(path, directory)?;
+/// The figures of all situations of a case.
+pub(super) fn figures(case: &Case, all: &[Assessed]) -> Result<Vec<CaseFigure>, InputError> {
     let several = all.len() > 1;
-    for (i, assessed) in all.iter_mut().enumerate() {
-        let number = if several { format!("-{}", i + 1) } else { String::new() };
-        assessed.draw(case, &place, &number)?;
+    let mut figures = Vec::new();
+    for (i, assessed) in all.iter().enumerate() {
+        let suffix = if several { format!("-{}", i + 1) } else { String::new() };
+        assessed.draw(case, &suffix, &mut figures)?;
     }
-    Ok(())
+    Ok(figures)
 }

@@ -1,4 +1,4 @@
-//! `standfast design`: the least value of a quantity that meets a target, and what every number of a case does to its
+//! Design: the least value of a quantity that meets a target, and what every number of a case does to its
 //! safety.
 //!
 //! Nothing is linearised or scaled: for each value tried, the case file is read again with that value in place of its own,
@@ -14,14 +14,10 @@ mod vary;
 
 pub use target::{Target, TargetError};
 
-use std::path::Path;
-
 use miette::Diagnostic;
 use standfast::InputError;
 use thiserror::Error;
 
-use crate::args::Format;
-use crate::assess::{self, AssessError};
 use crate::case::{Case, CaseError, Replacement};
 use crate::layout::digits;
 use crate::units::{Quantity, UnitError};
@@ -33,10 +29,6 @@ use vary::Variable;
 /// Why there is no design.
 #[derive(Debug, Error, Diagnostic)]
 pub enum DesignError {
-    /// The case file cannot be read.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Read(#[from] AssessError),
     /// The case file is wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -125,10 +117,10 @@ impl Chain<'_> {
     }
 }
 
-/// Everything that is printed.
-struct Design<'a> {
-    case: &'a Case,
-    request: &'a Request,
+/// The least value that meets a target, with what it rests on.
+pub struct Design {
+    case: Case,
+    request: Request,
     variable: Variable,
     bracket: [f64; 2],
     present: Outcome,
@@ -136,25 +128,31 @@ struct Design<'a> {
     sensitivities: Vec<Sensitivity>,
 }
 
-/// Designs a case file and gives the answer to print.
-///
-/// # Errors
-/// If the case file cannot be read or makes no sense, lacks the quantity, or the target cannot be met.
-pub fn design(path: &Path, request: &Request, format: Format) -> Result<String, DesignError> {
-    let text = assess::read(path)?;
-    let name = path.display().to_string();
-    let chain = Chain { name: &name, text: &text };
-    let case = chain.case(&[])?;
-    let variable = Variable::find(&request.vary, &case)?;
-    let bracket = bracket(request, &variable)?;
-    let present = chain.outcome(&[])?;
-    let found = search(&chain, &case, &variable, request.target, bracket)?;
-    let sensitivities = sensitivity::all(&chain, &case);
-    let design = Design { case: &case, request, variable, bracket, present, found, sensitivities };
-    Ok(match format {
-        Format::Text => text::render(&design),
-        Format::Json => json::render(&design),
-    })
+impl Design {
+    /// Designs the case whose file is `text`; `name` is what errors call it.
+    ///
+    /// # Errors
+    /// If the case makes no sense or lacks the quantity, or the target cannot be met.
+    pub fn of(name: &str, text: &str, request: Request) -> Result<Design, DesignError> {
+        let chain = Chain { name, text };
+        let case = chain.case(&[])?;
+        let variable = Variable::find(&request.vary, &case)?;
+        let bracket = bracket(&request, &variable)?;
+        let present = chain.outcome(&[])?;
+        let found = search(&chain, &case, &variable, request.target, bracket)?;
+        let sensitivities = sensitivity::all(&chain, &case);
+        Ok(Design { case, request, variable, bracket, present, found, sensitivities })
+    }
+
+    /// The design for reading.
+    pub fn text(&self) -> String {
+        text::render(self)
+    }
+
+    /// The design as one JSON document, at full precision.
+    pub fn json(&self) -> String {
+        json::render(self)
+    }
 }
 
 fn bracket(request: &Request, variable: &Variable) -> Result<[f64; 2], DesignError> {

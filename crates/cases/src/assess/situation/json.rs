@@ -31,7 +31,7 @@ struct Document<'a> {
     governing: Answer,
     /// One entry for each alternative force.
     loads: Vec<LoadAnswer<'a>>,
-    diagrams: Vec<String>,
+    diagrams: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -142,7 +142,7 @@ struct LoadAnswer<'a> {
     answer: Answer,
 }
 
-pub(super) fn render(case: &Case, all: &[Assessed]) -> String {
+pub(in crate::assess) fn render(case: &Case, all: &[Assessed], files: &[String]) -> String {
     let first =
         |one: &&Assessed, two: &&Assessed| one.first_load_factor().total_cmp(&two.first_load_factor());
     let governing = all.iter().min_by(first).expect("a case has a situation");
@@ -170,11 +170,7 @@ pub(super) fn render(case: &Case, all: &[Assessed]) -> String {
         warnings: warnings(case),
         governing: Answer::of(governing),
         loads: all.iter().filter_map(|assessed| load_answer(case, assessed)).collect(),
-        diagrams: all
-            .iter()
-            .flat_map(|assessed| &assessed.diagrams)
-            .map(|drawn| drawn.path.display().to_string())
-            .collect(),
+        diagrams: files,
     })
 }
 

@@ -50,7 +50,7 @@ struct Change<'a> {
     first_load_factor: Option<f64>,
 }
 
-pub(super) fn render(design: &Design<'_>) -> String {
+pub(super) fn render(design: &Design) -> String {
     let Design { case, request, variable, bracket, present, found, sensitivities } = design;
     crate::json(&Document {
         title: case.title.as_deref(),

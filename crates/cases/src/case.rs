@@ -12,11 +12,11 @@
 //! force = "450 kN/m"
 //! elevation = "8 m"
 //! "#;
-//! let case = standfast_cli::case::Case::parse("case.toml", text)?;
+//! let case = standfast_cases::Case::parse("case.toml", text)?;
 //! assert_eq!(case.body.mass(), 378_000.0);
 //! assert_eq!(case.loads[0].force.magnitude(), 450_000.0);
 //! assert!(case.is_plain());
-//! # Ok::<(), standfast_cli::case::CaseError>(())
+//! # Ok::<(), standfast_cases::CaseError>(())
 //! ```
 //!
 //! A case with nothing but a uniform body and forces in air is *plain*: each force is the report's problem. Any other

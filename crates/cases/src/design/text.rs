@@ -8,7 +8,7 @@ use super::{Design, Target, with_unit};
 use crate::assess::heading;
 use crate::layout::{columns, digits, paragraph, row};
 
-pub(super) fn render(design: &Design<'_>) -> String {
+pub(super) fn render(design: &Design) -> String {
     let Design { case, request, variable, bracket, found, .. } = design;
     let mut text = heading(case);
     text += "Design\n";
@@ -43,7 +43,7 @@ fn words(target: Target) -> String {
     }
 }
 
-fn before_and_after(design: &Design<'_>) -> String {
+fn before_and_after(design: &Design) -> String {
     let Design { variable, present, found, .. } = design;
     let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol);
     let factor = |outcome: &Outcome| match outcome.first_load_factor() {
@@ -73,7 +73,7 @@ fn binding(found: &Found) -> String {
     }
 }
 
-fn sensitivities(design: &Design<'_>) -> String {
+fn sensitivities(design: &Design) -> String {
     let mut rows = vec![row!["input", "value", "SF sliding", "SF overturning", "first load factor"]];
     let signed = |change: Option<f64>| match change {
         Some(change) => format!("{change:+.5}"),

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::DrawnDiagram;
+use super::Plain;
 use crate::answer::{Answer, Onset, direction};
-use crate::case::{Case, Load};
+use crate::case::Load;
 use crate::describe::Scale;
 
 #[derive(Serialize)]
@@ -14,7 +14,7 @@ struct Document<'a> {
     gravity: f64,
     body: Body,
     loads: Vec<LoadAnswer<'a>>,
-    diagrams: Vec<String>,
+    diagrams: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -37,10 +37,11 @@ struct LoadAnswer<'a> {
     motion_si: Onset,
     /// N per metre run; `null` if no force moves the body.
     leaves_rest_force: Option<f64>,
-    diagram: Option<String>,
+    diagram: Option<&'a str>,
 }
 
-pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
+pub(super) fn render(plain: &Plain<'_>, files: &[String]) -> String {
+    let case = plain.case;
     let scale = Scale::of(&case.body, case.gravity);
     crate::json(&Document {
         title: case.title.as_deref(),
@@ -53,13 +54,19 @@ pub(super) fn render(case: &Case, diagrams: &[DrawnDiagram]) -> String {
             weight: scale.weight,
             friction: case.friction,
         },
-        loads: case.loads.iter().map(|load| load_answer(load, &scale, diagrams)).collect(),
-        diagrams: diagrams.iter().map(|drawn| drawn.path.display().to_string()).collect(),
+        loads: case.loads.iter().map(|load| load_answer(plain, load, &scale, files)).collect(),
+        diagrams: files,
     })
 }
 
-fn load_answer<'a>(load: &'a Load, scale: &Scale, diagrams: &[DrawnDiagram]) -> LoadAnswer<'a> {
+fn load_answer<'a>(
+    plain: &'a Plain<'_>,
+    load: &'a Load,
+    scale: &Scale,
+    files: &'a [String],
+) -> LoadAnswer<'a> {
     let point = &load.reduced.point;
+    let plane = plain.plane_of(point.elevation());
     LoadAnswer {
         name: load.name.as_deref(),
         force: load.force.magnitude(),
@@ -68,9 +75,6 @@ fn load_answer<'a>(load: &'a Load, scale: &Scale, diagrams: &[DrawnDiagram]) -> 
         answer: Answer::of(&load.reduced),
         motion_si: Onset::of(&scale.si(&load.reduced.motion())),
         leaves_rest_force: point.margins().leaves_rest().map(|crossing| crossing.at * scale.weight),
-        diagram: diagrams
-            .iter()
-            .find(|drawn| drawn.k_prime == point.elevation())
-            .map(|drawn| drawn.path.display().to_string()),
+        diagram: plane.and_then(|plane| files.get(plane)).map(String::as_str),
     }
 }
