@@ -2,6 +2,7 @@
 //! and diagrams as numbers. What users call, with its documentation, is the Python beside it.
 
 mod arrow;
+mod assess;
 mod diagram;
 mod grid;
 mod ndarray;
@@ -38,7 +39,12 @@ mod _standfast {
         ArrowArray, ArrowTable, classify_columns, classify_table, onset_columns, onset_table,
     };
     #[pymodule_export]
+    use super::assess::assess;
+    #[pymodule_export]
     use super::diagram::{diagram_outlines, diagram_svg, mode_at};
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "Python's name for it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     use super::modes;
     #[pymodule_export]
