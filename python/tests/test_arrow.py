@@ -66,7 +66,7 @@ def test_columns_of_a_table(values: dict[str, Any], codes: list[int]) -> None:
         standfast.classify(renamed, columns={"slenderness": "γ"})
     with pytest.raises(TypeError, match="columns is for a table"):
         standfast.classify(1, 0.4, 0.5, 0.6, columns={})
-    with pytest.raises(TypeError, match="k is no column name and no number|cannot|k"):
+    with pytest.raises(TypeError, match=r"columns gives \['k'\] for k; expected the name of a column, or a number"):
         standfast.classify(renamed, columns={"k": ["k"]})  # type: ignore[dict-item]
 
 
@@ -173,5 +173,5 @@ def test_pandas_columns_are_arrays(values: dict[str, Any], codes: list[int]) -> 
 
 def test_duckdb_reads_the_answer(values: dict[str, Any]) -> None:
     onset = standfast.onset(pa.table(values))
-    rows = duckdb.sql("select count(*) from onset where mode = 2").fetchone()
-    assert rows == (int((standfast.classify(**values) == 2).sum()),)
+    rows = duckdb.sql("select count(*) from onset where mode = 2").fetchall()
+    assert rows[0] == (int((standfast.classify(**values) == 2).sum()),)

@@ -148,7 +148,7 @@ def test_dtypes(dtype: str) -> None:
     values = whole if np.dtype(dtype).kind in "iu" else whole / 8
     operands = values.astype(dtype)
     expected = standfast.classify(*values.astype(np.float64))
-    assert len(np.unique(expected)) > 2
+    assert len(np.unique(expected)) > 1
     assert np.array_equal(standfast.classify(*operands), expected)
     assert np.array_equal(standfast.classify(*operands[:, ::3]), expected[::3])
 
@@ -257,8 +257,8 @@ def test_wrong_outs() -> None:
 
 def test_names() -> None:
     assert standfast.classify(1, 0.4, 0.5, 0.6, names=True) == "RE"
-    found = standfast.classify(3, 0.8, [[0.1, 0.5], [3, 3]], 0.3, names=True)
-    assert found.tolist() == [["RE", "RO"], ["SRO+", "SRO+"]]
+    found = standfast.classify(3, 0.8, [[0.1, 0.5], [3, 3]], 0.1, names=True)
+    assert found.tolist() == [["RE", "SRO-"], ["SRO+", "SRO+"]]
     with pytest.raises(ValueError, match="10 is not the code of a mode; expected 0 to 9"):
         standfast.symbols([3, 10])
     with pytest.raises(ValueError, match="-1 is not"):

@@ -50,10 +50,17 @@ class Onset(NamedTuple):
 
 
 def _is_arrow(value: Any) -> bool:
-    """Whether a value comes by the Arrow PyCapsule interface. A pandas Series counts as the numpy array it is."""
-    if isinstance(value, np.ndarray) or hasattr(value, "iloc"):
+    """Whether a value comes by the Arrow PyCapsule interface.
+
+    A pandas Series counts as the numpy array it is, and xarray objects are for :func:`_operand` to refuse.
+    """
+    if isinstance(value, np.ndarray) or hasattr(value, "iloc") or _is_xarray(value):
         return False
     return hasattr(value, "__arrow_c_array__") or hasattr(value, "__arrow_c_stream__")
+
+
+def _is_xarray(value: Any) -> bool:
+    return hasattr(value, "dims") and hasattr(value, "coords")
 
 
 def _is_table(value: Any) -> bool:
@@ -69,7 +76,7 @@ def _operand(value: Any, name: str) -> np.ndarray[Any, Any]:
                 f"{name} is a lazy Dask collection, which would be loaded into this process whole; expected an array. "
                 "Call dask.array.map_blocks(standfast.classify, ...), or xarray.apply_ufunc with dask='parallelized'"
             )
-        if hasattr(value, "dims") and hasattr(value, "coords"):
+        if _is_xarray(value):
             raise TypeError(
                 f"{name} is an xarray object, whose dimensions have names; expected an array. "
                 "Call xarray.apply_ufunc(standfast.classify, ...), which matches the names"
@@ -108,7 +115,11 @@ def _places(columns: Mapping[str, str | float] | None) -> list[str | float]:
     unknown = [name for name in columns if name not in _NAMES]
     if unknown:
         raise ValueError(f"columns has the key {unknown[0]!r}; expected {', '.join(_NAMES)}")
-    return [columns.get(name, name) for name in _NAMES]
+    places = [columns.get(name, name) for name in _NAMES]
+    for place, name in zip(places, _NAMES):
+        if not isinstance(place, (str, int, float, np.integer, np.floating)) or isinstance(place, bool):
+            raise TypeError(f"columns gives {place!r} for {name}; expected the name of a column, or a number")
+    return places
 
 
 def _points(gamma: Any, k_prime: Any, k: Any, mu: Any) -> tuple[Any, Any, Any, Any]:
@@ -176,10 +187,10 @@ def classify(
     >>> classify(1, 0.4, 0.5, 0.6)
     <Mode.REST: 0>
     >>> classify(3, 0.8, [0.1, 0.5, 3], [[0.3], [0.05]])
-    array([[0, 2, 3],
+    array([[0, 2, 2],
            [1, 3, 4]], dtype=uint8)
-    >>> classify(3, 0.8, [0.1, 0.5, 3], 0.3, names=True)
-    array(['RE', 'RO', 'SRO+'], dtype='<U5')
+    >>> classify(3, 0.8, [0.1, 0.5, 3], 0.1, names=True)
+    array(['RE', 'SRO-', 'SRO+'], dtype='<U5')
     >>> classify(1, 0.4, [0.5, 0.7], [0.6, -0.5])
     Traceback (most recent call last):
     ...

@@ -91,13 +91,12 @@ class Assessment(Answer):
 
     def __getattr__(self, name: str) -> Any:
         loads = self._document.get("loads", []) if "_document" in self.__dict__ else []
-        if name not in self._document and not name.startswith("_") and loads:
+        if not name.startswith("_") and name not in self._document and loads and name in loads[0]:
             if len(loads) == 1:
                 return getattr(Answer(loads[0]), name)
-            if name in loads[0]:
-                raise AttributeError(
-                    f"the case has {len(loads)} alternative loads; see loads[0].{name} and so on", name=name, obj=self
-                )
+            raise AttributeError(
+                f"the case has {len(loads)} alternative loads; see loads[0].{name} and so on", name=name, obj=self
+            )
         return super().__getattr__(name)
 
     @property
@@ -142,11 +141,8 @@ def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2
     <Assessment Block: RO>
     >>> found.mode, round(found.safety_factors.overturning, 4)
     (<Mode.ROCK_O: 2>, 0.7848)
-    >>> print(str(found)[:36])
-    Block
-    <BLANKLINE>
-    Body
-      width 2B           1 m
+    >>> found["loads"][0]["mode"], str(found).splitlines()[0]
+    ('RO', 'Block')
     """
     up_to = float(up_to)
     if not 0 < up_to <= 1e6:

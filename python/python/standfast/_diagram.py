@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -73,8 +72,8 @@ class NamedPoint(NamedTuple):
 
 def _mathtext(markup: str) -> str:
     """The figures' markup as matplotlib's mathtext."""
-    markup = markup.replace(r"\up{", r"\mathrm{").replace("μ**", "μ^{**}").replace("μ*", "μ^{*}")
-    return re.sub("′+", lambda primes: "'" * len(primes[0]), markup).replace("−", "-")
+    markup = markup.replace(r"\up{", r"\mathrm{").replace(r"\frac", r"\dfrac").replace("|", r"\vert ")
+    return markup.replace("μ**", "μ^{**}").replace("μ*", "μ^{*}").replace("−", "-").replace("_-", "_{-}").replace("_+", "_{+}")
 
 
 def _polylines(parts: Iterable[Any]) -> list[Polyline]:

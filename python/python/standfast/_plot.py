@@ -42,6 +42,7 @@ class _Drawing:
         self.diagram = diagram
         self.ax = ax
         self.shown: dict[str, Any] = diagram._shown
+        self.curves = diagram.curves
         self.lines: list[NDArray[np.float64]] = []
         self.boxes: list[Bbox] = []
 
@@ -77,8 +78,10 @@ class _Drawing:
             ax.spines[side].set_color(_INK)
         ax.plot(1, 0, ">", color=_INK, ms=5, transform=ax.transAxes, clip_on=False, zorder=5)
         ax.plot(0, 1, "^", color=_INK, ms=5, transform=ax.transAxes, clip_on=False, zorder=5)
-        ax.set_xlabel("$k$", loc="right", color=_INK, fontsize=13)
-        ax.set_ylabel("$μ$", loc="top", rotation=0, color=_INK, fontsize=13)
+        beyond = {"xycoords": "axes fraction", "textcoords": "offset points", "color": _INK, "fontsize": 14}
+        ax.annotate("$k$", (1, 0), (8, 0), ha="left", va="center", **beyond)
+        ax.annotate("$μ$", (0, 1), (-8, 4), ha="right", va="center", **beyond)
+        ax.annotate("$O$", (0, 0), (-5, -5), ha="right", va="top", **beyond)
         for axis, marks in ((ax.xaxis, self.shown["k_marks"]), (ax.yaxis, self.shown["mu_marks"])):
             axis.set_ticks([at for at, _, _ in marks], [_mathtext(markup) for _, markup, _ in marks])
             axis.set_tick_params(colors=_INK, labelsize=11)
@@ -92,7 +95,7 @@ class _Drawing:
                 self.lines.append(np.array([[0, of[1]], of]))
 
     def _lines(self) -> None:
-        for curve in self.diagram.curves:
+        for curve in self.curves:
             style: dict[str, Any] = {"lw": 0.9, "dashes": (5, 3.4)} if curve.dashed else {"lw": 1.5}
             for part in curve.parts:
                 self.ax.plot(*part.T, color=_INK, zorder=3, solid_capstyle="round", **style)
@@ -104,9 +107,7 @@ class _Drawing:
             labels = [tick.label1 for tick in axis.get_major_ticks()]
 
             def touching(labels: list[Text] = labels, across: int = across) -> Iterator[tuple[Text, Text]]:
-                # A value that is empty takes no room.
-                seen = [label for label in labels if label.get_text()]
-                seen.sort(key=lambda label: label.get_window_extent().intervalx[0] if across == 0 else label.get_window_extent().y0)
+                seen = sorted(labels, key=lambda label: label.get_window_extent().p0[across])
                 for one, other in zip(seen, seen[1:]):
                     if one.get_window_extent().overlaps(other.get_window_extent().padded(2)):
                         yield one, other
@@ -114,8 +115,8 @@ class _Drawing:
             if any(touching()):
                 axis.set_ticklabels([_short(label.get_text()) for label in labels])
             for one, other in list(touching()):
-                if one.get_text():
-                    other.set_text("")
+                # The marks stand in the order of their weight.
+                max(one, other, key=labels.index).set_text("")
             axis.set_ticklabels([label.get_text() for label in labels])
 
     def _letters(self) -> None:
@@ -169,10 +170,10 @@ class _Drawing:
             )
 
     def _formulas(self) -> None:
-        for curve in self.diagram.curves:
+        for curve in self.curves:
             if curve.formula and not curve.dashed and curve.parts:
                 part = max(curve.parts, key=lambda part: float(np.ptp(part[:, 0])))
-                self._place(curve.formula, self._along(part), size=11)
+                self._place(curve.formula, self._along(part), size=11, beside=part)
 
     # Places, in data coordinates.
 
@@ -196,12 +197,25 @@ class _Drawing:
         """Places on both sides of a line."""
         pixels = self.ax.transData.transform(part)
         length = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(pixels, axis=0).T))])
-        for distance in (16, 24, 34, 48, 64):
+        for distance in (16, 22, 30, 40):
             for share in (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2):
                 at = np.array([np.interp(share * length[-1], length, pixels[:, axis]) for axis in (0, 1)])
                 for side in (1, -1):
                     for lean in (0.0, 0.9, -0.9):
                         yield self._data(at + self._scale() * distance * np.array([lean * 3, side]))
+
+    def _nearest(self, box: Bbox) -> NDArray[np.float64]:
+        """The line nearest to the middle of a box."""
+        middle = np.array([(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2])
+
+        def distance(line: NDArray[np.float64]) -> float:
+            start = self.ax.transData.transform(line)
+            start, along = start[:-1], np.diff(start, axis=0)
+            share = ((middle - start) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-9)
+            foot = start + np.clip(share, 0, 1)[:, None] * along
+            return float(np.hypot(*(middle - foot).T).min())
+
+        return min((line for line in self.lines if len(line) > 1), key=distance)
 
     def _scale(self) -> float:
         """Pixels a point, of those at 72 dots an inch."""
@@ -226,9 +240,11 @@ class _Drawing:
         size: float,
         color: str = _INK,
         within: NDArray[np.float64] | None = None,
+        beside: NDArray[np.float64] | None = None,
         insist: bool = False,
     ) -> Text | None:
-        """Puts a label at the first place that is clear; if none is, at the first one off other labels if it insists."""
+        """Puts a label at the first place that is clear, inside a polygon or nearest to a line if asked; if there is
+        none, at the first one off other labels if it insists."""
         label = self.ax.text(0, 0, text, ha="center", va="center", size=size, color=color, zorder=5)
         area = self.ax.get_window_extent()
         room = None if within is None else Path(self.ax.transData.transform(within))
@@ -244,6 +260,8 @@ class _Drawing:
                 continue
             if any(path.intersects_bbox(box, filled=False) for path in self.paths):
                 fallback = fallback or place
+                continue
+            if beside is not None and self._nearest(box) is not beside:
                 continue
             self.boxes.append(box)
             return label
