@@ -320,14 +320,11 @@ impl Batches {
 #[pyfunction]
 pub(crate) fn classify_columns(
     py: Python<'_>,
-    gamma: Given,
-    k_prime: Given,
-    k: Given,
-    mu: Given,
+    columns: [Given; 4],
     threads: Option<NonZero<usize>>,
     names: bool,
 ) -> PyResult<ArrowArray> {
-    let stretches = stretches([gamma, k_prime, k, mu])?;
+    let stretches = stretches(columns)?;
     let threads = grid::threads(threads);
     py.detach(|| {
         let mut codes = Codes::default();
@@ -361,13 +358,10 @@ pub(crate) fn classify_table(
 #[pyfunction]
 pub(crate) fn onset_columns(
     py: Python<'_>,
-    gamma: Given,
-    k_prime: Given,
-    k: Given,
-    mu: Given,
+    columns: [Given; 4],
     threads: Option<NonZero<usize>>,
 ) -> PyResult<ArrowTable> {
-    let stretches = stretches([gamma, k_prime, k, mu])?;
+    let stretches = stretches(columns)?;
     let threads = grid::threads(threads);
     py.detach(|| {
         let (mut batches, mut start) = (Vec::new(), 0);

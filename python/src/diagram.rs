@@ -69,9 +69,3 @@ pub(crate) fn diagram_svg(
     let figure = diagram(&new(gamma, k_prime)?, &points);
     Ok((figure.svg().to_owned(), figure.title().to_owned(), figure.caption().to_owned()))
 }
-
-/// The code of the mode of one point.
-#[pyfunction]
-pub(crate) fn mode_at(gamma: f64, k_prime: f64, k: f64, mu: f64) -> PyResult<u8> {
-    Ok(standfast::classify(gamma, k_prime, k, mu).map_err(error)?.code())
-}

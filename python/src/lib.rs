@@ -41,7 +41,7 @@ mod _standfast {
     #[pymodule_export]
     use super::assess::assess;
     #[pymodule_export]
-    use super::diagram::{diagram_outlines, diagram_svg, mode_at};
+    use super::diagram::{diagram_outlines, diagram_svg};
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

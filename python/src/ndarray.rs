@@ -100,17 +100,13 @@ fn lying(array: &Codes<'_>) -> Option<Vec<usize>> {
 
 /// Mode codes of points, into `out` if it is given.
 #[pyfunction]
-#[pyo3(signature = (gamma, k_prime, k, mu, out, threads))]
+#[pyo3(signature = (arrays, out, threads))]
 pub(crate) fn classify<'py>(
     py: Python<'py>,
-    gamma: Bound<'py, PyUntypedArray>,
-    k_prime: Bound<'py, PyUntypedArray>,
-    k: Bound<'py, PyUntypedArray>,
-    mu: Bound<'py, PyUntypedArray>,
+    arrays: Arrays<'py>,
     out: Option<Codes<'py>>,
     threads: Option<NonZero<usize>>,
 ) -> PyResult<Codes<'py>> {
-    let arrays = [gamma, k_prime, k, mu];
     let grid = broadcast(&arrays)?;
     let Some(out) = out else { return new_codes(py, &grid, threads) };
     if out.shape() != grid.shape {
@@ -162,13 +158,9 @@ fn fill(
 #[pyfunction]
 pub(crate) fn onset<'py>(
     py: Python<'py>,
-    gamma: Bound<'py, PyUntypedArray>,
-    k_prime: Bound<'py, PyUntypedArray>,
-    k: Bound<'py, PyUntypedArray>,
-    mu: Bound<'py, PyUntypedArray>,
+    arrays: Arrays<'py>,
     threads: Option<NonZero<usize>>,
 ) -> PyResult<(Codes<'py>, Bound<'py, PyArrayDyn<u16>>, Vec<Floats<'py>>)> {
-    let arrays = [gamma, k_prime, k, mu];
     let grid = broadcast(&arrays)?;
     let axes = grid.axes();
     let length = [grid.len()];

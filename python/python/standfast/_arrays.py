@@ -4,15 +4,33 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, Protocol, overload
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _standfast
 from ._modes import Mode, Modes, symbols
+from ._standfast import ArrowArray, ArrowTable
 
 _NAMES = ("gamma", "k_prime", "k", "mu")
 _REAL = "fiu"
+
+
+class _ArrowColumn(Protocol):
+    """An Arrow array; chunked ones have ``__arrow_c_stream__`` in its place."""
+
+    def __arrow_c_array__(self, requested_schema: object | None = None) -> tuple[object, object]: ...
+
+
+class _ArrowStream(Protocol):
+    """An Arrow table, chunked array, or reader of record batches."""
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+
+
+_Columns = Mapping[str, "str | float"]
+_Arrow = _ArrowColumn | _ArrowStream
 
 
 class Onset(NamedTuple):
@@ -68,7 +86,7 @@ def _is_table(value: Any) -> bool:
     return _is_arrow(value) or (hasattr(value, "iloc") and hasattr(value, "__arrow_c_stream__"))
 
 
-def _operand(value: Any, name: str) -> np.ndarray[Any, Any]:
+def _operand(value: Any, name: str) -> NDArray[Any]:
     """The value as an array that the native module reads; copied only if its type is none the module knows."""
     if not isinstance(value, np.ndarray):
         if hasattr(value, "__dask_graph__"):
@@ -82,19 +100,20 @@ def _operand(value: Any, name: str) -> np.ndarray[Any, Any]:
                 "Call xarray.apply_ufunc(standfast.classify, ...), which matches the names"
             )
         value = np.asarray(value)
-    if isinstance(value, np.ma.MaskedArray):
+    array: NDArray[Any] = value
+    if isinstance(array, np.ma.MaskedArray):
         raise TypeError(f"{name} is a masked array, whose mask would be lost; expected a plain array")
-    dtype = value.dtype
+    dtype = array.dtype
     if dtype.kind == "O":
         try:
-            return value.astype(np.float64)
+            return array.astype(np.float64)
         except (TypeError, ValueError) as error:
             raise TypeError(f"{name} holds objects that are no real numbers: {error}") from None
     if dtype.kind not in _REAL:
         raise TypeError(f"{name} has dtype {dtype}; expected real numbers, as float64")
     if dtype.itemsize > 8 or not dtype.isnative:
-        return value.astype(np.float64)
-    return value
+        return array.astype(np.float64)
+    return array
 
 
 def _threads(threads: int | None) -> int | None:
@@ -109,7 +128,7 @@ def _threads(threads: int | None) -> int | None:
     return number
 
 
-def _places(columns: Mapping[str, str | float] | None) -> list[str | float]:
+def _places(columns: _Columns | None) -> list[str | float]:
     """Where a table has each operand."""
     columns = {} if columns is None else dict(columns)
     unknown = [name for name in columns if name not in _NAMES]
@@ -130,13 +149,56 @@ def _points(gamma: Any, k_prime: Any, k: Any, mu: Any) -> tuple[Any, Any, Any, A
     return given
 
 
+@overload
+def classify(  # type: ignore[overload-overlap]
+    gamma: float, k_prime: float, k: float, mu: float, *, threads: int | None = 1, names: Literal[False] = False
+) -> Mode: ...
+@overload
+def classify(  # type: ignore[overload-overlap]
+    gamma: float, k_prime: float, k: float, mu: float, *, threads: int | None = 1, names: Literal[True]
+) -> str: ...
+@overload
+def classify(
+    gamma: ArrayLike,
+    k_prime: ArrayLike,
+    k: ArrayLike,
+    mu: ArrayLike,
+    *,
+    out: NDArray[np.uint8] | None = None,
+    threads: int | None = 1,
+    names: Literal[False] = False,
+) -> NDArray[np.uint8]: ...
+@overload
+def classify(
+    gamma: ArrayLike,
+    k_prime: ArrayLike,
+    k: ArrayLike,
+    mu: ArrayLike,
+    *,
+    threads: int | None = 1,
+    names: Literal[True],
+) -> NDArray[np.str_]: ...
+@overload
+def classify(
+    gamma: _Arrow | float,
+    k_prime: _Arrow | float,
+    k: _Arrow | float,
+    mu: _Arrow | float,
+    *,
+    threads: int | None = 1,
+    names: bool = False,
+) -> ArrowArray: ...
+@overload
+def classify(
+    gamma: _Arrow, *, columns: _Columns | None = None, threads: int | None = 1, names: bool = False
+) -> ArrowArray: ...
 def classify(
     gamma: Any,
     k_prime: Any = None,
     k: Any = None,
     mu: Any = None,
     *,
-    columns: Mapping[str, str | float] | None = None,
+    columns: _Columns | None = None,
     out: Any = None,
     threads: int | None = 1,
     names: bool = False,
@@ -207,7 +269,7 @@ def classify(
     if any(map(_is_arrow, given)):
         if out is not None:
             raise TypeError("out is for arrays; the answer for Arrow columns is an Arrow array")
-        return _standfast.classify_columns(*_arrow_operands(given), threads, names)
+        return _standfast.classify_columns(_arrow_operands(given), threads, names)
     if out is not None:
         if names:
             raise TypeError("out holds codes; it cannot be given together with names")
@@ -216,7 +278,7 @@ def classify(
             raise TypeError(f"out is {found}; expected a numpy array of uint8")
         if not out.flags.writeable:
             raise ValueError("out is read-only; expected an array that can be written to")
-    codes = _standfast.classify(*map(_operand, given, _NAMES), out, threads)
+    codes = _standfast.classify(list(map(_operand, given, _NAMES)), out, threads)
     if out is not None:
         return out
     if codes.ndim == 0:
@@ -225,13 +287,28 @@ def classify(
     return symbols(codes) if names else codes
 
 
+@overload
+def onset(
+    gamma: ArrayLike, k_prime: ArrayLike, k: ArrayLike, mu: ArrayLike, *, threads: int | None = 1
+) -> Onset: ...
+@overload
+def onset(
+    gamma: _Arrow | float,
+    k_prime: _Arrow | float,
+    k: _Arrow | float,
+    mu: _Arrow | float,
+    *,
+    threads: int | None = 1,
+) -> ArrowTable: ...
+@overload
+def onset(gamma: _Arrow, *, columns: _Columns | None = None, threads: int | None = 1) -> ArrowTable: ...
 def onset(
     gamma: Any,
     k_prime: Any = None,
     k: Any = None,
     mu: Any = None,
     *,
-    columns: Mapping[str, str | float] | None = None,
+    columns: _Columns | None = None,
     threads: int | None = 1,
 ) -> Any:
     """The mode that begins, with its motion and reactions, and whether it is the only one.
@@ -265,8 +342,8 @@ def onset(
         raise TypeError("columns is for a table, given in place of gamma, k_prime, k and mu")
     given = _points(gamma, k_prime, k, mu)
     if any(map(_is_arrow, given)):
-        return _standfast.onset_columns(*_arrow_operands(given), threads)
-    mode, others, motion = _standfast.onset(*map(_operand, given, _NAMES), threads)
+        return _standfast.onset_columns(_arrow_operands(given), threads)
+    mode, others, motion = _standfast.onset(list(map(_operand, given, _NAMES)), threads)
     if mode.ndim == 0:
         bits = Modes(int(others))
         return Onset(Mode(int(mode)), not bits, bits, *map(float, motion))

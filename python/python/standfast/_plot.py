@@ -78,7 +78,7 @@ class _Drawing:
             ax.spines[side].set_color(_INK)
         ax.plot(1, 0, ">", color=_INK, ms=5, transform=ax.transAxes, clip_on=False, zorder=5)
         ax.plot(0, 1, "^", color=_INK, ms=5, transform=ax.transAxes, clip_on=False, zorder=5)
-        beyond = {"xycoords": "axes fraction", "textcoords": "offset points", "color": _INK, "fontsize": 14}
+        beyond: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points", "color": _INK, "fontsize": 14}
         ax.annotate("$k$", (1, 0), (8, 0), ha="left", va="center", **beyond)
         ax.annotate("$μ$", (0, 1), (-8, 4), ha="right", va="center", **beyond)
         ax.annotate("$O$", (0, 0), (-5, -5), ha="right", va="top", **beyond)

@@ -1,9 +1,26 @@
 """The native module; what users call stands beside it."""
 
+from collections.abc import Sequence
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
+
+__all__ = [
+    "ArrowArray",
+    "ArrowTable",
+    "__version__",
+    "assess",
+    "classify",
+    "classify_columns",
+    "classify_table",
+    "diagram_outlines",
+    "diagram_svg",
+    "modes",
+    "onset",
+    "onset_columns",
+    "onset_table",
+]
 
 __version__: str
 
@@ -32,22 +49,17 @@ _Polyline = list[tuple[float, float]]
 
 def modes() -> list[tuple[str, str, str]]: ...
 def classify(
-    gamma: NDArray[Any],
-    k_prime: NDArray[Any],
-    k: NDArray[Any],
-    mu: NDArray[Any],
+    arrays: Sequence[NDArray[Any]],
     out: NDArray[np.uint8] | None,
     threads: int | None,
 ) -> NDArray[np.uint8]: ...
 def onset(
-    gamma: NDArray[Any], k_prime: NDArray[Any], k: NDArray[Any], mu: NDArray[Any], threads: int | None
+    arrays: Sequence[NDArray[Any]], threads: int | None
 ) -> tuple[NDArray[np.uint8], NDArray[np.uint16], list[NDArray[np.float64]]]: ...
-def classify_columns(
-    gamma: Any, k_prime: Any, k: Any, mu: Any, threads: int | None, names: bool
-) -> ArrowArray: ...
-def classify_table(table: Any, places: list[str | float], threads: int | None, names: bool) -> ArrowArray: ...
-def onset_columns(gamma: Any, k_prime: Any, k: Any, mu: Any, threads: int | None) -> ArrowTable: ...
-def onset_table(table: Any, places: list[str | float], threads: int | None) -> ArrowTable: ...
+def classify_columns(columns: Sequence[Any], threads: int | None, names: bool) -> ArrowArray: ...
+def classify_table(table: Any, places: Sequence[str | float], threads: int | None, names: bool) -> ArrowArray: ...
+def onset_columns(columns: Sequence[Any], threads: int | None) -> ArrowTable: ...
+def onset_table(table: Any, places: Sequence[str | float], threads: int | None) -> ArrowTable: ...
 def diagram_outlines(
     gamma: float, k_prime: float, window: tuple[float, float] | None
 ) -> dict[str, Any]: ...
