@@ -121,7 +121,7 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     Ok(())
 }
 
-/// Where [`onset`] writes: columns of equal length, in the units of [`Motion`](crate::Motion).
+/// Where [`onset`] writes: columns of equal length, in the units of [`Motion`].
 #[derive(Debug)]
 pub struct OnsetColumns<'a> {
     /// The [code](crate::Mode::code) of the mode.
@@ -132,7 +132,7 @@ pub struct OnsetColumns<'a> {
     pub motion: [&'a mut [f64]; 9],
 }
 
-/// The names of the columns of [`OnsetColumns::motion`], which are the fields of [`Motion`](crate::Motion).
+/// The names of the columns of [`OnsetColumns::motion`], which are the fields of [`Motion`].
 pub const MOTION: [&str; 9] =
     ["x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi", "slip", "lift_o", "lift_o_prime"];
 
