@@ -19,7 +19,7 @@ use arrow_buffer::{BooleanBuffer, NullBuffer};
 use arrow_schema::{DataType, Field, FieldRef, Fields, Schema, SchemaRef};
 use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyCapsule, PyTuple};
+use pyo3::types::{PyCapsule, PyFloat, PyTuple};
 use pyo3_arrow::PyChunkedArray;
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_schema_pycapsule, to_stream_pycapsule};
 use pyo3_arrow::input::{AnyArray, AnyRecordBatch};
@@ -199,7 +199,7 @@ fn onset_batch(columns: &[Column; 4], rows: usize, threads: usize) -> Result<Rec
     Ok(RecordBatch::try_new(onset_schema(), arrays).expect("the arrays are those of the schema"))
 }
 
-/// An operand of the form with four columns: an Arrow object or a number.
+/// An operand of the form with four columns: an Arrow object or a `float`.
 pub(crate) enum Given {
     Number(f64),
     Chunks(Vec<ArrayRef>),
@@ -209,8 +209,8 @@ impl<'py> FromPyObject<'_, 'py> for Given {
     type Error = PyErr;
 
     fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Given> {
-        if let Ok(number) = given.extract::<f64>() {
-            return Ok(Given::Number(number));
+        if let Ok(number) = given.cast::<PyFloat>() {
+            return Ok(Given::Number(number.value()));
         }
         let chunks: PyChunkedArray = given.extract::<AnyArray>()?.into_chunked_array()?;
         Ok(Given::Chunks(chunks.into_inner().0))

@@ -92,6 +92,12 @@ def test_columns(kind: str, values: dict[str, Any], codes: list[int]) -> None:
     assert np.array_equal(onset["theta_ddot"].to_numpy(), standfast.onset(**values).theta_ddot)
 
 
+def test_columns_of_one_row() -> None:
+    one = [pl.Series([value]) for value in (1.0, 1.0, 2.0, 5.0)]
+    assert pl.Series(standfast.classify(*one)).to_list() == [2]
+    assert pl.Series(standfast.classify(*(pa.array([value]) for value in (1.0, 1.0, 2.0, 5.0)))).to_list() == [2]
+
+
 def test_columns_beside_numbers(values: dict[str, Any]) -> None:
     friction = pl.Series(values["mu"])
     found = standfast.classify(1, np.float32(0.5), 0.75, friction)

@@ -33,7 +33,7 @@ pub fn run(tally: &mut Tally) {
         return;
     }
     let checks: [(&str, &[&str]); 3] = [
-        ("types of the Python package", &["-m", "mypy", "--strict", "--package", "standfast"]),
+        ("types of the Python package", &["-m", "mypy", "--strict", "python/python/standfast"]),
         ("types of its use", &["-m", "mypy", "--strict", "python/tests/typing"]),
         ("stubs of the native module", &["-m", "mypy.stubtest", "standfast._standfast"]),
     ];
