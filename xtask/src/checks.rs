@@ -1,15 +1,17 @@
-//! The gate: each step is a command; cargo's tests are counted one by one, every other step as one.
+//! The gate: each step is a command; tests are counted one by one, every other step as one.
 
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 
-use crate::root;
+use crate::{python, root};
 
+/// How many checks passed, failed and were skipped.
 #[derive(Default)]
-struct Tally {
-    passed: usize,
-    failed: usize,
-    skipped: usize,
+pub struct Tally {
+    pub passed: usize,
+    pub failed: usize,
+    pub skipped: usize,
 }
 
 /// Runs all steps, also after one has failed, and ends with the count.
@@ -31,11 +33,10 @@ pub fn run() -> ExitCode {
         "--quiet",
     ];
     step(&mut tally, "fuzz targets", &fuzz, &[]);
-    tests(
-        &mut tally,
-        "unit, integration and documentation tests",
-        &["test", "--workspace", "--no-fail-fast"],
-    );
+    // The extension module has its tests in Python.
+    let tests = ["test", "--workspace", "--exclude", "standfast-python", "--no-fail-fast"];
+    tally.count("unit, integration and documentation tests", &mut cargo(&tests), result_line);
+    python::run(&mut tally);
 
     println!("\ntotal: {} passed, {} failed, {} skipped", tally.passed, tally.failed, tally.skipped);
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
@@ -47,44 +48,65 @@ fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// A command that passes or fails as a whole.
 fn step(tally: &mut Tally, name: &str, arguments: &[&str], environment: &[(&str, &str)]) {
-    println!("── {name}: cargo {}", arguments.join(" "));
-    let status = cargo(arguments).envs(environment.iter().copied()).status();
-    match status {
-        Ok(status) if status.success() => tally.passed += 1,
-        outcome => {
-            println!("── {name} failed: {outcome:?}");
-            tally.failed += 1;
+    tally.record(name, cargo(arguments).envs(environment.iter().copied()));
+}
+
+/// A command as one would type it.
+fn line(command: &Command) -> String {
+    let program = Path::new(command.get_program()).file_name().unwrap_or(command.get_program());
+    let words = std::iter::once(program).chain(command.get_args());
+    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
+}
+
+impl Tally {
+    /// Runs a command that passes or fails as a whole; says which.
+    pub fn record(&mut self, name: &str, command: &mut Command) -> bool {
+        println!("── {name}: {}", line(command));
+        match command.status() {
+            Ok(status) if status.success() => {
+                self.passed += 1;
+                true
+            }
+            outcome => {
+                println!("── {name} failed: {outcome:?}");
+                self.failed += 1;
+                false
+            }
         }
+    }
+
+    /// Runs a command that counts its tests: `counts` reads how many passed, failed and were skipped from a line.
+    pub fn count(&mut self, name: &str, command: &mut Command, counts: impl Fn(&str) -> Option<[usize; 3]>) {
+        println!("── {name}: {}", line(command));
+        let mut child = match command.stdout(Stdio::piped()).spawn() {
+            Ok(child) => child,
+            Err(error) => {
+                println!("── {name} failed: {error}");
+                self.failed += 1;
+                return;
+            }
+        };
+        let mut all_failed = 0;
+        let output = BufReader::new(child.stdout.take().expect("standard output is piped"));
+        for line in output.lines().map_while(Result::ok) {
+            println!("{line}");
+            if let Some([passed, failed, skipped]) = counts(&line) {
+                self.passed += passed;
+                all_failed += failed;
+                self.skipped += skipped;
+            }
+        }
+        // A test that does not compile or a crash fails without a count.
+        let success = child.wait().is_ok_and(|status| status.success());
+        self.failed += if success { all_failed } else { all_failed.max(1) };
     }
 }
 
-/// `cargo test`, with its tests added to the tally.
-fn tests(tally: &mut Tally, name: &str, arguments: &[&str]) {
-    println!("── {name}: cargo {}", arguments.join(" "));
-    let child = cargo(arguments).stdout(Stdio::piped()).spawn();
-    let mut child = match child {
-        Ok(child) => child,
-        Err(error) => {
-            println!("── {name} failed: {error}");
-            tally.failed += 1;
-            return;
-        }
-    };
-    let mut failed = 0;
-    let output = BufReader::new(child.stdout.take().expect("standard output is piped"));
-    for line in output.lines().map_while(Result::ok) {
-        println!("{line}");
-        if let Some(counts) = line.strip_prefix("test result: ") {
-            tally.passed += count(counts, "passed");
-            failed += count(counts, "failed");
-            tally.skipped += count(counts, "ignored");
-        }
-    }
-    // A test that does not compile or a crash fails without a count.
-    let success = child.wait().is_ok_and(|status| status.success());
-    tally.failed += if success { failed } else { failed.max(1) };
+/// Passed, failed and ignored in cargo's line for the tests of a target.
+fn result_line(line: &str) -> Option<[usize; 3]> {
+    let counts = line.strip_prefix("test result: ")?;
+    Some(["passed", "failed", "ignored"].map(|what| count(counts, what)))
 }
 
 /// The number before `what` in a line such as `ok. 12 passed; 0 failed; 1 ignored; …`.

@@ -4,6 +4,7 @@
 
 mod checks;
 mod gallery;
+mod python;
 #[cfg(test)]
 mod traceability;
 

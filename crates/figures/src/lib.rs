@@ -17,6 +17,7 @@
 //! | question | module |
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
+//! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `canvas`, `chart`, `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render` |
@@ -36,6 +37,7 @@ mod labels;
 mod map;
 mod margins;
 mod number;
+pub mod outlines;
 mod palette;
 mod plane;
 mod plot;
@@ -49,6 +51,7 @@ use standfast::Diagram;
 use standfast::contact::path::Stage;
 use standfast::diagram::Region;
 
+pub use outlines::outlines;
 pub use render::RenderError;
 pub use report::{FigureId, UnknownFigure, report_figure};
 #[doc(hidden)]

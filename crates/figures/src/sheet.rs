@@ -233,6 +233,14 @@ impl At {
 }
 
 impl Mark {
+    /// The point whose μ it is, if it is one's.
+    pub(crate) fn point(self) -> Option<PointName> {
+        match self {
+            Mark::Of(name) => Some(name),
+            Mark::Asymptote | Mark::Start | Mark::Foot => None,
+        }
+    }
+
     /// Its μ, if the chart has it.
     pub(crate) fn mu(self, chart: &Chart) -> Option<f64> {
         match self {

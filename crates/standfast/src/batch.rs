@@ -22,6 +22,7 @@
 
 use crate::error::InputError;
 use crate::initiation::Point;
+use crate::motion::Motion;
 use crate::sign::{Fused, Rounded, UNSURE, screen};
 
 /// Four columns of equal length: γ, k', k and μ.
@@ -115,6 +116,71 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
         if codes.contains(&UNSURE) {
             settle(columns, codes)
                 .map_err(|(index, source)| BatchError::Value { index: start + index, source })?;
+        }
+    }
+    Ok(())
+}
+
+/// Where [`onset`] writes: columns of equal length, in the units of [`Motion`].
+#[derive(Debug)]
+pub struct OnsetColumns<'a> {
+    /// The [code](crate::Mode::code) of the mode.
+    pub mode: &'a mut [u8],
+    /// The other consistent modes, as the [bits](crate::Modes::bits) of a set; zero where the answer is unique.
+    pub others: &'a mut [u16],
+    /// The motion of `mode`: [`MOTION`] names the columns.
+    pub motion: [&'a mut [f64]; 9],
+}
+
+/// The names of the columns of [`OnsetColumns::motion`], which are the fields of [`Motion`].
+pub const MOTION: [&str; 9] =
+    ["x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi", "slip", "lift_o", "lift_o_prime"];
+
+impl<'a> OnsetColumns<'a> {
+    fn check_lengths(&self, expected: usize) -> Result<(), BatchError> {
+        let named = MOTION.into_iter().zip(&self.motion).map(|(name, column)| (name, column.len()));
+        let mut lengths = [("mode", self.mode.len()), ("others", self.others.len())].into_iter().chain(named);
+        match lengths.find(|&(_, found)| found != expected) {
+            Some((column, found)) => Err(BatchError::Length { column, found, expected }),
+            None => Ok(()),
+        }
+    }
+
+    /// The first `index` points, and the rest.
+    ///
+    /// # Panics
+    /// If there are fewer points.
+    pub fn split_at(self, index: usize) -> (OnsetColumns<'a>, OnsetColumns<'a>) {
+        let (mode, mode_rest) = self.mode.split_at_mut(index);
+        let (others, others_rest) = self.others.split_at_mut(index);
+        let (mut motion, mut motion_rest): ([&mut [f64]; 9], [&mut [f64]; 9]) = Default::default();
+        for ((column, head), tail) in self.motion.into_iter().zip(&mut motion).zip(&mut motion_rest) {
+            (*head, *tail) = column.split_at_mut(index);
+        }
+        (
+            OnsetColumns { mode, others, motion },
+            OnsetColumns { mode: mode_rest, others: others_rest, motion: motion_rest },
+        )
+    }
+}
+
+/// Writes every point's mode, the other consistent modes, and the motion it begins with.
+///
+/// # Errors
+/// If the columns differ in length, or at the first point with a value that is not valid; `out` then holds the
+/// points before it.
+pub fn onset(columns: Columns<'_>, out: OnsetColumns<'_>) -> Result<(), BatchError> {
+    columns.check_lengths(out.mode.len())?;
+    out.check_lengths(out.mode.len())?;
+    let OnsetColumns { mode, others, mut motion } = out;
+    for (index, (mode, others)) in mode.iter_mut().zip(others).enumerate() {
+        let point = columns.point(index).map_err(|source| BatchError::Value { index, source })?;
+        *mode = point.mode().code();
+        *others = point.others().bits();
+        let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = point.motion();
+        let values = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
+        for (column, value) in motion.iter_mut().zip(values) {
+            column[index] = value;
         }
     }
     Ok(())

@@ -231,6 +231,17 @@ impl Modes {
     /// No mode.
     pub const NONE: Modes = Modes(0);
 
+    /// The set as bits: bit `n` is set if the mode with [code](Mode::code) `n` is in it.
+    ///
+    /// ```
+    /// use standfast::{Mode, Modes};
+    /// let modes: Modes = [Mode::SlideLeft, Mode::SlideRockOLeft].into_iter().collect();
+    /// assert_eq!(modes.bits(), 0b1010);
+    /// ```
+    pub fn bits(self) -> u16 {
+        self.0
+    }
+
     /// Adds a mode.
     pub fn insert(&mut self, mode: Mode) {
         self.0 |= 1 << mode.code();

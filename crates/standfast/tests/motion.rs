@@ -196,3 +196,46 @@ fn a_higher_force_can_end_rocking() {
     assert_eq!(mode(5.0 / 12.0), Mode::RockO);
     assert_eq!(mode(1.0), Mode::SlideRockORight);
 }
+
+/// The columns of a batch are the values of the single calls, bit for bit.
+#[test]
+fn onset_columns_agree_with_the_single_call() {
+    use standfast::batch::{self, BatchError, Columns, OnsetColumns};
+
+    let mut random = Random(23);
+    let mut points: Vec<[f64; 4]> = (0..3_000).map(|_| random.point()).collect();
+    for boundary in Boundary::ALL {
+        points.extend((0..100).map(|_| boundary.point(&mut random)));
+    }
+    points.push([1.0, -0.5, 4.0, 3.0]); // three consistent modes
+    let count = points.len();
+    let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
+    let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
+    let columns =
+        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
+
+    let (mut mode, mut others) = (vec![0; count], vec![0; count]);
+    let mut motion = [(); 9].map(|()| vec![0.0; count]);
+    let out = OnsetColumns {
+        mode: &mut mode,
+        others: &mut others,
+        motion: motion.each_mut().map(|column| column.as_mut_slice()),
+    };
+    batch::onset(columns, out).unwrap();
+    for (i, &[g, h, k, m]) in points.iter().enumerate() {
+        let point = Point::new(g, h, k, m).unwrap();
+        assert_eq!(Mode::from_code(mode[i]), Some(point.mode()));
+        let bits = Mode::ALL.into_iter().filter(|&mode| others[i] >> mode.code() & 1 == 1).collect();
+        assert_eq!(point.others(), bits);
+        let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = point.motion();
+        let expected = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
+        assert_eq!(motion.each_ref().map(|column| column[i]), expected);
+    }
+    assert!(others.iter().any(|bits| bits.count_ones() == 2));
+
+    let mut short = vec![0.0; count - 1];
+    let mut motion = motion.each_mut().map(|column| column.as_mut_slice());
+    motion[5] = &mut short;
+    let error = batch::onset(columns, OnsetColumns { mode: &mut mode, others: &mut others, motion });
+    assert_eq!(error, Err(BatchError::Length { column: "xi", found: count - 1, expected: count }));
+}

@@ -1,0 +1,40 @@
+"""A freestanding body stands on a rough base; a force comes. Does it stay at rest, slide, rock, or slide and rock?
+
+========================================================  ==================================
+which mode begins, at one point or at ten million?        :func:`classify`
+with what motion, and is it the only one?                 :func:`onset`
+what does the whole k-μ plane look like?                  :class:`Diagram`
+a body with its loads: water, waves, earthquakes          :func:`assess`
+========================================================  ==================================
+
+The symbols are those of the report this library implements, on vertical caisson breakwaters: γ = H/B (``gamma``),
+k = F/(m g) (``k``), k' the height of the force above the centre of mass in H (``k_prime``), μ Coulomb friction
+(``mu``). Numbers in parentheses are the report's equations.
+"""
+
+from ._arrays import Onset, classify, onset
+from ._assess import Answer, Assessment, Figure, assess
+from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
+from ._modes import Mode, Modes, symbols
+from ._standfast import ArrowArray, ArrowTable, __version__
+
+__all__ = [
+    "Answer",
+    "ArrowArray",
+    "ArrowTable",
+    "Assessment",
+    "Curve",
+    "Diagram",
+    "Figure",
+    "Indeterminate",
+    "Mode",
+    "Modes",
+    "NamedPoint",
+    "Onset",
+    "Region",
+    "__version__",
+    "assess",
+    "classify",
+    "onset",
+    "symbols",
+]

@@ -1,0 +1,203 @@
+"""The k-μ diagram of a body as arrays, as SVG, and drawn by matplotlib."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _standfast
+from ._arrays import classify
+from ._modes import Mode, Modes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Polyline = NDArray[np.float64]
+
+_INK = "#16202b"
+_FAINT = "#5d6873"
+_MARK = "#a3123f"
+
+
+class Region(NamedTuple):
+    """The part of the plane where a mode begins."""
+
+    #: The mode.
+    mode: Mode
+    #: Its outlines in the window, each an array of shape (n, 2) of (k, μ), not closed.
+    polygons: list[Polyline]
+    #: The report's symbol in mathtext.
+    symbol: str
+    #: The colour of the mode in every figure.
+    color: str
+
+
+class Indeterminate(NamedTuple):
+    """A part of the plane where several modes satisfy every law, and the report's section IV.7 picks one."""
+
+    #: The report's name for it.
+    name: str
+    #: The mode that the report picks, which is that of the :class:`Region` it lies in.
+    resolved_as: Mode
+    #: All modes consistent inside.
+    modes: Modes
+    #: Its outlines, as in :class:`Region`.
+    polygons: list[Polyline]
+
+
+class Curve(NamedTuple):
+    """A line of the diagram."""
+
+    #: ``OA``, ``CD``, ``AB``, ``DC``, ``mu*``, ``mu**``, ``vertical at A`` or ``asymptote``.
+    name: str
+    #: Its equation in mathtext; empty for the vertical.
+    formula: str
+    #: Whether it bounds no region.
+    dashed: bool
+    #: Its parts in the window, each an array of shape (n, 2) of (k, μ).
+    parts: list[Polyline]
+
+
+class NamedPoint(NamedTuple):
+    """A point of the diagram that has a letter in the report."""
+
+    #: The letter, e.g. ``B'``.
+    name: str
+    k: float
+    mu: float
+
+
+def _mathtext(markup: str) -> str:
+    """The figures' markup as matplotlib's mathtext."""
+    markup = markup.replace(r"\up{", r"\mathrm{").replace(r"\frac", r"\dfrac").replace("|", r"\vert ")
+    return markup.replace("μ**", "μ^{**}").replace("μ*", "μ^{*}").replace("−", "-").replace("_-", "_{-}").replace("_+", "_{+}")
+
+
+def _polylines(parts: Iterable[Any]) -> list[Polyline]:
+    return [np.array(part, dtype=np.float64) for part in parts]
+
+
+class Diagram:
+    """Which mode begins where in the plane of force k and friction μ, for one body and one elevation of the force.
+
+    Args:
+        gamma: slenderness H/B, above zero.
+        k_prime: height of the force above the centre of mass in H.
+        window: largest k and μ to show; chosen so that the named points are seen if it is not given.
+
+    Raises:
+        ValueError: for a slenderness or elevation that no body or force has, or a window that is empty.
+
+    In a notebook it shows itself as the report's figure.
+
+    >>> diagram = Diagram(3, 0.8)
+    >>> [region.mode.symbol for region in diagram.regions]
+    ['RE', 'SL', 'RO', 'SRO-', 'SRO+']
+    >>> diagram.mode_at(3, 0.1)
+    <Mode.SLIDE_ROCK_O_RIGHT: 4>
+    >>> round(diagram.points["E"].k, 4)
+    1.0465
+    """
+
+    def __init__(self, gamma: float, k_prime: float, *, window: tuple[float, float] | None = None) -> None:
+        self._gamma = float(gamma)
+        self._k_prime = float(k_prime)
+        if window is not None:
+            k, mu = map(float, window)
+            if not (0 < k <= 1e50 and 0 < mu <= 1e50):
+                raise ValueError(f"window is {(k, mu)}; expected the largest k and the largest μ to show, above zero")
+            window = (k, mu)
+        self._shown: dict[str, Any] = _standfast.diagram_outlines(self._gamma, self._k_prime, window)
+
+    @property
+    def gamma(self) -> float:
+        """Slenderness H/B."""
+        return self._gamma
+
+    @property
+    def k_prime(self) -> float:
+        """Height of the force above the centre of mass in H."""
+        return self._k_prime
+
+    @property
+    def window(self) -> tuple[float, float]:
+        """Largest k and μ shown."""
+        k, mu = self._shown["window"]
+        return k, mu
+
+    @property
+    def regions(self) -> list[Region]:
+        """The regions of the modes; together they fill the window."""
+        return [
+            Region(Mode(code), _polylines(polygons), _mathtext(symbol), tint)
+            for code, symbol, tint, polygons in self._shown["areas"]
+        ]
+
+    @property
+    def indeterminate(self) -> list[Indeterminate]:
+        """Where the answer is not unique; empty unless -1 < k' < 0."""
+        return [
+            Indeterminate(name, Mode(resolved), Modes(bits), _polylines(polygons))
+            for name, resolved, bits, polygons in self._shown["unresolved"]
+        ]
+
+    @property
+    def curves(self) -> list[Curve]:
+        """The lines between the regions, and the dashed ones."""
+        return [
+            Curve(name, _mathtext(formula), dashed, _polylines(parts))
+            for name, formula, dashed, parts in self._shown["lines"]
+        ]
+
+    @property
+    def points(self) -> Mapping[str, NamedPoint]:
+        """The named points in the window, by letter."""
+        return {letter: NamedPoint(letter, k, mu) for letter, _, k, mu in self._shown["points"]}
+
+    def mode_at(self, k: Any, mu: Any) -> Any:
+        """The mode at (k, μ), exactly, boundaries included; arrays give arrays, as in :func:`classify`."""
+        return classify(self._gamma, self._k_prime, k, mu)
+
+    def svg(self, points: Mapping[str, tuple[float, float]] | None = None) -> str:
+        """The diagram as an SVG document, with load cases ``{name: (k, μ)}`` marked.
+
+        >>> Diagram(1, 0.4).svg({"storm": (0.5, 0.6)})[:4]
+        '<svg'
+        """
+        marked = [(float(k), float(mu), name) for name, (k, mu) in (points or {}).items()]
+        return _standfast.diagram_svg(self._gamma, self._k_prime, marked)[0]
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def __repr__(self) -> str:
+        return f"Diagram(gamma={self._gamma:g}, k_prime={self._k_prime:g})"
+
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        points: Mapping[str, tuple[float, float]] | None = None,
+        formulas: bool = True,
+    ) -> Axes:
+        """Draws the diagram with matplotlib, in the look of the report's figures.
+
+        Args:
+            ax: axes to draw in; new ones if not given.
+            points: load cases to mark, ``{name: (k, μ)}``.
+            formulas: whether the lines carry their equations.
+
+        Returns:
+            The axes. The axes' limits are the window; everything drawn can be changed with matplotlib.
+
+        Raises:
+            ImportError: without matplotlib (``pip install "standfast[plot]"``).
+        """
+        try:
+            from ._plot import plot
+        except ImportError as error:
+            raise ImportError('plotting needs matplotlib: pip install "standfast[plot]"') from error
+        return plot(self, ax, points or {}, formulas)

@@ -1,0 +1,30 @@
+//! A case assessed: the program's answer as text, JSON and figures.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use standfast_cases::{Assessment, Case, report};
+
+use crate::invalid;
+
+/// Words, suffix and SVG of a figure.
+type Figure = (String, String, String);
+
+/// The answer to the case file `text` as text, as JSON, and its figures; `name` is what errors call the case.
+#[pyfunction]
+pub(crate) fn assess(
+    py: Python<'_>,
+    name: &str,
+    text: &str,
+    up_to: f64,
+) -> PyResult<(String, String, Vec<Figure>)> {
+    py.detach(|| {
+        let case = Case::parse(name, text).map_err(|error| PyValueError::new_err(report(&error)))?;
+        let assessment = Assessment::of(&case, up_to).map_err(|error| invalid(error, &[]))?;
+        let figures = assessment.figures().map_err(|error| invalid(error, &[]))?;
+        let figures = figures
+            .into_iter()
+            .map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned()))
+            .collect();
+        Ok((assessment.text(), assessment.json(&[]), figures))
+    })
+}

@@ -1,0 +1,52 @@
+//! The native module of the Python package `standfast`: numpy and Arrow arrays in and out of the library's batches,
+//! and diagrams as numbers. What users call, with its documentation, is the Python beside it.
+
+mod arrow;
+mod assess;
+mod diagram;
+mod grid;
+mod ndarray;
+
+use numpy::PyArrayDyn;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use standfast::{InputError, Mode};
+
+/// All modes in the order of their codes, as (name, symbol, words).
+#[pyfunction]
+fn modes() -> Vec<(String, &'static str, &'static str)> {
+    Mode::ALL.into_iter().map(|mode| (format!("{mode:?}"), mode.symbol(), mode.words())).collect()
+}
+
+/// An invalid value as an exception, with its index if it has one.
+fn invalid(error: InputError, index: &[usize]) -> PyErr {
+    let text = error.to_string();
+    let at = match index {
+        [] => return PyValueError::new_err(text),
+        [index] => index.to_string(),
+        index => format!("({})", index.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
+    };
+    let (value, expected) = text.split_once("; ").unwrap_or((&text, ""));
+    PyValueError::new_err(format!("{value} at index {at}; {expected}"))
+}
+
+type Codes<'py> = Bound<'py, PyArrayDyn<u8>>;
+
+#[pymodule]
+mod _standfast {
+    #[pymodule_export]
+    use super::arrow::{
+        ArrowArray, ArrowTable, classify_columns, classify_table, onset_columns, onset_table,
+    };
+    #[pymodule_export]
+    use super::assess::assess;
+    #[pymodule_export]
+    use super::diagram::{diagram_outlines, diagram_svg};
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "Python's name for it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    use super::modes;
+    #[pymodule_export]
+    use super::ndarray::{classify, onset};
+}

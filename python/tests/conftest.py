@@ -1,0 +1,5 @@
+"""Settings of the tests."""
+
+import matplotlib
+
+matplotlib.use("Agg")

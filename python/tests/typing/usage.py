@@ -1,0 +1,19 @@
+"""What a type checker says of calls: checked by mypy, never run."""
+
+from typing import assert_type
+
+import numpy as np
+import polars as pl
+import standfast
+from numpy.typing import NDArray
+from standfast import ArrowArray, ArrowTable, Assessment, Diagram, Mode, Onset
+
+assert_type(standfast.classify(1, 0.4, 0.5, 0.6), Mode)
+assert_type(standfast.classify(1, 0.4, 0.5, 0.6, names=True), str)
+assert_type(standfast.classify(1, 0.4, np.ones(3), [0.6]), NDArray[np.uint8])
+assert_type(standfast.classify(1, 0.4, np.ones(3), 0.6, names=True), NDArray[np.str_])
+assert_type(standfast.classify(pl.DataFrame(), columns={"mu": "friction", "k_prime": 0.4}), ArrowArray)
+assert_type(standfast.onset(1, 0.4, 0.5, 0.6), Onset)
+assert_type(standfast.onset(pl.DataFrame()), ArrowTable)
+assert_type(standfast.assess({"body": {}}), Assessment)
+assert_type(Diagram(1, 0.4).regions[0].mode, Mode)
