@@ -25,6 +25,7 @@ mod engine;
 mod error;
 mod file;
 mod format;
+mod guard;
 mod parquet;
 mod pipeline;
 mod problem;
@@ -36,6 +37,7 @@ pub use columns::Mapping;
 pub use error::{BatchError, Place, RowProblem};
 pub use file::process;
 pub use format::TableFormat;
+pub use guard::silence_caught_panics;
 pub use problem::{Problem, ResultColumn};
 
 use std::io::{Read, Write};

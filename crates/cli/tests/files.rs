@@ -8,7 +8,7 @@ use std::sync::Arc;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int8Type, Int32Type};
 use arrow_array::{
-    Array, ArrayRef, BooleanArray, DictionaryArray, Float32Array, Float64Array, Int32Array, Int64Array,
+    ArrayRef, BooleanArray, DictionaryArray, Float32Array, Float64Array, Int32Array, Int64Array,
     LargeStringArray, RecordBatch, StringArray, StringViewArray,
 };
 use arrow_cast::cast;
@@ -19,7 +19,7 @@ use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use standfast::Point;
 use standfast_cli::batch::{
     BatchError, Mapping, OnError, Options, ResultColumn, Summary, TableFormat, process, run,
@@ -183,14 +183,14 @@ fn every_format_gives_the_answers_of_scalar_calls() {
             for (column, expected) in &numbers {
                 assert_eq!(read(column), *expected, "{output}: {column}");
             }
-            assert_eq!(read("name"), super_texts(&table, "name"), "{output}");
+            assert_eq!(read("name"), texts(&table, "name"), "{output}");
             let gamma: Vec<f64> = read("gamma").iter().map(|text| text.parse().expect("a number")).collect();
             assert_eq!(gamma, columns(rows)[0], "{output}");
         }
     }
 }
 
-fn super_texts(table: &RecordBatch, column: &str) -> Vec<String> {
+fn texts(table: &RecordBatch, column: &str) -> Vec<String> {
     let column = table.column_by_name(column).expect("a column").as_string::<i32>();
     column.iter().map(|text| text.unwrap_or_default().to_owned()).collect()
 }
@@ -332,6 +332,28 @@ fn from_parquet_to_parquet_the_columns_stay_as_they_are() {
     let metadata = output.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
     assert!(metadata.contains(&KeyValue::new("origin".to_owned(), "a test".to_owned())));
     assert_eq!(metadata.iter().filter(|entry| entry.key == "ARROW:schema").count(), 1);
+}
+
+/// As pandas writes it.
+#[test]
+fn a_parquet_file_may_have_no_page_index() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let table = points(1000);
+    let properties = WriterProperties::builder()
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_offset_index_disabled(true)
+        .set_max_row_group_row_count(Some(400));
+    let file = File::create(folder.path().join("in.parquet")).expect("a file");
+    let mut writer = ArrowWriter::try_new(file, table.schema(), Some(properties.build())).expect("a writer");
+    writer.write(&table).expect("written");
+    writer.close().expect("written");
+    answer(&folder, "in.parquet", "out.parquet", &options("in.parquet")).expect("answered");
+    write(&folder.path().join("in.csv"), &table);
+    answer(&folder, "in.csv", "out.csv", &options("in.csv")).expect("answered");
+    for column in ["mode", "also", "xi", "name"] {
+        let read = |name: &str| read(&folder.path().join(name), column);
+        assert_eq!(read("out.parquet"), read("out.csv"), "{column}");
+    }
 }
 
 #[test]

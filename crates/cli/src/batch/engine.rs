@@ -11,6 +11,7 @@ use arrow_schema::{DataType, SchemaRef};
 
 use super::answers::{Faults, Task, Values, symbols};
 use super::arrow::{ArrowFile, Batches};
+use super::guard::guarded;
 use super::parquet::{self as pq, Encoder, Group, Part};
 use super::progress::Progress;
 use super::table::{self, Inputs, Numbers};
@@ -71,7 +72,7 @@ pub(super) fn run<W: Write + Send>(
         BatchError::Write(failed.unwrap_or_else(|| io::Error::other(cause)))
     };
 
-    let (mut source, reading) = Source::open(input, from, to, options, progress)?;
+    let (mut source, reading) = guarded(&damaged, || Source::open(input, from, to, options, progress))?;
     let (mut sink, writing) = Sink::create(output, (from, to), &reading, &task, options, &unwritten)?;
     let worker = Worker { reading: &reading, writing: &writing, task: &task, symbols: symbols(), options };
     let mut summary = Summary::default();
@@ -97,7 +98,7 @@ pub(super) fn run<W: Write + Send>(
         Ok(())
     };
     pipeline::run(options.threads, || source.next(), |piece| worker.work(piece), take, damaged)?;
-    sink.finish().map_err(unwritten)?;
+    guarded(|panic| panic, || sink.finish()).map_err(unwritten)?;
     Ok(summary)
 }
 

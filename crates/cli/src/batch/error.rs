@@ -147,7 +147,7 @@ pub enum BatchError {
         cause: String,
     },
     /// The file is not what its format asks for.
-    #[error("cannot read {name}: not a whole {format} file, or damaged ({cause})")]
+    #[error("cannot read {name}: not a whole {format} file, or damaged ({})", without_prefix(cause))]
     Damaged {
         /// The table.
         name: String,
@@ -219,6 +219,11 @@ pub enum RowProblem {
         /// The field with � for what cannot be read.
         value: String,
     },
+}
+
+/// The words of the library for a format, without its name for them (`Parquet error: …`).
+fn without_prefix(cause: &str) -> &str {
+    cause.split_once(" error: ").map_or(cause, |(_, words)| words)
 }
 
 fn rename(ours: &str, suggestion: Option<&str>, needed: &str) -> String {

@@ -201,9 +201,14 @@ impl Source {
         let metadata = file.key_value_metadata().into_iter().flatten();
         let metadata = metadata.filter(|entry| entry.key != ARROW_SCHEMA_META_KEY).cloned().collect();
         let sorting = group.and_then(|group| group.sorting_columns()).cloned();
-        let builder = properties(compression.unwrap_or(Compression::SNAPPY), results)
+        let mut builder = properties(compression.unwrap_or(Compression::SNAPPY), results)
             .set_key_value_metadata(Some(metadata))
             .set_sorting_columns(sorting);
+        // Either all columns have an index of their pages or none.
+        if self.parquet().offset_index().is_none() {
+            builder =
+                builder.set_statistics_enabled(EnabledStatistics::Chunk).set_offset_index_disabled(true);
+        }
         let mut properties = builder.build();
         add_encoded_arrow_schema_to_metadata(schema, &mut properties);
         properties
@@ -244,7 +249,9 @@ fn properties(compression: Compression, results: &[ResultColumn]) -> WriterPrope
         let path = ColumnPath::from(result.name());
         // Least and greatest symbols say nothing, and numbers hardly ever repeat.
         if result.number().is_some() {
-            builder = builder.set_column_dictionary_enabled(path, false);
+            builder = builder
+                .set_column_dictionary_enabled(path.clone(), false)
+                .set_column_statistics_enabled(path, EnabledStatistics::Chunk);
         } else {
             builder = builder.set_column_statistics_enabled(path, EnabledStatistics::None);
         }

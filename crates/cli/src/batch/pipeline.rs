@@ -1,15 +1,14 @@
 //! Work on all cores, results in order.
 
-use std::any::Any;
 use std::collections::BTreeMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+
+use super::guard::guarded;
 
 /// Takes pieces from `source`, works on them on `threads` threads, and gives the results to `sink` in the order of
 /// the pieces, until the source ends or something fails: then with the error that comes first in that order.
 ///
-/// No more than two pieces a thread are under way at once. `panicked` makes an error of a panic in `source` or `work`,
-/// which libraries that read files are known for when a file is damaged.
+/// No more than two pieces a thread are under way at once. `panicked` makes an error of a panic.
 pub(super) fn run<Piece: Send, Done: Send, E: Send>(
     threads: usize,
     mut source: impl FnMut() -> Result<Option<Piece>, E> + Send,
@@ -17,11 +16,8 @@ pub(super) fn run<Piece: Send, Done: Send, E: Send>(
     mut sink: impl FnMut(Done) -> Result<(), E>,
     panicked: impl Fn(String) -> E + Sync,
 ) -> Result<(), E> {
-    let guard = |attempt: &mut dyn FnMut() -> Result<Option<Done>, E>| {
-        catch_unwind(AssertUnwindSafe(attempt)).unwrap_or_else(|panic| Err(panicked(words(&*panic))))
-    };
     if threads <= 1 {
-        while let Some(done) = guard(&mut || source()?.map(&work).transpose())? {
+        while let Some(done) = guarded(&panicked, || source()?.map(&work).transpose())? {
             sink(done)?;
         }
         return Ok(());
@@ -43,8 +39,7 @@ pub(super) fn run<Piece: Send, Done: Send, E: Send>(
         }
         drop(state);
         source.1 += 1;
-        let read = catch_unwind(AssertUnwindSafe(|| (source.0)()));
-        let piece = match read.unwrap_or_else(|panic| Err(panicked(words(&*panic)))) {
+        let piece = match guarded(&panicked, || (source.0)()) {
             Ok(Some(piece)) => return Some((turn, Ok(piece))),
             Ok(None) => None,
             Err(error) => Some((turn, Err(error))),
@@ -57,19 +52,15 @@ pub(super) fn run<Piece: Send, Done: Send, E: Send>(
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some((turn, piece)) = take() {
-                    let mut piece = Some(piece);
-                    let done = guard(&mut || piece.take().transpose()?.map(&work).transpose());
-                    if let Some(done) = done.transpose() {
-                        lock(&shared).done.insert(turn, done);
-                        changed.notify_all();
-                    }
+                    let done = piece.and_then(|piece| guarded(&panicked, || work(piece)));
+                    lock(&shared).done.insert(turn, done);
+                    changed.notify_all();
                 }
             });
         }
         let mut outcome = Ok(());
         while let Some(done) = Shared::take(&shared, &changed) {
-            let mut sunk = |done| catch_unwind(AssertUnwindSafe(|| sink(done)));
-            outcome = done.and_then(|done| sunk(done).unwrap_or_else(|panic| Err(panicked(words(&*panic)))));
+            outcome = done.and_then(|done| guarded(&panicked, || sink(done)));
             let mut state = lock(&shared);
             state.next += 1;
             if outcome.is_err() {
@@ -114,11 +105,6 @@ impl<Done, E> Shared<Done, E> {
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn words(panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("unknown").to_owned()
 }
 
 #[cfg(test)]

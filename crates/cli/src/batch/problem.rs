@@ -4,6 +4,10 @@ use clap::ValueEnum;
 use standfast::contact::{self, Block, Wrench};
 use standfast::{InputError, Mode, Modes, Motion, Point};
 
+use ResultColumn::{
+    Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
+};
+
 /// Which problem the rows are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Problem {
@@ -70,16 +74,14 @@ pub enum ResultColumn {
     /// Angular acceleration, counter-clockwise
     ThetaDdot,
     /// Reaction on the body, to the right
+    #[value(name = "f_x")]
     FX,
     /// The same, upwards
+    #[value(name = "f_y")]
     FY,
     /// Where f_y acts, right of the centre of mass
     Xi,
 }
-
-use ResultColumn::{
-    Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
-};
 
 const FORCE_RESULTS: [ResultColumn; 9] = [ModeColumn, Unique, Also, XDdot, YDdot, ThetaDdot, FX, FY, Xi];
 const WRENCH_RESULTS: [ResultColumn; 8] = [ModesColumn, ModeColumn, XDdot, YDdot, ThetaDdot, FX, FY, Xi];
