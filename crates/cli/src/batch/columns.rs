@@ -55,17 +55,18 @@ impl Options {
             match (matches.next(), matches.next()) {
                 (Some((place, _)), None) => Ok(place),
                 (Some(_), Some(_)) => Err(BatchError::TwoColumns { name: name(), column: wanted.to_owned() }),
-                (None, _) => Err(BatchError::MissingColumn {
-                    name: name(),
-                    column: wanted.to_owned(),
-                    ours: column.name,
-                    found: found.join(", "),
-                    suggestion: match mapped {
+                (None, _) => {
+                    let meant = match mapped {
                         None => similar(column, found, columns),
                         Some(_) => closest(wanted, found.iter().map(String::as_str)).map(str::to_owned),
-                    },
-                    needed: self.problem.needed(),
-                }),
+                    };
+                    let help = meant.map_or_else(
+                        || format!("the columns needed are {}, in any order", self.problem.needed()),
+                        |found| format!("did you mean `{found}`? then say --map \"{}={found}\"", column.name),
+                    );
+                    let column = wanted.to_owned();
+                    Err(BatchError::MissingColumn { name: name(), column, found: found.join(", "), help })
+                }
             }
         };
         columns.iter().map(place).collect()

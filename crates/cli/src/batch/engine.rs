@@ -72,7 +72,7 @@ pub(super) fn run<W: Write + Send>(
         BatchError::Write(failed.unwrap_or_else(|| io::Error::other(cause)))
     };
 
-    let (mut source, reading) = guarded(&damaged, || Source::open(input, from, to, options, progress))?;
+    let (mut source, reading) = guarded(damaged, || Source::open(input, from, to, options, progress))?;
     let (mut sink, writing) = Sink::create(output, (from, to), &reading, &task, options, &unwritten)?;
     let worker = Worker { reading: &reading, writing: &writing, task: &task, symbols: symbols(), options };
     let mut summary = Summary::default();
@@ -157,6 +157,11 @@ impl<'a> Source<'a> {
                 let source = pq::Source::open(input.file().map_err(unread)?);
                 let source = source.map_err(|error| damaged(error.to_string()))?;
                 let inputs = Inputs::find(&source.schema(), options)?;
+                if let Some(codec) = inputs.places.iter().find_map(|&place| source.unreadable(place)) {
+                    let cause =
+                        format!("it is compressed by {codec}; expected Snappy, Zstandard, LZ4, gzip or none");
+                    return Err(BatchError::Read { name: name(), cause });
+                }
                 progress.expect(source.rows());
                 let parts = source.parts(to == TableFormat::Parquet, ROWS);
                 (SourceKind::Parquet(Box::new(parts)), Reading::Parquet(source, inputs))

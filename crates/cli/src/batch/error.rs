@@ -22,20 +22,16 @@ pub enum BatchError {
     },
     /// One of the columns needed is not there.
     #[error("{name} has no column {column}; its columns are {found}")]
-    #[diagnostic(help("{}", rename(ours, suggestion.as_deref(), needed)))]
+    #[diagnostic(help("{help}"))]
     MissingColumn {
         /// The table.
         name: String,
         /// The column looked for.
         column: String,
-        /// Our name for it.
-        ours: &'static str,
         /// The columns there are.
         found: String,
-        /// The one that may be meant.
-        suggestion: Option<String>,
-        /// The columns needed.
-        needed: String,
+        /// What may be meant, or is needed.
+        help: String,
     },
     /// One of the columns needed is there twice.
     #[error("{name} has two columns {column}")]
@@ -224,13 +220,6 @@ pub enum RowProblem {
 /// The words of the library for a format, without its name for them (`Parquet error: …`).
 fn without_prefix(cause: &str) -> &str {
     cause.split_once(" error: ").map_or(cause, |(_, words)| words)
-}
-
-fn rename(ours: &str, suggestion: Option<&str>, needed: &str) -> String {
-    match suggestion {
-        Some(found) => format!("did you mean `{found}`? then say --map \"{ours}={found}\""),
-        None => format!("the columns needed are {needed}, in any order"),
-    }
 }
 
 fn meant(suggestion: Option<&str>, needed: &str) -> String {

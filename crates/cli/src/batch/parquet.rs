@@ -151,6 +151,15 @@ impl Source {
         self.metadata.metadata()
     }
 
+    /// The codec of the column at a place, if it is one that cannot be read.
+    pub(super) fn unreadable(&self, place: usize) -> Option<Compression> {
+        let file = self.parquet();
+        let leaf = (0..file.file_metadata().schema_descr().num_columns())
+            .find(|&leaf| file.file_metadata().schema_descr().get_column_root_idx(leaf) == place)?;
+        let codecs = file.row_groups().iter().map(|group| group.column(leaf).compression());
+        codecs.into_iter().find(|codec| matches!(codec, Compression::BROTLI(_) | Compression::LZO))
+    }
+
     pub(super) fn rows(&self) -> u64 {
         self.parquet().row_groups().iter().map(rows).sum()
     }
@@ -198,6 +207,8 @@ impl Source {
         let file = self.parquet().file_metadata();
         let group = self.parquet().row_groups().first();
         let compression = group.and_then(|group| group.columns().first()).map(|column| column.compression());
+        let compression =
+            compression.filter(|codec| !matches!(codec, Compression::BROTLI(_) | Compression::LZO));
         let metadata = file.key_value_metadata().into_iter().flatten();
         let metadata = metadata.filter(|entry| entry.key != ARROW_SCHEMA_META_KEY).cloned().collect();
         let sorting = group.and_then(|group| group.sorting_columns()).cloned();
