@@ -1,12 +1,13 @@
 //! The command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use standfast::{InputError, Point};
 
-use crate::batch::{OnError, Problem};
+use crate::batch::{Mapping, OnError, Problem, ResultColumn, TableFormat};
 use crate::draw::{KMu, Picture, PictureFile};
 use standfast_cases::design::Target;
 use standfast_figures::FigureId;
@@ -100,9 +101,10 @@ pub enum Command {
 
     /// Classify every row of a table
     ///
-    /// The table is a CSV file with a header. Columns gamma, k_prime, k and mu stand in any order; all columns are
-    /// carried over as they are, and mode, unique, also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi are appended.
-    /// Accelerations are in g, theta_ddot in g/B, forces in m g and xi in B; `also` lists the other consistent modes
+    /// The extensions tell the formats of input and output, in any combination: CSV with a header (.csv, .txt, and
+    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows).
+    /// Columns gamma, k_prime, k and mu stand in any order; all columns are carried over as they are, and mode, unique,
+    /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi are appended. Accelerations are in g, theta_ddot in g/B, forces in m g and xi in B; `also` lists the other consistent modes
     /// where the answer is not unique.
     ///
     /// With --problem wrench the columns are b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s and mu_k, non-dimensional by the
@@ -110,7 +112,9 @@ pub enum Command {
     /// inertia, the wrench at the centre of mass (right, down with the weight, counter-clockwise), friction to stick
     /// and to slip. Appended are modes (all consistent ones), mode (the one reported) and its motion in the same
     /// units.
-    #[command(after_help = "Example:\n  standfast batch examples/points.csv -o modes.csv")]
+    #[command(after_help = "Examples:\n\
+        \u{20} standfast batch examples/points.csv -o modes.csv\n\
+        \u{20} standfast batch points.parquet -o modes.parquet --map mu=friction --columns mode,unique")]
     Batch(BatchArgs),
 
     /// Print a completion script for a shell
@@ -236,18 +240,33 @@ pub struct FiguresArgs {
 /// Arguments of `batch`.
 #[derive(Debug, Args)]
 pub struct BatchArgs {
-    /// The table (CSV); - reads standard input
-    #[arg(value_name = "POINTS.csv")]
+    /// The table; - reads standard input
+    #[arg(value_name = "POINTS")]
     pub input: PathBuf,
     /// The file to write; - writes to standard output, as far as rows make sense
-    #[arg(short, long, value_name = "OUT.csv")]
+    #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
     /// Which problem the rows are
     #[arg(long, value_enum, default_value_t)]
     pub problem: Problem,
+    /// The name one of our columns has in the table, e.g. mu=friction; may be given again
+    #[arg(long, value_name = "OURS=THEIRS")]
+    pub map: Vec<Mapping>,
+    /// What to compute, in this order, e.g. mode,unique,x_ddot [default: all results of the problem]
+    #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
+    pub columns: Vec<ResultColumn>,
     /// What to do with a row that makes no sense
     #[arg(long, value_enum, default_value_t, value_name = "ACTION")]
     pub on_error: OnError,
+    /// How many threads work; the result is the same for any number [default: one for each core]
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// The format of the table, whatever its name
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub input_format: Option<TableFormat>,
+    /// The format of the file to write, whatever its name
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub output_format: Option<TableFormat>,
 }
 
 /// A number that [`Point::new`] takes in one of its places, the others being one.

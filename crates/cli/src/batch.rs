@@ -1,6 +1,7 @@
 //! `standfast batch`: every row of a table of points.
 //!
-//! Rows are read, answered and written one by one, so that a table of any length needs the memory of one row.
+//! The table is read piece by piece, the pieces are answered on all cores, and written in order: a table of any length
+//! needs the memory of a few pieces, and the result does not depend on the number of threads.
 //!
 //! ```
 //! use standfast_cli::batch::{Options, run};
@@ -17,24 +18,35 @@
 //! # Ok::<(), standfast_cli::batch::BatchError>(())
 //! ```
 
+mod answers;
+mod arrow;
 mod columns;
+mod engine;
 mod error;
 mod file;
+mod format;
+mod guard;
+mod parquet;
+mod pipeline;
 mod problem;
-mod watched;
+mod progress;
+mod table;
+mod text;
 
-pub use error::{BatchError, RowProblem};
+pub use columns::Mapping;
+pub use error::{BatchError, Place, RowProblem};
 pub use file::process;
-pub use problem::Problem;
+pub use format::TableFormat;
+pub use guard::silence_caught_panics;
+pub use problem::{Problem, ResultColumn};
 
 use std::io::{Read, Write};
+use std::sync::Arc;
 
 use clap::ValueEnum;
-use csv::{ByteRecord, ReaderBuilder, WriterBuilder};
 
-use columns::Inputs;
-use problem::{Answer, MOST};
-use watched::Watched;
+use engine::Input;
+use progress::Progress;
 
 /// What to do with a row that makes no sense.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -51,16 +63,41 @@ pub enum OnError {
 pub struct Options {
     /// What errors call the input.
     pub name: String,
+    /// The format of the input, if its name does not tell.
+    pub from: Option<TableFormat>,
+    /// The format of the output, if its name does not tell.
+    pub to: Option<TableFormat>,
     /// Which problem the rows are.
     pub problem: Problem,
+    /// The names the problem's columns have in the table, where they are not ours.
+    pub map: Vec<Mapping>,
+    /// What is computed, in this order; all results of the problem if empty.
+    pub columns: Vec<ResultColumn>,
     /// What to do with a row that makes no sense.
     pub on_error: OnError,
+    /// How many threads work; the result is the same for any number.
+    pub threads: usize,
+    /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
+    /// and writing. Only from Parquet to Parquet.
+    #[doc(hidden)]
+    pub known_modes: Option<Arc<[u8]>>,
 }
 
 impl Options {
-    /// The report's problem; stop at the first row that makes no sense; `name` is what errors call the input.
+    /// The report's problem with all its results on one thread; stop at the first row that makes no sense; `name` is
+    /// what errors call the input.
     pub fn new(name: &str) -> Options {
-        Options { name: name.to_owned(), problem: Problem::Force, on_error: OnError::Stop }
+        Options {
+            name: name.to_owned(),
+            from: None,
+            to: None,
+            problem: Problem::Force,
+            map: Vec::new(),
+            columns: Vec::new(),
+            on_error: OnError::Stop,
+            threads: 1,
+            known_modes: None,
+        }
     }
 }
 
@@ -75,82 +112,17 @@ pub struct Summary {
     pub first: Option<BatchError>,
 }
 
-/// Classifies every row of a CSV table.
+/// Answers every row of a table; both formats are CSV unless the options say otherwise.
 ///
 /// # Errors
-/// If the table has no header with the four columns, or has a result column already; at the first row that makes
+/// If the table does not have the columns of the problem, or has a result column already; at the first row that makes
 /// no sense, unless [`OnError::Null`]; or if reading or writing fails.
-pub fn run(input: impl Read, output: impl Write, options: &Options) -> Result<Summary, BatchError> {
-    let name = &options.name;
-    // A row of the wrong length is for us to report.
-    let mut reader =
-        ReaderBuilder::new().flexible(true).buffer_capacity(1 << 16).from_reader(Watched::new(input));
-    let mut writer = WriterBuilder::new().buffer_capacity(1 << 16).from_writer(output);
-    let read = |error| BatchError::Read { name: name.clone(), error };
-
-    let header = reader.byte_headers().map_err(read)?.clone();
-    let inputs = Inputs::find(&header, name, options.problem)?;
-    let mut record = header.clone();
-    let results = options.problem.results();
-    results.iter().for_each(|result| record.push_field(result.as_bytes()));
-    writer.write_byte_record(&record).map_err(BatchError::Write)?;
-
-    let mut summary = Summary::default();
-    while reader.read_byte_record(&mut record).map_err(read)? {
-        if let Some(line) = watched::left_open(&reader, &record) {
-            return Err(BatchError::Quote { name: name.clone(), line });
-        }
-        match answer(&record, &header, &inputs) {
-            Ok(answer) => answer.append(&mut record),
-            Err(problem) => {
-                let line = watched::line(&reader, &record);
-                let error = BatchError::Row { name: name.clone(), line, problem };
-                if options.on_error == OnError::Stop {
-                    return Err(error);
-                }
-                summary.bad += 1;
-                summary.first.get_or_insert(error);
-                record.truncate(header.len());
-                (record.len()..header.len() + results.len()).for_each(|_| record.push_field(b""));
-            }
-        }
-        writer.write_byte_record(&record).map_err(BatchError::Write)?;
-        summary.rows += 1;
-    }
-    writer.flush().map_err(|error| BatchError::Write(error.into()))?;
-    Ok(summary)
-}
-
-/// The answer to a row.
-fn answer(record: &ByteRecord, header: &ByteRecord, inputs: &Inputs) -> Result<Answer, RowProblem> {
-    if record.len() != header.len() {
-        return Err(RowProblem::Length { found: record.len(), expected: header.len() });
-    }
-    for (field, column) in record.iter().zip(header) {
-        if std::str::from_utf8(field).is_err() {
-            return Err(RowProblem::Encoding { column: lossy(column), value: lossy(field) });
-        }
-    }
-    let problem = inputs.problem;
-    let mut values = [0.0; MOST];
-    for ((value, column), &place) in values.iter_mut().zip(problem.columns()).zip(&inputs.places) {
-        *value = number(&record[place]).ok_or_else(|| RowProblem::Value {
-            column: column.name,
-            value: lossy(&record[place]),
-            expected: "a number",
-        })?;
-    }
-    problem.solve(values).map_err(|error| {
-        let i = problem.blame(&error);
-        let value = lossy(&record[inputs.places[i]]);
-        RowProblem::Value { column: problem.columns()[i].name, value, expected: error.expected }
-    })
-}
-
-fn number(field: &[u8]) -> Option<f64> {
-    std::str::from_utf8(field).ok()?.trim().parse().ok()
-}
-
-fn lossy(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
+pub fn run(
+    input: impl Read + Send,
+    output: impl Write + Send,
+    options: &Options,
+) -> Result<Summary, BatchError> {
+    let from = options.from.unwrap_or(TableFormat::Csv);
+    let to = options.to.unwrap_or(TableFormat::Csv);
+    engine::run(Input::Stream(Box::new(input)), from, output, to, options, &Progress::hidden())
 }

@@ -17,6 +17,7 @@ pub mod draw;
 pub mod write;
 
 use std::io::{self, Write};
+use std::num::NonZeroUsize;
 
 use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
@@ -76,11 +77,21 @@ pub fn run(cli: Cli) -> Result<()> {
 
 fn batch_command(args: &args::BatchArgs) -> Result<()> {
     let name = if args.input.as_os_str() == "-" {
-        "standard input".into()
+        "standard input".to_owned()
     } else {
         args.input.display().to_string()
     };
-    let options = batch::Options { name, problem: args.problem, on_error: args.on_error };
+    let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let options = batch::Options {
+        from: args.input_format,
+        to: args.output_format,
+        problem: args.problem,
+        map: args.map.clone(),
+        columns: args.columns.clone(),
+        on_error: args.on_error,
+        threads: args.threads.map_or_else(all, NonZeroUsize::get),
+        ..batch::Options::new(&name)
+    };
     let summary = batch::process(&args.input, &args.output, &options)?;
     if let Some(first) = summary.first {
         eprintln!("warning: {} of {} rows without a result; the first: {first}", summary.bad, summary.rows);

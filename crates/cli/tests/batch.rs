@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use standfast::Point;
 use standfast::contact::{Block, Wrench, solve};
-use standfast_cli::batch::{BatchError, OnError, Options, Problem, run};
+use standfast_cli::batch::{BatchError, OnError, Options, Place, Problem, run};
 
 /// Numbers from 0 to 1, the same in every run.
 fn random() -> impl FnMut() -> f64 {
@@ -109,7 +109,9 @@ fn lines_are_counted_through_blank_lines_quoted_fields_and_both_line_ends() {
                 for tail in ["", end] {
                     let table = mark.to_owned() + &lines[..last].join(end) + tail;
                     match run(table.as_bytes(), Vec::new(), &Options::new("t")) {
-                        Err(BatchError::Row { line, .. }) => assert_eq!(line, expected, "{table:?}"),
+                        Err(BatchError::Row { place, .. }) => {
+                            assert_eq!(place, Place::Line(expected), "{table:?}")
+                        }
                         other => panic!("{other:?}"),
                     }
                 }

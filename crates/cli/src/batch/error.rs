@@ -1,5 +1,8 @@
 //! What can be wrong with a table.
 
+use std::fmt;
+use std::io;
+
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -19,18 +22,16 @@ pub enum BatchError {
     },
     /// One of the columns needed is not there.
     #[error("{name} has no column {column}; its columns are {found}")]
-    #[diagnostic(help("{}", rename(column, suggestion.as_deref(), needed)))]
+    #[diagnostic(help("{help}"))]
     MissingColumn {
         /// The table.
         name: String,
-        /// The column.
-        column: &'static str,
+        /// The column looked for.
+        column: String,
         /// The columns there are.
         found: String,
-        /// The one that may be meant.
-        suggestion: Option<String>,
-        /// The columns needed.
-        needed: String,
+        /// What may be meant, or is needed.
+        help: String,
     },
     /// One of the columns needed is there twice.
     #[error("{name} has two columns {column}")]
@@ -38,7 +39,7 @@ pub enum BatchError {
         /// The table.
         name: String,
         /// The column.
-        column: &'static str,
+        column: String,
     },
     /// A column that is to be appended is there already.
     #[error("{name} already has a column {column}, which is one of the results")]
@@ -49,14 +50,78 @@ pub enum BatchError {
         /// The column.
         column: &'static str,
     },
+    /// `--map` names a column that the problem does not have.
+    #[error("--map {ours}=…: the problem has no column {ours}")]
+    #[diagnostic(help("{}", meant(suggestion.as_deref(), needed)))]
+    MapUnknown {
+        /// The name.
+        ours: String,
+        /// The one that may be meant.
+        suggestion: Option<String>,
+        /// The columns needed.
+        needed: String,
+    },
+    /// `--map` names a column twice.
+    #[error("--map names {ours} twice")]
+    MapTwice {
+        /// The column.
+        ours: String,
+    },
+    /// `--columns` names a result of the other problem.
+    #[error("--columns {column}: this problem has no such result")]
+    #[diagnostic(help("its results are {results}"))]
+    NoSuchResult {
+        /// The column.
+        column: &'static str,
+        /// Those there are.
+        results: String,
+    },
+    /// `--columns` names a result twice.
+    #[error("--columns names {column} twice")]
+    ResultTwice {
+        /// The column.
+        column: &'static str,
+    },
+    /// The name of a file does not tell its format.
+    #[error("cannot tell the format of {name} from its extension")]
+    #[diagnostic(help(
+        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows; or say it: {option} parquet"
+    ))]
+    Format {
+        /// The file.
+        name: String,
+        /// The option that tells it.
+        option: &'static str,
+    },
+    /// A column does not hold numbers.
+    #[error("{name}, column {column}: holds {found}; expected numbers")]
+    Type {
+        /// The table.
+        name: String,
+        /// The column.
+        column: String,
+        /// What it holds.
+        found: String,
+    },
+    /// A column that has no place in a CSV file.
+    #[error("{name}, column {column}: holds {found}, for which CSV has no place")]
+    #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]
+    Nested {
+        /// The table.
+        name: String,
+        /// The column.
+        column: String,
+        /// What it holds.
+        found: String,
+    },
     /// A row that makes no sense.
-    #[error("{name}, line {line}, {problem}")]
+    #[error("{name}, {place}, {problem}")]
     #[diagnostic(help("--on-error null leaves the results of such rows empty and goes on"))]
     Row {
         /// The table.
         name: String,
-        /// Where the row begins, counted from one.
-        line: u64,
+        /// Where the row is.
+        place: Place,
         /// What is wrong with it.
         problem: RowProblem,
     },
@@ -69,28 +134,48 @@ pub enum BatchError {
         /// Where the row begins, counted from one.
         line: u64,
     },
-    /// The table cannot be opened.
+    /// The table cannot be opened or read on.
     #[error("cannot read {name}: {cause}")]
-    Open {
-        /// The table.
-        name: String,
-        /// What the system says.
-        cause: std::io::Error,
-    },
-    /// The table cannot be read on.
-    #[error("cannot read {name}: {error}")]
     Read {
         /// The table.
         name: String,
-        /// What the system or the CSV reader says.
-        error: csv::Error,
+        /// What the system says, or the library for the format.
+        cause: String,
+    },
+    /// The file is not what its format asks for.
+    #[error("cannot read {name}: not a whole {format} file, or damaged ({})", without_prefix(cause))]
+    Damaged {
+        /// The table.
+        name: String,
+        /// The format it was taken for.
+        format: &'static str,
+        /// What the library for the format says.
+        cause: String,
     },
     /// The result cannot be written.
     #[error("cannot write the result: {0}")]
-    Write(csv::Error),
+    Write(io::Error),
     /// The file of the result cannot be written.
     #[error(transparent)]
     File(#[from] WriteError),
+}
+
+/// Where a row is, counted from one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The line of a text on which it begins.
+    Line(u64),
+    /// The row of a table that has no lines.
+    Row(u64),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Line(line) => write!(f, "line {line}"),
+            Place::Row(row) => write!(f, "row {row}"),
+        }
+    }
 }
 
 /// What is wrong with a row.
@@ -107,10 +192,18 @@ pub enum RowProblem {
     /// A value that no point can have.
     #[error("column {column}: \"{value}\"; expected {expected}")]
     Value {
-        /// The column.
-        column: &'static str,
+        /// The column, as the table calls it.
+        column: String,
         /// The field as it is.
         value: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// No value.
+    #[error("column {column}: null; expected {expected}")]
+    Null {
+        /// The column, as the table calls it.
+        column: String,
         /// What it has to be.
         expected: &'static str,
     },
@@ -124,9 +217,14 @@ pub enum RowProblem {
     },
 }
 
-fn rename(column: &str, suggestion: Option<&str>, needed: &str) -> String {
+/// The words of the library for a format, without its name for them (`Parquet error: …`).
+fn without_prefix(cause: &str) -> &str {
+    cause.split_once(" error: ").map_or(cause, |(_, words)| words)
+}
+
+fn meant(suggestion: Option<&str>, needed: &str) -> String {
     match suggestion {
-        Some(found) => format!("did you mean `{found}`? then name it {column}"),
-        None => format!("the columns needed are {needed}, in any order"),
+        Some(found) => format!("did you mean `{found}`?"),
+        None => format!("its columns are {needed}"),
     }
 }

@@ -1,9 +1,12 @@
 //! What a table asks: the report's problem, or the general contact problem.
 
 use clap::ValueEnum;
-use csv::ByteRecord;
 use standfast::contact::{self, Block, Wrench};
 use standfast::{InputError, Mode, Modes, Motion, Point};
+
+use ResultColumn::{
+    Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
+};
 
 /// Which problem the rows are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -52,10 +55,67 @@ const WRENCH: [Column; 11] = [
 /// The most columns a problem has.
 pub(super) const MOST: usize = WRENCH.len();
 
-const FORCE_RESULTS: [&str; 9] =
-    ["mode", "unique", "also", "x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi"];
+/// A column that can be computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum ResultColumn {
+    /// All consistent modes (--problem wrench)
+    Modes,
+    /// The mode that begins
+    Mode,
+    /// Whether no other mode is consistent (--problem force)
+    Unique,
+    /// The other consistent modes (--problem force)
+    Also,
+    /// Acceleration of the centre of mass, to the right
+    XDdot,
+    /// The same, upwards
+    YDdot,
+    /// Angular acceleration, counter-clockwise
+    ThetaDdot,
+    /// Reaction on the body, to the right
+    #[value(name = "f_x")]
+    FX,
+    /// The same, upwards
+    #[value(name = "f_y")]
+    FY,
+    /// Where f_y acts, right of the centre of mass
+    Xi,
+}
 
-const WRENCH_RESULTS: [&str; 8] = ["modes", "mode", "x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi"];
+const FORCE_RESULTS: [ResultColumn; 9] = [ModeColumn, Unique, Also, XDdot, YDdot, ThetaDdot, FX, FY, Xi];
+const WRENCH_RESULTS: [ResultColumn; 8] = [ModesColumn, ModeColumn, XDdot, YDdot, ThetaDdot, FX, FY, Xi];
+
+impl ResultColumn {
+    /// The name of the column.
+    pub fn name(self) -> &'static str {
+        match self {
+            ModesColumn => "modes",
+            ModeColumn => "mode",
+            Unique => "unique",
+            Also => "also",
+            XDdot => "x_ddot",
+            YDdot => "y_ddot",
+            ThetaDdot => "theta_ddot",
+            FX => "f_x",
+            FY => "f_y",
+            Xi => "xi",
+        }
+    }
+
+    /// The number of a motion that the column holds, if it holds numbers.
+    pub(super) fn number(self) -> Option<fn(&Motion) -> f64> {
+        match self {
+            ModesColumn | ModeColumn | Unique | Also => None,
+            XDdot => Some(|motion| motion.x_ddot),
+            YDdot => Some(|motion| motion.y_ddot),
+            ThetaDdot => Some(|motion| motion.theta_ddot),
+            FX => Some(|motion| motion.f_x),
+            FY => Some(|motion| motion.f_y),
+            Xi => Some(|motion| motion.xi),
+        }
+    }
+}
 
 /// The answer to a row.
 pub(super) enum Answer {
@@ -72,8 +132,8 @@ impl Problem {
         }
     }
 
-    /// The columns appended.
-    pub fn results(self) -> &'static [&'static str] {
+    /// The columns appended, unless others are asked for.
+    pub fn results(self) -> &'static [ResultColumn] {
         match self {
             Problem::Force => &FORCE_RESULTS,
             Problem::Wrench => &WRENCH_RESULTS,
@@ -82,9 +142,7 @@ impl Problem {
 
     /// The names of the columns needed, in words.
     pub(super) fn needed(self) -> String {
-        let names: Vec<_> = self.columns().iter().map(|column| column.name).collect();
-        let (last, rest) = names.split_last().expect("there are columns");
-        format!("{} and {last}", rest.join(", "))
+        in_words(self.columns().iter().map(|column| column.name))
     }
 
     /// The answer to the values of the columns; those that the problem does not have are ignored.
@@ -110,35 +168,34 @@ impl Problem {
 }
 
 impl Answer {
-    /// Appends the results to a row.
-    pub(super) fn append(&self, record: &mut ByteRecord) {
+    pub(super) fn mode(&self) -> Option<Mode> {
         match self {
-            Answer::Force(point) => {
-                let others = point.others();
-                record.push_field(point.mode().symbol().as_bytes());
-                record.push_field(if others.is_empty() { b"true" } else { b"false" });
-                push_modes(record, others);
-                push_motion(record, Some(point.motion()));
-            }
-            Answer::Wrench(answer) => {
-                push_modes(record, answer.modes);
-                record.push_field(answer.mode().map_or("", Mode::symbol).as_bytes());
-                push_motion(record, answer.mode().and_then(|mode| answer.motion(mode)));
-            }
+            Answer::Force(point) => Some(point.mode()),
+            Answer::Wrench(answer) => answer.mode(),
+        }
+    }
+
+    /// The consistent modes: those beside the one reported for a force, all of them for a wrench.
+    pub(super) fn modes(&self) -> Modes {
+        match self {
+            Answer::Force(point) => point.others(),
+            Answer::Wrench(answer) => answer.modes,
+        }
+    }
+
+    pub(super) fn motion(&self) -> Option<Motion> {
+        match self {
+            Answer::Force(point) => Some(point.motion()),
+            Answer::Wrench(answer) => answer.mode().and_then(|mode| answer.motion(mode)),
         }
     }
 }
 
-fn push_modes(record: &mut ByteRecord, modes: Modes) {
-    record.push_field(modes.to_string().as_bytes());
-}
-
-fn push_motion(record: &mut ByteRecord, motion: Option<Motion>) {
-    let Some(Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. }) = motion else {
-        return (0..6).for_each(|_| record.push_field(b""));
-    };
-    let mut buffer = ryu::Buffer::new();
-    for value in [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi] {
-        record.push_field(buffer.format(value).as_bytes());
+/// `a, b and c`.
+pub(super) fn in_words(names: impl IntoIterator<Item = &'static str>) -> String {
+    let names: Vec<_> = names.into_iter().collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => names.concat(),
     }
 }
