@@ -1,12 +1,13 @@
 //! What is said below a chart, and to readers who do not see it.
 
-use standfast::diagram::{Unresolved, Window};
+use standfast::diagram::Unresolved;
 use standfast::{Modes, Point};
 
 use crate::chart::Drawing;
 use crate::margins;
 use crate::number::digits;
 use crate::palette::symbol;
+use crate::plot::View;
 use crate::sheet::{Part, letter_markup};
 use crate::text::Text;
 
@@ -87,7 +88,7 @@ pub(crate) fn shortened(word: &str) -> String {
 
 /// The chart in words: axes, shaded regions, and the `details` below it.
 pub(crate) fn description(drawing: &Drawing, details: &str) -> String {
-    let Window { k, mu } = drawing.window;
+    let View { k_max: k, mu_max: mu, .. } = drawing.window;
     let shaded = drawing.sheet.shaded.iter().map(|part| match *part {
         Part::Whole(mode) | Part::LeftOfE(mode) | Part::RightOfE(mode) => {
             let words = mode.words().replace('\'', "′");

@@ -30,8 +30,13 @@ pub(crate) struct Glyph {
 
 type Glyphs = BTreeMap<char, Glyph>;
 
-static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(include_bytes!("../fonts/regular.ttf")));
-static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(include_bytes!("../fonts/italic.ttf")));
+/// The upright face as a TrueType font, for a page that sets its text in the figures' type.
+pub const UPRIGHT_FONT: &[u8] = include_bytes!("../fonts/regular.ttf");
+/// The italic face, likewise.
+pub const ITALIC_FONT: &[u8] = include_bytes!("../fonts/italic.ttf");
+
+static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(UPRIGHT_FONT));
+static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(ITALIC_FONT));
 
 impl Face {
     /// The glyph of a character; a question mark stands in for one the fonts lack.

@@ -20,6 +20,7 @@
 //! | Where does it lie on the page? | `plot`, `canvas`, `chart`, `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render` |
+//! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
 //!
 //! All geometry is the library's: curves and points of [`standfast::initiation::Chart`], regions of [`Diagram`].
 //! Text is drawn as outlines, so a figure looks the same everywhere and needs no fonts; `<title>` and `<desc>` say
@@ -29,8 +30,10 @@
 
 mod canvas;
 mod caption;
+mod cases;
 mod chart;
 mod font;
+mod free_body;
 mod inset;
 mod labels;
 mod map;
@@ -39,9 +42,11 @@ mod number;
 mod palette;
 mod plane;
 mod plot;
+#[cfg(feature = "render")]
 mod render;
 mod report;
 mod scene;
+mod screen;
 mod sheet;
 mod text;
 
@@ -49,10 +54,17 @@ use standfast::Diagram;
 use standfast::contact::path::Stage;
 use standfast::diagram::Region;
 
+pub use cases::cases_on_screen;
+pub use font::{ITALIC_FONT, UPRIGHT_FONT};
+pub use free_body::{FreeBody, Pose, free_body};
+pub use plot::View;
+#[cfg(feature = "render")]
 pub use render::RenderError;
 pub use report::{FigureId, UnknownFigure, report_figure};
 #[doc(hidden)]
-pub use scene::{Label, Rect};
+pub use scene::Label;
+pub use scene::Rect;
+pub use screen::{Axis, Picture, map_on_screen, tint_on_screen};
 
 /// A drawing with its caption.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,235 @@
+//! Pictures for a screen, where a reader moves about: the k–μ diagram in a window of any place and size.
+//!
+//! They are drawn by the same hand as the figures on paper, with these differences: axes have numbers, since the window
+//! need not start at the origin; there is no caption; colours are custom properties of CSS (`--ink`, `--rock`, …), so that
+//! a page can change its theme without drawing anew. [`Picture`] knows which values lie where.
+
+use standfast::diagram::Window;
+use standfast::{Diagram, Mode};
+
+use crate::canvas::Canvas;
+use crate::chart::{Draft, Drawing};
+use crate::margins::{self, Axes, Tab};
+use crate::number;
+use crate::palette::INK;
+use crate::plot::{Frame, View};
+use crate::scene::{Rect, Scene};
+use crate::text::Text;
+use crate::{Figure, FigureId, caption, map, report};
+
+/// The values along an edge of a plot, from its left or lower end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// At the left or lower end.
+    pub from: f64,
+    /// At the right or upper end.
+    pub to: f64,
+    /// Whether equal steps are equal factors.
+    pub logarithmic: bool,
+}
+
+impl Axis {
+    /// How far along the axis a value lies: 0 at its beginning, 1 at its end.
+    pub fn share(&self, value: f64) -> f64 {
+        let Axis { from, to, logarithmic } = *self;
+        if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
+    }
+
+    /// The value at a share of the axis.
+    pub fn value(&self, share: f64) -> f64 {
+        let Axis { from, to, logarithmic } = *self;
+        if logarithmic { from * (to / from).powf(share) } else { from + share * (to - from) }
+    }
+}
+
+/// A drawing for the screen and where its values lie.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// The drawing.
+    pub figure: Figure,
+    /// Its plot, in units of the drawing.
+    pub plot: Rect,
+    /// The values to the right.
+    pub across: Axis,
+    /// The values upwards.
+    pub up: Axis,
+}
+
+impl Picture {
+    /// Where a pair of values lies in the drawing.
+    pub fn place(&self, across: f64, up: f64) -> (f64, f64) {
+        let Rect { x0, y0, x1, y1 } = self.plot;
+        (x0 + self.across.share(across) * (x1 - x0), y1 - self.up.share(up) * (y1 - y0))
+    }
+
+    /// The pair of values at a place in the drawing.
+    pub fn values(&self, x: f64, y: f64) -> (f64, f64) {
+        let Rect { x0, y0, x1, y1 } = self.plot;
+        (self.across.value((x - x0) / (x1 - x0)), self.up.value((y1 - y) / (y1 - y0)))
+    }
+}
+
+impl View {
+    /// The view that shows a diagram best, and the point (`k`, `mu`).
+    pub fn of(diagram: &Diagram, k: f64, mu: f64) -> View {
+        let point = crate::DesignPoint { k, mu, label: String::new(), mirrored: false };
+        map::window(diagram, &[point])
+    }
+
+    /// The view of a chart of the report; `None` for its sketches.
+    pub fn of_figure(id: FigureId) -> Option<View> {
+        report::chart(id).map(|(_, _, Window { k, mu })| View::from_origin(k, mu))
+    }
+
+    /// The view `factor` times as large (so 0.5 is twice as near), with (`k`, `mu`) staying where it is, as far as no
+    /// negative value comes into view. What is too small or too large to be drawn is left as it was.
+    pub fn zoomed(&self, factor: f64, k: f64, mu: f64) -> View {
+        let zoomed = View {
+            k_min: k + factor * (self.k_min - k),
+            k_max: k + factor * (self.k_max - k),
+            mu_min: mu + factor * (self.mu_min - mu),
+            mu_max: mu + factor * (self.mu_max - mu),
+        };
+        zoomed.in_quadrant().filter(View::is_drawable).unwrap_or(*self)
+    }
+
+    /// The view moved by shares of its width and height, as far as no negative value comes into view.
+    pub fn moved(&self, right: f64, up: f64) -> View {
+        let (right, up) = (right * self.width(), up * self.height());
+        let moved = View {
+            k_min: self.k_min + right,
+            k_max: self.k_max + right,
+            mu_min: self.mu_min + up,
+            mu_max: self.mu_max + up,
+        };
+        moved.in_quadrant().filter(View::is_drawable).unwrap_or(*self)
+    }
+
+    fn in_quadrant(self) -> Option<View> {
+        let (right, up) = ((-self.k_min).max(0.0), (-self.mu_min).max(0.0));
+        let numbers = [self.k_min, self.k_max, self.mu_min, self.mu_max];
+        numbers.iter().all(|number| number.is_finite()).then_some(View {
+            k_min: self.k_min + right,
+            k_max: self.k_max + right,
+            mu_min: self.mu_min + up,
+            mu_max: self.mu_max + up,
+        })
+    }
+
+    /// Whether the view is neither empty nor so small or far out that its ticks could not be told apart.
+    pub fn is_drawable(&self) -> bool {
+        let sensible = |least: f64, greatest: f64| {
+            least >= 0.0 && greatest < 1e9 && greatest - least > 1e-9 && greatest - least > 1e-6 * greatest
+        };
+        sensible(self.k_min, self.k_max) && sensible(self.mu_min, self.mu_max)
+    }
+
+    fn axes(&self) -> (Axis, Axis) {
+        let axis = |from, to| Axis { from, to, logarithmic: false };
+        (axis(self.k_min, self.k_max), axis(self.mu_min, self.mu_max))
+    }
+}
+
+/// Margins around the plot: for the numbers and names of the axes, and for labels at the ends of lines.
+const LEFT: f64 = 50.0;
+const RIGHT: f64 = 46.0;
+const TOP: f64 = 34.0;
+const BOTTOM: f64 = 44.0;
+const TICK: f64 = 12.5;
+const AXES: Axes = Axes { right: "$k$", up: "$μ$", origin: "" };
+
+/// The map of all modes for a screen, or a chart of the report if `figure` is one and shows this very body; `size` is
+/// that of the whole picture. The indeterminate set N is hatched.
+pub fn map_on_screen(
+    diagram: &Diagram,
+    figure: Option<FigureId>,
+    view: &View,
+    (width, height): (f64, f64),
+) -> Picture {
+    let chart = diagram.chart();
+    let (all, condition) = map::sheet(chart.case());
+    let body = number::body(chart);
+    let caption_of_all = format!("{body}: {condition}");
+    let of_report = figure.and_then(|id| Some((id, report::chart(id)?)));
+    let of_report = of_report.filter(|(_, (_, body, _))| *body == (chart.slenderness(), chart.elevation()));
+    let heading = of_report.map_or("All modes,".to_owned(), |(id, _)| format!("Fig. {id}"));
+    let (sheet, caption, unresolved) = match of_report {
+        Some((id, (sheet, ..))) => (sheet, report::caption(id), Vec::new()),
+        None => (all, caption_of_all.as_str(), diagram.unresolved()),
+    };
+    let drawing = Drawing {
+        diagram,
+        sheet,
+        window: *view,
+        heading: &heading,
+        caption,
+        preface: "",
+        points: &[],
+        hatched: &unresolved,
+    };
+    let area = Rect {
+        x0: LEFT,
+        y0: TOP,
+        x1: (width - RIGHT).max(LEFT + 60.0),
+        y1: (height - BOTTOM).max(TOP + 60.0),
+    };
+    let frame = Frame { area, window: *view };
+    let mut canvas = Canvas::new(frame);
+    canvas.scene = Scene::themed();
+    let mut draft = Draft::new(&drawing, canvas);
+    draft.tints();
+    draft.traces();
+    axes(&mut draft.canvas.scene, &frame);
+    draft.letters();
+    draft.lens();
+    draft.names();
+    draft.notes();
+    draft.formulas();
+    let scene = &mut draft.canvas.scene;
+    margins::right_of(scene, &frame, std::mem::take(&mut draft.right));
+    margins::above(scene, &frame, std::mem::take(&mut draft.above));
+
+    let title = caption::title(&drawing);
+    let description = caption::description(&drawing, &named_points(&drawing));
+    let (svg, labels) = draft.canvas.scene.finish(width, height, &title, &description);
+    let (across, up) = view.axes();
+    let figure = Figure { svg, title, caption: String::new(), labels, size: (width, height) };
+    Picture { figure, plot: area, across, up }
+}
+
+fn named_points(drawing: &Drawing) -> String {
+    let digits = |value: f64| Text::inline(&format!("${}$", number::digits(value)), TICK).plain;
+    let point = |point: standfast::initiation::NamedPoint| {
+        format!("{} ({}, {})", point.name.letter().replace('\'', "′"), digits(point.k), digits(point.mu))
+    };
+    format!("Named points: {}.", drawing.named().map(point).collect::<Vec<_>>().join(", "))
+}
+
+/// Axes with numbers.
+fn axes(scene: &mut Scene, frame: &Frame) {
+    let Rect { x0, y0, x1, y1 } = frame.area;
+    let View { k_min, k_max, mu_min, mu_max } = frame.window;
+    margins::axes(scene, frame, &AXES);
+    // A number takes about 50 units across, and 34 up.
+    let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
+    let (ks, decimals) = margins::ticks_between(k_min, k_max, most(x1 - x0, 62.0));
+    let tabs =
+        |ks: &[f64]| ks.iter().map(|&k| Tab { at: frame.x(k), text: fixed(k, decimals) }).collect::<Vec<_>>();
+    margins::under_k_axis(scene, frame, tabs(&ks), tabs(&ks));
+    let (mus, decimals) = margins::ticks_between(mu_min, mu_max, most(y1 - y0, 44.0));
+    let tab = |mu: f64| Tab { at: frame.y(mu), text: fixed(mu, decimals) };
+    margins::beside_mu_axis(scene, frame, mus.into_iter().map(tab).collect());
+    let name = Text::new("force $k = F/(mg)$", TICK);
+    scene.text(&name, x1 - name.width, y1 + 36.0, INK);
+}
+
+/// A number of an axis.
+pub(crate) fn fixed(number: f64, decimals: usize) -> Text {
+    let number = if number.abs() < 1e-12 { 0.0 } else { number };
+    Text::new(&format!("${number:.decimals$}$").replace('-', "−"), TICK)
+}
+
+/// The tint of a mode as CSS, for legends beside a picture.
+pub fn tint_on_screen(mode: Mode) -> &'static str {
+    crate::palette::themed(crate::palette::tint(mode))
+}
