@@ -268,11 +268,11 @@ impl<'a> Draft<'a> {
         Some(frame.at(arc.to, arc.curve.at(arc.to)))
     }
 
-    fn design_points(&mut self) {
+    pub(crate) fn design_points(&mut self) {
         let frame = self.canvas.board.frame;
         let points = self.given.points;
         let at = |point: &DesignPoint| frame.at(point.k, point.mu);
-        for point in points.iter().filter(|point| point.is_drawable()) {
+        for point in points.iter().filter(|point| point.is_drawable() && frame.shows(point.k, point.mu)) {
             self.canvas.diamond(at(point));
         }
         for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {

@@ -213,12 +213,12 @@ impl Sketch {
         let Motion { f_x, f_y, xi, .. } = self.motion;
         let x = self.centre + xi * self.half;
         let strong = Pen::solid(PUSH, 2.0);
-        let bottom = self.base + 3.0 + self.length(f_y);
+        let bottom = self.base + 3.0 + self.length(f_y).max(30.0);
         scene.arrow((x, bottom), (x, self.base + 3.0), strong);
         label(scene, "$f_y$", (x, bottom + 11.0), PUSH);
         if f_x != 0.0 {
             let (level, way) = (self.base + 34.0, f_x.signum());
-            let (from, tip) = (x + way * 5.0, x + way * (5.0 + self.length(f_x.abs())));
+            let (from, tip) = (x + way * 11.0, x + way * (11.0 + self.length(f_x.abs())));
             scene.arrow((from, level), (tip, level), strong);
             label(scene, "$f_x$", (tip + way * 11.0, level), PUSH);
         }

@@ -57,14 +57,15 @@ use standfast::diagram::Region;
 pub use cases::cases_on_screen;
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
+pub use number::significant;
 pub use plot::View;
 #[cfg(feature = "render")]
 pub use render::RenderError;
-pub use report::{FigureId, UnknownFigure, report_figure};
+pub use report::{FigureId, UnknownFigure, report_figure, sketch_on_screen};
 #[doc(hidden)]
 pub use scene::Label;
 pub use scene::Rect;
-pub use screen::{Axis, Picture, map_on_screen, tint_on_screen};
+pub use screen::{Axis, Map, Picture, tint_on_screen};
 
 /// A drawing with its caption.
 #[derive(Debug, Clone, PartialEq)]
@@ -189,4 +190,9 @@ pub struct LoadPlane<'a> {
 /// ```
 pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
     plane::figure(plane)
+}
+
+/// The same for a screen, with a plot `across` units wide and colours as custom properties of CSS.
+pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
+    plane::figure_on_screen(plane, across)
 }

@@ -15,7 +15,7 @@ use crate::margins::{self, Axes, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::palette::{INK, MARK, PAPER, symbol, tint};
 use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip_strips, level, outline};
-use crate::scene::{Path, Pen, Rect};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, LoadPlane};
 
@@ -43,6 +43,15 @@ struct Side {
 
 /// Draws it.
 pub(crate) fn figure(given: &LoadPlane) -> Figure {
+    drawn(given, PLOT.0, Scene::default())
+}
+
+/// Draws it for a screen, with a plot `across` units wide.
+pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
+    drawn(given, across, Scene::themed())
+}
+
+fn drawn(given: &LoadPlane, across: f64, scene: Scene) -> Figure {
     let window = window(given);
     let ticks = |limit: f64| margins::ticks(limit).into_iter().map(|at| (at, format!("${}$", digits(at))));
     let tab = |at: f64, markup: &str| Tab { at, text: Text::new(markup, TICK) };
@@ -53,9 +62,10 @@ pub(crate) fn figure(given: &LoadPlane) -> Figure {
         .map(|(mu, markup)| (mu, tab(0.0, &markup)))
         .collect();
     let left = margins::mu_width(mu_ticks.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
-    let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window };
+    let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + across, y1: TOP + PLOT.1 }, window };
     let areas = areas(given, &window);
     let mut canvas = Canvas::new(frame);
+    canvas.scene = scene;
 
     for area in &areas {
         canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));

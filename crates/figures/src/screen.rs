@@ -4,7 +4,7 @@
 //! need not start at the origin; there is no caption; colours are custom properties of CSS (`--ink`, `--rock`, …), so that
 //! a page can change its theme without drawing anew. [`Picture`] knows which values lie where.
 
-use standfast::diagram::Window;
+use standfast::diagram::{Unresolved, Window};
 use standfast::{Diagram, Mode};
 
 use crate::canvas::Canvas;
@@ -12,10 +12,11 @@ use crate::chart::{Draft, Drawing};
 use crate::margins::{self, Axes, Tab};
 use crate::number;
 use crate::palette::INK;
-use crate::plot::{Frame, View};
+use crate::plot::{Frame, View, clip};
 use crate::scene::{Rect, Scene};
+use crate::sheet::Sheet;
 use crate::text::Text;
-use crate::{Figure, FigureId, caption, map, report};
+use crate::{DesignPoint, Figure, FigureId, caption, map, report};
 
 /// The values along an edge of a plot, from its left or lower end.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,10 +71,13 @@ impl Picture {
 }
 
 impl View {
-    /// The view that shows a diagram best, and the point (`k`, `mu`).
+    /// The view that shows a diagram best; a larger one if the point (`k`, `mu`) lies outside.
     pub fn of(diagram: &Diagram, k: f64, mu: f64) -> View {
-        let point = crate::DesignPoint { k, mu, label: String::new(), mirrored: false };
-        map::window(diagram, &[point])
+        let view = map::window(diagram, &[]);
+        if k <= view.k_max && mu <= view.mu_max {
+            return view;
+        }
+        map::window(diagram, &[DesignPoint { k, mu, label: String::new(), mirrored: false }])
     }
 
     /// The view of a chart of the report; `None` for its sketches.
@@ -137,64 +141,123 @@ const TOP: f64 = 34.0;
 const BOTTOM: f64 = 44.0;
 const TICK: f64 = 12.5;
 const AXES: Axes = Axes { right: "$k$", up: "$μ$", origin: "" };
+const FROM_ORIGIN: Axes = Axes { origin: "$0$", ..AXES };
 
-/// The map of all modes for a screen, or a chart of the report if `figure` is one and shows this very body; `size` is
-/// that of the whole picture. The indeterminate set N is hatched.
-pub fn map_on_screen(
-    diagram: &Diagram,
-    figure: Option<FigureId>,
-    view: &View,
-    (width, height): (f64, f64),
-) -> Picture {
-    let chart = diagram.chart();
-    let (all, condition) = map::sheet(chart.case());
-    let body = number::body(chart);
-    let caption_of_all = format!("{body}: {condition}");
-    let of_report = figure.and_then(|id| Some((id, report::chart(id)?)));
-    let of_report = of_report.filter(|(_, (_, body, _))| *body == (chart.slenderness(), chart.elevation()));
-    let heading = of_report.map_or("All modes,".to_owned(), |(id, _)| format!("Fig. {id}"));
-    let (sheet, caption, unresolved) = match of_report {
-        Some((id, (sheet, ..))) => (sheet, report::caption(id), Vec::new()),
-        None => (all, caption_of_all.as_str(), diagram.unresolved()),
-    };
-    let drawing = Drawing {
-        diagram,
-        sheet,
-        window: *view,
-        heading: &heading,
-        caption,
-        preface: "",
-        points: &[],
-        hatched: &unresolved,
-    };
-    let area = Rect {
-        x0: LEFT,
-        y0: TOP,
-        x1: (width - RIGHT).max(LEFT + 60.0),
-        y1: (height - BOTTOM).max(TOP + 60.0),
-    };
-    let frame = Frame { area, window: *view };
-    let mut canvas = Canvas::new(frame);
-    canvas.scene = Scene::themed();
-    let mut draft = Draft::new(&drawing, canvas);
-    draft.tints();
-    draft.traces();
-    axes(&mut draft.canvas.scene, &frame);
-    draft.letters();
-    draft.lens();
-    draft.names();
-    draft.notes();
-    draft.formulas();
-    let scene = &mut draft.canvas.scene;
-    margins::right_of(scene, &frame, std::mem::take(&mut draft.right));
-    margins::above(scene, &frame, std::mem::take(&mut draft.above));
+/// The map of all modes, or a chart of the report, in a window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Map<'a> {
+    /// What is shown; the indeterminate set N is hatched.
+    pub diagram: &'a Diagram,
+    /// A chart of the report to be shown instead, if the body is that of its drawing.
+    pub figure: Option<FigureId>,
+    /// The window.
+    pub view: &'a View,
+    /// Width and height of the whole picture.
+    pub size: (f64, f64),
+}
 
-    let title = caption::title(&drawing);
-    let description = caption::description(&drawing, &named_points(&drawing));
-    let (svg, labels) = draft.canvas.scene.finish(width, height, &title, &description);
-    let (across, up) = view.axes();
-    let figure = Figure { svg, title, caption: String::new(), labels, size: (width, height) };
-    Picture { figure, plot: area, across, up }
+/// What a map is drawn with.
+struct Content {
+    sheet: &'static Sheet,
+    heading: String,
+    caption: String,
+    unresolved: Vec<Unresolved>,
+}
+
+impl Map<'_> {
+    /// The map for a screen.
+    pub fn on_screen(&self) -> Picture {
+        self.draw(Scene::themed(), None)
+    }
+
+    /// The same picture for paper: colours are fixed, and the design point is marked.
+    pub fn on_paper(&self, point: &DesignPoint) -> Figure {
+        self.draw(Scene::default(), Some(point)).figure
+    }
+
+    /// Every curve of the map within the window, by its equation in plain characters: `count` points on each stretch.
+    pub fn curves(&self, count: usize) -> Vec<(String, Vec<(f64, f64)>)> {
+        let content = self.content();
+        let chart = self.diagram.chart();
+        let traces = content.sheet.traces.iter().flat_map(|trace| {
+            let curve = trace.line.curve(chart);
+            let arcs = curve
+                .map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), self.view));
+            arcs.into_iter().map(|arc| {
+                let k = |i: usize| arc.from + (arc.to - arc.from) * i as f64 / (count.max(2) - 1) as f64;
+                let points = (0..count.max(2)).map(|i| (k(i), arc.curve.at(k(i)))).collect();
+                (Text::inline(trace.line.formula(chart), TICK).plain, points)
+            })
+        });
+        traces.collect()
+    }
+
+    fn content(&self) -> Content {
+        let chart = self.diagram.chart();
+        let body = (chart.slenderness(), chart.elevation());
+        let of_report = self.figure.and_then(|id| Some((id, report::chart(id)?)));
+        match of_report.filter(|(_, (_, drawn, _))| *drawn == body) {
+            Some((id, (sheet, ..))) => Content {
+                sheet,
+                heading: format!("Fig. {id}"),
+                caption: report::caption(id).to_owned(),
+                unresolved: Vec::new(),
+            },
+            None => {
+                let (sheet, condition) = map::sheet(chart.case());
+                Content {
+                    sheet,
+                    heading: "All modes,".to_owned(),
+                    caption: format!("{}: {condition}", number::body(chart)),
+                    unresolved: self.diagram.unresolved(),
+                }
+            }
+        }
+    }
+
+    fn draw(&self, scene: Scene, point: Option<&DesignPoint>) -> Picture {
+        let Map { diagram, view, size: (width, height), .. } = *self;
+        let Content { sheet, heading, caption, unresolved } = self.content();
+        let drawing = Drawing {
+            diagram,
+            sheet,
+            window: *view,
+            heading: &heading,
+            caption: &caption,
+            preface: "",
+            points: point.map_or(&[], std::slice::from_ref),
+            hatched: &unresolved,
+        };
+        let area = Rect {
+            x0: LEFT,
+            y0: TOP,
+            x1: (width - RIGHT).max(LEFT + 60.0),
+            y1: (height - BOTTOM).max(TOP + 60.0),
+        };
+        let frame = Frame { area, window: *view };
+        let mut canvas = Canvas::new(frame);
+        canvas.scene = scene;
+        let mut draft = Draft::new(&drawing, canvas);
+        draft.tints();
+        draft.traces();
+        axes(&mut draft.canvas.scene, &frame);
+        draft.letters();
+        draft.design_points();
+        draft.lens();
+        draft.names();
+        draft.notes();
+        draft.formulas();
+        let scene = &mut draft.canvas.scene;
+        margins::right_of(scene, &frame, std::mem::take(&mut draft.right));
+        margins::above(scene, &frame, std::mem::take(&mut draft.above));
+
+        let title = caption::title(&drawing);
+        let description = caption::description(&drawing, &named_points(&drawing));
+        let (svg, labels) = draft.canvas.scene.finish(width, height, &title, &description);
+        let (across, up) = view.axes();
+        let figure = Figure { svg, title, caption: String::new(), labels, size: (width, height) };
+        Picture { figure, plot: area, across, up }
+    }
 }
 
 fn named_points(drawing: &Drawing) -> String {
@@ -209,16 +272,22 @@ fn named_points(drawing: &Drawing) -> String {
 fn axes(scene: &mut Scene, frame: &Frame) {
     let Rect { x0, y0, x1, y1 } = frame.area;
     let View { k_min, k_max, mu_min, mu_max } = frame.window;
-    margins::axes(scene, frame, &AXES);
+    let from_origin = k_min == 0.0 && mu_min == 0.0;
+    margins::axes(scene, frame, if from_origin { &FROM_ORIGIN } else { &AXES });
+    // The origin has one zero for both axes; a number at the very top would run into the name of the axis.
+    let shown = |value: f64, end: f64| !(from_origin && value.abs() < 1e-12) && value < end;
     // A number takes about 50 units across, and 34 up.
     let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
     let (ks, decimals) = margins::ticks_between(k_min, k_max, most(x1 - x0, 62.0));
-    let tabs =
-        |ks: &[f64]| ks.iter().map(|&k| Tab { at: frame.x(k), text: fixed(k, decimals) }).collect::<Vec<_>>();
-    margins::under_k_axis(scene, frame, tabs(&ks), tabs(&ks));
+    let tabs = || {
+        let shown = ks.iter().filter(|k| shown(**k, f64::INFINITY));
+        shown.map(|&k| Tab { at: frame.x(k), text: fixed(k, decimals) }).collect::<Vec<_>>()
+    };
+    margins::under_k_axis(scene, frame, tabs(), tabs());
     let (mus, decimals) = margins::ticks_between(mu_min, mu_max, most(y1 - y0, 44.0));
     let tab = |mu: f64| Tab { at: frame.y(mu), text: fixed(mu, decimals) };
-    margins::beside_mu_axis(scene, frame, mus.into_iter().map(tab).collect());
+    let top = mu_max - 6.0 / (y1 - y0) * (mu_max - mu_min);
+    margins::beside_mu_axis(scene, frame, mus.into_iter().filter(|mu| shown(*mu, top)).map(tab).collect());
     let name = Text::new("force $k = F/(mg)$", TICK);
     scene.text(&name, x1 - name.width, y1 + 36.0, INK);
 }

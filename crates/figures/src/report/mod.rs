@@ -14,6 +14,7 @@ use crate::Figure;
 use crate::chart::Drawing;
 use crate::number;
 use crate::plot::View;
+use crate::scene::Scene;
 use crate::sheet::Sheet;
 
 /// The number of a figure of the report.
@@ -136,7 +137,7 @@ pub fn report_figure(id: FigureId) -> Figure {
     let entry = id.entry();
     let heading = format!("Fig. {} ", entry.number);
     match &entry.content {
-        Content::Sketch { above } => sketch::figure(&heading, entry.caption, *above),
+        Content::Sketch { above } => sketch::figure(&heading, entry.caption, *above, Scene::default()),
         Content::Chart { sheet, sample, k, mu } => {
             let diagram =
                 Diagram::new(sample.slenderness, sample.elevation).expect("the table's bodies are valid");
@@ -152,6 +153,17 @@ pub fn report_figure(id: FigureId) -> Figure {
             }
             .figure()
         }
+    }
+}
+
+/// A sketch of the report for a screen; `None` for a chart.
+pub fn sketch_on_screen(id: FigureId) -> Option<Figure> {
+    let entry = id.entry();
+    match entry.content {
+        Content::Sketch { above } => {
+            Some(sketch::figure(&format!("Fig. {} ", entry.number), entry.caption, above, Scene::themed()))
+        }
+        Content::Chart { .. } => None,
     }
 }
 

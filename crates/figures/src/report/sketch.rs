@@ -17,8 +17,7 @@ const THIN: Pen = Pen::solid(INK, 0.8);
 const CENTRE: Pen = Pen { colour: FAINT, width: 0.7, dashes: "9 2.5 2 2.5" };
 
 /// The sketch, with the force above or below the centre of mass.
-pub(super) fn figure(heading: &str, caption: &str, above: bool) -> Figure {
-    let mut scene = Scene::default();
+pub(super) fn figure(heading: &str, caption: &str, above: bool, mut scene: Scene) -> Figure {
     block(&mut scene);
     axes(&mut scene);
     dimensions(&mut scene);
