@@ -1,8 +1,9 @@
-//! Everything CI does, runnable by hand: `cargo xtask test`, `cargo xtask gallery`.
+//! Everything CI does, runnable by hand: `cargo xtask test`, `cargo xtask gallery`, `cargo xtask explorer`.
 
 #![forbid(unsafe_code)]
 
 mod checks;
+mod explorer;
 mod gallery;
 #[cfg(test)]
 mod traceability;
@@ -15,6 +16,7 @@ Usage: cargo xtask COMMAND
 
   test      format, lints, documentation, all tests: everything CI does
   gallery   draw the report's figures into docs/gallery and write docs/gallery.md
+  explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   help      this text
 ";
 
@@ -32,6 +34,8 @@ fn main() -> ExitCode {
                 ExitCode::FAILURE
             }
         },
+        ["explorer"] => ended(explorer::serve(false)),
+        ["explorer", "--open"] => ended(explorer::serve(true)),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -39,6 +43,16 @@ fn main() -> ExitCode {
         _ => {
             eprint!("cargo xtask: unknown command: {arguments:?}\n\n{HELP}");
             ExitCode::from(2)
+        }
+    }
+}
+
+fn ended(result: Result<(), String>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
         }
     }
 }
