@@ -41,7 +41,7 @@ export function connectPanel() {
       : reading.along_friction.map(({ at, from, to }) => [cell(`<i>μ</i> = ${at}`), change(from, to)]));
     rows("failed", reading.failed.length === 0 ? [[cell("None: rest is tried first, and holds.", "words")]]
       : reading.failed.flatMap(({ symbol: mode, rows: failing }) => failing.map(({ equation, statement, values }) => [
-        cell(mode), cell(`(${equation})`, "equation"), cell(statement), cell(`not ${values}`, "number"),
+        cell(mode), cell(`(${equation})`, "equation"), cell(`${statement}<br><span class="quiet">but not ${values}</span>`),
       ])));
     rows("points", reading.points.map(([letter, k, mu]) => [cell(letter), cell(`<i>k</i> = ${k}`), cell(`<i>μ</i> = ${mu}`)]));
     html("case", reading.case);

@@ -49,7 +49,8 @@ pub fn write(state: &State) -> String {
 /// Reads a state, with or without the `#`.
 pub fn parse(fragment: &str) -> State {
     let mut state = State::default();
-    for (key, value) in fragment.trim_start_matches('#').split('&').filter_map(|part| part.split_once('=')) {
+    let parts = || fragment.trim_start_matches('#').split('&').filter_map(|part| part.split_once('='));
+    for (key, value) in parts() {
         let mut next = state.clone();
         let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
         let positive = number.filter(|number| (1e-50..1e50).contains(number));
@@ -75,6 +76,16 @@ pub fn parse(fragment: &str) -> State {
             state = next;
         }
     }
+    let names_body = parts().any(|(key, _)| matches!(key, "g" | "kp"));
+    with_figure(state, names_body)
+}
+
+/// A figure of the report shows its own body: one that the link names alone brings it along, beside another it is dropped.
+fn with_figure(mut state: State, names_body: bool) -> State {
+    let Some((id, body)) = state.figure.and_then(|id| Some((id, id.body()?))) else { return state };
+    if body != (state.slenderness, state.elevation) {
+        state.show_figure((!names_body).then_some(id));
+    }
     state
 }
 
@@ -98,12 +109,20 @@ mod tests {
             ..State::default()
         };
         state.view = Some(View { k_min: 0.25, k_max: 1.0 / 3.0, mu_min: 0.0, mu_max: 0.7 });
-        state.figure = "3.11".parse().ok();
+        state.figure = "2.1".parse().ok();
         state.waters.uplift = 65.7e3;
         choose(&mut state.units, "mass", "kg/m");
         assert_eq!(parse(&write(&state)), state);
         assert_eq!(parse(&format!("#{}", write(&state))), state);
         assert_eq!(parse(""), State::default());
+    }
+
+    #[test]
+    fn a_figure_alone_brings_its_body() {
+        let state = parse("#fig=3.11");
+        assert_eq!((state.slenderness, state.elevation), (3.0, 0.8));
+        assert_eq!(parse(&write(&state)), state);
+        assert_eq!(parse("g=1&kp=0.2&fig=3.11").figure, None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What the panel says about the design point.
 
 use serde::Serialize;
+use standfast::diagram::Strip;
 use standfast::initiation::{Crossing, Relation};
 use standfast::{Mode, Modes, Motion};
 
@@ -179,9 +180,19 @@ impl Reading {
             along_friction: margins.along_friction.iter().map(|crossing| change(crossing, false)).collect(),
             motion: quantities(state, &motion),
             case: {
-                let hatched = state.figure.is_none() && !state.diagram().unresolved().is_empty();
+                let diagram = state.diagram();
+                let view = state.view(&diagram);
+                let seen =
+                    |strip: &Strip| strip.from < view.k_max && strip.lower.at(strip.from) < view.mu_max;
+                let parts = diagram.unresolved();
+                let hatched = state.figure.is_none() && parts.iter().any(|part| part.strips.iter().any(seen));
                 let remark = if hatched { " Hatched: the answer is not unique." } else { "" };
-                format!("This body: {}.{remark}", mathematics(point.chart().case().words()))
+                let mirror = if state.mirrored {
+                    " The force points right: the diagram is that of the mirror image."
+                } else {
+                    ""
+                };
+                format!("This body: {}.{remark}{mirror}", mathematics(point.chart().case().words()))
             },
             points: (point.chart().points().iter())
                 .map(|point| [letter(point.name), shown(point.k), shown(point.mu)])

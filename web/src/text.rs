@@ -22,7 +22,10 @@ pub fn mathematics(text: &str) -> String {
     for (i, &letter) in letters.iter().enumerate() {
         entity = letter == '&' || entity && letter != ';';
         let alone = |at: Option<&char>| at.is_none_or(|other| !other.is_alphabetic());
-        let single = alone(i.checked_sub(1).and_then(|i| letters.get(i))) && alone(letters.get(i + 1));
+        let before = i.checked_sub(1).and_then(|i| letters.get(i));
+        // The letter of "case 1a" belongs to a name.
+        let name = letter.is_ascii() && before.is_some_and(char::is_ascii_digit);
+        let single = alone(before) && alone(letters.get(i + 1)) && !name;
         if letter.is_alphabetic() && single && !entity {
             html.push_str(&format!("<i>{letter}</i>"));
         } else {
@@ -66,5 +69,6 @@ mod tests {
         assert_eq!(mathematics("μ ≥ k"), "<i>μ</i> ≥ <i>k</i>");
         assert_eq!(mathematics("μ < 1/γ − k k'"), "<i>μ</i> &lt; 1/<i>γ</i> − <i>k</i> <i>k</i>′");
         assert_eq!(mathematics("after 3.8"), "after 3.8");
+        assert_eq!(mathematics("case 1a: 3γ²"), "case 1a: 3<i>γ</i>²");
     }
 }

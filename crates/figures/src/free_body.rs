@@ -248,14 +248,16 @@ impl Sketch {
             let at = if up == 0.0 {
                 // Above the arrow, outside the body.
                 let x = if dx * out > 0.0 { tip.0 } else { x + out * (text.width / 2.0 + 8.0) };
-                (x, from.1 - 14.0)
+                // The force may act there.
+                let level = from.1 - 14.0;
+                let taken = out * self.towards < 0.0 && (level - self.force_level).abs() < 14.0;
+                (x, if taken { self.force_level - 14.0 } else { level })
+            } else if dx * out > 0.0 && dy.abs() < dx.abs() {
+                // Above an arrow that runs outwards.
+                ((x + tip.0) / 2.0 + out * 6.0, tip.1 - 13.0)
             } else {
-                (
-                    x.max(tip.0) * f64::from(u8::from(out > 0.0))
-                        + x.min(tip.0) * f64::from(u8::from(out < 0.0))
-                        + out * (text.width / 2.0 + 7.0),
-                    tip.1 + 6.0,
-                )
+                let outermost = if out > 0.0 { x.max(tip.0) } else { x.min(tip.0) };
+                (outermost + out * (text.width / 2.0 + 7.0), tip.1 + 6.0)
             };
             scene.text_in(&text, &Rect::around(at.0, at.1, text.width, text.height()), INK);
         }
@@ -265,7 +267,9 @@ impl Sketch {
         for (corner, name, out) in [(Corner::O, "$O$", -1.0), (Corner::OPrime, "$O′$", 1.0)] {
             let (x, y) = self.corner(corner);
             scene.dot((x, y), 2.2, INK, None);
-            label(scene, name, (x + out * 13.0, y + 16.0), INK);
+            // A force below the base takes the place beside its corner.
+            let taken = self.k > 0.0 && self.force_level > self.base && out * self.towards < 0.0;
+            label(scene, name, (x + if taken { -13.0 } else { 13.0 } * out, y + 16.0), INK);
         }
     }
 }

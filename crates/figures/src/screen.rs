@@ -123,7 +123,7 @@ impl View {
     /// Whether the view is neither empty nor so small or far out that its ticks could not be told apart.
     pub fn is_drawable(&self) -> bool {
         let sensible = |least: f64, greatest: f64| {
-            least >= 0.0 && greatest < 1e9 && greatest - least > 1e-9 && greatest - least > 1e-6 * greatest
+            least >= 0.0 && greatest < 1e9 && greatest - least > 1e-9 && greatest - least > 1e-3 * greatest
         };
         sensible(self.k_min, self.k_max) && sensible(self.mu_min, self.mu_max)
     }
@@ -135,7 +135,7 @@ impl View {
 }
 
 /// Margins around the plot: for the numbers and names of the axes, and for labels at the ends of lines.
-const LEFT: f64 = 50.0;
+const LEFT: f64 = 54.0;
 const RIGHT: f64 = 46.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 44.0;
@@ -248,7 +248,10 @@ impl Map<'_> {
         draft.notes();
         draft.formulas();
         let scene = &mut draft.canvas.scene;
-        margins::right_of(scene, &frame, std::mem::take(&mut draft.right));
+        // A formula too long for the margin is left out; a letter or a short name is not.
+        let mut right = std::mem::take(&mut draft.right);
+        right.retain(|tab| tab.text.width < RIGHT - 17.0);
+        margins::right_of(scene, &frame, right);
         margins::above(scene, &frame, std::mem::take(&mut draft.above));
 
         let title = caption::title(&drawing);
@@ -295,6 +298,9 @@ fn axes(scene: &mut Scene, frame: &Frame) {
 /// A number of an axis.
 pub(crate) fn fixed(number: f64, decimals: usize) -> Text {
     let number = if number.abs() < 1e-12 { 0.0 } else { number };
+    if number.abs() >= 1e5 || decimals > 5 {
+        return Text::new(&format!("${}$", number::digits(number)), TICK);
+    }
     Text::new(&format!("${number:.decimals$}$").replace('-', "−"), TICK)
 }
 
