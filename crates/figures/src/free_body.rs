@@ -257,7 +257,7 @@ impl Sketch {
                 ((x + tip.0) / 2.0 + out * 6.0, tip.1 - 13.0)
             } else {
                 let outermost = if out > 0.0 { x.max(tip.0) } else { x.min(tip.0) };
-                (outermost + out * (text.width / 2.0 + 7.0), tip.1 + 6.0)
+                (outermost + out * (text.width / 2.0 + 7.0), (tip.1 + 6.0).min(y - 13.0))
             };
             scene.text_in(&text, &Rect::around(at.0, at.1, text.width, text.height()), INK);
         }

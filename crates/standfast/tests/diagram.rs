@@ -502,7 +502,7 @@ fn lines_drawn_only_are_where_they_should_be() {
 #[test]
 fn the_elevations_of_the_cases_tile_the_axis_as_the_chart_decides() {
     use standfast::initiation::{Case, Chart};
-    for gamma in [0.05, 0.3, 0.7071, 1.0, 1.4142, 2.0, 4.5, 10.0, 20.0] {
+    for gamma in [0.05, 0.3, 0.7, 1.0, 1.4, 2.0, 4.5, 10.0, 20.0] {
         let ranges = Case::ALL.map(|case| case.elevations(gamma).unwrap());
         assert!(ranges.windows(2).all(|pair| pair[0].1 == pair[1].0 && pair[0].0 < pair[0].1));
         for (case, (least, greatest)) in Case::ALL.into_iter().zip(ranges) {
