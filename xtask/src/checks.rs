@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 
-use crate::{python, root};
+use crate::{explorer, python, root};
 
 /// How many checks passed, failed and were skipped.
 #[derive(Default)]
@@ -37,12 +37,13 @@ pub fn run() -> ExitCode {
     let tests = ["test", "--workspace", "--exclude", "standfast-python", "--no-fail-fast"];
     tally.count("unit, integration and documentation tests", &mut cargo(&tests), result_line);
     python::run(&mut tally);
+    explorer::check(&mut tally);
 
     println!("\ntotal: {} passed, {} failed, {} skipped", tally.passed, tally.failed, tally.skipped);
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-fn cargo(arguments: &[&str]) -> Command {
+pub fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
     command

@@ -1,8 +1,9 @@
-//! Everything CI does, runnable by hand: `cargo xtask test`, `cargo xtask gallery`.
+//! Everything CI does, runnable by hand: `cargo xtask test`, `cargo xtask gallery`, `cargo xtask explorer`.
 
 #![forbid(unsafe_code)]
 
 mod checks;
+mod explorer;
 mod gallery;
 mod python;
 #[cfg(test)]
@@ -16,6 +17,7 @@ Usage: cargo xtask COMMAND
 
   test      format, lints, documentation, all tests: everything CI does
   gallery   draw the report's figures into docs/gallery and write docs/gallery.md
+  explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   help      this text
 ";
 
@@ -33,6 +35,8 @@ fn main() -> ExitCode {
                 ExitCode::FAILURE
             }
         },
+        ["explorer"] => ended(explorer::serve(false)),
+        ["explorer", "--open"] => ended(explorer::serve(true)),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             ExitCode::SUCCESS
@@ -44,7 +48,22 @@ fn main() -> ExitCode {
     }
 }
 
+fn ended(result: Result<(), String>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
 /// The repository.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("xtask lies in the repository").to_owned()
+}
+
+/// Where cargo puts what it builds.
+fn target() -> PathBuf {
+    root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }

@@ -6,7 +6,7 @@ use std::process::Command;
 use std::{env, fs, io};
 
 use crate::checks::Tally;
-use crate::root;
+use crate::{root, target};
 
 /// The oldest Python for which the versions in requirements-test.txt exist.
 const OLDEST: (u32, u32) = (3, 11);
@@ -50,11 +50,6 @@ pub fn run(tally: &mut Tally) {
     for (name, arguments) in tests {
         tally.count(name, Command::new(&python).args(arguments).current_dir(root()), counts);
     }
-}
-
-/// Where cargo puts what it builds.
-fn target() -> PathBuf {
-    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
 /// Whether this Python can make an environment for the tests.

@@ -1,12 +1,13 @@
 //! What is said below a chart, and to readers who do not see it.
 
-use standfast::diagram::{Unresolved, Window};
+use standfast::diagram::Unresolved;
 use standfast::{Modes, Point};
 
 use crate::chart::Drawing;
 use crate::margins;
 use crate::number::digits;
 use crate::palette::symbol;
+use crate::plot::View;
 use crate::sheet::{Part, letter_markup};
 use crate::text::Text;
 
@@ -87,7 +88,8 @@ pub(crate) fn shortened(word: &str) -> String {
 
 /// The chart in words: axes, shaded regions, and the `details` below it.
 pub(crate) fn description(drawing: &Drawing, details: &str) -> String {
-    let Window { k, mu } = drawing.window;
+    let View { k_min, k_max, mu_min, mu_max } = drawing.window;
+    let number = |value: f64| Text::inline(&format!("${}$", digits(value)), SMALL).plain;
     let shaded = drawing.sheet.shaded.iter().map(|part| match *part {
         Part::Whole(mode) | Part::LeftOfE(mode) | Part::RightOfE(mode) => {
             let words = mode.words().replace('\'', "′");
@@ -99,10 +101,12 @@ pub(crate) fn description(drawing: &Drawing, details: &str) -> String {
         }
     });
     format!(
-        "Chart of the friction coefficient μ, upwards from 0 to {}, over the force k, to the right from 0 to {}. \
+        "Chart of the friction coefficient μ, upwards from {} to {}, over the force k, to the right from {} to {}. \
          Shaded: {}. {details}",
-        Text::inline(&format!("${}$", digits(mu)), SMALL).plain,
-        Text::inline(&format!("${}$", digits(k)), SMALL).plain,
+        number(mu_min),
+        number(mu_max),
+        number(k_min),
+        number(k_max),
         shaded.collect::<Vec<_>>().join("; ")
     )
 }

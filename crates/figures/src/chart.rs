@@ -3,7 +3,7 @@
 //! Drawing order: tints, hatching, drop lines, curves, axes, points, then labels: letters of points, design points,
 //! the lens, names of regions, formulas. What finds no free place goes to the plot's edge, and then to the caption.
 
-use standfast::diagram::{Strip, Unresolved, Window};
+use standfast::diagram::{Strip, Unresolved};
 use standfast::initiation::NamedPoint;
 use standfast::{Diagram, Mode};
 
@@ -12,7 +12,7 @@ use crate::caption::{SIZE, SMALL};
 use crate::labels::Lines;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, MARK, PAPER, symbol, tint};
-use crate::plot::{Arc, Frame, Piece, arcs_path, clip, clip_strips, hatch, level, outline};
+use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Sheet, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
@@ -28,7 +28,7 @@ pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" 
 pub(crate) struct Drawing<'a> {
     pub diagram: &'a Diagram,
     pub sheet: &'a Sheet,
-    pub window: Window,
+    pub window: View,
     /// Opens the caption and the title; a space at its end parts it from the caption on the page.
     pub heading: &'a str,
     /// The caption in markup.
@@ -50,12 +50,12 @@ struct Area {
 }
 
 /// The drawing under way.
-struct Draft<'a> {
+pub(crate) struct Draft<'a> {
     given: &'a Drawing<'a>,
-    canvas: Canvas,
+    pub canvas: Canvas,
     areas: Vec<Area>,
-    right: Vec<Tab>,
-    above: Vec<Tab>,
+    pub right: Vec<Tab>,
+    pub above: Vec<Tab>,
     /// What goes to the caption for want of room.
     legend: Vec<String>,
     /// Design points that carry a number in place of their name.
@@ -71,15 +71,7 @@ impl Drawing<'_> {
             area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 },
             window: self.window,
         };
-        let mut draft = Draft {
-            given: self,
-            canvas: Canvas::new(frame),
-            areas: self.areas(),
-            right: Vec::new(),
-            above: Vec::new(),
-            legend: Vec::new(),
-            numbered: Vec::new(),
-        };
+        let mut draft = Draft::new(self, Canvas::new(frame));
         draft.tints();
         draft.drop_lines();
         draft.traces();
@@ -136,7 +128,7 @@ impl Drawing<'_> {
     fn mu_marks(&self) -> Vec<(f64, Tab)> {
         let chart = self.diagram.chart();
         let marks = self.sheet.mu_marks.iter().filter_map(|mark| {
-            let mu = mark.mu(chart).filter(|mu| (0.0..self.window.mu).contains(mu))?;
+            let mu = mark.mu(chart).filter(|mu| (self.window.mu_min..self.window.mu_max).contains(mu))?;
             let (name, value) = mark.markup(chart);
             Some((mu, Tab { at: 0.0, text: equation(name, value) }))
         });
@@ -160,8 +152,20 @@ fn equation(name: &str, value: &str) -> Text {
     Text::new(&markup, FORMULA)
 }
 
-impl Draft<'_> {
-    fn tints(&mut self) {
+impl<'a> Draft<'a> {
+    pub(crate) fn new(given: &'a Drawing<'a>, canvas: Canvas) -> Draft<'a> {
+        Draft {
+            given,
+            canvas,
+            areas: given.areas(),
+            right: Vec::new(),
+            above: Vec::new(),
+            legend: Vec::new(),
+            numbered: Vec::new(),
+        }
+    }
+
+    pub(crate) fn tints(&mut self) {
         let frame = self.canvas.board.frame;
         for area in &self.areas {
             self.canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
@@ -180,7 +184,7 @@ impl Draft<'_> {
         }
     }
 
-    fn drop_lines(&mut self) {
+    pub(crate) fn drop_lines(&mut self) {
         let frame = self.canvas.board.frame;
         for point in self.given.named().filter(|point| frame.shows(point.k, point.mu)) {
             let (x, y) = frame.at(point.k, point.mu);
@@ -195,7 +199,7 @@ impl Draft<'_> {
         }
     }
 
-    fn traces(&mut self) {
+    pub(crate) fn traces(&mut self) {
         let frame = self.canvas.board.frame;
         for trace in self.given.sheet.traces {
             let pen = match trace.style {
@@ -205,6 +209,7 @@ impl Draft<'_> {
                 Style::Dotted => Pen { colour: INK, width: 1.5, dashes: "0 3.6" },
             };
             if let Some((k, from)) = trace.line.vertical(self.given.diagram.chart()) {
+                let from = from.max(frame.window.mu_min);
                 if frame.shows(k, from) {
                     let (x, y) = frame.at(k, from);
                     self.canvas.scene.line((x, y), (x, frame.area.y0), pen);
@@ -219,7 +224,7 @@ impl Draft<'_> {
     }
 
     /// Dots and letters of named points, letters at the ends of lines.
-    fn letters(&mut self) {
+    pub(crate) fn letters(&mut self) {
         let frame = self.canvas.board.frame;
         let shown: Vec<_> = self.given.named().filter(|point| frame.shows(point.k, point.mu)).collect();
         for point in &shown {
@@ -256,18 +261,18 @@ impl Draft<'_> {
     fn exit(&self, line: Line) -> Option<(f64, f64)> {
         let frame = self.canvas.board.frame;
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
-            return frame.shows(k, from).then(|| (frame.x(k), frame.area.y0));
+            return frame.shows(k, from.max(frame.window.mu_min)).then(|| (frame.x(k), frame.area.y0));
         }
         let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
         let arc = traces.flat_map(|trace| self.given.stretch(trace)).max_by(|a, b| a.to.total_cmp(&b.to))?;
         Some(frame.at(arc.to, arc.curve.at(arc.to)))
     }
 
-    fn design_points(&mut self) {
+    pub(crate) fn design_points(&mut self) {
         let frame = self.canvas.board.frame;
         let points = self.given.points;
         let at = |point: &DesignPoint| frame.at(point.k, point.mu);
-        for point in points.iter().filter(|point| point.is_drawable()) {
+        for point in points.iter().filter(|point| point.is_drawable() && frame.shows(point.k, point.mu)) {
             self.canvas.diamond(at(point));
         }
         for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
@@ -285,20 +290,20 @@ impl Draft<'_> {
         }
     }
 
-    fn lens(&mut self) {
+    pub(crate) fn lens(&mut self) {
         if self.given.sheet.lens {
             inset::draw(&mut self.canvas.scene, &mut self.canvas.board, self.given.diagram);
         }
     }
 
-    fn names(&mut self) {
+    pub(crate) fn names(&mut self) {
         for area in std::mem::take(&mut self.areas) {
             let (largest, patch) = if area.unresolved.is_some() { (13.5, Some(PAPER)) } else { (15.5, None) };
             self.canvas.name(&area.pieces, &area.name, largest, patch);
         }
     }
 
-    fn notes(&mut self) {
+    pub(crate) fn notes(&mut self) {
         let chart = self.given.diagram.chart();
         for note in self.given.sheet.notes {
             let (Some(lower), upper) = (note.lower.curve(chart), note.upper.curve(chart)) else { continue };
@@ -310,7 +315,7 @@ impl Draft<'_> {
         }
     }
 
-    fn formulas(&mut self) {
+    pub(crate) fn formulas(&mut self) {
         for &line in self.given.sheet.formulas {
             let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
             let mut arcs: Vec<_> = traces.flat_map(|trace| self.given.stretch(trace)).collect();
@@ -364,7 +369,9 @@ impl Draft<'_> {
         let chart = self.given.diagram.chart();
         let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
             let k = chart.point(name)?.k;
-            (k <= frame.window.k).then(|| (frame.x(k), k_markup(name, chart)))
+            (frame.window.k_min..=frame.window.k_max)
+                .contains(&k)
+                .then(|| (frame.x(k), k_markup(name, chart)))
         });
         let marks: Vec<_> = marks.collect();
         let tabs = |full: bool| {

@@ -21,6 +21,8 @@ pub(crate) struct Glyph {
     pub advance: f64,
     /// SVG path data; empty for a space.
     pub outline: String,
+    /// The same relative to the origin of the glyph, so that the glyphs of a line can be one path.
+    pub relative: String,
     /// Lowest and highest y of the ink.
     pub bottom: f64,
     pub top: f64,
@@ -30,8 +32,13 @@ pub(crate) struct Glyph {
 
 type Glyphs = BTreeMap<char, Glyph>;
 
-static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(include_bytes!("../fonts/regular.ttf")));
-static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(include_bytes!("../fonts/italic.ttf")));
+/// The upright face as a TrueType font, for a page that sets its text in the figures' type.
+pub const UPRIGHT_FONT: &[u8] = include_bytes!("../fonts/regular.ttf");
+/// The italic face, likewise.
+pub const ITALIC_FONT: &[u8] = include_bytes!("../fonts/italic.ttf");
+
+static UPRIGHT: LazyLock<Glyphs> = LazyLock::new(|| read(UPRIGHT_FONT));
+static ITALIC: LazyLock<Glyphs> = LazyLock::new(|| read(ITALIC_FONT));
 
 impl Face {
     /// The glyph of a character; a question mark stands in for one the fonts lack.
@@ -59,13 +66,14 @@ fn read(bytes: &[u8]) -> Glyphs {
     let mut glyphs = Glyphs::new();
     for character in characters {
         let Some(id) = font.glyph_index(character) else { continue };
-        let mut pen = Pen(String::new());
+        let mut pen = Pen::default();
         let ink = font.outline_glyph(id, &mut pen);
         glyphs.insert(
             character,
             Glyph {
                 advance: f64::from(font.glyph_hor_advance(id).unwrap_or(0)),
-                outline: pen.0,
+                outline: pen.absolute,
+                relative: pen.relative,
                 bottom: ink.map_or(0.0, |ink| f64::from(ink.y_min)),
                 top: ink.map_or(0.0, |ink| f64::from(ink.y_max)),
                 right: ink.map_or(0.0, |ink| f64::from(ink.x_max)),
@@ -75,17 +83,41 @@ fn read(bytes: &[u8]) -> Glyphs {
     glyphs
 }
 
-struct Pen(String);
+/// Path data under construction, in absolute and in relative coordinates.
+#[derive(Default)]
+struct Pen {
+    absolute: String,
+    relative: String,
+    at: (f32, f32),
+    start: (f32, f32),
+}
 
 impl Pen {
     fn put(&mut self, command: char, numbers: &[f32]) {
-        self.0.push(command);
-        for (i, number) in numbers.iter().enumerate() {
-            let separator = if i > 0 && *number >= 0.0 { " " } else { "" };
+        self.absolute.push(command);
+        self.relative.push(command.to_ascii_lowercase());
+        for (i, pair) in numbers.chunks(2).enumerate() {
             // A quadratic point half way between two others may fall on half a unit; more is not in the font.
-            write!(self.0, "{separator}{}", (number * 2.0).round() / 2.0).expect("writing to a string");
+            let whole = |number: f32| (number * 2.0).round() / 2.0;
+            let (x, y) = (whole(pair[0]), whole(pair[1]));
+            write(&mut self.absolute, i > 0, x, y);
+            write(&mut self.relative, i > 0, x - self.at.0, y - self.at.1);
+            if 2 * (i + 1) == numbers.len() {
+                self.at = (x, y);
+            }
+        }
+        if command == 'M' {
+            self.start = self.at;
         }
     }
+}
+
+/// Appends a pair of numbers; a minus sign parts them as well as a space.
+fn write(path: &mut String, parted: bool, x: f32, y: f32) {
+    let separator = |parted: bool, number: f32| if parted && number >= 0.0 { " " } else { "" };
+    // Adding zero turns −0 into 0.
+    let (x, y) = (x + 0.0, y + 0.0);
+    write!(path, "{}{x}{}{y}", separator(parted, x), separator(true, y)).expect("writing to a string");
 }
 
 impl OutlineBuilder for Pen {
@@ -102,6 +134,8 @@ impl OutlineBuilder for Pen {
         self.put('C', &[x1, y1, x2, y2, x, y]);
     }
     fn close(&mut self) {
-        self.0.push('Z');
+        self.absolute.push('Z');
+        self.relative.push('z');
+        self.at = self.start;
     }
 }

@@ -26,7 +26,7 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
     let summit = (1..40).map(|i| height(from + (to - from) * f64::from(i) / 40.0)).fold(0.0, f64::max);
     let frame = board.frame;
     let in_main = frame.y(0.0) - frame.y(summit);
-    if in_main >= THICK || to > frame.window.k {
+    if in_main >= THICK || to > frame.window.k_max {
         return;
     }
     let rooms = [Mode::RockO, Mode::SlideRockOPrimeLeft].map(|mode| {

@@ -174,12 +174,12 @@ impl Board {
             let upper = Arc { curve: piece.upper, from, to }.range(from, to);
             let inside =
                 lower.is_some_and(|(_, most)| most <= low) && upper.is_some_and(|(least, _)| least >= high);
-            if from > reached + SEAM * self.frame.window.k || !inside {
+            if from > reached + SEAM * self.frame.window.width() || !inside {
                 return false;
             }
             reached = to;
         }
-        reached + SEAM * self.frame.window.k >= k1
+        reached + SEAM * self.frame.window.width() >= k1
     }
 
     /// Whether a corner, the middle of an edge, or the centre of a rectangle on the page lies in a region.
@@ -352,7 +352,7 @@ mod tests {
     use standfast::Diagram;
 
     use super::*;
-    use crate::plot::clip_strips;
+    use crate::plot::{View, clip_strips};
 
     #[test]
     fn a_name_placed_in_a_region_lies_in_it() {
@@ -360,7 +360,8 @@ mod tests {
             [(1.0, 0.4), (3.0, 0.8), (1.0, -0.6), (4.0, -0.3), (1.2, -1.7), (2.0, 0.0)]
         {
             let diagram = Diagram::new(slenderness, k_prime).expect("a valid body");
-            let window = diagram.window();
+            let whole = diagram.window();
+            let window = View::from_origin(whole.k, whole.mu);
             let frame = Frame { area: Rect { x0: 60.0, y0: 40.0, x1: 460.0, y1: 350.0 }, window };
             let mut placed = 0;
             for region in diagram.regions() {

@@ -21,6 +21,7 @@
 //! | Where does it lie on the page? | `plot`, `canvas`, `chart`, `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render` |
+//! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
 //!
 //! All geometry is the library's: curves and points of [`standfast::initiation::Chart`], regions of [`Diagram`].
 //! Text is drawn as outlines, so a figure looks the same everywhere and needs no fonts; `<title>` and `<desc>` say
@@ -30,8 +31,10 @@
 
 mod canvas;
 mod caption;
+mod cases;
 mod chart;
 mod font;
+mod free_body;
 mod inset;
 mod labels;
 mod map;
@@ -41,9 +44,11 @@ pub mod outlines;
 mod palette;
 mod plane;
 mod plot;
+#[cfg(feature = "render")]
 mod render;
 mod report;
 mod scene;
+mod screen;
 mod sheet;
 mod text;
 
@@ -51,11 +56,19 @@ use standfast::Diagram;
 use standfast::contact::path::Stage;
 use standfast::diagram::Region;
 
+pub use cases::cases_on_screen;
+pub use font::{ITALIC_FONT, UPRIGHT_FONT};
+pub use free_body::{FreeBody, Pose, free_body};
+pub use number::significant;
 pub use outlines::outlines;
+pub use plot::View;
+#[cfg(feature = "render")]
 pub use render::RenderError;
-pub use report::{FigureId, UnknownFigure, report_figure};
+pub use report::{FigureId, UnknownFigure, report_figure, sketch_on_screen};
 #[doc(hidden)]
-pub use scene::{Label, Rect};
+pub use scene::Label;
+pub use scene::Rect;
+pub use screen::{Axis, Map, Picture, tint_on_screen};
 
 /// A drawing with its caption.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,4 +193,9 @@ pub struct LoadPlane<'a> {
 /// ```
 pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
     plane::figure(plane)
+}
+
+/// The same for a screen, with a plot `across` units wide and colours as custom properties of CSS.
+pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
+    plane::figure_on_screen(plane, across)
 }

@@ -1,10 +1,10 @@
 //! The map of all modes, for any body and any elevation of the force: Figs. 3.9–3.11, 4.7, and below the base.
 
+use crate::plot::View;
 use standfast::Diagram;
 use standfast::Mode::{
     Rest, RockO, RockOPrime, SlideLeft, SlideRockOLeft, SlideRockOPrimeLeft, SlideRockORight,
 };
-use standfast::diagram::Window;
 use standfast::initiation::{Case, Curve, PointName};
 
 use crate::DesignPoint;
@@ -157,7 +157,7 @@ pub(crate) fn sheet(case: Case) -> (&'static Sheet, &'static str) {
 
 /// The window of a diagram: A, unless it is at infinity or next to it, the other named points up to some times its distance, and all
 /// design points.
-pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> Window {
+pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
     const FAR: f64 = 7.0;
     let chart = diagram.chart();
     let unit = 1.0 / chart.slenderness();
@@ -190,5 +190,5 @@ pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> Window {
         k = k.max(1.12 * point.k);
         mu = mu.max(1.12 * point.mu);
     }
-    Window { k, mu }
+    View::from_origin(k, mu)
 }

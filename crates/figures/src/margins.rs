@@ -160,6 +160,19 @@ pub(crate) fn ticks(limit: f64) -> Vec<f64> {
     (1..=count).map(|i| f64::from(i) * step).collect()
 }
 
+/// Round numbers from `least` to `greatest`, at most `most` of them, and how many decimals tell them apart.
+pub(crate) fn ticks_between(least: f64, greatest: f64, most: f64) -> (Vec<f64>, usize) {
+    let range = greatest - least;
+    let exponent = (range / most).log10().floor();
+    let power = 10f64.powf(exponent);
+    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| range / (factor * power) <= most);
+    let (step, exponent) = factor.map_or((10.0 * power, exponent + 1.0), |factor| (factor * power, exponent));
+    let (first, last) = ((least / step - 1e-9).ceil(), (greatest / step + 1e-9).floor());
+    let count = (last - first).max(-1.0) as i64;
+    let ticks = (0..=count).map(|i| (first + i as f64) * step).collect();
+    (ticks, (-exponent).clamp(0.0, 12.0) as usize)
+}
+
 /// A paragraph between `left` and `right` with its first line's top at `top`; breaks at the spaces of words.
 /// Returns the y below it.
 pub(crate) fn paragraph(

@@ -17,6 +17,14 @@ pub(crate) fn distinct_digits(number: f64, neighbours: &[f64]) -> String {
     to_digits(number, (3..MOST).find(tells).unwrap_or(MOST))
 }
 
+/// A number with `count` significant digits, a true minus sign, and a power of ten as `10^{7}` when needed.
+pub fn significant(number: f64, count: usize) -> String {
+    if number.is_infinite() {
+        return if number > 0.0 { "∞" } else { "−∞" }.into();
+    }
+    to_digits(number, count)
+}
+
 fn to_digits(number: f64, count: usize) -> String {
     if number == 0.0 {
         return "0".into();

@@ -14,6 +14,9 @@ pub(crate) const MARK: &str = "#a3123f";
 /// The page.
 pub(crate) const PAPER: &str = "#ffffff";
 
+/// Reactions of the base.
+pub(crate) const PUSH: &str = "#1d5f99";
+
 /// The tint of a mode's region.
 pub(crate) fn tint(mode: Mode) -> &'static str {
     match mode {
@@ -25,6 +28,26 @@ pub(crate) fn tint(mode: Mode) -> &'static str {
         Mode::SlideRockOPrimeLeft => "#6cb7a2",
         Mode::SlideRockORight => "#c5799f",
         Mode::Flight => "#dcd6cb",
+    }
+}
+
+/// A colour of this palette as a custom property that a page may set, with the colour itself where it does not.
+pub(crate) fn themed(colour: &str) -> &str {
+    match colour {
+        INK => "var(--ink,#16202b)",
+        FAINT => "var(--faint,#5d6873)",
+        MARK => "var(--mark,#a3123f)",
+        PAPER => "var(--paper,#ffffff)",
+        PUSH => "var(--push,#1d5f99)",
+        "#f1f4f7" => "var(--rest,#f1f4f7)",
+        "#f7de8b" => "var(--slide,#f7de8b)",
+        "#aad2f0" => "var(--rock,#aad2f0)",
+        "#b3b4e6" => "var(--rock-toe,#b3b4e6)",
+        "#f0ab6b" => "var(--slide-rock-left,#f0ab6b)",
+        "#6cb7a2" => "var(--slide-rock-toe,#6cb7a2)",
+        "#c5799f" => "var(--slide-rock-right,#c5799f)",
+        "#dcd6cb" => "var(--flight,#dcd6cb)",
+        other => other,
     }
 }
 

@@ -4,7 +4,7 @@
 //! there are no formulas here, and the axes have numbers.
 
 use standfast::contact::path::Stage;
-use standfast::diagram::{Strip, Window};
+use standfast::diagram::Strip;
 use standfast::initiation::Curve;
 use standfast::{Mode, Modes};
 
@@ -14,8 +14,8 @@ use crate::labels::Lines;
 use crate::margins::{self, Axes, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::palette::{INK, MARK, PAPER, symbol, tint};
-use crate::plot::{Arc, Frame, Piece, arcs_path, clip_strips, level, outline};
-use crate::scene::{Path, Pen, Rect};
+use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip_strips, level, outline};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{Figure, LoadPlane};
 
@@ -43,17 +43,29 @@ struct Side {
 
 /// Draws it.
 pub(crate) fn figure(given: &LoadPlane) -> Figure {
+    drawn(given, PLOT.0, Scene::default())
+}
+
+/// Draws it for a screen, with a plot `across` units wide.
+pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
+    drawn(given, across, Scene::themed())
+}
+
+fn drawn(given: &LoadPlane, across: f64, scene: Scene) -> Figure {
     let window = window(given);
     let ticks = |limit: f64| margins::ticks(limit).into_iter().map(|at| (at, format!("${}$", digits(at))));
     let tab = |at: f64, markup: &str| Tab { at, text: Text::new(markup, TICK) };
     // A tick at the very top has no room for its number.
-    let top = window.mu * (1.0 - 6.0 / PLOT.1);
-    let mu_ticks: Vec<_> =
-        ticks(window.mu).filter(|(mu, _)| *mu < top).map(|(mu, markup)| (mu, tab(0.0, &markup))).collect();
+    let top = window.mu_max * (1.0 - 6.0 / PLOT.1);
+    let mu_ticks: Vec<_> = ticks(window.mu_max)
+        .filter(|(mu, _)| *mu < top)
+        .map(|(mu, markup)| (mu, tab(0.0, &markup)))
+        .collect();
     let left = margins::mu_width(mu_ticks.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
-    let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window };
+    let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + across, y1: TOP + PLOT.1 }, window };
     let areas = areas(given, &window);
     let mut canvas = Canvas::new(frame);
+    canvas.scene = scene;
 
     for area in &areas {
         canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
@@ -62,13 +74,13 @@ pub(crate) fn figure(given: &LoadPlane) -> Figure {
     margins::axes(&mut canvas.scene, &frame, &AXES);
     let tabs = mu_ticks.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
     margins::beside_mu_axis(&mut canvas.scene, &frame, tabs);
-    let path = LoadPath::of(given, window.k);
+    let path = LoadPath::of(given, window.k_max);
     path.draw(&mut canvas);
     for area in &areas {
         canvas.name(&area.pieces, symbol(area.mode), 15.5, None);
     }
 
-    let tabs = || ticks(window.k).map(|(at, markup)| tab(frame.x(at), &markup)).collect();
+    let tabs = || ticks(window.k_max).map(|(at, markup)| tab(frame.x(at), &markup)).collect();
     let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, tabs(), tabs());
     let name = Text::new("load factor $λ$", 13.5);
     let baseline = below + 8.0 + name.ascent;
@@ -98,13 +110,13 @@ fn joined(words: &[Text]) -> String {
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
 /// that is not much farther up.
-fn window(given: &LoadPlane) -> Window {
+fn window(given: &LoadPlane) -> View {
     let k = if given.up_to.is_finite() && given.up_to > 0.0 { given.up_to } else { 1.0 };
     let friction = drawable(given.friction).unwrap_or(0.0);
     let limit = (2.5 * friction).max(1.2);
     let corners = given.regions.iter().flat_map(|region| corners(&region.strips, k));
     let seen = corners.map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
-    Window { k, mu: seen.fold((2.0 * friction).max(0.4 * limit), f64::max) }
+    View::from_origin(k, seen.fold((2.0 * friction).max(0.4 * limit), f64::max))
 }
 
 /// A friction that can be shown.
@@ -131,7 +143,7 @@ fn corners(strips: &[Strip], up_to: f64) -> Vec<f64> {
     found
 }
 
-fn areas(given: &LoadPlane, window: &Window) -> Vec<Area> {
+fn areas(given: &LoadPlane, window: &View) -> Vec<Area> {
     let area = given.regions.iter().map(|region| {
         let pieces = clip_strips(&region.strips, window);
         Area { mode: region.mode, pieces }
@@ -156,9 +168,9 @@ fn boundaries(canvas: &mut Canvas, given: &LoadPlane, areas: &[Area]) {
 }
 
 /// The lower and upper edges of all areas, each once, as long as they run on.
-fn edges(areas: &[Area], window: &Window) -> Vec<Arc> {
+fn edges(areas: &[Area], window: &View) -> Vec<Arc> {
     let mut arcs: Vec<Arc> = Vec::new();
-    let bare = |curve: &Curve| *curve == Curve::AXIS || *curve == level(window.mu);
+    let bare = |curve: &Curve| *curve == Curve::AXIS || *curve == level(window.mu_max);
     for edge in [|piece: &Piece| piece.lower, |piece: &Piece| piece.upper] {
         // What has been drawn from below need not be drawn from above.
         let drawn = arcs.clone();
@@ -178,13 +190,13 @@ fn edges(areas: &[Area], window: &Window) -> Vec<Arc> {
 }
 
 /// The vertical stretches with different modes on their sides.
-fn sides(given: &LoadPlane, areas: &[Area], window: &Window) -> Vec<Side> {
+fn sides(given: &LoadPlane, areas: &[Area], window: &View) -> Vec<Side> {
     // Half a pixel.
     const SHORT: f64 = 0.5 / PLOT.1;
-    let near = SAME * window.k;
+    let near = SAME * window.k_max;
     let mut places: Vec<f64> =
         given.regions.iter().flat_map(|region| &region.strips).map(|s| s.from).collect();
-    places.retain(|at| near < *at && *at < window.k - near);
+    places.retain(|at| near < *at && *at < window.k_max - near);
     places.sort_by(f64::total_cmp);
     places.dedup_by(|later, earlier| *later - *earlier <= near);
 
@@ -201,7 +213,7 @@ fn sides(given: &LoadPlane, areas: &[Area], window: &Window) -> Vec<Side> {
             spans.iter().find(|(low, high, _)| (*low..=*high).contains(&mu)).map(|(.., mode)| *mode)
         };
         let mut cuts: Vec<f64> = left.iter().chain(&right).flat_map(|(low, high, _)| [*low, *high]).collect();
-        cuts.iter_mut().for_each(|mu| *mu = mu.clamp(0.0, window.mu));
+        cuts.iter_mut().for_each(|mu| *mu = mu.clamp(0.0, window.mu_max));
         cuts.sort_by(f64::total_cmp);
         for pair in cuts.windows(2) {
             let (low, high) = (pair[0], pair[1]);
@@ -215,7 +227,7 @@ fn sides(given: &LoadPlane, areas: &[Area], window: &Window) -> Vec<Side> {
             }
         }
     }
-    sides.retain(|side| side.high - side.low > SHORT * window.mu);
+    sides.retain(|side| side.high - side.low > SHORT * window.mu_max);
     sides
 }
 
@@ -250,7 +262,7 @@ impl<'a> LoadPath<'a> {
         let Some(mu) = self.friction else { return };
         let frame = canvas.board.frame;
         let y = frame.y(mu);
-        let x = |factor: f64| frame.x(factor.clamp(0.0, frame.window.k));
+        let x = |factor: f64| frame.x(factor.clamp(0.0, frame.window.k_max));
         let Rect { x0, x1, .. } = frame.area;
         canvas.scene.line((x0, y), (x1, y), Pen::solid(PAPER, 4.0));
         for stage in self.stages {
@@ -307,7 +319,7 @@ impl<'a> LoadPath<'a> {
         for stage in self.stages {
             let Some(mode) = stage.mode else { continue };
             let text = Text::new(symbol(mode), TICK);
-            let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k)));
+            let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k_max)));
             let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
             let mut places =
                 shares.flat_map(|share| [-1.0, 1.0].map(|down| (share, down))).map(|(share, down)| {
@@ -352,7 +364,7 @@ impl<'a> LoadPath<'a> {
 }
 
 /// The figure in words.
-fn description(window: &Window, areas: &[Area], caption: &str) -> String {
+fn description(window: &View, areas: &[Area], caption: &str) -> String {
     let plain = |markup: &str| Text::inline(markup, SMALL).plain;
     let modes: Modes = areas.iter().map(|area| area.mode).collect();
     let shaded = modes
@@ -362,8 +374,8 @@ fn description(window: &Window, areas: &[Area], caption: &str) -> String {
         "Chart of the friction coefficient μ, upwards from 0 to {}, over the load factor λ, to the right from 0 to {}. \
          Shaded: {}. The load path is a line at the body's friction with a tick at every change; a diamond marks the \
          full load. {caption}",
-        plain(&format!("${}$", digits(window.mu))),
-        plain(&format!("${}$", digits(window.k))),
+        plain(&format!("${}$", digits(window.mu_max))),
+        plain(&format!("${}$", digits(window.k_max))),
         shaded.collect::<Vec<_>>().join("; ")
     )
 }
@@ -394,7 +406,7 @@ mod tests {
         let k_a = 1.0 / (3.0 * 1.8);
         assert_eq!(sides.len(), 1, "{sides:?}");
         assert!((sides[0].at - k_a).abs() < 1e-12 && (sides[0].low - k_a).abs() < 1e-9);
-        assert_eq!(sides[0].high, window.mu);
+        assert_eq!(sides[0].high, window.mu_max);
     }
 
     #[test]

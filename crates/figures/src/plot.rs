@@ -1,29 +1,57 @@
 //! Where on the page does a point of the k–μ plane lie, and which part of a region or curve is seen?
 //!
 //! Regions and curves are clipped by their own formulas: a curve is monotone between its poles, so it leaves the
-//! window where it takes the values 0 or the largest μ, and nothing is sampled. Hyperbolas become cubic Béziers
+//! window where it takes the smallest or the largest μ, and nothing is sampled. Hyperbolas become cubic Béziers
 //! through their end tangents, split until they are right to a hundredth of a pixel.
 
-use standfast::diagram::{Strip, Window};
+use standfast::diagram::Strip;
 use standfast::initiation::Curve;
 
 use crate::scene::{Path, Rect};
+
+/// The rectangle of the plane that a plot shows: `k_min` ≤ k ≤ `k_max`, `mu_min` ≤ μ ≤ `mu_max`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// Smallest k; not negative.
+    pub k_min: f64,
+    /// Largest k.
+    pub k_max: f64,
+    /// Smallest μ; not negative.
+    pub mu_min: f64,
+    /// Largest μ.
+    pub mu_max: f64,
+}
+
+impl View {
+    /// From the origin to (`k`, `mu`).
+    pub(crate) fn from_origin(k: f64, mu: f64) -> View {
+        View { k_min: 0.0, k_max: k, mu_min: 0.0, mu_max: mu }
+    }
+
+    pub(crate) fn width(&self) -> f64 {
+        self.k_max - self.k_min
+    }
+
+    pub(crate) fn height(&self) -> f64 {
+        self.mu_max - self.mu_min
+    }
+}
 
 /// The plot's rectangle on the page and the part of the plane it shows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Frame {
     /// On the page; the origin is its lower left corner.
     pub area: Rect,
-    pub window: Window,
+    pub window: View,
 }
 
 impl Frame {
     pub(crate) fn x(&self, k: f64) -> f64 {
-        self.area.x0 + k / self.window.k * (self.area.x1 - self.area.x0)
+        self.area.x0 + (k - self.window.k_min) / self.window.width() * (self.area.x1 - self.area.x0)
     }
 
     pub(crate) fn y(&self, mu: f64) -> f64 {
-        self.area.y1 - mu / self.window.mu * (self.area.y1 - self.area.y0)
+        self.area.y1 - (mu - self.window.mu_min) / self.window.height() * (self.area.y1 - self.area.y0)
     }
 
     pub(crate) fn at(&self, k: f64, mu: f64) -> (f64, f64) {
@@ -31,22 +59,23 @@ impl Frame {
     }
 
     pub(crate) fn k(&self, x: f64) -> f64 {
-        (x - self.area.x0) / (self.area.x1 - self.area.x0) * self.window.k
+        self.window.k_min + (x - self.area.x0) / (self.area.x1 - self.area.x0) * self.window.width()
     }
 
     pub(crate) fn mu(&self, y: f64) -> f64 {
-        (self.area.y1 - y) / (self.area.y1 - self.area.y0) * self.window.mu
+        self.window.mu_min + (self.area.y1 - y) / (self.area.y1 - self.area.y0) * self.window.height()
     }
 
     /// Whether a point of the plane is in the window.
     pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
-        (0.0..=self.window.k).contains(&k) && (0.0..=self.window.mu).contains(&mu)
+        let View { k_min, k_max, mu_min, mu_max } = self.window;
+        (k_min..=k_max).contains(&k) && (mu_min..=mu_max).contains(&mu)
     }
 
     /// dy/dx on the page for a slope dμ/dk.
     fn tilt(&self, slope: f64) -> f64 {
         let Rect { x0, y0, x1, y1 } = self.area;
-        -slope * self.window.k / self.window.mu * (y1 - y0) / (x1 - x0)
+        -slope * self.window.width() / self.window.height() * (y1 - y0) / (x1 - x0)
     }
 }
 
@@ -85,14 +114,14 @@ pub(crate) fn level(level: f64) -> Curve {
 }
 
 /// The intervals of [`from`, `to`] between values of k where a curve may enter or leave the window.
-fn intervals(curves: &[Curve], from: f64, to: f64, window: &Window) -> Vec<(f64, f64)> {
-    let (from, to) = (from.max(0.0), to.min(window.k));
+fn intervals(curves: &[Curve], from: f64, to: f64, window: &View) -> Vec<(f64, f64)> {
+    let (from, to) = (from.max(window.k_min), to.min(window.k_max));
     if from >= to {
         return Vec::new();
     }
     let mut cuts = vec![from, to];
     for curve in curves {
-        let ends = [curve.k_at(0.0), curve.k_at(window.mu), curve.pole()];
+        let ends = [curve.k_at(window.mu_min), curve.k_at(window.mu_max), curve.pole()];
         cuts.extend(ends.into_iter().flatten().filter(|&k| from < k && k < to));
     }
     cuts.sort_by(f64::total_cmp);
@@ -100,20 +129,21 @@ fn intervals(curves: &[Curve], from: f64, to: f64, window: &Window) -> Vec<(f64,
 }
 
 /// The parts of a curve over [`from`, `to`] that lie in the window.
-pub(crate) fn clip(curve: Curve, from: f64, to: f64, window: &Window) -> Vec<Arc> {
+pub(crate) fn clip(curve: Curve, from: f64, to: f64, window: &View) -> Vec<Arc> {
     intervals(&[curve], from, to, window)
         .into_iter()
-        .filter(|&(a, b)| (0.0..=window.mu).contains(&curve.at((a + b) / 2.0)))
+        .filter(|&(a, b)| (window.mu_min..=window.mu_max).contains(&curve.at((a + b) / 2.0)))
         .map(|(from, to)| Arc { curve, from, to })
         .collect()
 }
 
 /// An interval over which curves lie in the window, its ends pulled in by too little to be seen where rounding left them
 /// on the wrong side of a pole or a cut.
-fn settled(from: f64, to: f64, curves: [Curve; 2], window: &Window) -> (f64, f64) {
+fn settled(from: f64, to: f64, curves: [Curve; 2], window: &View) -> (f64, f64) {
     const PULLS: [f64; 6] = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2];
-    let slack = 1e-9 * window.mu;
-    let within = |k: f64| curves.iter().all(|curve| (-slack..=window.mu + slack).contains(&curve.at(k)));
+    let slack = 1e-9 * window.height();
+    let range = window.mu_min - slack..=window.mu_max + slack;
+    let within = |k: f64| curves.iter().all(|curve| range.contains(&curve.at(k)));
     let middle = (from + to) / 2.0;
     let pulled = |end: f64| {
         let ends = PULLS.into_iter().map(|share| end + share * (middle - end));
@@ -123,17 +153,17 @@ fn settled(from: f64, to: f64, curves: [Curve; 2], window: &Window) -> (f64, f64
 }
 
 /// The part of a region that lies in the window.
-pub(crate) fn clip_strips(strips: &[Strip], window: &Window) -> Vec<Piece> {
-    let top = level(window.mu);
+pub(crate) fn clip_strips(strips: &[Strip], window: &View) -> Vec<Piece> {
+    let (bottom, top) = (level(window.mu_min), level(window.mu_max));
     let mut pieces = Vec::new();
     for strip in strips {
         let upper = strip.upper.unwrap_or(top);
         for (from, to) in intervals(&[strip.lower, upper], strip.from, strip.to, window) {
             let middle = (from + to) / 2.0;
             let (low, high) = (strip.lower.at(middle), upper.at(middle));
-            if low < high && low < window.mu && high > 0.0 {
-                let lower = if low < 0.0 { Curve::AXIS } else { strip.lower };
-                let upper = if high > window.mu { top } else { upper };
+            if low < high && low < window.mu_max && high > window.mu_min {
+                let lower = if low < window.mu_min { bottom } else { strip.lower };
+                let upper = if high > window.mu_max { top } else { upper };
                 let (from, to) = settled(from, to, [lower, upper], window);
                 if from < to {
                     pieces.push(Piece { from, to, lower, upper });
@@ -235,7 +265,8 @@ pub(crate) fn hatch(frame: &Frame, pieces: &[Piece], spacing: f64, falling: bool
     for step in 0..=((last - first) / spacing) as usize {
         let start = first + spacing * step as f64;
         let mu = |k: f64| frame.mu(start + sign * (frame.x(k) - x0));
-        let line = (mu(0.0), (mu(frame.window.k) - mu(0.0)) / frame.window.k);
+        let slope = (mu(frame.window.k_max) - mu(frame.window.k_min)) / frame.window.width();
+        let line = (mu(frame.window.k_min) - slope * frame.window.k_min, slope);
         for piece in pieces {
             let mut cuts = vec![piece.from, piece.to];
             let meets = [piece.lower, piece.upper].into_iter().flat_map(|curve| crossings(&curve, line));
@@ -273,7 +304,7 @@ mod tests {
 
     fn frame() -> Frame {
         let area = Rect { x0: 50.0, y0: 20.0, x1: 450.0, y1: 340.0 };
-        Frame { area, window: Window { k: 4.0, mu: 2.0 } }
+        Frame { area, window: View::from_origin(4.0, 2.0) }
     }
 
     #[test]

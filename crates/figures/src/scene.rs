@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use crate::font::Face;
-use crate::palette::{INK, PAPER};
+use crate::palette::{self, INK, PAPER};
 use crate::text::Text;
 
 /// An axis-parallel rectangle, `x0 ≤ x1`, `y0 ≤ y1`.
@@ -119,14 +119,36 @@ impl Path {
 /// A drawing: the body of an SVG, the outlines it uses and the labels it carries.
 #[derive(Debug, Default)]
 pub(crate) struct Scene {
+    /// Whether colours are custom properties, for a page to set, or fixed.
+    themed: bool,
     body: String,
     used: BTreeSet<(Face, char)>,
     labels: Vec<Label>,
 }
 
 impl Scene {
+    /// A drawing whose colours are custom properties of CSS, and whose page is transparent.
+    pub(crate) fn themed() -> Scene {
+        Scene { themed: true, ..Scene::default() }
+    }
+
+    fn paint<'a>(&self, colour: &'a str) -> &'a str {
+        if self.themed { palette::themed(colour) } else { colour }
+    }
+
+    /// Opens a group with attributes, to be closed by [`close`](Scene::close).
+    pub(crate) fn open(&mut self, attributes: &str) {
+        self.write(format_args!("<g {attributes}>\n"));
+    }
+
+    /// Closes a group.
+    pub(crate) fn close(&mut self) {
+        self.body.push_str("</g>\n");
+    }
+
     /// Fills a path.
     pub(crate) fn fill(&mut self, path: &Path, colour: &str) {
+        let colour = self.paint(colour);
         if !path.is_empty() {
             self.write(format_args!("<path d=\"{}\" fill=\"{colour}\"/>\n", path.0));
         }
@@ -138,6 +160,7 @@ impl Scene {
             return;
         }
         let Pen { colour, width, dashes } = pen;
+        let colour = self.paint(colour);
         self.write(format_args!(
             "<path d=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"",
             path.0
@@ -155,6 +178,16 @@ impl Scene {
         self.stroke(&Path::through(&[from, to]), pen);
     }
 
+    /// An arrow.
+    pub(crate) fn arrow(&mut self, from: (f64, f64), tip: (f64, f64), pen: Pen) {
+        let (dx, dy) = (tip.0 - from.0, tip.1 - from.1);
+        let length = dx.hypot(dy);
+        // The line ends inside the head, not at its tip.
+        let end = (tip.0 - 6.0 * dx / length, tip.1 - 6.0 * dy / length);
+        self.line(from, end, pen);
+        self.arrowhead(tip, (dx, dy), pen.colour);
+    }
+
     /// A filled arrowhead with its tip at `tip`, pointing along (`dx`, `dy`).
     pub(crate) fn arrowhead(&mut self, tip: (f64, f64), (dx, dy): (f64, f64), colour: &str) {
         let length = dx.hypot(dy);
@@ -168,12 +201,14 @@ impl Scene {
 
     /// A filled circle with a rim.
     pub(crate) fn dot(&mut self, (x, y): (f64, f64), radius: f64, fill: &str, rim: Option<Pen>) {
+        let fill = self.paint(fill);
         let mut circle = String::from("<circle cx=\"");
         decimal(&mut circle, x);
         circle.push_str("\" cy=\"");
         decimal(&mut circle, y);
         self.write(format_args!("{circle}\" r=\"{radius}\" fill=\"{fill}\""));
         if let Some(Pen { colour, width, .. }) = rim {
+            let colour = self.paint(colour);
             self.write(format_args!(" stroke=\"{colour}\" stroke-width=\"{width}\""));
         }
         self.body.push_str("/>\n");
@@ -197,9 +232,19 @@ impl Scene {
             let scale = run.size / 1000.0;
             self.write(format_args!(") scale({scale:.5} {:.5})\"", -scale));
             if colour != INK {
-                self.write(format_args!(" fill=\"{colour}\""));
+                self.write(format_args!(" fill=\"{}\"", self.paint(colour)));
             }
             self.body.push('>');
+            if self.themed {
+                // One path is drawn much faster than a reference for each letter.
+                self.body.push_str("<path d=\"");
+                for &(character, offset) in &run.glyphs {
+                    let outline = &run.face.glyph(character).relative;
+                    self.write(format_args!("M{:.0} 0{outline}", offset / scale));
+                }
+                self.body.push_str("\"/></g>\n");
+                continue;
+            }
             for &(character, offset) in &run.glyphs {
                 self.used.insert((run.face, character));
                 self.write(format_args!(
@@ -232,6 +277,11 @@ impl Scene {
         description: &str,
     ) -> (String, Vec<Label>) {
         let (width, height) = (width.ceil(), height.ceil());
+        let paper = if self.themed {
+            String::new()
+        } else {
+            format!("<path d=\"M0 0H{width}V{height}H0Z\" fill=\"{PAPER}\"/>\n")
+        };
         let mut svg = String::with_capacity(self.body.len() + 24_000);
         let put =
             |svg: &mut String, text: std::fmt::Arguments| svg.write_fmt(text).expect("writing to a string");
@@ -250,10 +300,7 @@ impl Scene {
         }
         put(
             &mut svg,
-            format_args!(
-                "</defs>\n<path d=\"M0 0H{width}V{height}H0Z\" fill=\"{PAPER}\"/>\n<g fill=\"{INK}\">\n{}</g>\n</svg>\n",
-                self.body
-            ),
+            format_args!("</defs>\n{paper}<g fill=\"{}\">\n{}</g>\n</svg>\n", self.paint(INK), self.body),
         );
         (svg, self.labels)
     }

@@ -68,6 +68,25 @@ pub struct Reduced {
 }
 
 impl Reduced {
+    /// The inverse of [`HorizontalForce::reduce`]: a body of `width` 2B (m) and `mass` (kg per metre run), and the force on
+    /// it, that have these numbers at the acceleration of gravity `gravity` (m/s²).
+    ///
+    /// # Errors
+    /// If one of them is not above zero, or a dimension overflows.
+    pub fn with_size(
+        &self,
+        width: f64,
+        mass: f64,
+        gravity: f64,
+    ) -> Result<(Body, HorizontalForce), InputError> {
+        let gravity = InputError::positive("gravity", gravity)?;
+        let body = Body::new(width, self.point.slenderness() * width, mass)?;
+        let direction = if self.mirrored { Slip::Right } else { Slip::Left };
+        let magnitude = self.point.force() * mass * gravity;
+        let elevation = (1.0 + self.point.elevation()) * body.height() / 2.0;
+        Ok((body, HorizontalForce::new(magnitude, elevation, direction)?))
+    }
+
     /// The mode of the real body, mirrored if the force points right.
     pub fn mode(&self) -> Mode {
         self.orient(self.point.mode())

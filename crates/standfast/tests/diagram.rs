@@ -498,3 +498,20 @@ fn lines_drawn_only_are_where_they_should_be() {
     let below = Chart::new(1.0, -0.6).unwrap();
     assert!((below.mu_star_star().pole().unwrap() - 25.0 / 6.0).abs() < 1e-12); // d/c = 5/1.2
 }
+
+#[test]
+fn the_elevations_of_the_cases_tile_the_axis_as_the_chart_decides() {
+    use standfast::initiation::{Case, Chart};
+    for gamma in [0.05, 0.3, 0.7, 1.0, 1.4, 2.0, 4.5, 10.0, 20.0] {
+        let ranges = Case::ALL.map(|case| case.elevations(gamma).unwrap());
+        assert!(ranges.windows(2).all(|pair| pair[0].1 == pair[1].0 && pair[0].0 < pair[0].1));
+        for (case, (least, greatest)) in Case::ALL.into_iter().zip(ranges) {
+            let (least, greatest) = (least.max(-3.0), greatest.min(least.max(0.0) + 500.0));
+            for share in [1e-6, 0.25, 0.5, 0.999_999] {
+                let k_prime = least + share * (greatest - least);
+                assert_eq!(Chart::new(gamma, k_prime).unwrap().case(), case, "γ = {gamma}, k' = {k_prime}");
+            }
+        }
+    }
+    assert!(Case::OneA.elevations(0.0).is_err());
+}

@@ -75,3 +75,20 @@ fn impossible_bodies_and_forces_are_refused() {
     assert!(force.reduce(&caisson(), -0.1, 9.81).is_err());
     assert!(force.reduce(&caisson(), 0.6, 0.0).is_err());
 }
+
+#[test]
+fn a_point_with_a_size_is_the_body_and_force_it_came_from() {
+    for (magnitude, elevation, direction) in
+        [(1e6, 9.0, Slip::Left), (2.7e6, 0.0, Slip::Right), (0.0, 6.0, Slip::Left), (4e5, -3.0, Slip::Right)]
+    {
+        let force = HorizontalForce::new(magnitude, elevation, direction).unwrap();
+        let reduced = force.reduce(&caisson(), 0.6, 9.81).unwrap();
+        let (body, back) = reduced.with_size(15.0, 378_000.0, 9.81).unwrap();
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1.0);
+        assert!(near(body.height(), 12.0) && body.width() == 15.0 && body.mass() == 378_000.0);
+        assert!(near(back.magnitude(), magnitude) && near(back.elevation(), elevation));
+        assert_eq!(back.direction(), direction);
+    }
+    let reduced = HorizontalForce::new(1e6, 9.0, Slip::Left).unwrap().reduce(&caisson(), 0.6, 9.81).unwrap();
+    assert!(reduced.with_size(0.0, 1.0, 9.81).is_err() && reduced.with_size(1.0, 1.0, f64::NAN).is_err());
+}

@@ -13,6 +13,8 @@ use standfast::diagram::Window;
 use crate::Figure;
 use crate::chart::Drawing;
 use crate::number;
+use crate::plot::View;
+use crate::scene::Scene;
 use crate::sheet::Sheet;
 
 /// The number of a figure of the report.
@@ -88,6 +90,16 @@ impl FigureId {
         all
     };
 
+    /// The body the figure is drawn for, (γ, k'); `None` for a sketch.
+    pub fn body(self) -> Option<(f64, f64)> {
+        chart(self).map(|(_, body, _)| body)
+    }
+
+    /// The figure's caption in plain characters.
+    pub fn caption(self) -> String {
+        crate::text::Text::inline(self.entry().caption, 13.0).plain
+    }
+
     /// The figure's number as the report prints it, e.g. `3.3a`.
     pub fn number(self) -> &'static str {
         self.entry().number
@@ -125,14 +137,14 @@ pub fn report_figure(id: FigureId) -> Figure {
     let entry = id.entry();
     let heading = format!("Fig. {} ", entry.number);
     match &entry.content {
-        Content::Sketch { above } => sketch::figure(&heading, entry.caption, *above),
+        Content::Sketch { above } => sketch::figure(&heading, entry.caption, *above, Scene::default()),
         Content::Chart { sheet, sample, k, mu } => {
             let diagram =
                 Diagram::new(sample.slenderness, sample.elevation).expect("the table's bodies are valid");
             Drawing {
                 diagram: &diagram,
                 sheet,
-                window: Window { k: *k, mu: *mu },
+                window: View::from_origin(*k, *mu),
                 heading: &heading,
                 caption: entry.caption,
                 preface: &format!("{}:", number::body(diagram.chart())),
@@ -142,6 +154,32 @@ pub fn report_figure(id: FigureId) -> Figure {
             .figure()
         }
     }
+}
+
+/// A sketch of the report for a screen; `None` for a chart.
+pub fn sketch_on_screen(id: FigureId) -> Option<Figure> {
+    let entry = id.entry();
+    match entry.content {
+        Content::Sketch { above } => {
+            Some(sketch::figure(&format!("Fig. {} ", entry.number), entry.caption, above, Scene::themed()))
+        }
+        Content::Chart { .. } => None,
+    }
+}
+
+/// The sheet of a chart, its body (γ, k') and its window; `None` for a sketch.
+pub(crate) fn chart(id: FigureId) -> Option<(&'static Sheet, (f64, f64), Window)> {
+    match &id.entry().content {
+        Content::Sketch { .. } => None,
+        Content::Chart { sheet, sample, k, mu } => {
+            Some((sheet, (sample.slenderness, sample.elevation), Window { k: *k, mu: *mu }))
+        }
+    }
+}
+
+/// The caption in markup.
+pub(crate) fn caption(id: FigureId) -> &'static str {
+    id.entry().caption
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::Figure;
 use crate::margins;
-use crate::palette::{FAINT, INK, MARK};
+use crate::palette::{FAINT, INK, MARK, PUSH};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -17,8 +17,7 @@ const THIN: Pen = Pen::solid(INK, 0.8);
 const CENTRE: Pen = Pen { colour: FAINT, width: 0.7, dashes: "9 2.5 2 2.5" };
 
 /// The sketch, with the force above or below the centre of mass.
-pub(super) fn figure(heading: &str, caption: &str, above: bool) -> Figure {
-    let mut scene = Scene::default();
+pub(super) fn figure(heading: &str, caption: &str, above: bool, mut scene: Scene) -> Figure {
     block(&mut scene);
     axes(&mut scene);
     dimensions(&mut scene);
@@ -45,15 +44,6 @@ fn label(scene: &mut Scene, markup: &str, x: f64, y: f64) {
     scene.text_in(&text, &Rect::around(x, y, text.width, text.height()), INK);
 }
 
-fn arrow(scene: &mut Scene, from: (f64, f64), tip: (f64, f64), pen: Pen) {
-    let (dx, dy) = (tip.0 - from.0, tip.1 - from.1);
-    let length = dx.hypot(dy);
-    // The line ends inside the head, not at its tip.
-    let end = (tip.0 - 6.0 * dx / length, tip.1 - 6.0 * dy / length);
-    scene.line(from, end, pen);
-    scene.arrowhead(tip, (dx, dy), pen.colour);
-}
-
 fn block(scene: &mut Scene) {
     let (left, right, top) = (C.0 - B, C.0 + B, BASE - 2.0 * H);
     let mut body = Path::through(&[(left, BASE), (left, top), (right, top), (right, BASE)]);
@@ -76,8 +66,8 @@ fn axes(scene: &mut Scene) {
     let (x, y) = C;
     scene.line((x - B - 14.0, y), (x + B + 14.0, y), CENTRE);
     scene.line((x, y - H - 14.0), (x, y + H), CENTRE);
-    arrow(scene, C, (x + 50.0, y), Pen::solid(INK, 1.1));
-    arrow(scene, C, (x, y - 50.0), Pen::solid(INK, 1.1));
+    scene.arrow(C, (x + 50.0, y), Pen::solid(INK, 1.1));
+    scene.arrow(C, (x, y - 50.0), Pen::solid(INK, 1.1));
     scene.dot(C, 2.8, INK, None);
     label(scene, "$C$", x - 11.0, y + 12.0);
     label(scene, "$x$", x + 54.0, y + 11.0);
@@ -102,11 +92,11 @@ fn dimensions(scene: &mut Scene) {
         let from = if y == BASE { left - 26.0 } else { left - 5.0 };
         scene.line((from, y), (beside - 5.0, y), Pen::solid(FAINT, 0.6));
     }
-    arrow(scene, (C.0 + 16.0, above), (right, above), THIN);
-    arrow(scene, (C.0 - 16.0, above), (left, above), THIN);
+    scene.arrow((C.0 + 16.0, above), (right, above), THIN);
+    scene.arrow((C.0 - 16.0, above), (left, above), THIN);
     label(scene, "$2B$", C.0, above);
-    arrow(scene, (beside, C.1 - 13.0), (beside, top), THIN);
-    arrow(scene, (beside, C.1 + 13.0), (beside, BASE), THIN);
+    scene.arrow((beside, C.1 - 13.0), (beside, top), THIN);
+    scene.arrow((beside, C.1 + 13.0), (beside, BASE), THIN);
     label(scene, "$2H$", beside, C.1);
 }
 
@@ -114,7 +104,7 @@ fn force(scene: &mut Scene, above: bool) {
     let right = C.0 + B;
     let y = C.1 + if above { -0.56 * H } else { 0.5 * H };
     let strong = Pen::solid(MARK, 2.0);
-    arrow(scene, (right + 74.0, y), (right + 1.5, y), strong);
+    scene.arrow((right + 74.0, y), (right + 1.5, y), strong);
     label(scene, "$F$", right + 52.0, y + if above { -14.0 } else { 14.0 });
     let beside = right + 96.0;
     for level in [y, C.1] {
@@ -122,8 +112,8 @@ fn force(scene: &mut Scene, above: bool) {
         scene.line((from, level), (beside + 5.0, level), Pen::solid(FAINT, 0.6));
     }
     let middle = (y + C.1) / 2.0;
-    arrow(scene, (beside, middle), (beside, y), THIN);
-    arrow(scene, (beside, middle), (beside, C.1), THIN);
+    scene.arrow((beside, middle), (beside, y), THIN);
+    scene.arrow((beside, middle), (beside, C.1), THIN);
     let text = Text::new(if above { "$h = k′H$" } else { "$|h| = |k′|H$" }, 15.0);
     let rect = Rect::around(beside + 9.0 + text.width / 2.0, middle, text.width, text.height());
     scene.text_in(&text, &rect, INK);
@@ -131,17 +121,17 @@ fn force(scene: &mut Scene, above: bool) {
 
 fn reactions(scene: &mut Scene) {
     let x = C.0 + 40.0;
-    let strong = Pen::solid("#1d5f99", 2.0);
-    arrow(scene, (x, BASE + 58.0), (x, BASE + 2.0), strong);
+    let strong = Pen::solid(PUSH, 2.0);
+    scene.arrow((x, BASE + 58.0), (x, BASE + 2.0), strong);
     label(scene, "$f_y$", x + 14.0, BASE + 46.0);
-    arrow(scene, (x + 14.0, BASE + 22.0), (x + 74.0, BASE + 22.0), strong);
+    scene.arrow((x + 14.0, BASE + 22.0), (x + 74.0, BASE + 22.0), strong);
     label(scene, "$f_x$", x + 86.0, BASE + 23.0);
     for end in [C.0, x] {
         let from = BASE + if end == x { 61.0 } else { 3.0 };
         scene.line((end, from), (end, BASE + 76.0), Pen::solid(FAINT, 0.6));
     }
     let y = BASE + 71.0;
-    arrow(scene, ((C.0 + x) / 2.0, y), (x, y), THIN);
-    arrow(scene, ((C.0 + x) / 2.0, y), (C.0, y), THIN);
+    scene.arrow(((C.0 + x) / 2.0, y), (x, y), THIN);
+    scene.arrow(((C.0 + x) / 2.0, y), (C.0, y), THIN);
     label(scene, "$ξ$", C.0 - 10.0, y);
 }

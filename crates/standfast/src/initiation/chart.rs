@@ -38,6 +38,47 @@ pub enum Case {
 }
 
 impl Case {
+    /// All cases, from the lowest elevation of the force to the highest.
+    pub const ALL: [Case; 6] = [
+        Case::BelowBase,
+        Case::DeltaNotPositive,
+        Case::DeltaPositive,
+        Case::OneA,
+        Case::OneB,
+        Case::TwoThree,
+    ];
+
+    /// The k' between which a body of `slenderness` γ is in this case: (1+γ²)/(3γ²), (4+γ²)/(3γ²) and −(1+γ²)/(4+γ²)
+    /// part them, beside 0 and −1.
+    ///
+    /// # Errors
+    /// If `slenderness` is not above zero.
+    pub fn elevations(self, slenderness: f64) -> Result<(f64, f64), InputError> {
+        let square = InputError::positive("slenderness γ", slenderness)?.powi(2);
+        let (level, zero) = ((1.0 + square) / (3.0 * square), (4.0 + square) / (3.0 * square));
+        let steep = -(1.0 + square) / (4.0 + square);
+        Ok(match self {
+            Case::BelowBase => (f64::NEG_INFINITY, -1.0),
+            Case::DeltaNotPositive => (-1.0, steep),
+            Case::DeltaPositive => (steep, 0.0),
+            Case::OneA => (0.0, level),
+            Case::OneB => (level, zero),
+            Case::TwoThree => (zero, f64::INFINITY),
+        })
+    }
+
+    /// The case's short name: `1a`, `1b`, `2–3`, `Δ > 0`, `Δ ≤ 0`, `k' < −1`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Case::OneA => "1a",
+            Case::OneB => "1b",
+            Case::TwoThree => "2–3",
+            Case::DeltaPositive => "Δ > 0",
+            Case::DeltaNotPositive => "Δ ≤ 0",
+            Case::BelowBase => "k' < −1",
+        }
+    }
+
     /// The case in words and symbols.
     pub fn words(self) -> &'static str {
         match self {

@@ -1,0 +1,129 @@
+//! The plane of slenderness and elevation: which case of the report a body belongs to.
+
+use standfast::initiation::{Case, Chart};
+
+use crate::Figure;
+use crate::number;
+use crate::palette::{FAINT, INK, tint};
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::screen::{Axis, Picture, fixed};
+use crate::text::Text;
+
+/// The slenderness shown, γ from squat to slender, and the elevation, k' from base to crest.
+const ACROSS: Axis = Axis { from: 0.1, to: 10.0, logarithmic: true };
+const UP: Axis = Axis { from: -1.0, to: 1.0, logarithmic: false };
+const NAME: f64 = 14.0;
+const SMALL: f64 = 12.0;
+
+/// The γ–k' plane for a screen, the case of `chart` tinted; `size` is that of the whole picture.
+pub fn cases_on_screen(chart: &Chart, (width, height): (f64, f64)) -> Picture {
+    let plot = Rect { x0: 38.0, y0: 12.0, x1: (width - 12.0).max(98.0), y1: (height - 36.0).max(72.0) };
+    let title = "Cases of the report in the plane of slenderness γ and elevation k′".to_owned();
+    let mut picture = Picture {
+        figure: Figure {
+            svg: String::new(),
+            title,
+            caption: String::new(),
+            labels: Vec::new(),
+            size: (width, height),
+        },
+        plot,
+        across: ACROSS,
+        up: UP,
+    };
+    let mut scene = Scene::themed();
+    let shown = Case::ALL.map(|case| (case, Band::of(case)));
+    for (_, band) in shown.iter().filter(|(case, _)| *case == chart.case()) {
+        scene.fill(&band.outline(&picture), tint(standfast::Mode::RockO));
+    }
+    for (_, band) in &shown {
+        scene.stroke(&band.upper_edge(&picture), Pen::solid(INK, 1.2));
+    }
+    axes(&mut scene, &picture);
+    for (case, band) in &shown {
+        band.name(&mut scene, &picture, *case);
+    }
+    let description = format!(
+        "Slenderness from 0.1 to 10 to the right, logarithmic; elevation of the force from −1, the base, to 1, the crest, \
+         upwards. From the top: cases 2 and 3, 1b and 1a for a force above the centre of mass, Δ > 0 and Δ ≤ 0 below. \
+         Shaded: {}, with {}.",
+        chart.case().words().replace('\'', "′"),
+        Text::inline(&number::body(chart), SMALL).plain
+    );
+    let (svg, labels) = scene.finish(width, height, &picture.figure.title, &description);
+    picture.figure.svg = svg;
+    picture.figure.labels = labels;
+    picture
+}
+
+/// A case as the plot shows it: (γ, least k', greatest k') from left to right.
+struct Band(Vec<(f64, f64, f64)>);
+
+impl Band {
+    fn of(case: Case) -> Band {
+        const STEPS: u32 = 120;
+        let slice = |i: u32| {
+            let gamma = ACROSS.value(f64::from(i) / f64::from(STEPS));
+            let (least, greatest) = case.elevations(gamma).ok()?;
+            Some((gamma, least.clamp(UP.from, UP.to), greatest.clamp(UP.from, UP.to)))
+        };
+        Band((0..=STEPS).filter_map(slice).collect())
+    }
+
+    fn outline(&self, picture: &Picture) -> Path {
+        let lower = self.0.iter().map(|&(gamma, least, _)| picture.place(gamma, least));
+        let upper = self.0.iter().rev().map(|&(gamma, _, greatest)| picture.place(gamma, greatest));
+        let mut path = Path::through(&lower.chain(upper).collect::<Vec<_>>());
+        path.close();
+        path
+    }
+
+    /// The edge to the next case, where it is in the plot.
+    fn upper_edge(&self, picture: &Picture) -> Path {
+        let inside = self.0.iter().filter(|(_, _, greatest)| UP.from < *greatest && *greatest < UP.to);
+        Path::through(&inside.map(|&(gamma, _, greatest)| picture.place(gamma, greatest)).collect::<Vec<_>>())
+    }
+
+    /// Writes the name in the middle of the part that is nearly as thick as the thickest.
+    fn name(&self, scene: &mut Scene, picture: &Picture, case: Case) {
+        let thick = |slice: &(f64, f64, f64)| slice.2 - slice.1;
+        let most = self.0.iter().map(thick).fold(0.0, f64::max);
+        let wide: Vec<_> = self.0.iter().filter(|slice| most > 0.0 && thick(slice) > 0.85 * most).collect();
+        let Some((gamma, least, greatest)) = wide.get(wide.len() / 2) else { return };
+        let (x, y) = picture.place(*gamma, (least + greatest) / 2.0);
+        let text = Text::new(
+            &format!(
+                "${}$",
+                case.name().replace("2–3", r"\up{2–3}").replace("1a", r"\up{1a}").replace("1b", r"\up{1b}")
+            ),
+            NAME,
+        );
+        let x = x.clamp(picture.plot.x0 + text.width, picture.plot.x1 - text.width);
+        if greatest - least > 0.12 {
+            scene.text_in(&text, &Rect::around(x, y, text.width, text.height()), INK);
+        }
+    }
+}
+
+fn axes(scene: &mut Scene, picture: &Picture) {
+    let Rect { x0, y0, x1, y1 } = picture.plot;
+    let mut border = Path::through(&[(x0, y0), (x0, y1), (x1, y1), (x1, y0)]);
+    border.close();
+    scene.stroke(&border, Pen::solid(FAINT, 0.8));
+    for (gamma, shown) in [(0.1, "0.1"), (0.3, "0.3"), (1.0, "1"), (3.0, "3"), (10.0, "10")] {
+        let (x, _) = picture.place(gamma, -1.0);
+        scene.line((x, y1), (x, y1 + 4.0), Pen::solid(INK, 0.9));
+        let text = Text::new(shown, SMALL);
+        scene.text(&text, (x - text.width / 2.0).min(x1 + 6.0 - text.width), y1 + 16.0, INK);
+    }
+    for (k_prime, decimals) in [(-1.0, 0), (-0.5, 1), (0.0, 0), (0.5, 1), (1.0, 0)] {
+        let (_, y) = picture.place(1.0, k_prime);
+        scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
+        let text = fixed(k_prime, decimals);
+        scene.text(&text, x0 - 7.0 - text.width, y + 4.0, INK);
+    }
+    let name = Text::new("$γ$", 14.0);
+    scene.text(&name, (picture.place(3.0, 0.0).0 + picture.place(10.0, 0.0).0) / 2.0, y1 + 17.0, INK);
+    let name = Text::new("$k′$", 14.0);
+    scene.text(&name, x0 - 30.0, (picture.place(1.0, 0.75).1) + 4.0, INK);
+}

@@ -1,0 +1,310 @@
+//! Pictures for a screen, where a reader moves about: the k–μ diagram in a window of any place and size.
+//!
+//! They are drawn by the same hand as the figures on paper, with these differences: axes have numbers, since the window
+//! need not start at the origin; there is no caption; colours are custom properties of CSS (`--ink`, `--rock`, …), so that
+//! a page can change its theme without drawing anew. [`Picture`] knows which values lie where.
+
+use standfast::diagram::{Unresolved, Window};
+use standfast::{Diagram, Mode};
+
+use crate::canvas::Canvas;
+use crate::chart::{Draft, Drawing};
+use crate::margins::{self, Axes, Tab};
+use crate::number;
+use crate::palette::INK;
+use crate::plot::{Frame, View, clip};
+use crate::scene::{Rect, Scene};
+use crate::sheet::Sheet;
+use crate::text::Text;
+use crate::{DesignPoint, Figure, FigureId, caption, map, report};
+
+/// The values along an edge of a plot, from its left or lower end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// At the left or lower end.
+    pub from: f64,
+    /// At the right or upper end.
+    pub to: f64,
+    /// Whether equal steps are equal factors.
+    pub logarithmic: bool,
+}
+
+impl Axis {
+    /// How far along the axis a value lies: 0 at its beginning, 1 at its end.
+    pub fn share(&self, value: f64) -> f64 {
+        let Axis { from, to, logarithmic } = *self;
+        if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
+    }
+
+    /// The value at a share of the axis.
+    pub fn value(&self, share: f64) -> f64 {
+        let Axis { from, to, logarithmic } = *self;
+        if logarithmic { from * (to / from).powf(share) } else { from + share * (to - from) }
+    }
+}
+
+/// A drawing for the screen and where its values lie.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// The drawing.
+    pub figure: Figure,
+    /// Its plot, in units of the drawing.
+    pub plot: Rect,
+    /// The values to the right.
+    pub across: Axis,
+    /// The values upwards.
+    pub up: Axis,
+}
+
+impl Picture {
+    /// Where a pair of values lies in the drawing.
+    pub fn place(&self, across: f64, up: f64) -> (f64, f64) {
+        let Rect { x0, y0, x1, y1 } = self.plot;
+        (x0 + self.across.share(across) * (x1 - x0), y1 - self.up.share(up) * (y1 - y0))
+    }
+
+    /// The pair of values at a place in the drawing.
+    pub fn values(&self, x: f64, y: f64) -> (f64, f64) {
+        let Rect { x0, y0, x1, y1 } = self.plot;
+        (self.across.value((x - x0) / (x1 - x0)), self.up.value((y1 - y) / (y1 - y0)))
+    }
+}
+
+impl View {
+    /// The view that shows a diagram best; a larger one if the point (`k`, `mu`) lies outside.
+    pub fn of(diagram: &Diagram, k: f64, mu: f64) -> View {
+        let view = map::window(diagram, &[]);
+        if k <= view.k_max && mu <= view.mu_max {
+            return view;
+        }
+        map::window(diagram, &[DesignPoint { k, mu, label: String::new(), mirrored: false }])
+    }
+
+    /// The view of a chart of the report; `None` for its sketches.
+    pub fn of_figure(id: FigureId) -> Option<View> {
+        report::chart(id).map(|(_, _, Window { k, mu })| View::from_origin(k, mu))
+    }
+
+    /// The view `factor` times as large (so 0.5 is twice as near), with (`k`, `mu`) staying where it is, as far as no
+    /// negative value comes into view. What is too small or too large to be drawn is left as it was.
+    pub fn zoomed(&self, factor: f64, k: f64, mu: f64) -> View {
+        let zoomed = View {
+            k_min: k + factor * (self.k_min - k),
+            k_max: k + factor * (self.k_max - k),
+            mu_min: mu + factor * (self.mu_min - mu),
+            mu_max: mu + factor * (self.mu_max - mu),
+        };
+        zoomed.in_quadrant().filter(View::is_drawable).unwrap_or(*self)
+    }
+
+    /// The view moved by shares of its width and height, as far as no negative value comes into view.
+    pub fn moved(&self, right: f64, up: f64) -> View {
+        let (right, up) = (right * self.width(), up * self.height());
+        let moved = View {
+            k_min: self.k_min + right,
+            k_max: self.k_max + right,
+            mu_min: self.mu_min + up,
+            mu_max: self.mu_max + up,
+        };
+        moved.in_quadrant().filter(View::is_drawable).unwrap_or(*self)
+    }
+
+    fn in_quadrant(self) -> Option<View> {
+        let (right, up) = ((-self.k_min).max(0.0), (-self.mu_min).max(0.0));
+        let numbers = [self.k_min, self.k_max, self.mu_min, self.mu_max];
+        numbers.iter().all(|number| number.is_finite()).then_some(View {
+            k_min: self.k_min + right,
+            k_max: self.k_max + right,
+            mu_min: self.mu_min + up,
+            mu_max: self.mu_max + up,
+        })
+    }
+
+    /// Whether the view is neither empty nor so small or far out that its ticks could not be told apart.
+    pub fn is_drawable(&self) -> bool {
+        let sensible = |least: f64, greatest: f64| {
+            least >= 0.0 && greatest < 1e9 && greatest - least > 1e-9 && greatest - least > 1e-3 * greatest
+        };
+        sensible(self.k_min, self.k_max) && sensible(self.mu_min, self.mu_max)
+    }
+
+    fn axes(&self) -> (Axis, Axis) {
+        let axis = |from, to| Axis { from, to, logarithmic: false };
+        (axis(self.k_min, self.k_max), axis(self.mu_min, self.mu_max))
+    }
+}
+
+/// Margins around the plot: for the numbers and names of the axes, and for labels at the ends of lines.
+const LEFT: f64 = 54.0;
+const RIGHT: f64 = 46.0;
+const TOP: f64 = 34.0;
+const BOTTOM: f64 = 44.0;
+const TICK: f64 = 12.5;
+const AXES: Axes = Axes { right: "$k$", up: "$μ$", origin: "" };
+const FROM_ORIGIN: Axes = Axes { origin: "$0$", ..AXES };
+
+/// The map of all modes, or a chart of the report, in a window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Map<'a> {
+    /// What is shown; the indeterminate set N is hatched.
+    pub diagram: &'a Diagram,
+    /// A chart of the report to be shown instead, if the body is that of its drawing.
+    pub figure: Option<FigureId>,
+    /// The window.
+    pub view: &'a View,
+    /// Width and height of the whole picture.
+    pub size: (f64, f64),
+}
+
+/// What a map is drawn with.
+struct Content {
+    sheet: &'static Sheet,
+    heading: String,
+    caption: String,
+    unresolved: Vec<Unresolved>,
+}
+
+impl Map<'_> {
+    /// The map for a screen.
+    pub fn on_screen(&self) -> Picture {
+        self.draw(Scene::themed(), None)
+    }
+
+    /// The same picture for paper: colours are fixed, and the design point is marked.
+    pub fn on_paper(&self, point: &DesignPoint) -> Figure {
+        self.draw(Scene::default(), Some(point)).figure
+    }
+
+    /// Every curve of the map within the window, by its equation in plain characters: `count` points on each stretch.
+    pub fn curves(&self, count: usize) -> Vec<(String, Vec<(f64, f64)>)> {
+        let content = self.content();
+        let chart = self.diagram.chart();
+        let traces = content.sheet.traces.iter().flat_map(|trace| {
+            let curve = trace.line.curve(chart);
+            let arcs = curve
+                .map_or(Vec::new(), |curve| clip(curve, trace.from.k(chart), trace.to.k(chart), self.view));
+            arcs.into_iter().map(|arc| {
+                let k = |i: usize| arc.from + (arc.to - arc.from) * i as f64 / (count.max(2) - 1) as f64;
+                let points = (0..count.max(2)).map(|i| (k(i), arc.curve.at(k(i)))).collect();
+                (Text::inline(trace.line.formula(chart), TICK).plain, points)
+            })
+        });
+        traces.collect()
+    }
+
+    fn content(&self) -> Content {
+        let chart = self.diagram.chart();
+        let body = (chart.slenderness(), chart.elevation());
+        let of_report = self.figure.and_then(|id| Some((id, report::chart(id)?)));
+        match of_report.filter(|(_, (_, drawn, _))| *drawn == body) {
+            Some((id, (sheet, ..))) => Content {
+                sheet,
+                heading: format!("Fig. {id}"),
+                caption: report::caption(id).to_owned(),
+                unresolved: Vec::new(),
+            },
+            None => {
+                let (sheet, condition) = map::sheet(chart.case());
+                Content {
+                    sheet,
+                    heading: "All modes,".to_owned(),
+                    caption: format!("{}: {condition}", number::body(chart)),
+                    unresolved: self.diagram.unresolved(),
+                }
+            }
+        }
+    }
+
+    fn draw(&self, scene: Scene, point: Option<&DesignPoint>) -> Picture {
+        let Map { diagram, view, size: (width, height), .. } = *self;
+        let Content { sheet, heading, caption, unresolved } = self.content();
+        let drawing = Drawing {
+            diagram,
+            sheet,
+            window: *view,
+            heading: &heading,
+            caption: &caption,
+            preface: "",
+            points: point.map_or(&[], std::slice::from_ref),
+            hatched: &unresolved,
+        };
+        let area = Rect {
+            x0: LEFT,
+            y0: TOP,
+            x1: (width - RIGHT).max(LEFT + 60.0),
+            y1: (height - BOTTOM).max(TOP + 60.0),
+        };
+        let frame = Frame { area, window: *view };
+        let mut canvas = Canvas::new(frame);
+        canvas.scene = scene;
+        let mut draft = Draft::new(&drawing, canvas);
+        draft.tints();
+        draft.traces();
+        axes(&mut draft.canvas.scene, &frame);
+        draft.letters();
+        draft.design_points();
+        draft.lens();
+        draft.names();
+        draft.notes();
+        draft.formulas();
+        let scene = &mut draft.canvas.scene;
+        // A formula too long for the margin is left out; a letter or a short name is not.
+        let mut right = std::mem::take(&mut draft.right);
+        right.retain(|tab| tab.text.width < RIGHT - 17.0);
+        margins::right_of(scene, &frame, right);
+        margins::above(scene, &frame, std::mem::take(&mut draft.above));
+
+        let title = caption::title(&drawing);
+        let description = caption::description(&drawing, &named_points(&drawing));
+        let (svg, labels) = draft.canvas.scene.finish(width, height, &title, &description);
+        let (across, up) = view.axes();
+        let figure = Figure { svg, title, caption: String::new(), labels, size: (width, height) };
+        Picture { figure, plot: area, across, up }
+    }
+}
+
+fn named_points(drawing: &Drawing) -> String {
+    let digits = |value: f64| Text::inline(&format!("${}$", number::digits(value)), TICK).plain;
+    let point = |point: standfast::initiation::NamedPoint| {
+        format!("{} ({}, {})", point.name.letter().replace('\'', "′"), digits(point.k), digits(point.mu))
+    };
+    format!("Named points: {}.", drawing.named().map(point).collect::<Vec<_>>().join(", "))
+}
+
+/// Axes with numbers.
+fn axes(scene: &mut Scene, frame: &Frame) {
+    let Rect { x0, y0, x1, y1 } = frame.area;
+    let View { k_min, k_max, mu_min, mu_max } = frame.window;
+    let from_origin = k_min == 0.0 && mu_min == 0.0;
+    margins::axes(scene, frame, if from_origin { &FROM_ORIGIN } else { &AXES });
+    // The origin has one zero for both axes; a number at the very top would run into the name of the axis.
+    let shown = |value: f64, end: f64| !(from_origin && value.abs() < 1e-12) && value < end;
+    // A number takes about 50 units across, and 34 up.
+    let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
+    let (ks, decimals) = margins::ticks_between(k_min, k_max, most(x1 - x0, 62.0));
+    let tabs = || {
+        let shown = ks.iter().filter(|k| shown(**k, f64::INFINITY));
+        shown.map(|&k| Tab { at: frame.x(k), text: fixed(k, decimals) }).collect::<Vec<_>>()
+    };
+    margins::under_k_axis(scene, frame, tabs(), tabs());
+    let (mus, decimals) = margins::ticks_between(mu_min, mu_max, most(y1 - y0, 44.0));
+    let tab = |mu: f64| Tab { at: frame.y(mu), text: fixed(mu, decimals) };
+    let top = mu_max - 6.0 / (y1 - y0) * (mu_max - mu_min);
+    margins::beside_mu_axis(scene, frame, mus.into_iter().filter(|mu| shown(*mu, top)).map(tab).collect());
+    let name = Text::new("force $k = F/(mg)$", TICK);
+    scene.text(&name, x1 - name.width, y1 + 36.0, INK);
+}
+
+/// A number of an axis.
+pub(crate) fn fixed(number: f64, decimals: usize) -> Text {
+    let number = if number.abs() < 1e-12 { 0.0 } else { number };
+    if number.abs() >= 1e5 || decimals > 5 {
+        return Text::new(&format!("${}$", number::digits(number)), TICK);
+    }
+    Text::new(&format!("${number:.decimals$}$").replace('-', "−"), TICK)
+}
+
+/// The tint of a mode as CSS, for legends beside a picture.
+pub fn tint_on_screen(mode: Mode) -> &'static str {
+    crate::palette::themed(crate::palette::tint(mode))
+}

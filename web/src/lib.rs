@@ -1,0 +1,256 @@
+//! The explorer: what its page asks of the library.
+//!
+//! The page's scripts hold no mechanics and no state. They hand over what a person does (a slider moved, a place in the
+//! diagram pressed) and show what comes back: drawings of `standfast-figures`, readings of `standfast`.
+//!
+//! | question | module |
+//! |---|---|
+//! | What is shown, and how is it shared as a link? | `state`, `fragment` |
+//! | What does a person type, in which unit? | `field`, `unit` |
+//! | What does the panel say? | `reading`, `text` |
+//! | What about water and uplift? | `loads` |
+//!
+//! Everything but this file runs, and is tested, without wasm.
+
+#![forbid(unsafe_code)]
+
+mod field;
+mod fragment;
+mod loads;
+mod reading;
+mod state;
+mod text;
+mod unit;
+
+use standfast_figures as figures;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+pub use field::Field;
+pub use loads::Waters;
+pub use state::State;
+
+/// The explorer behind the page. Methods that draw return SVG; `reading` returns JSON.
+#[wasm_bindgen]
+#[derive(Debug, Default)]
+pub struct Explorer {
+    state: State,
+    map: Option<figures::Picture>,
+    cases: Option<figures::Picture>,
+}
+
+#[wasm_bindgen]
+impl Explorer {
+    /// An explorer in the state that a link's fragment describes; what the fragment lacks is as at first.
+    #[wasm_bindgen(constructor)]
+    pub fn new(fragment: &str) -> Explorer {
+        Explorer { state: fragment::parse(fragment), ..Explorer::default() }
+    }
+
+    /// The state as a link's fragment.
+    pub fn fragment(&self) -> String {
+        fragment::write(&self.state)
+    }
+
+    /// The k–μ diagram, `width` by `height` units; a sketch of the report if one is chosen.
+    pub fn map(&mut self, width: f64, height: f64) -> String {
+        if let Some(sketch) = self.state.figure.and_then(figures::sketch_on_screen) {
+            self.map = None;
+            return sketch.svg().to_owned();
+        }
+        let diagram = self.state.diagram();
+        let view = self.state.view(&diagram);
+        let map =
+            figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size: (width, height) };
+        let picture = map.on_screen();
+        let svg = picture.figure.svg().to_owned();
+        self.map = Some(picture);
+        svg
+    }
+
+    /// The same picture in fixed colours with the design point, for a file.
+    pub fn map_on_paper(&self, width: f64, height: f64) -> String {
+        if let Some(id) = self.state.figure.filter(|id| id.body().is_none()) {
+            return figures::report_figure(id).svg().to_owned();
+        }
+        let diagram = self.state.diagram();
+        let view = self.state.view(&diagram);
+        let map =
+            figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size: (width, height) };
+        let (k, mu) = (self.state.force, self.state.friction);
+        let point = figures::DesignPoint { k, mu, label: String::new(), mirrored: self.state.mirrored };
+        map.on_paper(&point).svg().to_owned()
+    }
+
+    /// The curves and named points of the diagram as CSV.
+    pub fn curves_csv(&self) -> String {
+        let diagram = self.state.diagram();
+        let view = self.state.view(&diagram);
+        let map =
+            figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size: (600.0, 450.0) };
+        text::curves_csv(&map)
+    }
+
+    /// Where the design point lies in the diagram last drawn, as [x, y, 1 if in the plot]; empty without a diagram.
+    pub fn point_in_map(&self) -> Vec<f64> {
+        self.map.as_ref().map_or(Vec::new(), |map| {
+            let (x, y) = map.place(self.state.force, self.state.friction);
+            let (x, y) = (x.clamp(map.plot.x0, map.plot.x1), y.clamp(map.plot.y0, map.plot.y1));
+            let shown = map.place(self.state.force, self.state.friction) == (x, y);
+            vec![x, y, f64::from(u8::from(shown))]
+        })
+    }
+
+    /// Moves the design point to a place in the diagram last drawn.
+    pub fn move_point(&mut self, x: f64, y: f64) {
+        if let Some(map) = &self.map {
+            let Some(inside) = inside(map, x, y) else { return };
+            let (k, mu) = map.values(inside.0, inside.1);
+            let step = |axis: figures::Axis, length: f64| (axis.to - axis.from) / length;
+            let plot = map.plot;
+            self.state.force = state::rounded(k, step(map.across, plot.x1 - plot.x0));
+            self.state.friction = state::rounded(mu, step(map.up, plot.y1 - plot.y0));
+        }
+    }
+
+    /// Moves the design point by shares of the diagram's width and height.
+    pub fn nudge_point(&mut self, right: f64, up: f64) {
+        let diagram = self.state.diagram();
+        let view = self.state.view(&diagram);
+        let (across, along) = (view.k_max - view.k_min, view.mu_max - view.mu_min);
+        let moved =
+            |value: f64, step: f64, range: f64| state::rounded((value + step).max(0.0), range / 500.0);
+        self.state.force = moved(self.state.force, right * across, across);
+        self.state.friction = moved(self.state.friction, up * along, along);
+    }
+
+    /// Zooms the diagram about a place in it, or about the middle of the plot without one.
+    pub fn zoom(&mut self, factor: f64, x: Option<f64>, y: Option<f64>) {
+        if let Some(map) = &self.map {
+            let middle = ((map.plot.x0 + map.plot.x1) / 2.0, (map.plot.y0 + map.plot.y1) / 2.0);
+            let (k, mu) = map.values(x.unwrap_or(middle.0), y.unwrap_or(middle.1));
+            let view = self.state.view(&self.state.diagram());
+            self.state.view = Some(view.zoomed(factor, k, mu));
+        }
+    }
+
+    /// Moves the view by units of the diagram, to the right and downwards.
+    pub fn pan(&mut self, right: f64, down: f64) {
+        if let Some(map) = &self.map {
+            let (width, height) = (map.plot.x1 - map.plot.x0, map.plot.y1 - map.plot.y0);
+            let view = self.state.view(&self.state.diagram());
+            self.state.view = Some(view.moved(-right / width, down / height));
+        }
+    }
+
+    /// Keeps the view as it is while the design point is dragged. Says whether it was free to change.
+    pub fn hold_view(&mut self) -> bool {
+        let free = self.state.view.is_none();
+        self.state.view = Some(self.state.view(&self.state.diagram()));
+        free
+    }
+
+    /// Shows all again.
+    pub fn reset_view(&mut self) {
+        self.state.view = None;
+    }
+
+    /// The γ–k' map of cases.
+    pub fn cases(&mut self, width: f64, height: f64) -> String {
+        let picture = figures::cases_on_screen(self.state.diagram().chart(), (width, height));
+        let svg = picture.figure.svg().to_owned();
+        self.cases = Some(picture);
+        svg
+    }
+
+    /// Where the body lies in the map of cases last drawn, as [x, y].
+    pub fn point_in_cases(&self) -> Vec<f64> {
+        self.cases.as_ref().map_or(Vec::new(), |map| {
+            let (x, y) = map.place(self.state.slenderness, self.state.elevation);
+            vec![x.clamp(map.plot.x0, map.plot.x1), y.clamp(map.plot.y0, map.plot.y1)]
+        })
+    }
+
+    /// Takes the body at a place in the map of cases last drawn.
+    pub fn pick_case(&mut self, x: f64, y: f64) {
+        if let Some(map) = &self.cases {
+            let Some(inside) = inside(map, x, y) else { return };
+            let (gamma, k_prime) = map.values(inside.0, inside.1);
+            self.state.set_body(state::round_digits(gamma, 3), (k_prime * 100.0).round() / 100.0 + 0.0);
+        }
+    }
+
+    /// The body with its forces and accelerations.
+    pub fn free_body(&self, width: f64, height: f64) -> String {
+        let body = figures::FreeBody { point: self.state.point(), mirrored: self.state.mirrored };
+        figures::free_body(&body, (width, height)).0.svg().to_owned()
+    }
+
+    /// Where its motion leads, exaggerated: pivot x, y, shift and turn in degrees.
+    pub fn pose(&self, width: f64, height: f64) -> Vec<f64> {
+        let body = figures::FreeBody { point: self.state.point(), mirrored: self.state.mirrored };
+        let pose = figures::free_body(&body, (width, height)).1;
+        vec![pose.pivot.0, pose.pivot.1, pose.shift, pose.turn]
+    }
+
+    /// Everything the panel says, as JSON.
+    pub fn reading(&self) -> String {
+        serde_json::to_string(&reading::Reading::of(&self.state)).unwrap_or_default()
+    }
+
+    /// The load path with water and uplift, as JSON with its drawing; `across` is the width of the plot.
+    pub fn load_path(&self, across: f64) -> String {
+        serde_json::to_string(&loads::LoadPath::of(&self.state, across)).unwrap_or_default()
+    }
+
+    /// Takes the load path's effective point as the design point, and says whether there is one.
+    pub fn take_effective(&mut self) -> bool {
+        loads::take_effective(&mut self.state)
+    }
+
+    /// Takes what was typed into a field. Returns what is wrong with it, if anything is.
+    pub fn set(&mut self, field: &str, typed: &str) -> Option<String> {
+        match Field::named(field) {
+            Some(field) => field.set(&mut self.state, typed).err(),
+            None => Some(format!("there is no field {field:?}")),
+        }
+    }
+
+    /// Takes a slider's place, from 0 to 1.
+    pub fn slide(&mut self, field: &str, share: f64) {
+        if let Some(field) = Field::named(field) {
+            field.slide(&mut self.state, share);
+        }
+    }
+
+    /// Takes a unit for a field's kind of quantity.
+    pub fn set_unit(&mut self, quantity: &str, unit: &str) {
+        unit::choose(&mut self.state.units, quantity, unit);
+    }
+
+    /// Whether the force points right.
+    pub fn set_mirrored(&mut self, mirrored: bool) {
+        self.state.mirrored = mirrored;
+    }
+
+    /// Shows a figure of the report, by its number; the map of all modes if there is none of that number.
+    pub fn show_figure(&mut self, number: &str) {
+        self.state.show_figure(number.parse().ok());
+    }
+
+    /// Numbers and captions of the report's figures, as JSON.
+    pub fn figure_list() -> String {
+        let list: Vec<_> = figures::FigureId::ALL.map(|id| (id.number(), id.caption())).into();
+        serde_json::to_string(&list).unwrap_or_default()
+    }
+
+    /// The type that the figures are set in, as a TrueType font.
+    pub fn font(italic: bool) -> Vec<u8> {
+        if italic { figures::ITALIC_FONT } else { figures::UPRIGHT_FONT }.to_vec()
+    }
+}
+
+/// A place pulled into a plot; `None` if it is no place.
+fn inside(picture: &figures::Picture, x: f64, y: f64) -> Option<(f64, f64)> {
+    let plot = picture.plot;
+    (x.is_finite() && y.is_finite()).then(|| (x.clamp(plot.x0, plot.x1), y.clamp(plot.y0, plot.y1)))
+}

@@ -1,0 +1,74 @@
+//! The library's words and symbols as HTML, and tables as CSV.
+
+use standfast::Mode;
+use standfast::initiation::PointName;
+use standfast_figures::Map;
+
+/// A mode's symbol: true signs as subscripts, a true prime.
+pub fn symbol(mode: Mode) -> String {
+    let plain = mode.symbol().replace('\'', "′");
+    match plain.strip_suffix(['-', '+']) {
+        Some(letters) => format!("{letters}<sub>{}</sub>", if plain.ends_with('-') { '−' } else { '+' }),
+        None => plain,
+    }
+}
+
+/// Mathematics in one line: single letters are italic, primes and minus signs true.
+pub fn mathematics(text: &str) -> String {
+    let text = text.replace('\'', "′").replace('<', "&lt;").replace('>', "&gt;");
+    let letters: Vec<char> = text.chars().collect();
+    let mut html = String::new();
+    let mut entity = false;
+    for (i, &letter) in letters.iter().enumerate() {
+        entity = letter == '&' || entity && letter != ';';
+        let alone = |at: Option<&char>| at.is_none_or(|other| !other.is_alphabetic());
+        let before = i.checked_sub(1).and_then(|i| letters.get(i));
+        // The letter of "case 1a" belongs to a name.
+        let name = letter.is_ascii() && before.is_some_and(char::is_ascii_digit);
+        let single = alone(before) && alone(letters.get(i + 1)) && !name;
+        if letter.is_alphabetic() && single && !entity {
+            html.push_str(&format!("<i>{letter}</i>"));
+        } else {
+            html.push(letter);
+        }
+    }
+    html
+}
+
+/// A point's letter.
+pub fn letter(name: PointName) -> String {
+    format!("<i>{}</i>", name.letter().replace('\'', "′"))
+}
+
+/// Curves, then named points: what, k, μ.
+pub fn curves_csv(map: &Map) -> String {
+    let mut csv = String::from("what,k,mu\n");
+    for (name, points) in map.curves(101) {
+        for (k, mu) in points {
+            csv.push_str(&format!("\"{name}\",{k},{mu}\n"));
+        }
+    }
+    for point in map.diagram.chart().points() {
+        csv.push_str(&format!("\"point {}\",{},{}\n", point.name.letter(), point.k, point.mu));
+    }
+    csv
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_have_true_signs() {
+        let shown = [Mode::Rest, Mode::SlideRockOPrimeLeft, Mode::SlideRockORight].map(symbol);
+        assert_eq!(shown, ["RE", "SRO′<sub>−</sub>", "SRO<sub>+</sub>"]);
+    }
+
+    #[test]
+    fn letters_are_italic_where_they_stand_for_numbers() {
+        assert_eq!(mathematics("μ ≥ k"), "<i>μ</i> ≥ <i>k</i>");
+        assert_eq!(mathematics("μ < 1/γ − k k'"), "<i>μ</i> &lt; 1/<i>γ</i> − <i>k</i> <i>k</i>′");
+        assert_eq!(mathematics("after 3.8"), "after 3.8");
+        assert_eq!(mathematics("case 1a: 3γ²"), "case 1a: 3<i>γ</i>²");
+    }
+}

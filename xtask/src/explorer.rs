@@ -1,0 +1,275 @@
+//! The explorer: the library for wasm, the page around it, a server on this machine, and its tests in a browser.
+
+use std::ffi::OsString;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{fs, thread};
+
+use crate::checks::{Tally, cargo};
+use crate::{root, target};
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// Builds `target/explorer/standfast-explorer.html`, and the same file as the site `target/explorer/site`.
+pub fn build() -> Result<PathBuf, String> {
+    let toolchain = toolchain()?;
+    // Apart from other builds: its compiler may be another one.
+    let wasm = target().join("wasm");
+    let arguments =
+        ["build", "--quiet", "--package", "standfast-web", "--lib", "--profile", "wasm", "--target", TARGET];
+    run(cargo(&arguments).envs(toolchain).env("CARGO_TARGET_DIR", &wasm))?;
+
+    let folder = target().join("explorer");
+    let site = folder.join("site");
+    fs::create_dir_all(&site).map_err(|error| format!("{}: {error}", site.display()))?;
+    let page = folder.join("standfast-explorer.html");
+    let library = wasm.join(TARGET).join("wasm").join("standfast_web.wasm");
+    run(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"])
+        .arg(library)
+        .arg(root().join("web").join("page"))
+        .arg(&page))?;
+    fs::copy(&page, site.join("index.html")).map_err(|error| format!("{}: {error}", site.display()))?;
+    Ok(page)
+}
+
+/// The environment in which cargo compiles for wasm: rustup's, or a toolchain made of Debian's packages.
+fn toolchain() -> Result<Vec<(String, OsString)>, String> {
+    if has_target() {
+        return Ok(Vec::new());
+    }
+    println!("── rustup target add {TARGET}");
+    let added = Command::new("rustup").args(["target", "add", TARGET]).current_dir(root()).status();
+    if added.is_ok_and(|status| status.success()) && has_target() {
+        return Ok(Vec::new());
+    }
+    let folder = target().join("wasm-toolchain");
+    println!("── rustup has none: a toolchain from Debian's packages, in {}", folder.display());
+    let script = root().join("xtask").join("wasm-toolchain.sh");
+    run(Command::new("bash").arg(script).arg(&folder)).map_err(|error| {
+        format!("no compiler for {TARGET}: `rustup target add {TARGET}` failed, and so did Debian's packages: {error}")
+    })?;
+    let listed = Command::new("bash")
+        .args(["-c", ". \"$0/env\" && printf '%s\\n' \"$RUSTC\" \"$LD_LIBRARY_PATH\" \"$PATH\""])
+        .arg(&folder)
+        .output()
+        .map_err(|error| error.to_string())?;
+    let values = String::from_utf8_lossy(&listed.stdout).into_owned();
+    let names = ["RUSTC", "LD_LIBRARY_PATH", "PATH"].into_iter().map(str::to_owned);
+    Ok(names.zip(values.lines().map(OsString::from)).collect())
+}
+
+/// Whether rustc has the standard library for wasm.
+fn has_target() -> bool {
+    let output = Command::new("rustc")
+        .args(["--print", "target-libdir", "--target", TARGET])
+        .current_dir(root())
+        .output();
+    output.is_ok_and(|output| {
+        let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+        fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
+    })
+}
+
+/// Runs a command to its end.
+fn run(command: &mut Command) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{command:?}: {status}")),
+        Err(error) => Err(format!("{command:?}: {error}")),
+    }
+}
+
+/// Builds the explorer and serves it on this machine until interrupted; opens it in the browser if asked.
+pub fn serve(open: bool) -> Result<(), String> {
+    let page = build()?;
+    let (address, server) = server(&page, 8420)?;
+    println!("{}\n{address}  (Ctrl+C ends it)", page.display());
+    if open {
+        let opener = match std::env::consts::OS {
+            "macos" => "open",
+            "windows" => "explorer",
+            _ => "xdg-open",
+        };
+        if let Err(error) = Command::new(opener).arg(&address).spawn() {
+            println!("{opener}: {error}; open the address above yourself");
+        }
+    }
+    server.join().map_err(|_| "the server stopped".to_owned())
+}
+
+/// Serves one page on localhost, at `port` or, if that is taken, at any other.
+fn server(page: &Path, port: u16) -> Result<(String, thread::JoinHandle<()>), String> {
+    let content = fs::read(page).map_err(|error| format!("{}: {error}", page.display()))?;
+    let listener = TcpListener::bind(("127.0.0.1", port))
+        .or_else(|_| TcpListener::bind(("127.0.0.1", 0)))
+        .map_err(|error| format!("no port to serve on: {error}"))?;
+    let address = listener.local_addr().map_err(|error| error.to_string())?;
+    let server = thread::spawn(move || {
+        for stream in listener.incoming().flatten() {
+            // A browser that goes away is no concern of the server.
+            let _ = answer(stream, &content);
+        }
+    });
+    Ok((format!("http://{address}/"), server))
+}
+
+fn answer(mut stream: TcpStream, page: &[u8]) -> std::io::Result<()> {
+    let mut request = String::new();
+    let mut reader = BufReader::new(stream.try_clone()?.take(64 * 1024));
+    reader.read_line(&mut request)?;
+    let mut line = String::new();
+    while reader.read_line(&mut line)? > 2 {
+        line.clear();
+    }
+    let path = request.split_whitespace().nth(1).unwrap_or("/");
+    let (status, content) = match path.split(['?', '#']).next() {
+        Some("/" | "/index.html") => ("200 OK", page),
+        _ => ("404 Not Found", &b"There is one page here: /"[..]),
+    };
+    write!(
+        stream,
+        "HTTP/1.1 {status}\r\nContent-Type: text/html; charset=utf-8\r\nContent-Length: {}\r\n\
+         Cache-Control: no-store\r\nConnection: close\r\n\r\n",
+        content.len()
+    )?;
+    stream.write_all(content)
+}
+
+/// Builds the explorer and tries it in a browser. What is missing is installed where that can be done, and skipped
+/// where it cannot; in CI that fails.
+pub fn check(tally: &mut Tally) {
+    println!("── explorer");
+    match prepared() {
+        Ok((page, chromium)) => {
+            tally.passed += 1;
+            if let Err(error) = browser_tests(tally, &page, &chromium) {
+                println!("── explorer failed: {error}");
+                tally.failed += 1;
+            }
+        }
+        Err(Missing::Build(error)) => {
+            println!("── explorer failed: {error}");
+            tally.failed += 1;
+        }
+        Err(Missing::Part(error)) if std::env::var_os("CI").is_some_and(|ci| ci == "true") => {
+            println!("── explorer failed: {error}");
+            tally.failed += 1;
+        }
+        Err(Missing::Part(error)) => {
+            println!("── explorer SKIPPED: {error}");
+            tally.skipped += 1;
+        }
+    }
+}
+
+/// Why there is nothing to test, or nothing to test with.
+enum Missing {
+    Part(String),
+    Build(String),
+}
+
+fn prepared() -> Result<(PathBuf, PathBuf), Missing> {
+    toolchain().map_err(Missing::Part)?;
+    let page = build().map_err(Missing::Build)?;
+    let chromium = ["chromium", "chromium-browser", "google-chrome"]
+        .into_iter()
+        .find_map(found)
+        .or_else(|| install(&["chromium"]).then(|| found("chromium")).flatten())
+        .ok_or_else(|| Missing::Part("there is no Chromium, and it could not be installed".to_owned()))?;
+    if (found("node").is_none() || found("npm").is_none()) && !install(&["nodejs", "npm"]) {
+        return Err(Missing::Part("there is no Node.js with npm, and it could not be installed".to_owned()));
+    }
+    let tests = root().join("web").join("tests");
+    run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))
+        .map_err(Missing::Part)?;
+    Ok((page, chromium))
+}
+
+/// The path of a program.
+fn found(program: &str) -> Option<PathBuf> {
+    let paths = std::env::var_os("PATH")?;
+    std::env::split_paths(&paths).map(|folder| folder.join(program)).find(|path| path.is_file())
+}
+
+/// Installs Debian packages, which takes an administrator.
+fn install(packages: &[&str]) -> bool {
+    println!("── apt-get install {}", packages.join(" "));
+    let apt = |arguments: &[&str]| {
+        let status = Command::new("apt-get")
+            .args(arguments)
+            .env("DEBIAN_FRONTEND", "noninteractive")
+            .stdout(Stdio::null())
+            .status();
+        status.is_ok_and(|status| status.success())
+    };
+    let arguments = [&["install", "--yes", "-qq", "--no-install-recommends"], packages].concat();
+    apt(&["update", "-qq"]) && apt(&arguments)
+}
+
+fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {
+    run(&mut cargo(&["build", "--quiet", "--package", "standfast-cli"]))?;
+    let (address, _) = server(page, 0)?;
+    let artefacts = target().join("explorer").join("screenshots");
+    let tests = root().join("web").join("tests");
+    let program = target().join("debug").join(format!("standfast{}", std::env::consts::EXE_SUFFIX));
+    let mut node = Command::new("node");
+    node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"])
+        .current_dir(tests)
+        .env("EXPLORER_HTML", page)
+        .env("EXPLORER_SITE", address)
+        .env("EXPLORER_ARTEFACTS", &artefacts)
+        .env("STANDFAST", program)
+        .env("CHROMIUM", chromium);
+    tally.count("explorer in a browser", &mut node, node_line);
+    println!("screenshots: {}", artefacts.display());
+    Ok(())
+}
+
+/// Passed, failed and skipped in a line of node's summary, such as `ℹ pass 12`; that there was no test is a failure.
+fn node_line(line: &str) -> Option<[usize; 3]> {
+    let (what, number) = line.trim_start_matches("ℹ ").split_once(' ')?;
+    let number = number.trim().parse().ok()?;
+    match what {
+        "tests" if number == 0 => Some([0, 1, 0]),
+        "pass" => Some([number, 0, 0]),
+        "fail" | "cancelled" => Some([0, number, 0]),
+        "skipped" => Some([0, 0, number]),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_read_from_nodes_summary() {
+        assert_eq!(node_line("ℹ pass 12"), Some([12, 0, 0]));
+        assert_eq!(node_line("ℹ fail 2"), Some([0, 2, 0]));
+        assert_eq!(node_line("ℹ tests 0"), Some([0, 1, 0]));
+        assert_eq!(node_line("ℹ tests 14"), None);
+        assert_eq!(node_line("ℹ duration_ms 213.5"), None);
+    }
+
+    fn ask(address: &str, path: &str) -> String {
+        let host = address.trim_start_matches("http://").trim_end_matches('/');
+        let mut stream = TcpStream::connect(host).unwrap();
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n").unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer
+    }
+
+    #[test]
+    fn the_server_has_one_page() {
+        let folder = tempfile::tempdir().unwrap();
+        let page = folder.path().join("page.html");
+        fs::write(&page, "<p>page</p>").unwrap();
+        let (address, _) = server(&page, 0).unwrap();
+        assert!(ask(&address, "/").ends_with("\r\n\r\n<p>page</p>"));
+        assert!(ask(&address, "/index.html?x").starts_with("HTTP/1.1 200"));
+        assert!(ask(&address, "/../../etc/passwd").starts_with("HTTP/1.1 404"));
+    }
+}
