@@ -26,7 +26,7 @@ pub(super) fn run<Piece: Send, Done: Send, E: Send>(
     let source = Mutex::new((source, 0_usize));
     let shared = Mutex::new(Shared { done: BTreeMap::new(), next: 0, end: None });
     let changed = Condvar::new();
-    // The turn and the place of the piece of one worker: Err if there is none any more.
+    // The next piece and its turn, if there is one.
     let take = || -> Option<(usize, Result<Piece, E>)> {
         let mut source = lock(&source);
         let turn = source.1;
