@@ -102,7 +102,8 @@ pub fn find() -> Result<PathBuf, PrintError> {
 
 fn in_path(program: OsString) -> Option<PathBuf> {
     let folders = env::var_os("PATH")?;
-    let file = PathBuf::from(program).with_extension(env::consts::EXE_EXTENSION);
+    let mut file = program;
+    file.push(env::consts::EXE_SUFFIX);
     env::split_paths(&folders).map(|folder| folder.join(&file)).find(|path| path.is_file())
 }
 

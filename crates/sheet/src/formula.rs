@@ -4,6 +4,7 @@
 //! | written | means |
 //! |---|---|
 //! | `a b`, `a/b`, `a b/c d` | product, fraction; from left to right: (a b)/c times d |
+//! | `a÷b` | the same, drawn on one line with a slash |
 //! | `x^2`, `(a + b)`, `\|x\|` | power, group, absolute value |
 //! | `cos(x)`, `min(a, b)`, `sqrt(x)` | functions: cos, sinh, cosh, tanh, exp, min, max, sqrt |
 //! | `p_u`, `k'_eff`, `α*`, `λ1` | names with subscripts, primes and stars |
@@ -23,6 +24,8 @@ pub enum Formula {
     Product(Vec<Formula>),
     /// Numerator and denominator.
     Fraction(Box<Formula>, Box<Formula>),
+    /// The same on one line, with a slash.
+    Ratio(Box<Formula>, Box<Formula>),
     /// Base and exponent.
     Power(Box<Formula>, Box<Formula>),
     /// A function and its arguments.
@@ -73,7 +76,7 @@ fn tokens(text: &str) -> Option<Vec<Token>> {
             let length = taken(&|c| c.is_alphanumeric() || matches!(c, '_' | '\'' | '*' | '\u{308}'));
             tokens.push(Token::Name(rest[..length].to_owned()));
             length
-        } else if matches!(first, '+' | '-' | '−' | '/' | '^' | '(' | ')' | '|' | ',') {
+        } else if matches!(first, '+' | '-' | '−' | '/' | '÷' | '^' | '(' | ')' | '|' | ',') {
             tokens.push(Token::Sign(if first == '−' { '-' } else { first }));
             first.len_utf8()
         } else {
@@ -123,6 +126,10 @@ impl Reader<'_> {
                 let divisor = self.power()?;
                 let dividend = product_of(factors);
                 factors = vec![Formula::Fraction(Box::new(dividend), Box::new(divisor))];
+            } else if self.take('÷') {
+                let divisor = self.power()?;
+                let dividend = product_of(factors);
+                factors = vec![Formula::Ratio(Box::new(dividend), Box::new(divisor))];
             } else if self.begins() {
                 factors.push(self.power()?);
             } else {

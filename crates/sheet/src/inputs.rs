@@ -2,13 +2,13 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast_cases::Case;
-use standfast_cases::case::{Input, Number, inputs};
+use standfast_cases::case::{Input, Number, Weight, inputs};
 
 use crate::mathml::symbol;
-use crate::quantity::number;
+use crate::quantity::{ACCELERATION, DEGREE, METRE, NONE, Quantity, number};
 
 /// What a key is, in words and as a symbol of the calculation.
-const MEANING: [(&str, &str, &str, &str); 50] = [
+const MEANING: [(&str, &str, &str, &str); 55] = [
     ("", "gravity", "acceleration of gravity", "g"),
     ("[body]", "width", "width of the body", "w"),
     ("[body]", "height", "height of the body", "h_w"),
@@ -45,8 +45,8 @@ const MEANING: [(&str, &str, &str, &str); 50] = [
     ("[wave]", "crest_height", "crest above still water", "h_c"),
     ("[wave]", "berm_width", "width of the berm", "B_M"),
     ("[wave]", "caisson_width", "width of the caisson’s base", "B_c"),
-    ("[wave]", "angle_deg", "angle of the waves from the wall’s normal, degrees", "β"),
-    ("[wave]", "turn_deg", "by how much they are turned towards it, degrees", "Δβ"),
+    ("[wave]", "angle_deg", "angle of the waves from the wall’s normal", "β"),
+    ("[wave]", "turn_deg", "by how much they are turned towards it", "Δβ"),
     ("[wave]", "water_density", "density of the sea", "ρ"),
     ("[wave]", "impulsive", "whether Takahashi’s coefficient is used", ""),
     ("[wave]", "lambda", "factors on standing, breaking and uplift pressure", "λ"),
@@ -57,7 +57,12 @@ const MEANING: [(&str, &str, &str, &str); 50] = [
     // What is taken where the file is silent.
     ("default", "gravity", "acceleration of gravity", "g"),
     ("default", "kinetic_friction", "friction to slip: that to stick", "μ_k"),
-    ("default", "turn_deg", "waves turned towards the normal by, degrees", "Δβ"),
+    ("default", "base_left", "edge of the base left of mid-width: that of the body", "e_l"),
+    ("default", "base_right", "edge of the base right of mid-width: that of the body", "e_r"),
+    ("default", "centroid_height", "centre of mass above the base: mid-height", "y_C"),
+    ("default", "weight_arm", "arm of the buoyant weight: below the centre of mass", "t_g"),
+    ("default", "caisson_width", "width of the caisson’s base: that of the body", "B_c"),
+    ("default", "turn_deg", "waves turned towards the normal by", "Δβ"),
     ("default", "impulsive", "Takahashi’s coefficient", ""),
     ("default", "lambda", "factors on the pressures", "λ"),
 ];
@@ -127,6 +132,7 @@ fn row(input: &Input) -> Markup {
                 @for (i, Number { value, quantity, .. }) in input.numbers.iter().enumerate() {
                     @if i > 0 { ", " }
                     data value=(value) { (number(*value)) }
+                    @if input.key.ends_with("_deg") { "°" }
                     @if let Some(quantity) = quantity {
                         "\u{a0}" span.unit { (quantity.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")) }
                     }
@@ -137,27 +143,45 @@ fn row(input: &Input) -> Markup {
     }
 }
 
-/// What is taken where the file is silent.
-fn defaults(case: &Case, inputs: &[Input]) -> Vec<(&'static str, String)> {
+/// What is taken where the file is silent: as a word, or in numbers and their unit.
+fn defaults(case: &Case, inputs: &[Input]) -> Vec<(&'static str, Markup)> {
     let silent =
         |table: &str, key: &str| !inputs.iter().any(|input| input.table == table && input.key == key);
     let mut defaults = Vec::new();
     if silent("", "gravity") {
-        defaults.push(("gravity", format!("{} m/s²", case.gravity)));
+        defaults.push(("gravity", Quantity::of(case.gravity, ACCELERATION).html("")));
     }
     if silent("[body]", "kinetic_friction") && !case.is_plain() {
-        defaults.push(("kinetic_friction", case.kinetic_friction.to_string()));
+        defaults.push(("kinetic_friction", Quantity::of(case.kinetic_friction, NONE).html("")));
+    }
+    let (left, right) = case.body.base_edges();
+    for (key, value) in [("base_left", left), ("base_right", right)] {
+        if silent("[body]", key) && !case.body.is_uniform() {
+            defaults.push((key, Quantity::of(value, METRE).html("")));
+        }
+    }
+    if silent("[body]", "centroid_height") && !case.body.is_uniform() {
+        defaults.push(("centroid_height", Quantity::of(case.body.centroid_height(), METRE).html("")));
+    }
+    if let Weight::Buoyant { arm, .. } = case.weight
+        && silent("[body]", "weight_arm")
+    {
+        defaults.push(("weight_arm", Quantity::of(arm, METRE).html("")));
     }
     if let Some(wave) = &case.wave {
+        if silent("[wave]", "caisson_width") {
+            defaults.push(("caisson_width", Quantity::of(wave.section.caisson_width, METRE).html("")));
+        }
         if silent("[wave]", "turn_deg") {
-            defaults.push(("turn_deg", format!("{}°", wave.choices.turn_deg)));
+            defaults.push(("turn_deg", Quantity::of(wave.choices.turn_deg, DEGREE).html("")));
         }
         if silent("[wave]", "impulsive") {
-            defaults.push(("impulsive", if wave.choices.impulsive { "used" } else { "not used" }.to_owned()));
+            defaults
+                .push(("impulsive", html! { @if wave.choices.impulsive { "used" } @else { "not used" } }));
         }
         if silent("[wave]", "lambda") {
-            let [one, two, three] = wave.choices.lambda;
-            defaults.push(("lambda", format!("{one}, {two}, {three}")));
+            let factors = wave.choices.lambda.map(|factor| Quantity::of(factor, NONE).html(""));
+            defaults.push(("lambda", html! { (factors[0]) ", " (factors[1]) ", " (factors[2]) }));
         }
     }
     defaults

@@ -4,6 +4,8 @@
 
 use std::collections::BTreeMap;
 
+use maud::{Markup, PreEscaped, html};
+
 use crate::formula::Formula;
 use crate::quantity::Quantity;
 
@@ -37,7 +39,7 @@ pub fn line(formula: &Formula, lead: &str, drawn: Drawn<'_>) -> String {
     }
     let math =
         chunks.into_iter().map(|chunk| format!("<math displaystyle=\"true\"><mrow>{chunk}</mrow></math>"));
-    math.collect::<Vec<_>>().join(" ")
+    math.collect::<Vec<_>>().join("<wbr>")
 }
 
 /// Adds a term to the last chunk; a product of numbers continues in further chunks.
@@ -98,6 +100,13 @@ pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
         Formula::Fraction(above, below) => {
             let [above, below] = [above, below].map(|part| row(&draw(part.bare(), drawn, true)));
             format!("<mfrac>{above}{below}</mfrac>")
+        }
+        Formula::Ratio(above, below) => {
+            format!(
+                "{}<mo form=\"infix\" lspace=\"0\" rspace=\"0\">/</mo>{}",
+                draw(above, drawn, false),
+                factor_of(below, drawn)
+            )
         }
         Formula::Power(base, exponent) => {
             let base = match (base.as_ref(), drawn) {
@@ -160,7 +169,6 @@ pub fn name(text: &str) -> String {
             inner = "′";
         }
     }
-    let marks = marks.replace('\'', "′").replace('*', "∗");
     let letter = match letters {
         "ẍ" => over("x"),
         "ÿ" => over("y"),
@@ -168,20 +176,27 @@ pub fn name(text: &str) -> String {
         // Several letters stand upright.
         letters => format!("<mi>{}</mi>", escape(letters)),
     };
+    // A prime is drawn raised, so it is no superscript.
+    let letter = match marks.matches('\'').count() {
+        0 => letter,
+        count => row(&format!("{letter}{}", PRIME.repeat(count))),
+    };
     let below = match bare {
         // The mean of the highest third of the waves.
         "13" => "<mrow><mn>1</mn><mo>/</mo><mn>3</mn></mrow>".to_owned(),
         digits if digits.starts_with(|c: char| c.is_ascii_digit()) => format!("<mn>{digits}</mn>"),
         letters if inner.is_empty() => format!("<mi>{}</mi>", escape(letters)),
-        letters => format!("<msup><mi>{}</mi><mo>{inner}</mo></msup>", escape(letters)),
+        letters => row(&format!("<mi>{}</mi>{PRIME}", escape(letters))),
     };
-    match (bare.is_empty(), marks.is_empty()) {
-        (true, true) => letter,
-        (false, true) => format!("<msub>{letter}{below}</msub>"),
-        (true, false) => format!("<msup>{letter}<mo>{marks}</mo></msup>"),
-        (false, false) => format!("<msubsup>{letter}{below}<mo>{marks}</mo></msubsup>"),
+    match (bare.is_empty(), marks.contains('*')) {
+        (true, false) => letter,
+        (false, false) => format!("<msub>{letter}{below}</msub>"),
+        (true, true) => format!("<msup>{letter}<mo>∗</mo></msup>"),
+        (false, true) => format!("<msubsup>{letter}{below}<mo>∗</mo></msubsup>"),
     }
 }
+
+const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
 
 fn over(letter: &str) -> String {
     format!("<mover accent=\"true\"><mi>{letter}</mi><mo stretchy=\"false\">¨</mo></mover>")
@@ -190,6 +205,18 @@ fn over(letter: &str) -> String {
 /// A symbol on its own, in a line of text.
 pub fn symbol(text: &str) -> String {
     format!("<math>{}</math>", name(text))
+}
+
+/// A sentence in which formulas stand between backticks.
+pub fn prose(text: &str) -> Markup {
+    html! {
+        @for (i, part) in text.split('`').enumerate() {
+            @match Formula::parse(part).filter(|_| i % 2 == 1) {
+                Some(formula) => (PreEscaped(format!("<math><mrow>{}</mrow></math>", draw(&formula, Drawn::Symbols, true)))),
+                None => (part),
+            }
+        }
+    }
 }
 
 fn escape(text: &str) -> String {

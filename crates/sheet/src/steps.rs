@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use standfast::initiation::Relation;
 
 use crate::formula::Formula;
-use crate::mathml::{Drawn, Scope, line, symbol};
+use crate::mathml::{Drawn, Scope, line, prose, symbol};
 use crate::quantity::{NONE, Quantity, Unit, number};
 
 /// Steps written so far, and the quantities that later ones may use.
@@ -12,6 +12,8 @@ use crate::quantity::{NONE, Quantity, Unit, number};
 pub struct Steps {
     scope: Scope,
     html: Vec<Markup>,
+    /// The reference of the last step: one without words of its own belongs to it.
+    reference: String,
 }
 
 /// A step: what is computed, and from what.
@@ -49,15 +51,20 @@ impl Steps {
             debug_assert!(false, "{formula} is no formula");
             return;
         };
+        let shown = if about.is_empty() && reference == self.reference { "" } else { reference };
+        reference.clone_into(&mut self.reference);
         let symbols = line(&formula, "=", Drawn::Symbols);
         let numbers = line(&formula, "=", Drawn::Numbers(&self.scope));
         self.html.push(html! {
             div.step {
-                (head(about, reference))
+                (head(about, shown))
                 div.lines {
                     span.left { (PreEscaped(symbol(name))) }
-                    span.right { (PreEscaped(symbols)) }
-                    span.right.numbers { (PreEscaped(numbers)) }
+                    div.right {
+                        span.symbols { (PreEscaped(symbols)) }
+                        " "
+                        span.numbers data-step=(name) { (PreEscaped(numbers)) }
+                    }
                 }
                 p.result { "= " (result.html(key)) }
             }
@@ -108,13 +115,15 @@ impl Steps {
                 (head("", equation))
                 div.lines {
                     span.left { (PreEscaped(line(&from, "", Drawn::Symbols))) }
-                    span.right { (PreEscaped(line(&to, &sign, Drawn::Symbols))) }
-                    @if !one_number {
-                        span.left { (number(left)) }
-                        span.right.numbers { (PreEscaped(line(&to, &sign, Drawn::Numbers(&self.scope)))) }
+                    div.right {
+                        span.symbols { (PreEscaped(line(&to, &sign, Drawn::Symbols))) }
+                        @if !one_number {
+                            " "
+                            span.numbers data-step=(bound) { (PreEscaped(line(&to, "=", Drawn::Numbers(&self.scope)))) }
+                        }
                     }
                     span.left { data value=(left) data-side="left" { (number(left)) } }
-                    span.right { (sign) " " data value=(right) data-side="right" { (number(right)) } }
+                    div.right { (PreEscaped(line_sign(&sign))) " " data value=(right) data-side="right" { (number(right)) } }
                 }
                 p.result {
                     @if holds { span.yes { "holds" } } @else { span.no { "fails" } }
@@ -126,7 +135,7 @@ impl Steps {
 
     /// Writes a sentence.
     pub fn note(&mut self, text: &str) {
-        self.html.push(html! { p.note { (text) } });
+        self.html.push(html! { p.note { (prose(text)) } });
     }
 
     /// Writes a heading.
@@ -140,11 +149,16 @@ impl Steps {
     }
 }
 
+/// A sign as the lines around it show it.
+fn line_sign(sign: &str) -> String {
+    format!("<math><mo form=\"infix\">{}</mo></math>", sign.replace('<', "&lt;").replace('>', "&gt;"))
+}
+
 /// What a step is about, and where its formula comes from.
 fn head(about: &str, reference: &str) -> Markup {
     html! {
         p.about {
-            (about)
+            (prose(about))
             @if !reference.is_empty() {
                 @if !about.is_empty() { " " }
                 span.reference { "(" (reference) ")" }

@@ -6,6 +6,7 @@ use standfast_cases::describe;
 use standfast_cases::layout::digits;
 use standfast_cases::{Assessed, Assessment, Case, load_name};
 
+use crate::calculation::TARGET;
 use crate::quantity::{NONE, Quantity};
 
 /// One load's verdict in numbers.
@@ -79,6 +80,7 @@ pub fn summary(case: &Case, assessment: &Assessment<'_>) -> Markup {
                 }
             }
             (table(&lines))
+            p.note { "Common practice asks for " (TARGET) " at least of both safety factors." }
             @if !case.warnings().is_empty() {
                 p.note { "There are warnings about the range of the formulas; see section 7." }
             }
@@ -110,7 +112,7 @@ fn table(lines: &[Line]) -> Markup {
                         td.n { (factor(line.overturning)) }
                         td.n {
                             @match line.leaves_rest {
-                                Some(share) => data value=(share) { (digits(100.0 * share)) },
+                                Some(share) => data value=(share) data-percent { (digits(100.0 * share)) },
                                 None => "–",
                             }
                         }

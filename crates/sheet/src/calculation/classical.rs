@@ -5,7 +5,7 @@ use standfast::{Actions, Corner, HeelPressure, LoadKind, Stability};
 use standfast_cases::Assessed;
 use standfast_cases::assess::situation::heel_pressure;
 
-use super::loads::{parts, sum};
+use super::loads::{grouped, parts, sum};
 use crate::quantity::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::Steps;
 
@@ -46,16 +46,16 @@ fn actions(steps: &mut Steps, assessed: &Assessed, heel: Corner, corner: &str) {
     match sum_of(assessed, &[Weight], 2, |wrench| wrench.m) {
         _ if buoyant_weight == 0.0 => steps.told(&about, "t", 0.0, METRE, "no weight left", "weight_arm"),
         Some(moments) => {
-            let formula = format!("{arm} {against} ({moments})/W'");
+            let formula = format!("{arm} {against} {}/W'", grouped(&moments));
             steps.add(&about, "", ["t", &formula], weight_arm, METRE, "weight_arm");
         }
         None => steps.add(&about, "", ["t", arm], weight_arm, METRE, "weight_arm"),
     }
     match sum_of(assessed, &[Uplift], 1, |wrench| wrench.p) {
         Some(formula) => {
-            steps.add("Uplift", "", ["U", &format!("−({formula})")], uplift, KILONEWTON, "U");
+            steps.add("Uplift", "", ["U", &format!("−{}", grouped(&formula))], uplift, KILONEWTON, "U");
             let moments = sum_of(assessed, &[Uplift], 2, |wrench| wrench.m);
-            let moments = moments.map_or(String::new(), |moments| format!(" {sign} ({moments})"));
+            let moments = moments.map_or(String::new(), |moments| format!(" {sign} {}", grouped(&moments)));
             let formula = format!("U {arm}{moments}");
             steps.add("Its moment about the heel", "", ["M_U", &formula], uplift_moment, MOMENT, "M_U");
         }
@@ -76,8 +76,8 @@ fn actions(steps: &mut Steps, assessed: &Assessed, heel: Corner, corner: &str) {
         (Corner::O, Some(moments), Some(lever)) => format!("{moments} − {lever}"),
         (Corner::O, Some(moments), None) => moments,
         (Corner::O, None, Some(lever)) => format!("−{lever}"),
-        (Corner::OPrime, Some(moments), Some(lever)) => format!("{lever} − ({moments})"),
-        (Corner::OPrime, Some(moments), None) => format!("−({moments})"),
+        (Corner::OPrime, Some(moments), Some(lever)) => format!("{lever} − {}", grouped(&moments)),
+        (Corner::OPrime, Some(moments), None) => format!("−{}", grouped(&moments)),
         (Corner::OPrime, None, Some(lever)) => lever,
         (_, None, None) => return steps.told(about, "M_p", force_moment, MOMENT, "none", "M_p"),
     };
@@ -142,9 +142,11 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
         (HeelPressure::Pressed(pressure), Some(arm)) => {
             let third = arm <= assessed.loaded.situation.body.base_width() / 3.0;
             let (about, formula) = match third {
-                true => ("Heel pressure, for t_e ≤ B_c/3: pressed near the heel only", "2 (W' − U)/(3 t_e)"),
+                true => {
+                    ("Heel pressure, for `t_e` ≤ `B_c÷3`: pressed near the heel only", "2 (W' − U)/(3 t_e)")
+                }
                 false => (
-                    "Heel pressure, for t_e > B_c/3: the whole base is pressed",
+                    "Heel pressure, for `t_e` > `B_c÷3`: the whole base is pressed",
                     "2 (W' − U)/B_c (2 − 3 t_e/B_c)",
                 ),
             };

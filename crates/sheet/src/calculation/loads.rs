@@ -20,10 +20,15 @@ pub(super) fn sum<'a>(components: impl Iterator<Item = (String, f64)> + 'a) -> O
     (!names.is_empty()).then(|| names.join(" + "))
 }
 
+/// A formula as a factor: in parentheses if it is a sum.
+pub(super) fn grouped(formula: &str) -> String {
+    if formula.contains(' ') { format!("({formula})") } else { formula.to_owned() }
+}
+
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     steps.heading("Loads, at the centre of mass");
     steps.note(
-        "X to the right, V downwards, M counter-clockwise about the centre of mass C. V is the net vertical force, which the \
+        "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force, which the \
          theory pages call P.",
     );
     added_mass(steps, case);
@@ -107,7 +112,7 @@ fn added_mass(steps: &mut Steps, case: &Case) {
     let coefficient = "14 1.2020569031595942/π^3 ρ_w";
     let formula =
         if one_side { format!("{coefficient} h_r^2") } else { format!("{coefficient} (h_r^2 + h_l^2)") };
-    let about = "Added mass of water, 14ζ(3)/π³ ρh² a side";
+    let about = "Added mass of water, 14ζ(3)/π³ `ρ_w h^2` a side";
     steps.add(about, "Westergaard's problem", ["M_a", &formula], mass, TONNE, "added_mass");
     let depths = if one_side { "h_r" } else { "(h_r^3 + h_l^3)/(h_r^2 + h_l^2)" };
     // β(4) is Dirichlet's; the coefficient is 0.40142.

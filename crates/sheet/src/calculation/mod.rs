@@ -14,6 +14,8 @@ use standfast::Slip;
 use standfast_cases::describe::Scale;
 use standfast_cases::{Assessed, Case, load_name};
 
+pub use classical::TARGET;
+
 use crate::quantity::{KILONEWTON, METRE, NONE};
 use crate::steps::Steps;
 

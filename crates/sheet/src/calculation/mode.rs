@@ -36,7 +36,7 @@ pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
         steps.add(about, "", ["SF_eff", "1/(k γ |1 + k'|)"], factor, NONE, "");
         steps.note(
             "It counts uplift and eccentric weight as a load, the classical factor as less resistance; they differ except at 1, \
-             which they pass together. From here on k and k′ are the effective ones.",
+             which they pass together. From here on `k` and `k'` are the effective ones.",
         );
     }
 }

@@ -5,7 +5,7 @@ use standfast::{Motion, Reduced};
 use standfast_cases::describe::{QUANTITIES, Scale};
 use standfast_cases::{Assessed, Case};
 
-use crate::mathml::symbol;
+use crate::mathml::{prose, symbol};
 use crate::quantity::{ACCELERATION, INERTIA, KILONEWTON, METRE, NONE, ROTATION, TONNE, number};
 use crate::steps::Steps;
 
@@ -27,7 +27,7 @@ pub(super) fn reduced(steps: &mut Steps, reduced: &Reduced, scale: &Scale) {
                     @let real = (quantity.of)(&si) / quantity.si_units + 0.0;
                     tr {
                         td { (PreEscaped(symbol(quantity.symbol))) }
-                        td { (quantity.words) }
+                        td { (prose(&quantity.words.replace("f_y", "`f_y`"))) }
                         td.n { data value=(value) data-quantity={ "motion." (key) } { (number(value)) } }
                         td { (quantity.unit) }
                         td.n { data value=(real) data-quantity={ "motion_si." (key) } { (number(real)) } }
@@ -61,7 +61,7 @@ pub(super) fn together(steps: &mut Steps, case: &Case, assessed: &Assessed) {
                     @let real = (quantity.of)(motion) / quantity.si_units + 0.0;
                     tr {
                         td { (PreEscaped(symbol(quantity.symbol))) }
-                        td { (quantity.words) }
+                        td { (prose(&quantity.words.replace("f_y", "`f_y`"))) }
                         td.n { data value=(real) data-quantity={ "motion_si." (key) } { (number(real)) } }
                         td { (quantity.si_unit) }
                     }

@@ -35,7 +35,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
     // The dispersion relation is implicit: the formula is a check of the wavelength found.
     steps.know("L", goda.wavelength, METRE);
     let about = "Wavelength at the wall, the root of the dispersion relation, put back into it";
-    steps.add(about, "linear theory", ["L", "L0 tanh(2 π h/L)"], goda.wavelength, METRE, "wavelength");
+    steps.add(about, "linear theory", ["L", "L0 tanh(2 π h÷L)"], goda.wavelength, METRE, "wavelength");
     heights(steps, sea, wave);
     let about = "Depth five significant heights in front of the wall";
     steps.add(about, "Goda", ["h_b", "h + 5 H_13 tanθ"], goda.h_b, METRE, "h_b");
@@ -45,11 +45,11 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
     let Goda { eta_star, h_c_star, alpha_1, alpha_2, alpha_3, alpha_4, .. } = *goda;
     let about = "Height above still water to which the pressure would reach";
     steps.add(about, "Goda", ["η*", "3/4 (1 + cos(β)) λ1 H_max"], eta_star, METRE, "eta_star");
-    let formula = ["α1", "0.6 + 1/2 (4 π h/L/sinh(4 π h/L))^2"];
+    let formula = ["α1", "0.6 + 1/2 ((4 π h÷L)/sinh(4 π h÷L))^2"];
     steps.add("Pressure of slow waves", "Goda", formula, alpha_1, NONE, "alpha_1");
     let formula = ["α2", "min((h_b − d)/(3 h_b) (H_max/d)^2, 2 d/H_max)"];
     steps.add("Pressure over a shallow berm", "Goda", formula, alpha_2, NONE, "alpha_2");
-    let formula = ["α3", "1 − h'/h (1 − 1/cosh(2 π h/L))"];
+    let formula = ["α3", "1 − h'/h (1 − 1/cosh(2 π h÷L))"];
     steps.add("Pressure at the base", "Goda", formula, alpha_3, NONE, "alpha_3");
     let about = "Height above still water of the loaded wall";
     steps.add(about, "Goda", ["h_c*", "min(η*, h_c)"], h_c_star, METRE, "h_c_star");
@@ -91,11 +91,13 @@ fn heights(steps: &mut Steps, sea: &Sea, WaveLoad { heights, goda, .. }: &WaveLo
         return;
     };
     steps.know("H_0'", height, METRE);
-    let formula = ["K_s", "1/sqrt((1 + 4 π h/L/sinh(4 π h/L)) tanh(2 π h/L))"];
+    let formula = ["K_s", "1/sqrt((1 + (4 π h÷L)/sinh(4 π h÷L)) tanh(2 π h÷L))"];
     steps.add("Shoaling", "linear theory", formula, computed.shoaling, NONE, "");
     if !computed.may_break {
         let ratio = sea.water_depth / goda.deep_water_wavelength;
-        steps.note(&format!("h/L₀ = {ratio:.3} is not below 0.2: the heights are shoaled without breaking."));
+        steps.note(&format!(
+            "`h÷L0` = {ratio:.3} is not below 0.2: the heights are shoaled without breaking."
+        ));
         let formula = ["H_13", "K_s H_0'"];
         steps.add("Significant wave height", "Goda", formula, goda.h_13, METRE, "H13");
         steps.add("Maximum wave height", "Goda", ["H_max", "1.8 K_s H_0'"], goda.h_max, METRE, "Hmax");
@@ -116,10 +118,10 @@ fn heights(steps: &mut Steps, sea: &Sea, WaveLoad { heights, goda, .. }: &WaveLo
 /// The terms of a breaking height.
 fn terms(steps: &mut Steps, of: &str, [c0, c1, s1, least, c_max]: [&str; 5], terms: &BreakingTerms) {
     let BreakingTerms { beta_0, beta_1, beta_max } = *terms;
-    let formula = format!("{c0} (H_0'/L0)^(−0.38) exp(20 tanθ^1.5)");
+    let formula = format!("{c0} (H_0'÷L0)^(−0.38) exp(20 tanθ^1.5)");
     steps.add(&format!("Terms of breaking of {of}"), "Goda", ["β_0", &formula], beta_0, NONE, "");
     steps.add("", "Goda", ["β_1", &format!("{c1} exp({s1} tanθ)")], beta_1, NONE, "");
-    let formula = format!("max({least}, {c_max} (H_0'/L0)^(−0.29) exp(2.4 tanθ))");
+    let formula = format!("max({least}, {c_max} (H_0'÷L0)^(−0.29) exp(2.4 tanθ))");
     steps.add("", "Goda", ["β_max", &formula], beta_max, NONE, "");
 }
 
@@ -153,16 +155,16 @@ fn impulsive(steps: &mut Steps, goda: &Goda, used: bool) {
     let formula = ["δ_22", "0.93 ((h − d)/h − 0.6) − 0.36 (B_M/L − 0.12)"];
     steps.add("", TAKAHASHI, formula, delta_22, NONE, "");
     let formula = if delta_11 <= 0.0 { "20 δ_11" } else { "15 δ_11" };
-    let about = if delta_11 <= 0.0 { "for δ₁₁ ≤ 0" } else { "for δ₁₁ > 0" };
+    let about = if delta_11 <= 0.0 { "for `δ_11` ≤ 0" } else { "for `δ_11` > 0" };
     steps.add(about, TAKAHASHI, ["δ_1", formula], delta_1, NONE, "");
     let formula = if delta_22 <= 0.0 { "4.9 δ_22" } else { "3 δ_22" };
-    let about = if delta_22 <= 0.0 { "for δ₂₂ ≤ 0" } else { "for δ₂₂ > 0" };
+    let about = if delta_22 <= 0.0 { "for `δ_22` ≤ 0" } else { "for `δ_22` > 0" };
     steps.add(about, TAKAHASHI, ["δ_2", formula], delta_2, NONE, "");
     let formula = ["α_I0", "min(H_max/d, 2)"];
     steps.add("", TAKAHASHI, formula, alpha_i0, NONE, "");
     let (about, formula) = match delta_2 <= 0.0 {
-        true => ("for δ₂ ≤ 0", "cos(δ_2)/cosh(δ_1)"),
-        false => ("for δ₂ > 0", "1/(cosh(δ_1) sqrt(cosh(δ_2)))"),
+        true => ("for `δ_2` ≤ 0", "cos(δ_2)/cosh(δ_1)"),
+        false => ("for `δ_2` > 0", "1/(cosh(δ_1) sqrt(cosh(δ_2)))"),
     };
     steps.add(about, TAKAHASHI, ["α_I1", formula], alpha_i1, NONE, "");
     let formula = ["α_I", "α_I0 α_I1"];
