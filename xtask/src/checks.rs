@@ -3,7 +3,7 @@
 use std::io::{BufRead, BufReader};
 use std::process::{Command, ExitCode, Stdio};
 
-use crate::root;
+use crate::{browser, root};
 
 #[derive(Default)]
 struct Tally {
@@ -31,6 +31,7 @@ pub fn run() -> ExitCode {
         "--quiet",
     ];
     step(&mut tally, "fuzz targets", &fuzz, &[]);
+    programs(&mut tally);
     tests(
         &mut tally,
         "unit, integration and documentation tests",
@@ -39,6 +40,23 @@ pub fn run() -> ExitCode {
 
     println!("\ntotal: {} passed, {} failed, {} skipped", tally.passed, tally.failed, tally.skipped);
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Sees that the programs which print a calculation sheet and read it back are there. Without them the tests of the PDF do
+/// nothing: counted as skipped, and in CI as failed.
+fn programs(tally: &mut Tally) {
+    println!("── programs for PDFs");
+    match browser::for_pdfs() {
+        Ok(browser) => println!("{}", browser.display()),
+        Err(missing) => {
+            println!("── {missing}: the tests of printed sheets are skipped");
+            if std::env::var_os("CI").is_some_and(|ci| ci == "true") {
+                tally.failed += 1;
+            } else {
+                tally.skipped += 1;
+            }
+        }
+    }
 }
 
 fn cargo(arguments: &[&str]) -> Command {

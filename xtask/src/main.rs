@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod browser;
 mod checks;
 mod gallery;
 #[cfg(test)]
@@ -14,7 +15,7 @@ const HELP: &str = "\
 Usage: cargo xtask COMMAND
 
   test      format, lints, documentation, all tests: everything CI does
-  gallery   draw the report's figures into docs/gallery and write docs/gallery.md
+  gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   help      this text
 ";
 

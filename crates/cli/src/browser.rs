@@ -131,7 +131,8 @@ fn run(program: &Path, folder: &Path, page: &Path, pdf: &Path) -> Result<String,
     command
         .args(["--headless", "--disable-gpu", "--no-first-run", "--no-default-browser-check"])
         .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
-        .args(["--disable-extensions", "--no-pdf-header-footer"]);
+        // Tags carry numbers that differ from one printing to the next; the HTML is the sheet for screen readers.
+        .args(["--disable-extensions", "--no-pdf-header-footer", "--disable-pdf-tagging"]);
     if is_root() {
         // Chromium refuses its sandbox to root; the page is our own, without scripts.
         command.arg("--no-sandbox");

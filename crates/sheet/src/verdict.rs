@@ -16,8 +16,10 @@ struct Line {
     sliding: Option<f64>,
     overturning: Option<f64>,
     unique: bool,
-    /// Where the body leaves rest, as a share of the load; infinite if it does not as far as looked.
+    /// Where the body leaves rest, as a share of the load.
     leaves_rest: Option<f64>,
+    /// How far the load was followed, if it was.
+    looked_to: Option<f64>,
     into: Option<Mode>,
     sentences: Vec<String>,
 }
@@ -40,6 +42,7 @@ fn plain(case: &Case, index: usize) -> Line {
         overturning: Some(point.safety_against_overturning()),
         unique: point.is_unique(),
         leaves_rest: departure.filter(|_| point.force() > 0.0).map(|crossing| crossing.at / point.force()),
+        looked_to: None,
         into: departure.map(|crossing| reduced.orient(crossing.to)),
         sentences: vec![describe::verdict(reduced), describe::uniqueness(reduced)],
     }
@@ -58,6 +61,7 @@ fn together(case: &Case, assessed: &Assessed) -> Line {
         overturning: pressed.then(|| assessed.stability.least_overturning()),
         unique: assessed.full.is_unique(),
         leaves_rest: departure.map(|stage| stage.from),
+        looked_to: (!assessed.path.is_empty()).then_some(assessed.up_to),
         into: departure.and_then(|stage| stage.mode),
         sentences,
     }
@@ -111,9 +115,10 @@ fn table(lines: &[Line]) -> Markup {
                         td.n { (factor(line.sliding)) }
                         td.n { (factor(line.overturning)) }
                         td.n {
-                            @match line.leaves_rest {
-                                Some(share) => data value=(share) data-percent { (digits(100.0 * share)) },
-                                None => "–",
+                            @match (line.leaves_rest, line.looked_to) {
+                                (Some(share), _) => data value=(share) data-percent { (digits(100.0 * share)) },
+                                (None, Some(share)) => { "> " data value=(share) data-percent { (digits(100.0 * share)) } }
+                                (None, None) => "–",
                             }
                         }
                         td { (line.into.map_or("–", Mode::symbol)) }

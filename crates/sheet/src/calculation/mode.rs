@@ -82,10 +82,13 @@ pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
     let bounds = || trace.steps.iter().flat_map(|step| &step.relations).map(|relation| relation.bound);
     if bounds().any(|bound| bound.contains("a k")) {
         let [a, b, c, d] = chart.coefficients();
-        steps.add("Coefficients", "4.42", ["a", "4 + γ^2 − 3 γ^2 k'"], a, NONE, "");
-        steps.add("", "4.43", ["b", "3 γ"], b, NONE, "");
-        steps.add("", "4.44", ["c", "3 γ (1 + k')"], c, NONE, "");
-        steps.add("", "4.45", ["d", "1 + 4 γ^2"], d, NONE, "");
+        // Chapter III of the report has them for forces above the centre of mass, chapter IV for those below.
+        let above = point.elevation() >= 0.0;
+        let numbers = if above { ["3.18", "3.19", "3.20", "3.21"] } else { ["4.42", "4.43", "4.44", "4.45"] };
+        steps.add("Coefficients", numbers[0], ["a", "4 + γ^2 − 3 γ^2 k'"], a, NONE, "");
+        steps.add("", numbers[1], ["b", "3 γ"], b, NONE, "");
+        steps.add("", numbers[2], ["c", "3 γ (1 + k')"], c, NONE, "");
+        steps.add("", numbers[3], ["d", "1 + 4 γ^2"], d, NONE, "");
     }
     for step in &trace.steps {
         let mode = reduced.orient(step.mode);

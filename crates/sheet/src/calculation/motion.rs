@@ -43,10 +43,12 @@ pub(super) fn reduced(steps: &mut Steps, reduced: &Reduced, scale: &Scale) {
     steps.know("ξ", xi, NONE);
     // The force points right where the point is the mirror image.
     let [along, about] = if reduced.mirrored { ["f_x + k", "−"] } else { ["f_x − k", "+"] };
-    steps.add("The equations of motion with these numbers", "3.9", ["ẍ", along], x_ddot, NONE, "");
-    steps.add("", "3.10", ["ÿ", "f_y − 1"], y_ddot, NONE, "");
+    let numbers =
+        if reduced.point.elevation() >= 0.0 { ["3.9", "3.10", "3.11"] } else { ["4.24", "4.25", "4.26"] };
+    steps.add("The equations of motion with these numbers", numbers[0], ["ẍ", along], x_ddot, NONE, "");
+    steps.add("", numbers[1], ["ÿ", "f_y − 1"], y_ddot, NONE, "");
     let formula = format!("3 (γ f_x + ξ f_y {about} γ k k')/(1 + γ^2)");
-    steps.add("", "3.11", ["θ\u{308}", &formula], theta_ddot, NONE, "");
+    steps.add("", numbers[2], ["θ\u{308}", &formula], theta_ddot, NONE, "");
 }
 
 /// The motion of the body under loads that act together.
