@@ -7,7 +7,7 @@ pub fn words(case: &Case) -> Markup {
     let warnings = case.warnings();
     html! {
         @if warnings.is_empty() {
-            p { "No warning: body and waves are within the range of the formulas that the program checks." }
+            p { "No warning: nothing leaves the ranges that the program checks." }
         } @else {
             p { "Outside the range of the formulas, or unusual:" }
             ul.warnings { @for warning in &warnings { li { (warning) "." } } }

@@ -49,10 +49,14 @@ fn value(row: &Sensitivity) -> Markup {
 }
 
 fn signed(change: Option<f64>) -> Markup {
+    let text = |change: f64| match format!("{change:+.5}").replace('-', "−") {
+        zero if zero.ends_with("0.00000") => "0".to_owned(),
+        text => text,
+    };
     html! {
         @match change {
             None => "–",
-            Some(change) => data value=(change) { (format!("{change:+.5}").replace('-', "−")) },
+            Some(change) => data value=(change) { (text(change)) },
         }
     }
 }
