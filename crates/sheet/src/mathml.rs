@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use maud::{Markup, PreEscaped, html};
 
 use crate::formula::Formula;
-use crate::quantity::Quantity;
+use crate::quantity::{NONE, Quantity};
 
 /// What names stand for.
 pub type Scope = BTreeMap<String, Quantity>;
@@ -110,7 +110,13 @@ pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
         }
         Formula::Power(base, exponent) => {
             let base = match (base.as_ref(), drawn) {
-                (Formula::Name(_), Drawn::Numbers(_)) => fenced("(", &draw(base, drawn, true), ")"),
+                (Formula::Name(name), Drawn::Numbers(scope))
+                    if scope
+                        .get(name)
+                        .is_none_or(|quantity| quantity.value < 0.0 || quantity.unit != NONE) =>
+                {
+                    fenced("(", &draw(base, drawn, true), ")")
+                }
                 (Formula::Call(..), _) => fenced("(", &draw(base, drawn, true), ")"),
                 _ => row(&draw(base, drawn, false)),
             };

@@ -3,7 +3,7 @@
 use standfast::contact::{self, Block};
 use standfast_cases::Assessed;
 
-use crate::quantity::{NONE, Quantity};
+use crate::quantity::{METRE, NONE, Quantity};
 use crate::steps::{Step, Steps};
 
 pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
@@ -50,6 +50,6 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
         }
     }
     let body = &situation.body;
-    steps.know("b_1", body.heel_distance(), crate::quantity::METRE);
-    steps.know("b_2", body.toe_distance(), crate::quantity::METRE);
+    steps.know("b_1", body.heel_distance(), METRE);
+    steps.know("b_2", body.toe_distance(), METRE);
 }

@@ -1,12 +1,14 @@
 //! Each load as a wrench at the centre of mass, and their sum.
 
-use maud::html;
+use maud::{Markup, html};
 use standfast::contact::Wrench;
 use standfast_cases::assess::situation::added_mass_notes;
 use standfast_cases::case::{AddedMass, Component, Origin, Uplift, Water, Weight};
 use standfast_cases::{Assessed, Case};
 
-use crate::quantity::{ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Quantity, TONNE};
+use crate::quantity::{
+    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Quantity, TONNE, number,
+};
 use crate::steps::{Step, Steps};
 
 /// The symbols of a component's parts: X, V and M with its number.
@@ -80,10 +82,10 @@ fn table(steps: &mut Steps, assessed: &Assessed) {
     });
 }
 
-fn cells(wrench: &Wrench) -> maud::Markup {
+fn cells(wrench: &Wrench) -> Markup {
     html! {
         @for value in [wrench.x, wrench.p, wrench.m] {
-            td.n { data value=(value / 1e3 + 0.0) { (crate::quantity::number(value / 1e3 + 0.0)) } }
+            td.n { data value=(value / 1e3 + 0.0) { (number(value / 1e3 + 0.0)) } }
         }
     }
 }
@@ -126,7 +128,8 @@ fn added_mass(steps: &mut Steps, case: &Case) {
 fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
     let Component { name, origin, wrench, .. } = component;
     let [x, v, m] = parts(i);
-    let about = format!("{}  {name}", i + 1);
+    // Backticks would begin a formula.
+    let about = format!("{}  {}", i + 1, name.replace('`', "'"));
     // The elevation of a force turns it into a moment.
     let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
     let pressure = |left: &str, right: &str, factor: &str| {

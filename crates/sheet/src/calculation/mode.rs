@@ -92,8 +92,10 @@ pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
     }
     for step in &trace.steps {
         let mode = reduced.orient(step.mode);
-        let mirrored =
-            if reduced.mirrored { format!(", the mirror image of {}", step.mode) } else { String::new() };
+        let mirrored = match mode == step.mode {
+            true => String::new(),
+            false => format!(", the mirror image of {}", step.mode),
+        };
         steps.push(html! {
             h4 {
                 "Does it hold that the body " (mode.words()) " (" (mode) (mirrored) ")? "
