@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 
-use crate::{explorer, python, root};
+use crate::{explorer, programs, python, root};
 
 /// How many checks passed, failed and were skipped.
 #[derive(Default)]
@@ -33,6 +33,7 @@ pub fn run() -> ExitCode {
         "--quiet",
     ];
     step(&mut tally, "fuzz targets", &fuzz, &[]);
+    pdf_programs(&mut tally);
     // The extension module has its tests in Python.
     let tests = ["test", "--workspace", "--exclude", "standfast-python", "--no-fail-fast"];
     tally.count("unit, integration and documentation tests", &mut cargo(&tests), result_line);
@@ -41,6 +42,23 @@ pub fn run() -> ExitCode {
 
     println!("\ntotal: {} passed, {} failed, {} skipped", tally.passed, tally.failed, tally.skipped);
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Sees that the programs which print a calculation sheet and read it back are there. Without them the tests of the PDF do
+/// nothing: counted as skipped, and in CI as failed.
+fn pdf_programs(tally: &mut Tally) {
+    println!("── programs for PDFs");
+    match programs::for_pdfs() {
+        Ok(browser) => println!("{}", browser.display()),
+        Err(missing) => {
+            println!("── {missing}: the tests of printed sheets are skipped");
+            if std::env::var_os("CI").is_some_and(|ci| ci == "true") {
+                tally.failed += 1;
+            } else {
+                tally.skipped += 1;
+            }
+        }
+    }
 }
 
 pub fn cargo(arguments: &[&str]) -> Command {

@@ -4,10 +4,11 @@ use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::{fs, thread};
 
 use crate::checks::{Tally, cargo};
+use crate::programs;
 use crate::{root, target};
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -173,12 +174,8 @@ enum Missing {
 fn prepared() -> Result<(PathBuf, PathBuf), Missing> {
     toolchain().map_err(Missing::Part)?;
     let page = build().map_err(Missing::Build)?;
-    let chromium = ["chromium", "chromium-browser", "google-chrome"]
-        .into_iter()
-        .find_map(found)
-        .or_else(|| install(&["chromium"]).then(|| found("chromium")).flatten())
-        .ok_or_else(|| Missing::Part("there is no Chromium, and it could not be installed".to_owned()))?;
-    if (found("node").is_none() || found("npm").is_none()) && !install(&["nodejs", "npm"]) {
+    let chromium = programs::chromium().map_err(|missing| Missing::Part(missing.to_string()))?;
+    if (found("node").is_none() || found("npm").is_none()) && !programs::install(&["nodejs", "npm"]) {
         return Err(Missing::Part("there is no Node.js with npm, and it could not be installed".to_owned()));
     }
     let tests = root().join("web").join("tests");
@@ -191,21 +188,6 @@ fn prepared() -> Result<(PathBuf, PathBuf), Missing> {
 fn found(program: &str) -> Option<PathBuf> {
     let paths = std::env::var_os("PATH")?;
     std::env::split_paths(&paths).map(|folder| folder.join(program)).find(|path| path.is_file())
-}
-
-/// Installs Debian packages, which takes an administrator.
-fn install(packages: &[&str]) -> bool {
-    println!("── apt-get install {}", packages.join(" "));
-    let apt = |arguments: &[&str]| {
-        let status = Command::new("apt-get")
-            .args(arguments)
-            .env("DEBIAN_FRONTEND", "noninteractive")
-            .stdout(Stdio::null())
-            .status();
-        status.is_ok_and(|status| status.success())
-    };
-    let arguments = [&["install", "--yes", "-qq", "--no-install-recommends"], packages].concat();
-    apt(&["update", "-qq"]) && apt(&arguments)
 }
 
 fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {

@@ -1,11 +1,13 @@
-//! docs/gallery.md and the figures it shows: the report's, and those of the worked cases.
+//! docs/gallery.md and what it shows: the report's figures, those of the worked cases, a calculation sheet.
 
 use std::path::Path;
 use std::{fs, io};
 
 use standfast_cli::args::Format;
 use standfast_cli::assess::assess;
+use standfast_cli::sheet::{self, Paper};
 use standfast_figures::{FigureId, report_figure};
+use standfast_sheet::Options;
 
 /// A file of the gallery: its path in docs, and its content.
 type File = (String, String);
@@ -33,6 +35,11 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
             files.push((path, svg));
         }
     }
+    page.push_str(
+        "\n## Calculation sheet\n\n[The sheet of the case goda-2000](gallery/sheet-goda-2000.html), to be opened in a browser:\n\
+         `standfast sheet examples/goda-2000.toml -o sheet.html`.\n",
+    );
+    files.push(("gallery/sheet-goda-2000.html".to_owned(), sheet(root, "goda-2000")?));
     files.push(("gallery.md".to_owned(), page));
     Ok(files)
 }
@@ -54,6 +61,16 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         cases.push((name, figures.collect::<io::Result<_>>()?));
     }
     Ok(cases)
+}
+
+/// The calculation sheet of an example.
+fn sheet(root: &Path, example: &str) -> io::Result<String> {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("sheet.html");
+    let file = path.to_string_lossy().parse().map_err(io::Error::other)?;
+    let case = root.join("examples").join(example).with_extension("toml");
+    sheet::sheet(&case, &file, &Options::default(), Paper::default()).map_err(io::Error::other)?;
+    fs::read_to_string(path)
 }
 
 /// The files of a folder with an extension, by name.

@@ -5,6 +5,7 @@
 mod checks;
 mod explorer;
 mod gallery;
+mod programs;
 mod python;
 #[cfg(test)]
 mod traceability;
@@ -16,7 +17,7 @@ const HELP: &str = "\
 Usage: cargo xtask COMMAND
 
   test      format, lints, documentation, all tests: everything CI does
-  gallery   draw the report's figures into docs/gallery and write docs/gallery.md
+  gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   help      this text
 ";

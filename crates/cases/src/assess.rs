@@ -1,7 +1,7 @@
 //! A case answered: its modes, margins and safety factors as text and JSON, and its figures.
 
 mod plain;
-pub(crate) mod situation;
+pub mod situation;
 
 use standfast::InputError;
 use standfast_figures::Figure;
@@ -9,7 +9,7 @@ use standfast_figures::Figure;
 use crate::case::Case;
 use crate::layout::paragraph;
 use plain::Plain;
-use situation::Assessed;
+pub use situation::Assessed;
 
 /// The answer to a case.
 pub struct Assessment<'a> {
@@ -53,6 +53,14 @@ impl<'a> Assessment<'a> {
         Ok(Assessment { case, answers })
     }
 
+    /// The situations of a case whose loads act together, one for each alternative force; none of a plain case.
+    pub fn situations(&self) -> &[Assessed] {
+        match &self.answers {
+            Answers::Plain(_) => &[],
+            Answers::Situations(all) => all,
+        }
+    }
+
     /// The answer for reading, in lines of at most 88 characters.
     pub fn text(&self) -> String {
         match &self.answers {
@@ -83,8 +91,8 @@ impl<'a> Assessment<'a> {
     }
 }
 
-/// The name of a load, or its number.
-pub(crate) fn load_name(case: &Case, index: usize) -> String {
+/// The name of a load, or its number, counted from one.
+pub fn load_name(case: &Case, index: usize) -> String {
     case.loads[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
 }
 

@@ -26,6 +26,7 @@
 
 mod body;
 mod error;
+mod input;
 mod loads;
 mod number;
 mod situation;
@@ -34,8 +35,9 @@ mod warning;
 mod wave;
 
 pub use error::{CaseError, Problem};
+pub use input::{Input, inputs};
 pub use number::{Number, NumberId, Replacement};
-pub use situation::{Component, LoadedBody};
+pub use situation::{Component, LoadedBody, Origin};
 pub use wave::WaveLoad;
 
 use std::ops::Range;

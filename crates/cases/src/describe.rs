@@ -88,17 +88,24 @@ pub fn safety_factors(reduced: &Reduced) -> String {
 }
 
 /// A quantity of a motion, and how it is printed.
-struct Quantity {
-    symbol: &'static str,
-    words: &'static str,
-    of: fn(&Motion) -> f64,
-    unit: &'static str,
-    si_unit: &'static str,
+#[derive(Debug, Clone, Copy)]
+pub struct Quantity {
+    /// Its symbol in plain characters.
+    pub symbol: &'static str,
+    /// What it is of, and in which direction.
+    pub words: &'static str,
+    /// Its value.
+    pub of: fn(&Motion) -> f64,
+    /// What it is measured in where it is non-dimensional.
+    pub unit: &'static str,
+    /// The unit of a real body's.
+    pub si_unit: &'static str,
     /// How many SI units make one `si_unit`.
-    si_units: f64,
+    pub si_units: f64,
 }
 
-const QUANTITIES: [Quantity; 9] = {
+/// The quantities of a motion in the order they are printed.
+pub const QUANTITIES: [Quantity; 9] = {
     const fn quantity(
         symbol: &'static str,
         words: &'static str,

@@ -12,6 +12,7 @@ mod target;
 mod text;
 mod vary;
 
+pub use sensitivity::{Sensitivity, sensitivities};
 pub use target::{Target, TargetError};
 
 use miette::Diagnostic;
@@ -23,7 +24,6 @@ use crate::layout::digits;
 use crate::units::{Quantity, UnitError};
 use outcome::Outcome;
 use search::{Found, search};
-use sensitivity::Sensitivity;
 use vary::Variable;
 
 /// Why there is no design.

@@ -22,7 +22,8 @@ pub fn apart(numbers: &[f64]) -> Vec<String> {
     texts
 }
 
-fn significant(x: f64, count: usize) -> String {
+/// A number in `count` significant digits, without trailing zeros; "unlimited" for infinity.
+pub fn significant(x: f64, count: usize) -> String {
     if x == f64::INFINITY {
         return "unlimited".to_owned();
     }

@@ -31,7 +31,7 @@ pub mod point;
 pub mod suggest;
 pub mod units;
 
-pub use assess::{Assessment, CaseFigure};
+pub use assess::{Assessed, Assessment, CaseFigure, load_name};
 pub use case::{Case, CaseError};
 
 use miette::Diagnostic;

@@ -9,8 +9,10 @@ use standfast::{InputError, Point};
 
 use crate::batch::{Mapping, OnError, Problem, ResultColumn, TableFormat};
 use crate::draw::{KMu, Picture, PictureFile};
+use crate::sheet::{Paper, SheetFile};
 use standfast_cases::design::Target;
 use standfast_figures::FigureId;
+use standfast_sheet::Date;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -82,6 +84,18 @@ pub enum Command {
         \u{20} no-slide          the body slips at no corner, at once or while the load rises\n\n\
         Example:\n  standfast design examples/goda-2000.toml --vary width --target factor=1.2")]
     Design(DesignArgs),
+
+    /// Write the calculation sheet of a case: what an engineer files and a checker signs
+    ///
+    /// Inputs with their sources, assumptions, every step as formula, numbers put in and result, both safety factors, the mode
+    /// of response with the margins of its inequalities, figures, sensitivity, what is not covered, room for signatures: one
+    /// HTML file that loads nothing, reads on a phone and prints on A4 and Letter with page numbers. A PDF is printed by
+    /// Chromium or Chrome, if there is one. The case file's hash and the program's version stand on the sheet; the same case,
+    /// options and version give the same bytes.
+    #[command(after_help = "Environment:\n\
+        \u{20} STANDFAST_BROWSER   the browser that prints a PDF, if not the first Chromium or Chrome found\n\n\
+        Example:\n  standfast sheet examples/goda-2000.toml --date 2026-11-21 -o goda-2000.html")]
+    Sheet(SheetArgs),
 
     /// Classify one point of the k–μ plane
     #[command(
@@ -175,6 +189,26 @@ pub struct DesignArgs {
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+/// Arguments of `sheet`.
+#[derive(Debug, Args)]
+pub struct SheetArgs {
+    /// The case file (TOML)
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// The file to write; its extension is html or pdf
+    #[arg(short, long, value_name = "FILE")]
+    pub output: SheetFile,
+    /// The day the sheet bears [default: none; the sheet says that it is undated]
+    #[arg(long, value_name = "YYYY-MM-DD")]
+    pub date: Option<Date>,
+    /// How far to follow the rising load, as a multiple of the full load; for cases whose loads act together
+    #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
+    pub up_to: f64,
+    /// The size of a PDF's pages
+    #[arg(long, value_enum, default_value_t)]
+    pub paper: Paper,
 }
 
 /// Arguments of `classify`.

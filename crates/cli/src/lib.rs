@@ -5,15 +5,19 @@
 //! | What does the command line look like? | [`args`] |
 //! | How are tables processed? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`] |
+//! | How does a calculation sheet become a PDF? | [`sheet`], [`browser`] |
 //!
-//! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`'.
+//! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`';
+//! calculation sheets are `standfast-sheet`'s.
 
 #![forbid(unsafe_code)]
 
 pub mod args;
 pub mod assess;
 pub mod batch;
+pub mod browser;
 pub mod draw;
+pub mod sheet;
 pub mod write;
 
 use std::io::{self, Write};
@@ -25,6 +29,7 @@ use standfast::{Diagram, Point};
 use standfast_cases::design::{Design, Request};
 use standfast_cases::point;
 use standfast_figures::FigureId;
+use standfast_sheet::Options;
 
 use args::{Cli, Command, Format};
 
@@ -48,6 +53,11 @@ pub fn run(cli: Cli) -> Result<()> {
                 Format::Text => design.text(),
                 Format::Json => design.json(),
             })
+        }
+        Command::Sheet(args) => {
+            let options = Options { date: args.date, up_to: args.up_to };
+            sheet::sheet(&args.case, &args.output, &options, args.paper)?;
+            print(&format!("Calculation sheet written to {}\n", args.output))
         }
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;

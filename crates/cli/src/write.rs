@@ -67,6 +67,17 @@ impl Pending {
         }
     }
 
+    /// Writes the whole file and puts it in its place.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write_all_and_finish(mut self, bytes: &[u8]) -> Result<(), WriteError> {
+        match self.write_all(bytes) {
+            Ok(()) => self.finish(),
+            Err(cause) => Err(WriteError { path: self.path, cause }),
+        }
+    }
+
     /// Puts the file in its place.
     ///
     /// # Errors
@@ -127,9 +138,7 @@ fn temporary(directory: &Path) -> io::Result<NamedTempFile> {
 /// # Errors
 /// If it cannot be written.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    let mut file = Pending::create(path)?;
-    file.write_all(bytes).map_err(|cause| WriteError { path: path.to_owned(), cause })?;
-    file.finish()
+    Pending::create(path)?.write_all_and_finish(bytes)
 }
 
 /// Makes the directory `path` and those above it, if they are not there.

@@ -9,7 +9,7 @@ use standfast::{Diagram, Mode, Modes};
 
 use crate::map;
 use crate::palette::{symbol, tint};
-use crate::plot::{Piece, clip, clip_strips};
+use crate::plot::{Piece, View, clip, clip_strips};
 use crate::sheet::{Line, Style, k_markup, letter_markup};
 
 /// (k, μ) one after another.
@@ -110,7 +110,11 @@ pub struct Tick {
 /// # Ok::<(), standfast::InputError>(())
 /// ```
 pub fn outlines(diagram: &Diagram, window: Option<Window>) -> Outlines {
-    let window = window.unwrap_or_else(|| map::window(diagram, &[]));
+    let window = window.unwrap_or_else(|| {
+        let View { k_max, mu_max, .. } = map::window(diagram, &[]);
+        Window { k: k_max, mu: mu_max }
+    });
+    let view = View::from_origin(window.k, window.mu);
     let chart = diagram.chart();
     let (sheet, _) = map::sheet(chart.case());
     let shows = |k: f64, mu: f64| (0.0..=window.k).contains(&k) && (0.0..=window.mu).contains(&mu);
@@ -119,19 +123,19 @@ pub fn outlines(diagram: &Diagram, window: Option<Window>) -> Outlines {
         mode: region.mode,
         symbol: symbol(region.mode),
         tint: tint(region.mode),
-        polygons: polygons(&region.strips, &window),
+        polygons: polygons(&region.strips, &view),
     });
     let unresolved = diagram.unresolved().into_iter().map(|part| UnresolvedArea {
         name: part.name,
         resolved_as: part.resolved_as,
         modes: part.modes,
-        polygons: polygons(&part.strips, &window),
+        polygons: polygons(&part.strips, &view),
     });
     let lines = sheet.traces.iter().map(|trace| {
         let parts = match (trace.line.curve(chart), trace.line.vertical(chart)) {
-            (Some(curve), _) => clip(curve, trace.from.k(chart), trace.to.k(chart), &window)
+            (Some(curve), _) => clip(curve, trace.from.k(chart), trace.to.k(chart), &view)
                 .into_iter()
-                .map(|arc| along(&arc.curve, arc.from, arc.to, &window))
+                .map(|arc| along(&arc.curve, arc.from, arc.to, &view))
                 .collect(),
             (None, Some((k, from))) if shows(k, from) => vec![vec![(k, from), (k, window.mu)]],
             (None, _) => Vec::new(),
@@ -191,11 +195,11 @@ fn name(line: Line, elevation: f64) -> &'static str {
 }
 
 /// The outline of strips in a window: out along the lower edges, back along the upper ones.
-fn polygons(strips: &[Strip], window: &Window) -> Vec<Polyline> {
-    let pieces = clip_strips(strips, window);
+fn polygons(strips: &[Strip], view: &View) -> Vec<Polyline> {
+    let pieces = clip_strips(strips, view);
     let rows = pieces.chunk_by(|left, right| left.to == right.from);
     rows.map(|row| {
-        let edge = |piece: &Piece, curve: &Curve| along(curve, piece.from, piece.to, window);
+        let edge = |piece: &Piece, curve: &Curve| along(curve, piece.from, piece.to, view);
         let lower = row.iter().flat_map(|piece| edge(piece, &piece.lower));
         let upper = row.iter().rev().flat_map(|piece| edge(piece, &piece.upper).into_iter().rev());
         let mut outline: Polyline = lower.chain(upper).collect();
@@ -209,11 +213,11 @@ fn polygons(strips: &[Strip], window: &Window) -> Vec<Polyline> {
 }
 
 /// A curve from `from` to `to` as a polyline, its values held in the window.
-fn along(curve: &Curve, from: f64, to: f64, window: &Window) -> Polyline {
-    let at = |k: f64| (k, curve.at(k).clamp(0.0, window.mu));
+fn along(curve: &Curve, from: f64, to: f64, view: &View) -> Polyline {
+    let at = |k: f64| (k, curve.at(k).clamp(view.mu_min, view.mu_max));
     let mut points = vec![at(from)];
     if let Curve::Hyperbola { .. } = curve {
-        bend(&at, from, to, window.mu / 2000.0, 12, &mut points);
+        bend(&at, from, to, view.height() / 2000.0, 12, &mut points);
     }
     points.push(at(to));
     points

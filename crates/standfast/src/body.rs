@@ -11,6 +11,7 @@
 
 use crate::contact::Wrench;
 use crate::error::InputError;
+use crate::mode::Corner;
 use crate::stability::Actions;
 
 /// A rectangular body, per metre run of its length; uniform unless told otherwise.
@@ -213,13 +214,20 @@ impl Body {
         Ok(StillWater { sides, base: self.base_pressure(unit_weight * left, unit_weight * right) })
     }
 
-    /// The classical actions about the heel, from vertical, uplift and horizontal loads: O, or O' if the horizontal force
-    /// points right (without one, if the moment turns the body that way). The other corner is not looked at, as is the
-    /// custom; a body can also turn about it where a load pulls below its base or far outside.
-    pub fn actions(&self, weight: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> Actions {
+    /// The corner that the classical checks call the heel: O, or O' if the horizontal force points right (without one, if
+    /// the moment turns the body that way).
+    pub fn heel(&self, weight: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> Corner {
         let right = horizontal.x > 0.0 || horizontal.x == 0.0 && weight.m + uplift.m + horizontal.m < 0.0;
-        let σ = if right { -1.0 } else { 1.0 };
-        let arm = if σ > 0.0 { self.heel_distance() } else { self.toe_distance() };
+        if right { Corner::OPrime } else { Corner::O }
+    }
+
+    /// The classical actions about the [heel](Body::heel), from vertical, uplift and horizontal loads. The other corner is
+    /// not looked at, as is the custom; a body can also turn about it where a load pulls below its base or far outside.
+    pub fn actions(&self, weight: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> Actions {
+        let (σ, arm) = match self.heel(weight, uplift, horizontal) {
+            Corner::O => (1.0, self.heel_distance()),
+            Corner::OPrime => (-1.0, self.toe_distance()),
+        };
         // Clockwise about O, or counter-clockwise about O'.
         let resisting = |wrench: &Wrench| wrench.p * arm - σ * wrench.m;
         Actions {

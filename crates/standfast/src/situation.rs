@@ -22,7 +22,7 @@ use crate::diagram::Region;
 use crate::error::InputError;
 use crate::initiation::Point;
 use crate::load::Reduced;
-use crate::mode::{Mode, Modes};
+use crate::mode::{Corner, Mode, Modes};
 use crate::motion::Motion;
 use crate::stability::Actions;
 
@@ -143,6 +143,18 @@ impl Situation {
 
     /// The classical actions under a load factor, and so [`Actions::stability`].
     pub fn actions(&self, factor: f64) -> Actions {
+        let [vertical, uplift, sideways] = self.by_kind(factor);
+        self.body.actions(&vertical, &uplift, &sideways)
+    }
+
+    /// The [heel](Body::heel) of the classical actions under a load factor.
+    pub fn heel(&self, factor: f64) -> Corner {
+        let [vertical, uplift, sideways] = self.by_kind(factor);
+        self.body.heel(&vertical, &uplift, &sideways)
+    }
+
+    /// Vertical, uplift and horizontal loads under a load factor.
+    fn by_kind(&self, factor: f64) -> [Wrench; 3] {
         let of = |kind| {
             let share = |load: &Load| if load.permanent { 1.0 } else { factor };
             self.total(|load| if load.kind == kind { share(load) } else { 0.0 })
@@ -152,7 +164,7 @@ impl Situation {
         // A load of one kind may have a part of the other, as an earthquake has; that part acts at C.
         let vertical = Wrench { p: weight.p + horizontal.p, x: 0.0, ..weight };
         let sideways = Wrench { x: horizontal.x + weight.x + uplift.x, p: 0.0, ..horizontal };
-        self.body.actions(&vertical, &uplift, &sideways)
+        [vertical, uplift, sideways]
     }
 
     /// The block of the [contact problem](crate::contact), with lengths in B and masses in m.

@@ -6,6 +6,9 @@ mod sea;
 mod text;
 mod verdict;
 
+pub use loads::heel_pressure;
+pub use text::added_mass_notes;
+
 use standfast::contact::path::Stage;
 use standfast::{Actions, Diagram, InputError, Mode, Stability, State, first_departure};
 use standfast_figures::{DesignPoint, LoadPlane, diagram, load_plane};
@@ -16,16 +19,20 @@ pub(super) use json::render as json;
 pub(super) use text::render as text;
 
 /// A situation with everything that is said about it.
-pub(crate) struct Assessed {
-    pub(crate) loaded: LoadedBody,
+pub struct Assessed {
+    /// The body under its loads.
+    pub loaded: LoadedBody,
     /// Under the full load, applied at once.
-    pub(crate) full: State,
+    pub full: State,
     /// The stages of the rising variable load; none without one.
-    pub(crate) path: Vec<Stage>,
-    pub(crate) actions: Actions,
-    pub(crate) stability: Stability,
-    /// How far the path goes.
-    pub(crate) up_to: f64,
+    pub path: Vec<Stage>,
+    /// The classical actions under the full load.
+    pub actions: Actions,
+    /// Safety factors and heel pressure under the full load. They mean nothing for a body that is
+    /// [lifted](State::is_lifted).
+    pub stability: Stability,
+    /// How far the path goes, as a multiple of the full load.
+    pub up_to: f64,
 }
 
 impl Assessed {
@@ -41,7 +48,7 @@ impl Assessed {
     }
 
     /// Where the body first leaves rest as the variable load rises.
-    pub(crate) fn departure(&self) -> Option<&Stage> {
+    pub fn departure(&self) -> Option<&Stage> {
         first_departure(&self.path)
     }
 
@@ -58,6 +65,20 @@ impl Assessed {
     /// The load factor at which the body first leaves rest; infinite if it does not.
     fn first_load_factor(&self) -> f64 {
         self.departure().map_or(f64::INFINITY, |stage| stage.from)
+    }
+
+    /// The state under the full load applied at once, in sentences.
+    pub fn full_load_words(&self) -> Vec<String> {
+        verdict::full_load(self)
+    }
+
+    /// What happens while the variable loads rise, in sentences: where the body leaves rest, and how that differs from the
+    /// full load at once.
+    pub fn path_words(&self) -> Vec<String> {
+        if self.path.is_empty() {
+            return vec!["All loads are permanent; none rises.".to_owned()];
+        }
+        vec![verdict::departure(self), verdict::difference(self)]
     }
 
     /// Adds the figures; `suffix` tells the situation from the others of the case.

@@ -54,6 +54,7 @@
 //! ```
 
 mod conditions;
+mod explain;
 
 use conditions::{Numbers, Rotation, Verdict, conditions};
 
@@ -65,7 +66,7 @@ use std::ops::{Add, Mul};
 use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
-use crate::initiation::Point;
+use crate::initiation::{Point, Relation};
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::motion::Motion;
 
@@ -172,6 +173,22 @@ impl Answer {
     /// The motion of a consistent mode, in the units of the input; `None` for a mode that is not consistent.
     pub fn motion(&self, mode: Mode) -> Option<Motion> {
         self.modes.contains(mode).then(|| motion(&self.block, &self.wrench, mode))
+    }
+
+    /// The conditions of a consistent mode with the numbers of its motion; empty for a mode that is not consistent. That
+    /// they hold was decided exactly; their numbers are rounded.
+    ///
+    /// ```
+    /// use standfast::contact::{Block, Wrench, solve};
+    /// use standfast::Mode;
+    ///
+    /// let answer = solve(&Block::uniform(1.0, 0.6), &Wrench { x: -0.5, p: 1.0, m: 0.2 })?;
+    /// let conditions: Vec<_> = answer.explain(Mode::Rest).iter().map(ToString::to_string).collect();
+    /// assert_eq!(conditions[0], "(friction) |f_x| ≤ μ_s f_y: 0.5 ≤ 0.6, holds by 0.1");
+    /// # Ok::<(), standfast::InputError>(())
+    /// ```
+    pub fn explain(&self, mode: Mode) -> Vec<Relation> {
+        self.motion(mode).map_or_else(Vec::new, |motion| explain::relations(&self.block, mode, &motion))
     }
 }
 

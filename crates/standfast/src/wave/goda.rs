@@ -36,6 +36,8 @@ pub struct Goda {
     pub alpha_4: f64,
     /// α_I, Takahashi's impulsive coefficient, whether used or not.
     pub alpha_impulsive: f64,
+    /// What α_I was computed from.
+    pub impulsive: Impulsive,
     /// α*, the larger of α₂ and α_I, or α₂.
     pub alpha_star: f64,
     /// h_c*, m: how far above still water the pressure reaches on the wall.
@@ -58,6 +60,29 @@ pub struct Goda {
     pub uplift_moment: f64,
     /// What leaves the range of the formulas.
     pub warnings: Vec<Warning>,
+}
+
+/// The steps to Takahashi's α_I = α_I0 α_I1 (Takahashi, Tanimoto and Shimosako 1994).
+///
+/// ```text
+/// δ₁₁ = 0.93(B_M/L − 0.12) + 0.36((h−d)/h − 0.6)      δ₁ = 20δ₁₁ for δ₁₁ ≤ 0, else 15δ₁₁
+/// δ₂₂ = −0.36(B_M/L − 0.12) + 0.93((h−d)/h − 0.6)     δ₂ = 4.9δ₂₂ for δ₂₂ ≤ 0, else 3δ₂₂
+/// α_I0 = min{H/d, 2}       α_I1 = cosδ₂/coshδ₁ for δ₂ ≤ 0, else 1/(coshδ₁ √coshδ₂)
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impulsive {
+    /// δ₁₁.
+    pub delta_11: f64,
+    /// δ₂₂.
+    pub delta_22: f64,
+    /// δ₁.
+    pub delta_1: f64,
+    /// δ₂.
+    pub delta_2: f64,
+    /// α_I0.
+    pub alpha_i0: f64,
+    /// α_I1.
+    pub alpha_i1: f64,
 }
 
 /// The wave pressures on a wall.
@@ -95,7 +120,8 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     let α3 = 1.0 - base_depth / h * (1.0 - 1.0 / κh.cosh());
     let h_c_star = η_star.min(crest_height);
     let α4 = 1.0 - h_c_star / η_star;
-    let α_impulsive = impulsive(h_max, h, d, section.berm_width / l);
+    let impulsive = Impulsive::of(h_max, h, d, section.berm_width / l);
+    let α_impulsive = impulsive.alpha_i0 * impulsive.alpha_i1;
     let α_star = if choices.impulsive { α2.max(α_impulsive) } else { α2 };
 
     let obliquity = 0.5 * (1.0 + cos_β);
@@ -119,6 +145,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
         alpha_3: α3,
         alpha_4: α4,
         alpha_impulsive: α_impulsive,
+        impulsive,
         alpha_star: α_star,
         h_c_star,
         p1,
@@ -137,13 +164,23 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     Ok(goda)
 }
 
-/// α_I (Takahashi, Tanimoto and Shimosako 1994), for the berm width relative to the wavelength.
-fn impulsive(h_max: f64, h: f64, d: f64, relative_width: f64) -> f64 {
-    let (width, height) = (relative_width - 0.12, (h - d) / h - 0.6);
-    let δ11 = 0.93 * width + 0.36 * height;
-    let δ22 = -0.36 * width + 0.93 * height;
-    let δ1 = if δ11 <= 0.0 { 20.0 } else { 15.0 } * δ11;
-    let δ2 = if δ22 <= 0.0 { 4.9 } else { 3.0 } * δ22;
-    let α_i1 = if δ2 <= 0.0 { δ2.cos() / δ1.cosh() } else { 1.0 / (δ1.cosh() * δ2.cosh().sqrt()) };
-    (h_max / d).min(2.0) * α_i1
+impl Impulsive {
+    /// For the berm width relative to the wavelength.
+    fn of(h_max: f64, h: f64, d: f64, relative_width: f64) -> Impulsive {
+        let (width, height) = (relative_width - 0.12, (h - d) / h - 0.6);
+        let δ11 = 0.93 * width + 0.36 * height;
+        let δ22 = -0.36 * width + 0.93 * height;
+        let δ1 = if δ11 <= 0.0 { 20.0 } else { 15.0 } * δ11;
+        let δ2 = if δ22 <= 0.0 { 4.9 } else { 3.0 } * δ22;
+        let alpha_i1 =
+            if δ2 <= 0.0 { δ2.cos() / δ1.cosh() } else { 1.0 / (δ1.cosh() * δ2.cosh().sqrt()) };
+        Impulsive {
+            delta_11: δ11,
+            delta_22: δ22,
+            delta_1: δ1,
+            delta_2: δ2,
+            alpha_i0: (h_max / d).min(2.0),
+            alpha_i1,
+        }
+    }
 }

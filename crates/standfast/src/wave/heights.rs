@@ -13,6 +13,23 @@ pub struct DesignHeights {
     pub breaking_depth: f64,
     /// H_max, m.
     pub maximum: f64,
+    /// Whether waves may break on the slope, h/L₀ < 0.2; deeper water only shoals.
+    pub may_break: bool,
+    /// The terms of H_1/3 at h.
+    pub significant_terms: BreakingTerms,
+    /// The terms of H_max at h_b.
+    pub maximum_terms: BreakingTerms,
+}
+
+/// The coefficients of a breaking height, min{β₀H₀' + β₁h, β_max H₀'}.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BreakingTerms {
+    /// β₀.
+    pub beta_0: f64,
+    /// β₁.
+    pub beta_1: f64,
+    /// β_max.
+    pub beta_max: f64,
 }
 
 impl DesignHeights {
@@ -23,19 +40,31 @@ impl DesignHeights {
         let l0 = deep_water_wavelength(period, gravity);
         let k_s = shoaling(period, h, gravity);
         let steepness = height / l0;
-        let shallow = h / l0 < 0.2;
+        let may_break = h / l0 < 0.2;
         // min{β₀H₀' + β₁h, β_max H₀', K_s H₀'}, for H_1/3 at h and for H_max at h_b.
-        let limited = |depth: f64, [c0, c1, s1, least, c_max]: [f64; 5], shoaled: f64| {
-            let β0 = c0 * steepness.powf(-0.38) * (20.0 * t.powf(1.5)).exp();
-            let β1 = c1 * (s1 * t).exp();
-            let β_max = (c_max * steepness.powf(-0.29) * (2.4 * t).exp()).max(least);
-            let breaking = (β0 * height + β1 * depth).min(β_max * height);
-            if shallow { breaking.min(shoaled) } else { shoaled }
+        let terms = |[c0, c1, s1, least, c_max]: [f64; 5]| BreakingTerms {
+            beta_0: c0 * steepness.powf(-0.38) * (20.0 * t.powf(1.5)).exp(),
+            beta_1: c1 * (s1 * t).exp(),
+            beta_max: (c_max * steepness.powf(-0.29) * (2.4 * t).exp()).max(least),
         };
-        let significant = limited(h, [0.028, 0.52, 4.2, 0.92, 0.32], k_s * height);
+        let limited = |depth: f64, terms: &BreakingTerms, shoaled: f64| {
+            let breaking = (terms.beta_0 * height + terms.beta_1 * depth).min(terms.beta_max * height);
+            if may_break { breaking.min(shoaled) } else { shoaled }
+        };
+        let significant_terms = terms([0.028, 0.52, 4.2, 0.92, 0.32]);
+        let maximum_terms = terms([0.052, 0.63, 3.8, 1.65, 0.53]);
+        let significant = limited(h, &significant_terms, k_s * height);
         let breaking_depth = breaking_depth(sea, significant);
-        let maximum = limited(breaking_depth, [0.052, 0.63, 3.8, 1.65, 0.53], 1.8 * k_s * height);
-        DesignHeights { shoaling: k_s, significant, breaking_depth, maximum }
+        let maximum = limited(breaking_depth, &maximum_terms, 1.8 * k_s * height);
+        DesignHeights {
+            shoaling: k_s,
+            significant,
+            breaking_depth,
+            maximum,
+            may_break,
+            significant_terms,
+            maximum_terms,
+        }
     }
 }
 

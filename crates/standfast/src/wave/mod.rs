@@ -47,8 +47,8 @@ mod warning;
 
 pub use added_mass::{added_mass, added_mass_height};
 pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
-pub use goda::{Goda, goda};
-pub use heights::DesignHeights;
+pub use goda::{Goda, Impulsive, goda};
+pub use heights::{BreakingTerms, DesignHeights};
 pub use warning::Warning;
 
 use crate::error::InputError;

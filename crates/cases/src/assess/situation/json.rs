@@ -167,7 +167,7 @@ pub(in crate::assess) fn render(case: &Case, all: &[Assessed], files: &[String])
             toe_distance: body.toe_distance(),
             moment_of_inertia: body.moment_of_inertia(),
         },
-        weight_counted_as: loads::weight(case),
+        weight_counted_as: case.weight_words(),
         waves: case.wave.as_ref().map(Waves::of),
         warnings: case.warnings(),
         governing: Answer::of(governing),
@@ -274,7 +274,7 @@ impl PathStage {
 
 impl ComponentAnswer {
     fn of(component: &Component) -> ComponentAnswer {
-        let Component { name, kind, permanent, wrench } = component;
+        let Component { name, kind, permanent, wrench, .. } = component;
         ComponentAnswer {
             name: name.clone(),
             kind: match kind {

@@ -1,6 +1,6 @@
 //! The body, its loads one by one, and the classical checks, for reading.
 
-use standfast::HeelPressure;
+use standfast::{Corner, HeelPressure};
 
 use super::Assessed;
 use crate::case::{Case, Weight};
@@ -47,16 +47,18 @@ pub(super) fn body(case: &Case) -> String {
         };
         rows.push(row!["still water", format!("{levels} above the base; {} kg/m³", digits(water.density))]);
     }
-    rows.push(row!["weight counted as", weight(case)]);
+    rows.push(row!["weight counted as", case.weight_words()]);
     columns(&rows, 2, &[])
 }
 
-/// How water takes part in the weight.
-pub(super) fn weight(case: &Case) -> &'static str {
-    match (case.weight, &case.water) {
-        (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
-        (Weight::Total, Some(_)) => "total weight with explicit pressures",
-        (Weight::Total, None) => "total weight, no still water",
+impl Case {
+    /// How water takes part in the weight, in words.
+    pub fn weight_words(&self) -> &'static str {
+        match (self.weight, &self.water) {
+            (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
+            (Weight::Total, Some(_)) => "total weight with explicit pressures",
+            (Weight::Total, None) => "total weight, no still water",
+        }
     }
 }
 
@@ -83,7 +85,10 @@ pub(super) fn components(assessed: &Assessed) -> String {
 /// The actions as a designer adds them up, both safety factors and the heel pressure.
 pub(super) fn classical(assessed: &Assessed) -> String {
     let actions = &assessed.actions;
-    let heel = if assessed.full.wrench.x > 0.0 { "O'" } else { "O" };
+    let heel = match assessed.loaded.situation.heel(1.0) {
+        Corner::O => "O",
+        Corner::OPrime => "O'",
+    };
     let kilonewton_metres = |x: f64| format!("{} kN m/m", digits(x / 1e3));
     let number =
         |x: f64, unit: &str| if x.is_finite() { format!("{}{unit}", digits(x)) } else { "none".into() };
@@ -147,8 +152,8 @@ pub(super) fn classical(assessed: &Assessed) -> String {
     text
 }
 
-/// In kPa, and in words.
-pub(super) fn heel_pressure(heel: HeelPressure) -> (Option<f64>, &'static str) {
+/// The heel pressure in kPa, and in words.
+pub fn heel_pressure(heel: HeelPressure) -> (Option<f64>, &'static str) {
     match heel {
         HeelPressure::Pressed(pressure) => (Some(pressure / 1e3), "largest, at the heel"),
         HeelPressure::Unloaded => (None, "heel unloaded"),

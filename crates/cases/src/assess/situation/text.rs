@@ -18,6 +18,18 @@ const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of t
 const SHAKEN_WATER: &str = "The pressure of the water on the shaken wall is not among the loads, because its height is \
     not given: give sides in [added_mass] in place of the mass, or add it as a [[load]].";
 
+/// What added mass leaves out, in sentences; empty without it.
+pub fn added_mass_notes(case: &Case) -> Vec<&'static str> {
+    let mut notes = Vec::new();
+    if case.added_mass.mass > 0.0 {
+        notes.push(ADDED_MASS);
+        if case.earthquake.is_some() && case.added_mass.height.is_none() {
+            notes.push(SHAKEN_WATER);
+        }
+    }
+    notes
+}
+
 pub(in crate::assess) fn render(case: &Case, all: &[Assessed]) -> String {
     let mut text = heading(case);
     text += "Body\n";
@@ -75,17 +87,16 @@ fn beyond(assessed: &Assessed) -> String {
 fn details(case: &Case, assessed: &Assessed) -> String {
     let mut text = "\nForces and moments\n".to_owned();
     text += &loads::components(assessed);
-    if case.added_mass.mass > 0.0 {
-        text += &paragraph(ADDED_MASS, 2);
-        if case.earthquake.is_some() && case.added_mass.height.is_none() {
-            text += &paragraph(SHAKEN_WATER, 2);
-        }
+    for note in added_mass_notes(case) {
+        text += &paragraph(note, 2);
     }
     text += "\nActions\n";
     text += &loads::classical(assessed);
 
     text += "\nVerdict\n";
-    text += &verdict::full_load(assessed);
+    for sentence in assessed.full_load_words() {
+        text += &paragraph(&sentence, 2);
+    }
     match &assessed.full.effective {
         Some(reduced) => {
             text += "\nIn the report's diagram, with effective coordinates\n";
@@ -116,12 +127,12 @@ fn details(case: &Case, assessed: &Assessed) -> String {
     }
     if assessed.path.is_empty() {
         text += "\nLoad path\n";
-        text += &paragraph("All loads are permanent; none rises.", 2);
     } else {
         text += "\nLoad path: the variable loads rise by a factor, the permanent ones stay\n";
         text += &verdict::stages(assessed);
-        text += &paragraph(&verdict::departure(assessed), 2);
-        text += &paragraph(&verdict::difference(assessed), 2);
+    }
+    for sentence in assessed.path_words() {
+        text += &paragraph(&sentence, 2);
     }
     text
 }

@@ -5,7 +5,7 @@ use standfast::contact::path::Stage;
 
 use super::Assessed;
 use crate::describe::kilonewtons;
-use crate::layout::{columns, digits, paragraph, row};
+use crate::layout::{columns, digits, row};
 
 /// A mode, or the lack of one, as a predicate with its symbol.
 pub(super) fn predicate(mode: Option<Mode>) -> String {
@@ -15,10 +15,10 @@ pub(super) fn predicate(mode: Option<Mode>) -> String {
     }
 }
 
-/// The state under the full load.
-pub(super) fn full_load(assessed: &Assessed) -> String {
+/// The state under the full load, in sentences.
+pub(super) fn full_load(assessed: &Assessed) -> Vec<String> {
     let full = &assessed.full;
-    let mut text = String::new();
+    let mut sentences = Vec::new();
     if full.is_lifted() {
         let lift = kilonewtons(0.0 - full.wrench.p);
         let lifted = if full.wrench.p == 0.0 {
@@ -32,11 +32,11 @@ pub(super) fn full_load(assessed: &Assessed) -> String {
                  safety factors mean nothing."
             )
         };
-        text += &paragraph(&lifted, 2);
+        sentences.push(lifted);
     }
-    text += &paragraph(&format!("Applied at once, the full load: the body {}.", predicate(full.mode)), 2);
-    text += &paragraph(&uniqueness(assessed), 2);
-    text
+    sentences.push(format!("Applied at once, the full load: the body {}.", predicate(full.mode)));
+    sentences.push(uniqueness(assessed));
+    sentences
 }
 
 fn uniqueness(assessed: &Assessed) -> String {

@@ -1,0 +1,129 @@
+//! `standfast sheet`: the calculation sheet of a case, as HTML or, through a browser, as PDF.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use miette::Diagnostic;
+use standfast_sheet::{Options, Sheet, SheetError};
+use thiserror::Error;
+
+use crate::assess::{self, ReadError};
+use crate::browser::{self, PrintError};
+use crate::write::{self, WriteError};
+
+/// How a sheet is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Html,
+    Pdf,
+}
+
+/// A sheet's file, whose extension says how it is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SheetFile {
+    path: PathBuf,
+    kind: Kind,
+}
+
+/// A file name that does not say which kind of sheet it is.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{found}; the extension has to be html or pdf")]
+pub struct ExtensionError {
+    found: String,
+}
+
+impl FromStr for SheetFile {
+    type Err = ExtensionError;
+
+    fn from_str(text: &str) -> Result<SheetFile, ExtensionError> {
+        let path = PathBuf::from(text);
+        let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+        let kind = match extension.to_ascii_lowercase().as_str() {
+            "html" => Kind::Html,
+            "pdf" => Kind::Pdf,
+            "" => return Err(ExtensionError { found: "there is no extension".to_owned() }),
+            _ => return Err(ExtensionError { found: format!("unknown extension `{extension}`") }),
+        };
+        Ok(SheetFile { path, kind })
+    }
+}
+
+impl fmt::Display for SheetFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.path.display().fmt(f)
+    }
+}
+
+/// Why a sheet was not made.
+#[derive(Debug, Error, Diagnostic)]
+pub enum SheetCommandError {
+    /// The case file cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Read(#[from] ReadError),
+    /// The case makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Sheet(#[from] SheetError),
+    /// The sheet cannot be printed.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Print(#[from] PrintError),
+    /// The sheet would replace the case file.
+    #[error("the sheet would be written over the case file {}", path.display())]
+    #[diagnostic(help("choose another file with -o"))]
+    Overwrite {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// The sheet cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// Writes the calculation sheet of a case file.
+///
+/// # Errors
+/// If the case file cannot be read or makes no sense, or the sheet cannot be printed or written.
+pub fn sheet(
+    case: &Path,
+    file: &SheetFile,
+    options: &Options,
+    paper: Paper,
+) -> Result<(), SheetCommandError> {
+    let text = assess::read(case)?;
+    let sheet = Sheet::of(&case.display().to_string(), &text, options)?;
+    if file.path.canonicalize().is_ok_and(|file| case.canonicalize().is_ok_and(|case| case == file)) {
+        return Err(SheetCommandError::Overwrite { path: case.to_owned() });
+    }
+    match file.kind {
+        Kind::Html => write::write_file(&file.path, sheet.html().as_bytes())?,
+        Kind::Pdf => {
+            // Before a browser is started for nothing.
+            let pending = write::Pending::create(&file.path)?;
+            let pdf = browser::print(&on_paper(sheet.html(), paper), options.date)?;
+            pending.write_all_and_finish(&pdf)?;
+        }
+    }
+    Ok(())
+}
+
+/// The size of a PDF's pages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Paper {
+    /// 210 mm × 297 mm.
+    #[default]
+    A4,
+    /// 8.5 in × 11 in.
+    Letter,
+}
+
+/// The sheet with the size of its pages set; the HTML file itself leaves that to whoever prints it.
+fn on_paper(html: &str, paper: Paper) -> String {
+    let size = match paper {
+        Paper::A4 => "A4",
+        Paper::Letter => "letter",
+    };
+    html.replacen("</style>", &format!("@page{{size:{size}}}</style>"), 1)
+}

@@ -1,0 +1,206 @@
+//! Each load as a wrench at the centre of mass, and their sum.
+
+use maud::{Markup, html};
+use standfast::contact::Wrench;
+use standfast_cases::assess::situation::added_mass_notes;
+use standfast_cases::case::{AddedMass, Component, Origin, Uplift, Water, Weight};
+use standfast_cases::{Assessed, Case};
+
+use crate::quantity::{
+    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Quantity, TONNE, number,
+};
+use crate::steps::{Step, Steps};
+
+/// The symbols of a component's parts: X, V and M with its number.
+pub(super) fn parts(index: usize) -> [String; 3] {
+    ["X", "V", "M"].map(|letter| format!("{letter}_{}", index + 1))
+}
+
+/// The sum of symbols as a formula, each where its value is not zero; `None` if all are.
+pub(super) fn sum<'a>(components: impl Iterator<Item = (String, f64)> + 'a) -> Option<String> {
+    let names: Vec<_> = components.filter(|(_, value)| *value != 0.0).map(|(name, _)| name).collect();
+    (!names.is_empty()).then(|| names.join(" + "))
+}
+
+/// A formula as a factor: in parentheses if it is a sum.
+pub(super) fn grouped(formula: &str) -> String {
+    if formula.contains(' ') { format!("({formula})") } else { formula.to_owned() }
+}
+
+pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
+    steps.heading("Loads, at the centre of mass");
+    steps.note(
+        "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force, which the \
+         theory pages call P.",
+    );
+    added_mass(steps, case);
+    for (i, component) in assessed.loaded.components.iter().enumerate() {
+        one(steps, case, assessed, i, component);
+    }
+    let components = &assessed.loaded.components;
+    let total = &assessed.full.wrench;
+    let of = |part: fn(&Wrench) -> f64, which: usize| {
+        sum(components
+            .iter()
+            .enumerate()
+            .map(|(i, component)| (parts(i)[which].clone(), part(&component.wrench))))
+    };
+    let sums = [
+        ("X", "to the right", total.x, KILONEWTON, of(|wrench| wrench.x, 0)),
+        ("V", "downwards", total.p, KILONEWTON, of(|wrench| wrench.p, 1)),
+        ("M", "moment at C", total.m, MOMENT, of(|wrench| wrench.m, 2)),
+    ];
+    table(steps, assessed);
+    for (name, words, value, unit, formula) in sums {
+        let about = format!("Sum under the full load, {words}");
+        match formula {
+            Some(formula) => steps.add(&about, "", [name, &formula], value, unit, ""),
+            None => steps.told(&about, name, value, unit, "no load has such a part", ""),
+        }
+    }
+    for note in added_mass_notes(case) {
+        steps.note(note);
+    }
+}
+
+/// The loads one by one, in a table.
+fn table(steps: &mut Steps, assessed: &Assessed) {
+    steps.push(html! {
+        table.numbers data-table="components" {
+            thead { tr { th { "Load" } th { "Share" } th.n { "X" br; "kN/m" } th.n { "V" br; "kN/m" } th.n { "M" br; "kN m/m" } } }
+            tbody {
+                @for (i, Component { name, permanent, wrench, .. }) in assessed.loaded.components.iter().enumerate() {
+                    tr {
+                        td { (i + 1) " " (name) }
+                        td { @if *permanent { "permanent" } @else { "variable" } }
+                        (cells(wrench))
+                    }
+                }
+                tr.sum { td { "Sum" } td {} (cells(&assessed.full.wrench)) }
+            }
+        }
+    });
+}
+
+fn cells(wrench: &Wrench) -> Markup {
+    html! {
+        @for value in [wrench.x, wrench.p, wrench.m] {
+            td.n { data value=(value / 1e3 + 0.0) { (number(value / 1e3 + 0.0)) } }
+        }
+    }
+}
+
+fn added_mass(steps: &mut Steps, case: &Case) {
+    let AddedMass { mass, height } = case.added_mass;
+    if mass == 0.0 {
+        return;
+    }
+    let from_water = match (&case.water, &case.wave) {
+        (Some(water), _) => Some((water.density, water.right, water.left)),
+        (None, Some(wave)) => {
+            Some((wave.sea.water_density, wave.section.base_depth, wave.section.base_depth))
+        }
+        (None, None) => None,
+    };
+    let (Some(height), Some((density, right, left))) = (height, from_water) else {
+        steps.told("Added mass of water", "M_a", mass, TONNE, "as given in the case file", "added_mass");
+        return;
+    };
+    steps.know("ρ_w", density, DENSITY);
+    steps.know("h_r", right, METRE);
+    steps.know("h_l", left, METRE);
+    let one_side = standfast::wave::added_mass(1, density, right) == mass;
+    // ζ(3) to the digits of a double; the coefficient is 0.54275.
+    let coefficient = "14 1.2020569031595942/π^3 ρ_w";
+    let formula =
+        if one_side { format!("{coefficient} h_r^2") } else { format!("{coefficient} (h_r^2 + h_l^2)") };
+    let about = "Added mass of water, 14ζ(3)/π³ `ρ_w h^2` a side";
+    steps.add(about, "Westergaard's problem", ["M_a", &formula], mass, TONNE, "added_mass");
+    let depths = if one_side { "h_r" } else { "(h_r^3 + h_l^3)/(h_r^2 + h_l^2)" };
+    // β(4) is Dirichlet's; the coefficient is 0.40142.
+    let formula = format!("(1 − 16 0.9889445517411053/(7 π 1.2020569031595942)) {depths}");
+    let about =
+        "Height above the base at which it presses on a shaken wall, 1 − 16β(4)/(7πζ(3)) of the depth";
+    steps.add(about, "same potential", ["z_a", &formula], height, METRE, "");
+}
+
+/// The wrench of one load.
+fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
+    let Component { name, origin, wrench, .. } = component;
+    let [x, v, m] = parts(i);
+    // Backticks would begin a formula.
+    let about = format!("{}  {}", i + 1, name.replace('`', "'"));
+    // The elevation of a force turns it into a moment.
+    let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
+    let pressure = |left: &str, right: &str, factor: &str| {
+        [
+            format!("−{factor}({left} + {right})/2 B_c"),
+            format!("{factor}({left} + 2 {right})/6 B_c^2 + {v} b_1"),
+        ]
+    };
+    let [fx, fv, fm] = match origin {
+        Origin::Weight => [None, Some("m g".to_owned()), None],
+        Origin::BuoyantWeight => {
+            if let Weight::Buoyant { force, arm } = case.weight {
+                steps.know("W_g", force, KILONEWTON);
+                steps.know("t_g", arm, METRE);
+            }
+            [None, Some("W_g".to_owned()), Some("−W_g (t_g − b_1)".to_owned())]
+        }
+        Origin::Buoyancy | Origin::StillWater => {
+            if let Some(Water { left, right, density }) = case.water {
+                steps.know("h_l", left, METRE);
+                steps.know("h_r", right, METRE);
+                steps.know("ρ_w", density, DENSITY);
+            }
+            if *origin == Origin::Buoyancy {
+                let [v, m] = pressure("h_l", "h_r", "ρ_w g ");
+                [None, Some(v), Some(m)]
+            } else {
+                let moment = "ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C))";
+                [Some("ρ_w g (h_l^2 − h_r^2)/2".to_owned()), None, Some(moment.to_owned())]
+            }
+        }
+        Origin::Uplift => {
+            if let Some(Uplift { left, right, .. }) = case.uplift {
+                steps.know("p_l", left, KILOPASCAL);
+                steps.know("p_r", right, KILOPASCAL);
+            }
+            let [v, m] = pressure("p_l", "p_r", "");
+            [None, Some(v), Some(m)]
+        }
+        Origin::HorizontalInertia | Origin::VerticalInertia | Origin::ShakenWater => {
+            if let Some(earthquake) = &case.earthquake {
+                steps.know("a_h", earthquake.horizontal, ACCELERATION);
+                steps.know("a_v", earthquake.vertical, ACCELERATION);
+            }
+            match origin {
+                Origin::HorizontalInertia => [Some("−m a_h".to_owned()), None, None],
+                Origin::VerticalInertia => [None, Some("m a_v".to_owned()), None],
+                _ => [Some("−M_a a_h".to_owned()), None, Some(moment_of_x("z_a"))],
+            }
+        }
+        Origin::WavePressure => [Some("−P_w".to_owned()), None, Some("M_w − P_w y_C".to_owned())],
+        Origin::WaveUplift => [None, Some("−p_u/2 B_c".to_owned()), Some(format!("p_u/3 B_c^2 + {v} b_1"))],
+        Origin::Force => {
+            let Some(load) = assessed.loaded.load.map(|load| &case.loads[load]) else { return };
+            steps.know("F", load.force.magnitude(), KILONEWTON);
+            steps.know("e", load.force.elevation(), METRE);
+            let sign = if load.force.direction().sign() < 0.0 { "−" } else { "" };
+            [Some(format!("{sign}F")), None, Some(moment_of_x("e"))]
+        }
+    };
+    let mut about = about.as_str();
+    let parts = [(x, fx, wrench.x, KILONEWTON), (v, fv, wrench.p, KILONEWTON), (m, fm, wrench.m, MOMENT)];
+    for (name, formula, value, unit) in parts {
+        match formula {
+            // A moment that is zero because the load acts at C needs no line.
+            Some(formula) if value != 0.0 || unit != MOMENT => {
+                let result = Quantity::of(value, unit);
+                steps.step(&Step { about, reference: "", name: &name, formula: &formula, result, key: "" });
+                about = "";
+            }
+            _ => steps.know(&name, value, unit),
+        }
+    }
+}

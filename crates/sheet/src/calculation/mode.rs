@@ -1,0 +1,175 @@
+//! The mode of response in the report's plane: coordinates, inequalities, changes of mode.
+
+use maud::{Markup, PreEscaped, html};
+use standfast::initiation::Crossing;
+use standfast::{Mode, Point, Reduced};
+use standfast_cases::describe::{self, Scale};
+use standfast_cases::layout::apart;
+
+use crate::mathml::symbol;
+use crate::quantity::{KILONEWTON, NONE, Quantity};
+use crate::steps::Steps;
+
+/// k_eff and k'_eff of loads that act together.
+pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
+    let point = &reduced.point;
+    steps.heading("The report's plane, in effective coordinates");
+    steps.add(
+        "Horizontal by vertical load",
+        "theory of loads",
+        ["k_eff", "|X|/V"],
+        point.force(),
+        NONE,
+        "k_eff",
+    );
+    let about = "Height of the resultant above the centre of mass, in half-heights";
+    let formula = ["k'_eff", "−M/(X H)"];
+    steps.add(about, "theory of loads", formula, point.elevation(), NONE, "k_prime_eff");
+    steps.know("k", point.force(), NONE);
+    steps.know("k'", point.elevation(), NONE);
+    if reduced.mirrored {
+        steps.note(describe::MIRRORED);
+    }
+    let about = "Safety against overturning in these coordinates";
+    let factor = point.safety_against_overturning();
+    if factor.is_finite() {
+        steps.add(about, "", ["SF_eff", "1/(k γ |1 + k'|)"], factor, NONE, "");
+        steps.note(
+            "It counts uplift and eccentric weight as a load, the classical factor as less resistance; they differ except at 1, \
+             which they pass together. From here on `k` and `k'` are the effective ones.",
+        );
+    }
+}
+
+/// Both factors of a force alone, in air.
+pub(super) fn safety_factors(steps: &mut Steps, point: &Point) {
+    steps.heading("Safety factors");
+    let (sliding, overturning) = (point.safety_against_sliding(), point.safety_against_overturning());
+    let about = "Safety against sliding";
+    if sliding.is_finite() {
+        steps.add(about, "", ["SF_sliding", "μ/k"], sliding, NONE, "sliding");
+    } else {
+        steps.told(about, "SF_sliding", sliding, NONE, "no force acts", "sliding");
+    }
+    let about = "Safety against overturning";
+    if overturning.is_finite() {
+        let formula = ["SF_overturning", "1/(k γ |1 + k'|)"];
+        steps.add(about, "", formula, overturning, NONE, "overturning");
+    } else {
+        let words = "the force has no moment about the corner";
+        steps.told(about, "SF_overturning", overturning, NONE, words, "overturning");
+    }
+    let met = |factor: f64| if factor >= super::classical::TARGET { "met" } else { "not met" };
+    steps.note(&format!(
+        "Common practice asks for {} at least: against sliding {}, against overturning {}.",
+        super::classical::TARGET,
+        met(sliding),
+        met(overturning)
+    ));
+}
+
+/// The inequalities in the order they are tried.
+pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
+    let point = &reduced.point;
+    let chart = point.chart();
+    let trace = point.explain();
+    steps.heading("Mode of response: the report's inequalities");
+    steps.note(&format!(
+        "{}. Modes are tried in the report's order; one holds if all of its inequalities do. The decision is exact for the \
+         numbers given, without tolerance.",
+        capital(chart.case().words()).replace('\'', "′")
+    ));
+    let bounds = || trace.steps.iter().flat_map(|step| &step.relations).map(|relation| relation.bound);
+    if bounds().any(|bound| bound.contains("a k")) {
+        let [a, b, c, d] = chart.coefficients();
+        // Chapter III of the report has them for forces above the centre of mass, chapter IV for those below.
+        let above = point.elevation() >= 0.0;
+        let numbers = if above { ["3.18", "3.19", "3.20", "3.21"] } else { ["4.42", "4.43", "4.44", "4.45"] };
+        steps.add("Coefficients", numbers[0], ["a", "4 + γ^2 − 3 γ^2 k'"], a, NONE, "");
+        steps.add("", numbers[1], ["b", "3 γ"], b, NONE, "");
+        steps.add("", numbers[2], ["c", "3 γ (1 + k')"], c, NONE, "");
+        steps.add("", numbers[3], ["d", "1 + 4 γ^2"], d, NONE, "");
+    }
+    for step in &trace.steps {
+        let mode = reduced.orient(step.mode);
+        let mirrored = match mode == step.mode {
+            true => String::new(),
+            false => format!(", the mirror image of {}", step.mode),
+        };
+        steps.push(html! {
+            h4 {
+                "Does it hold that the body " (mode.words()) " (" (mode) (mirrored) ")? "
+                @if step.holds { span.yes { "Yes" } } @else { span.no { "No" } }
+            }
+        });
+        for relation in &step.relations {
+            steps.relation(relation);
+        }
+    }
+    steps.note(&describe::uniqueness(reduced));
+}
+
+/// Where the mode changes as force or friction vary.
+pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, scale: Option<&Scale>) {
+    let margins = reduced.point.margins();
+    steps.heading("Changes of mode");
+    let sentence = match margins.leaves_rest() {
+        Some(Crossing { at, to, .. }) => {
+            let to = reduced.orient(to);
+            html! {
+                p.note {
+                    "The body leaves rest at " (PreEscaped(symbol("k"))) " = " (Quantity::of(at, NONE).html(""))
+                    @if let Some(scale) = scale {
+                        ", " (PreEscaped(symbol("F"))) " = "
+                        (Quantity::of(at * scale.weight, KILONEWTON).html("leaves_rest_force"))
+                    }
+                    ": beyond, it " (to.words()) " (" (to) ")."
+                }
+            }
+        }
+        None => html! { p.note { "No force up to k = 10" sup { "50" } " moves the body." } },
+    };
+    steps.push(sentence);
+    let force = |k: f64| scale.map(|scale| Quantity::of(k * scale.weight, KILONEWTON).html(""));
+    steps.push(html! {
+        table.numbers data-table="changes" {
+            thead { tr { th { "Varied" } th.n { "Value" } th.n { "F" } th { "Change of mode" } } }
+            tbody {
+                @for (text, crossing) in shown(&margins.along_force) {
+                    tr {
+                        td { "force, " (PreEscaped(symbol("k"))) }
+                        td.n { data value=(crossing.at) { (text) } }
+                        td.n { @if let Some(force) = force(crossing.at) { (force) } }
+                        td { (arrow(reduced, crossing)) }
+                    }
+                }
+                @for (text, crossing) in shown(&margins.along_friction) {
+                    tr {
+                        td { "friction, " (PreEscaped(symbol("μ"))) }
+                        td.n { data value=(crossing.at) { (text) } }
+                        td.n {}
+                        td { (arrow(reduced, crossing)) }
+                    }
+                }
+            }
+        }
+    });
+    if margins.along_friction.last().is_some_and(|crossing| crossing.to != Mode::Rest) {
+        steps.note("No friction keeps the body at rest under this force.");
+    }
+}
+
+/// Crossings with their values in as many digits as tell them apart.
+fn shown(crossings: &[Crossing]) -> impl Iterator<Item = (String, &Crossing)> {
+    let values: Vec<_> = crossings.iter().map(|crossing| crossing.at).collect();
+    apart(&values).into_iter().zip(crossings)
+}
+
+fn arrow(reduced: &Reduced, crossing: &Crossing) -> Markup {
+    html! { (reduced.orient(crossing.from)) " → " (reduced.orient(crossing.to)) }
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

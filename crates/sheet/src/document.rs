@@ -1,0 +1,171 @@
+//! The document: what stands on the sheet, and in which order.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use standfast_cases::{Assessment, Case, CaseFigure};
+
+use crate::{Date, SheetError, calculation, inputs, limits, method, sensitivity, verdict};
+
+/// The case file, and the day.
+pub struct Source<'a> {
+    /// The file's name without folders.
+    pub file: &'a str,
+    pub text: &'a str,
+    /// SHA-256 of the text.
+    pub hash: String,
+    pub date: Option<Date>,
+}
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+const STYLE: &str = include_str!("sheet.css");
+
+/// The faces: name, weight, file.
+const FACES: [(&str, &str, &[u8]); 3] = [
+    ("Sheet Text", "400", include_bytes!("../fonts/regular.woff2")),
+    ("Sheet Text", "600", include_bytes!("../fonts/semibold.woff2")),
+    ("Sheet Math", "400", include_bytes!("../fonts/math.woff2")),
+];
+
+pub fn render(
+    case: &Case,
+    assessment: &Assessment<'_>,
+    name: &str,
+    source: &Source<'_>,
+) -> Result<String, SheetError> {
+    let figures = assessment.figures()?;
+    let sensitivities = sensitivity::table(name, source.text)?;
+    let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
+    let calculation = match assessment.situations() {
+        [] => calculation::plain(case),
+        all => calculation::together(case, all),
+    };
+    let document = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content={ "standfast " (VERSION) };
+                title { (title) " – calculation sheet" }
+                style { (PreEscaped(style(&title, source))) }
+            }
+            body {
+                main {
+                    (title_block(case, &title, source))
+                    (verdict::summary(case, assessment))
+                    section { h2 { "1 Inputs" } (inputs::tables(case, source.text)) }
+                    section { h2 { "2 Assumptions and method" } (method::words(case)) }
+                    section {
+                        h2 { "3 Calculation" }
+                        p.note {
+                            "Each step: the formula, the same with numbers put in, the result. Numbers are carried at full \
+                             precision and shown to five significant digits; forces, masses and moments are per metre run. \
+                             Numbers in parentheses are the report’s equations."
+                        }
+                        (calculation)
+                    }
+                    section { h2 { "4 Verdict" } (verdict::full(case, assessment)) }
+                    section {
+                        h2 { "5 Figures" }
+                        @for (i, figure) in figures.iter().enumerate() { (drawing(i, figure)) }
+                    }
+                    section { h2 { "6 Sensitivity" } (sensitivities) }
+                    section { h2 { "7 What is not covered" } (limits::words(case)) }
+                    section.signatures { h2 { "8 Signatures" } (signatures()) }
+                }
+            }
+        }
+    };
+    Ok(document.into_string())
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn day(source: &Source<'_>) -> String {
+    source.date.map_or("undated".to_owned(), |date| date.to_string())
+}
+
+fn title_block(case: &Case, title: &str, source: &Source<'_>) -> Markup {
+    html! {
+        header.title {
+            p.kind { "Calculation sheet: initiation of motion of a freestanding body" }
+            h1 { (title) }
+            @if let Some(note) = &case.note { p.source { (one_line(note)) } }
+            table.block {
+                tbody {
+                    tr { th scope="row" { "Case file" } td { (source.file) } th scope="row" { "Date" } td { (day(source)) } }
+                    tr { th scope="row" { "SHA-256" } td.hash colspan="3" { (spaced(&source.hash)) } }
+                    tr { th scope="row" { "Program" } td colspan="3" { "standfast " (VERSION) } }
+                    tr.sign { th scope="row" { "Author" } td {} th scope="row" { "Checker" } td {} }
+                }
+            }
+        }
+    }
+}
+
+/// In groups of eight, so that it may be compared by eye.
+fn spaced(hash: &str) -> String {
+    hash.as_bytes().chunks(8).map(String::from_utf8_lossy).collect::<Vec<_>>().join(" ")
+}
+
+fn signatures() -> Markup {
+    html! {
+        table.block.sign {
+            thead { tr { th {} th { "Name" } th { "Date" } th { "Signature" } } }
+            tbody {
+                tr { th scope="row" { "Author" } td {} td {} td {} }
+                tr { th scope="row" { "Checker" } td {} td {} td {} }
+                tr { th scope="row" { "Approved" } td {} td {} td {} }
+            }
+        }
+        p.note {
+            "The checker confirms the inputs against their sources, the assumptions against the structure, and the calculation \
+             by following its steps."
+        }
+    }
+}
+
+/// A figure of the case, its glyphs renamed so that those of several do not clash.
+fn drawing(index: usize, figure: &CaseFigure) -> Markup {
+    let own = format!("f{}-", index + 1);
+    let svg = figure.figure.svg().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
+    html! {
+        figure {
+            (PreEscaped(svg))
+            figcaption { "Figure " (index + 1) ". " (figure.words) "." }
+        }
+    }
+}
+
+/// The style with the faces, and what runs along the pages.
+fn style(title: &str, source: &Source<'_>) -> String {
+    let mut style = String::new();
+    for (family, weight, bytes) in FACES {
+        style += &format!(
+            "@font-face{{font-family:\"{family}\";font-weight:{weight};src:url(data:font/woff2;base64,{}) format(\"woff2\")}}\n",
+            STANDARD.encode(bytes)
+        );
+    }
+    let file = format!("{} · SHA-256 {}…", source.file, &source.hash[..16]);
+    style += &format!(
+        "@page{{@top-left{{content:{}}}@top-right{{content:{}}}@bottom-left{{content:{}}}}}\n",
+        quoted(title),
+        quoted(&file),
+        quoted(&format!("standfast {VERSION} · {}", day(source))),
+    );
+    style + STYLE
+}
+
+/// A text as a CSS string that cannot leave it, nor the style element.
+fn quoted(text: &str) -> String {
+    let escaped = text.chars().map(|c| match c {
+        '"' | '\\' | '<' | '>' | '&' => format!("\\{:x} ", u32::from(c)),
+        c if c.is_control() => " ".to_owned(),
+        c => c.to_string(),
+    });
+    format!("\"{}\"", escaped.collect::<String>())
+}

@@ -1,0 +1,106 @@
+//! The calculation sheet of a case: what an engineer files and a checker signs.
+//!
+//! ```
+//! use standfast_sheet::{Date, Options, Sheet};
+//!
+//! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
+//! let date: Date = "2026-11-21".parse()?;
+//! let sheet = Sheet::of("case.toml", text, &Options { date: Some(date), ..Options::default() })?;
+//! assert!(sheet.html().contains("The body stays at rest (RE)."));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | question | module |
+//! |---|---|
+//! | What stands on the sheet, in which order? | `document` |
+//! | What is computed, step by step? | `calculation` |
+//! | How does a formula become symbols and numbers? | [`formula`], `mathml`, `steps` |
+//!
+//! Every number is the library's; formulas stand beside it to be checked by hand. The sheet is one HTML file without scripts
+//! that loads nothing. The same case, options and version of the program give the same bytes.
+
+#![forbid(unsafe_code)]
+
+mod calculation;
+mod date;
+mod document;
+pub mod formula;
+mod inputs;
+mod limits;
+mod mathml;
+mod method;
+mod quantity;
+mod sensitivity;
+mod steps;
+mod verdict;
+
+use miette::Diagnostic;
+use sha2::{Digest, Sha256};
+use standfast::InputError;
+use standfast_cases::{Assessment, Case, CaseError};
+use thiserror::Error;
+
+pub use date::{Date, DateError};
+
+/// What the case does not say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The day the sheet bears; without it the sheet says that it is undated.
+    pub date: Option<Date>,
+    /// How far a rising load is followed, as a multiple of the full load.
+    pub up_to: f64,
+}
+
+impl Default for Options {
+    /// Undated, loads followed up to twice their value.
+    fn default() -> Options {
+        Options { date: None, up_to: 2.0 }
+    }
+}
+
+/// Why there is no sheet.
+#[derive(Debug, Error, Diagnostic)]
+pub enum SheetError {
+    /// The case file is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    /// The case cannot be computed.
+    #[error(transparent)]
+    Mechanics(#[from] InputError),
+}
+
+/// A calculation sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
+    html: String,
+}
+
+impl Sheet {
+    /// The sheet of the case whose file is `text`. `name` is what errors call the file; the sheet shows the last part of it.
+    ///
+    /// # Errors
+    /// If the case makes no sense.
+    pub fn of(name: &str, text: &str, options: &Options) -> Result<Sheet, SheetError> {
+        let case = Case::parse(name, text)?;
+        let assessment = Assessment::of(&case, options.up_to)?;
+        let source = document::Source {
+            file: name.rsplit(['/', '\\']).next().unwrap_or(name),
+            text,
+            hash: hash(text),
+            date: options.date,
+        };
+        let html = document::render(&case, &assessment, name, &source)?;
+        Ok(Sheet { html })
+    }
+
+    /// The sheet as an HTML document.
+    pub fn html(&self) -> &str {
+        &self.html
+    }
+}
+
+/// SHA-256 of the file's bytes, in hexadecimal digits.
+fn hash(text: &str) -> String {
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}

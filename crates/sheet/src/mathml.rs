@@ -1,0 +1,230 @@
+//! Formulas drawn in MathML: in symbols, or with numbers put in.
+//!
+//! A long line is cut into several `math` elements, each of which may begin a new line, because browsers do not break one.
+
+use std::collections::BTreeMap;
+
+use maud::{Markup, PreEscaped, html};
+
+use crate::formula::Formula;
+use crate::quantity::{NONE, Quantity};
+
+/// What names stand for.
+pub type Scope = BTreeMap<String, Quantity>;
+
+/// How names are drawn.
+#[derive(Clone, Copy)]
+pub enum Drawn<'a> {
+    /// As symbols.
+    Symbols,
+    /// As numbers with their units.
+    Numbers(&'a Scope),
+}
+
+/// A formula in `math` elements, the first of which begins with `lead`, e.g. an equals sign.
+pub fn line(formula: &Formula, lead: &str, drawn: Drawn<'_>) -> String {
+    let lead =
+        if lead.is_empty() { String::new() } else { format!("<mo form=\"infix\">{}</mo>", escape(lead)) };
+    let mut chunks = vec![lead];
+    match formula {
+        Formula::Sum(terms) => {
+            for (i, (subtracted, term)) in terms.iter().enumerate() {
+                if i > 0 {
+                    chunks.push(operator(if *subtracted { "−" } else { "+" }));
+                }
+                term_chunks(term, drawn, i == 0, &mut chunks);
+            }
+        }
+        term => term_chunks(term, drawn, true, &mut chunks),
+    }
+    let math =
+        chunks.into_iter().map(|chunk| format!("<math displaystyle=\"true\"><mrow>{chunk}</mrow></math>"));
+    math.collect::<Vec<_>>().join("<wbr>")
+}
+
+/// Adds a term to the last chunk; a product of numbers continues in further chunks.
+fn term_chunks(term: &Formula, drawn: Drawn<'_>, first: bool, chunks: &mut Vec<String>) {
+    let mut add = |text: String| chunks.last_mut().expect("there is a chunk").push_str(&text);
+    match (term, drawn) {
+        (Formula::Product(factors), Drawn::Numbers(_)) => {
+            for (i, factor) in factors.iter().enumerate() {
+                let factor = factor_of(factor, drawn);
+                if i == 0 {
+                    chunks.last_mut().expect("there is a chunk").push_str(&factor);
+                } else {
+                    chunks.push(operator("⋅") + &factor);
+                }
+            }
+        }
+        (term, _) => add(draw(term, drawn, first)),
+    }
+}
+
+fn operator(sign: &str) -> String {
+    format!("<mo form=\"infix\">{sign}</mo>")
+}
+
+/// A formula as the content of an `mrow`. `first` says whether a negative number needs no parentheses.
+pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
+    match formula {
+        Formula::Number(number) => format!("<mn>{number}</mn>"),
+        Formula::Name(text) => match drawn {
+            Drawn::Numbers(scope) if text != "π" => match scope.get(text) {
+                Some(quantity) => quantity.mathml(first),
+                None => {
+                    debug_assert!(false, "{text} has no number");
+                    name(text)
+                }
+            },
+            _ => name(text),
+        },
+        Formula::Negative(inner) => format!("<mo form=\"prefix\">−</mo>{}", factor_of(inner, drawn)),
+        Formula::Sum(terms) => {
+            let mut text = String::new();
+            for (i, (subtracted, term)) in terms.iter().enumerate() {
+                if i > 0 {
+                    text += &operator(if *subtracted { "−" } else { "+" });
+                }
+                text += &draw(term, drawn, i == 0 && first);
+            }
+            text
+        }
+        Formula::Product(factors) => {
+            let between = match drawn {
+                Drawn::Symbols => "<mo>\u{2062}</mo>".to_owned(),
+                Drawn::Numbers(_) => operator("⋅"),
+            };
+            let factors: Vec<_> = factors.iter().map(|factor| factor_of(factor, drawn)).collect();
+            factors.join(&between)
+        }
+        Formula::Fraction(above, below) => {
+            let [above, below] = [above, below].map(|part| row(&draw(part.bare(), drawn, true)));
+            format!("<mfrac>{above}{below}</mfrac>")
+        }
+        Formula::Ratio(above, below) => {
+            format!(
+                "{}<mo form=\"infix\" lspace=\"0\" rspace=\"0\">/</mo>{}",
+                draw(above, drawn, false),
+                factor_of(below, drawn)
+            )
+        }
+        Formula::Power(base, exponent) => {
+            let base = match (base.as_ref(), drawn) {
+                (Formula::Name(name), Drawn::Numbers(scope))
+                    if scope
+                        .get(name)
+                        .is_none_or(|quantity| quantity.value < 0.0 || quantity.unit != NONE) =>
+                {
+                    fenced("(", &draw(base, drawn, true), ")")
+                }
+                (Formula::Call(..), _) => fenced("(", &draw(base, drawn, true), ")"),
+                _ => row(&draw(base, drawn, false)),
+            };
+            format!("<msup>{base}{}</msup>", row(&draw(exponent.bare(), drawn, true)))
+        }
+        Formula::Call(function, arguments) => {
+            let arguments: Vec<_> =
+                arguments.iter().map(|argument| row(&draw(argument, drawn, true))).collect();
+            match function.as_str() {
+                "sqrt" => format!("<msqrt>{}</msqrt>", arguments.concat()),
+                "min" | "max" => {
+                    let list = arguments.join("<mo separator=\"true\">,</mo>");
+                    format!("<mi>{function}</mi>{}", fenced("{", &list, "}"))
+                }
+                _ => format!("<mi>{function}</mi><mo>\u{2061}</mo>{}", fenced("(", &arguments.concat(), ")")),
+            }
+        }
+        Formula::Group(inner) => fenced("(", &draw(inner, drawn, true), ")"),
+        Formula::Absolute(inner) => fenced("|", &draw(inner, drawn, true), "|"),
+    }
+}
+
+/// A factor of a product or what follows a minus sign.
+fn factor_of(formula: &Formula, drawn: Drawn<'_>) -> String {
+    match formula {
+        Formula::Sum(_) | Formula::Negative(_) => fenced("(", &draw(formula, drawn, true), ")"),
+        _ => draw(formula, drawn, false),
+    }
+}
+
+fn row(content: &str) -> String {
+    format!("<mrow>{content}</mrow>")
+}
+
+fn fenced(open: &str, content: &str, close: &str) -> String {
+    format!("<mrow><mo form=\"prefix\">{open}</mo>{content}<mo form=\"postfix\">{close}</mo></mrow>")
+}
+
+/// A symbol with its subscript, primes and stars. A prime behind a lettered subscript belongs to that letter, as in that of
+/// the corner O′.
+pub fn name(text: &str) -> String {
+    let (base, mut subscript) = text.split_once('_').unwrap_or((text, ""));
+    let stem = base.trim_end_matches(['\'', '*']);
+    let mut marks = base[stem.len()..].to_owned();
+    let mut letters = stem;
+    if subscript.is_empty() {
+        letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+        subscript = &stem[letters.len()..];
+    }
+    let bare = subscript.trim_end_matches(['\'', '*']);
+    let mut inner = "";
+    if bare.len() < subscript.len() {
+        if subscript.ends_with('*') || bare.starts_with(|c: char| c.is_ascii_digit()) {
+            marks += &subscript[bare.len()..];
+        } else {
+            inner = "′";
+        }
+    }
+    let letter = match letters {
+        "ẍ" => over("x"),
+        "ÿ" => over("y"),
+        "θ\u{308}" => over("θ"),
+        // Several letters stand upright.
+        letters => format!("<mi>{}</mi>", escape(letters)),
+    };
+    // A prime is drawn raised, so it is no superscript.
+    let letter = match marks.matches('\'').count() {
+        0 => letter,
+        count => row(&format!("{letter}{}", PRIME.repeat(count))),
+    };
+    let below = match bare {
+        // The mean of the highest third of the waves.
+        "13" => "<mrow><mn>1</mn><mo>/</mo><mn>3</mn></mrow>".to_owned(),
+        digits if digits.starts_with(|c: char| c.is_ascii_digit()) => format!("<mn>{digits}</mn>"),
+        letters if inner.is_empty() => format!("<mi>{}</mi>", escape(letters)),
+        letters => row(&format!("<mi>{}</mi>{PRIME}", escape(letters))),
+    };
+    match (bare.is_empty(), marks.contains('*')) {
+        (true, false) => letter,
+        (false, false) => format!("<msub>{letter}{below}</msub>"),
+        (true, true) => format!("<msup>{letter}<mo>∗</mo></msup>"),
+        (false, true) => format!("<msubsup>{letter}{below}<mo>∗</mo></msubsup>"),
+    }
+}
+
+const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
+
+fn over(letter: &str) -> String {
+    format!("<mover accent=\"true\"><mi>{letter}</mi><mo stretchy=\"false\">¨</mo></mover>")
+}
+
+/// A symbol on its own, in a line of text.
+pub fn symbol(text: &str) -> String {
+    format!("<math>{}</math>", name(text))
+}
+
+/// A sentence in which formulas stand between backticks.
+pub fn prose(text: &str) -> Markup {
+    html! {
+        @for (i, part) in text.split('`').enumerate() {
+            @match Formula::parse(part).filter(|_| i % 2 == 1) {
+                Some(formula) => (PreEscaped(format!("<math><mrow>{}</mrow></math>", draw(&formula, Drawn::Symbols, true)))),
+                None => (part),
+            }
+        }
+    }
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}

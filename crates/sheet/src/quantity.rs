@@ -1,0 +1,110 @@
+//! Numbers with their units, and how they are shown.
+
+use maud::{Markup, PreEscaped, html};
+use standfast_cases::layout::significant;
+
+/// Significant digits in the calculation, enough to follow it by hand.
+const DIGITS: usize = 5;
+
+/// A unit, and how many SI units make one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// As it is printed.
+    pub text: &'static str,
+    /// In SI units.
+    pub si: f64,
+}
+
+macro_rules! units {
+    ($($name:ident = $text:literal, $si:expr;)*) => {
+        $(#[doc = concat!("`", $text, "`")] pub const $name: Unit = Unit { text: $text, si: $si };)*
+    };
+}
+
+units! {
+    NONE = "", 1.0;
+    METRE = "m", 1.0;
+    SECOND = "s", 1.0;
+    DEGREE = "°", 1.0;
+    TONNE = "t/m", 1e3;
+    KILONEWTON = "kN/m", 1e3;
+    MOMENT = "kN m/m", 1e3;
+    INERTIA = "t m²/m", 1e3;
+    KILOPASCAL = "kPa", 1e3;
+    DENSITY = "kg/m³", 1.0;
+    ACCELERATION = "m/s²", 1.0;
+    ROTATION = "rad/s²", 1.0;
+}
+
+/// A number in the unit it is shown in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    /// In `unit`.
+    pub value: f64,
+    /// What it is shown in.
+    pub unit: Unit,
+}
+
+impl Quantity {
+    /// A value of the library, in SI units; an angle in degrees.
+    pub fn of(si: f64, unit: Unit) -> Quantity {
+        // `+ 0.0` turns −0 into 0.
+        Quantity { value: si / unit.si + 0.0, unit }
+    }
+
+    /// The number at full precision for machines, rounded for people, with its unit. `name` says which number of the case it
+    /// is, as the program's JSON calls it.
+    pub fn html(&self, name: &str) -> Markup {
+        html! {
+            data value=(self.value) data-quantity=[(!name.is_empty()).then_some(name)] { (number(self.value)) }
+            (self.unit_html())
+        }
+    }
+
+    /// The unit behind a number.
+    pub fn unit_html(&self) -> Markup {
+        html! {
+            @if self.unit.text == "°" { "°" }
+            @else if !self.unit.text.is_empty() { "\u{a0}" span.unit { (no_break(self.unit.text)) } }
+        }
+    }
+
+    /// The number and its unit in MathML; negative numbers in parentheses unless they stand alone.
+    pub fn mathml(&self, alone: bool) -> String {
+        let value = self.value;
+        let magnitude = significant(value.abs(), DIGITS);
+        let digits = match magnitude.split_once('e') {
+            None => format!("<mn data-value=\"{}\">{magnitude}</mn>", value.abs()),
+            Some((mantissa, exponent)) => format!(
+                "<mrow data-value=\"{}\"><mn>{mantissa}</mn><mo>⋅</mo><msup><mn>10</mn><mn>{}</mn></msup></mrow>",
+                value.abs(),
+                exponent.replace('-', "−"),
+            ),
+        };
+        let unit = match self.unit.text {
+            "" => String::new(),
+            "°" => "<mtext>°</mtext>".to_owned(),
+            unit => format!("<mtext>\u{a0}{}</mtext>", no_break(unit)),
+        };
+        match (value < 0.0, alone) {
+            (false, _) => format!("<mrow>{digits}{unit}</mrow>"),
+            (true, true) => format!("<mrow><mo form=\"prefix\">−</mo>{digits}{unit}</mrow>"),
+            (true, false) => {
+                format!("<mrow><mo>(</mo><mo form=\"prefix\">−</mo>{digits}{unit}<mo>)</mo></mrow>")
+            }
+        }
+    }
+}
+
+fn no_break(text: &str) -> String {
+    text.replace(' ', "\u{202f}")
+}
+
+/// A number as text: a true minus sign, powers of ten written out.
+pub fn number(x: f64) -> Markup {
+    let text = significant(x, DIGITS).replace('-', "−");
+    PreEscaped(match text.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa}·10<sup>{exponent}</sup>"),
+        None => text,
+    })
+}

@@ -1,0 +1,62 @@
+//! What a small change of every number does to the safety.
+
+use maud::{Markup, html};
+use standfast_cases::CaseError;
+use standfast_cases::design::{Sensitivity, sensitivities};
+
+use crate::quantity::number;
+
+pub fn table(name: &str, text: &str) -> Result<Markup, CaseError> {
+    let rows = sensitivities(name, text)?;
+    Ok(html! {
+        p.note {
+            "Change of the safety factors and of the load factor at which the body first leaves rest, if one input grows by 1 %, \
+             with what has to go with it: the mass with the width, the crest with the height. The least of all loads counts in each \
+             column; – where it is unlimited. The whole case, waves and water included, is computed anew for each."
+        }
+        table.numbers data-table="sensitivity" {
+            thead {
+                tr {
+                    th { "Input" }
+                    th.n { "Value" }
+                    th.n { "Safety against sliding" }
+                    th.n { "Safety against overturning" }
+                    th.n { "First load factor" }
+                }
+            }
+            tbody {
+                @for row in &rows {
+                    tr {
+                        td { code { (row.name()) } }
+                        td.n { (value(row)) }
+                        @for change in [row.sliding, row.overturning, row.first_load_factor] {
+                            td.n { (signed(change)) }
+                        }
+                    }
+                }
+            }
+        }
+    })
+}
+
+fn value(row: &Sensitivity) -> Markup {
+    html! {
+        data value=(row.value()) { (number(row.value())) }
+        @if let Some(quantity) = row.quantity() {
+            "\u{a0}" span.unit { (quantity.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")) }
+        }
+    }
+}
+
+fn signed(change: Option<f64>) -> Markup {
+    let text = |change: f64| match format!("{change:+.5}").replace('-', "−") {
+        zero if zero.ends_with("0.00000") => "0".to_owned(),
+        text => text,
+    };
+    html! {
+        @match change {
+            None => "–",
+            Some(change) => data value=(change) { (text(change)) },
+        }
+    }
+}

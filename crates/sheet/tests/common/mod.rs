@@ -1,0 +1,422 @@
+//! Cases, the sheet as a tree, and an evaluator of its formulas that shares nothing with the library.
+#![allow(dead_code)]
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use scraper::node::Node;
+use scraper::{ElementRef, Html, Selector};
+use standfast_sheet::{Options, Sheet};
+
+/// Every example, the cases of validation/goda.toml, and a few that reach what these do not: name and text.
+pub fn cases() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut paths: Vec<_> =
+        std::fs::read_dir(root.join("examples")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    paths.sort();
+    let mut cases: Vec<_> = paths
+        .iter()
+        .map(|path| {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            (name, std::fs::read_to_string(path).unwrap())
+        })
+        .collect();
+    assert!(cases.len() > 5);
+    let validation = std::fs::read_to_string(root.join("validation/goda.toml")).unwrap();
+    let validation: toml::Table = validation.parse().unwrap();
+    let published: Vec<_> =
+        validation["case"].as_array().unwrap().iter().filter_map(toml::Value::as_table).collect();
+    let name = |case: &toml::Table| case["name"].as_str().unwrap().to_owned();
+    for case in &published {
+        // The keys of its base, and its own.
+        let mut whole = toml::Table::new();
+        if let Some(base) = case.get("base") {
+            whole.extend(published.iter().find(|other| other["name"] == *base).unwrap().iter().map(own));
+        }
+        whole.extend(case.iter().map(own));
+        cases.push((name(case), goda(&whole)));
+    }
+    cases.extend(more());
+    cases
+}
+
+fn own((key, value): (&String, &toml::Value)) -> (String, toml::Value) {
+    (key.clone(), value.clone())
+}
+
+/// A case file of a published case.
+fn goda(case: &toml::Table) -> String {
+    let number =
+        |key: &str| case.get(key).and_then(|value| value.as_float().or(value.as_integer().map(|i| i as f64)));
+    let need = |key: &str| number(key).unwrap();
+    let mut text = format!(
+        "[body]\nwidth = {0}\nheight = {1}\nmass = {2}\nfriction = {3}\n",
+        need("caisson_width"),
+        need("base_depth") + need("crest_height"),
+        2200.0 * need("caisson_width") * (need("base_depth") + need("crest_height")),
+        need("friction"),
+    );
+    let mut wave = "[wave]\n".to_owned();
+    if let Some(weight) = number("buoyant_weight") {
+        text += &format!("buoyant_weight = {}\n", weight * 1e3);
+    }
+    if let (Some(ratio), Some(_)) = (number("weight_arm_ratio"), number("buoyant_weight")) {
+        text += &format!("weight_arm = {}\n", ratio * need("caisson_width"));
+    }
+    if let Some(impulsive) = case.get("impulsive") {
+        wave += &format!("impulsive = {impulsive}\n");
+    }
+    if number("buoyant_weight").is_none() {
+        text += &format!("[water]\nlevel = {}\n", need("base_depth"));
+    }
+    text += &wave;
+    for key in [
+        "deep_water_height",
+        "H13",
+        "Hmax",
+        "period",
+        "sea_bottom_slope",
+        "water_depth",
+        "depth_above_berm",
+        "base_depth",
+        "crest_height",
+        "berm_width",
+        "angle_deg",
+        "water_density",
+    ] {
+        if let Some(value) = number(key) {
+            text += &format!("{key} = {value:?}\n");
+        }
+    }
+    text
+}
+
+/// Cases that no example shows.
+fn more() -> Vec<(String, String)> {
+    let body = "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\n";
+    let wave = "[wave]\ndeep_water_height = 6.3\nperiod = 11.4\nsea_bottom_slope = 0.01\nwater_depth = 10.1\nbase_depth = 7.1\n\
+                crest_height = 3.4\nangle_deg = 25\nwater_density = 1030\n";
+    let caisson = "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\n[water]\nlevel = 7.1\n";
+    let list = [
+        ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = -0.3\nvertical = 0.1\n[added_mass]\nsides = 2\n")),
+        ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.2\n[added_mass]\nsides = 1\n")),
+        ("added mass given", format!("{body}[earthquake]\nhorizontal = 0.2\n[added_mass]\nmass = 20e3\n")),
+        ("uplift", format!("{body}[uplift]\nleft = 20e3\nright = 60e3\ngrows = true\n[[load]]\nforce = 100e3\nelevation = 5\ndirection = \"right\"\n")),
+        ("lifted", format!("{body}[uplift]\nleft = 300e3\nright = 300e3\n")),
+        ("weight alone", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 1.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
+        ("at rest alone", format!("{body}[water]\nlevel = 5\ndensity = 1000\n")),
+        ("low force", format!("{body}[[load]]\nforce = 900e3\nelevation = 0.5\n")),
+        ("nothing pushes", format!("{body}[[load]]\nforce = 0\nelevation = 0.5\n")),
+        ("through the base", format!("{body}[[load]]\nforce = 300e3\nelevation = 0\n")),
+        ("not unique", "[body]\nwidth = 2\nheight = 2\nmass = 1e3\nfriction = 3\n[[load]]\nforce = 40e3\nelevation = 0.5\n".to_owned()),
+        ("high and slender", "[body]\nwidth = 1\nheight = 5\nmass = 9e3\nfriction = 0.2\n[[load]]\nforce = 90e3\nelevation = 5\n".to_owned()),
+        ("turned, wide berm", format!("{caisson}{wave}depth_above_berm = 4\nberm_width = 30\nturn_deg = 15\nlambda = [1, 0.9, 0.8]\n")),
+        ("not impulsive", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nimpulsive = false\n")),
+        ("deep water", "[body]\nwidth = 15\nheight = 40\nmass = 1300e3\nfriction = 0.6\n[water]\nlevel = 30\n[wave]\ndeep_water_height = 3\nperiod = 6\n\
+            sea_bottom_slope = 0.01\nwater_depth = 35\nbase_depth = 30\ncrest_height = 10\nangle_deg = 0\nwater_density = 1030\ndepth_above_berm = 28\n\
+            berm_width = 8\n".to_owned()),
+        ("stick and slip", "[body]\nwidth = 3\nheight = 3\nmass = 20e3\nfriction = 0.7\nkinetic_friction = 0.4\n[[load]]\nforce = 150e3\nelevation = 1\n".to_owned()),
+        ("slide-rock", "[body]\nwidth = 3\nheight = 6\nmass = 20e3\nfriction = 0.5\ncentroid_height = 2.5\n[[load]]\nforce = 190e3\nelevation = 5\n".to_owned()),
+    ];
+    list.into_iter().map(|(name, text)| (format!("{name}.toml"), text)).collect()
+}
+
+pub fn html(name: &str, text: &str) -> String {
+    let sheet = Sheet::of(name, text, &Options::default());
+    sheet.unwrap_or_else(|error| panic!("{name}: {error}")).html().to_owned()
+}
+
+pub fn document(name: &str, text: &str) -> Html {
+    Html::parse_document(&html(name, text))
+}
+
+pub fn select<'a>(html: &'a Html, selector: &str) -> Vec<ElementRef<'a>> {
+    html.select(&Selector::parse(selector).unwrap()).collect()
+}
+
+/// A step of the calculation as a reader finds it.
+pub struct Step {
+    pub name: String,
+    /// Whether there is a formula in symbols.
+    pub symbols: bool,
+    /// What the numbers come to, and the size of what they are summed of; SI.
+    pub numbers: Option<(f64, f64)>,
+    /// What the sheet says, SI.
+    pub result: Option<f64>,
+}
+
+pub fn steps(html: &Html) -> Vec<Step> {
+    let steps = select(html, ".step");
+    let one = |step: ElementRef<'_>| {
+        let find = |selector: &str| step.select(&Selector::parse(selector).unwrap()).next();
+        let numbers = find(".numbers")?;
+        let result = find(".right data[data-side]").or_else(|| find(".result data"));
+        Some(Step {
+            name: numbers.attr("data-step").unwrap_or_default().to_owned(),
+            symbols: find(".symbols math").is_some(),
+            numbers: evaluate(numbers),
+            result: result.and_then(|data| si(data, "value")),
+        })
+    };
+    steps.into_iter().filter_map(one).collect()
+}
+
+/// What a unit is in SI units.
+fn unit(text: &str) -> f64 {
+    match text.replace(['\u{a0}', '\u{202f}', ' '], " ").trim() {
+        "" | "m" | "s" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
+        "t/m" | "kN/m" | "kPa" | "kN m/m" | "t m²/m" => 1e3,
+        "°" => PI / 180.0,
+        // A sum of units, or what follows a number in a sentence.
+        other => panic!("`{other}` is no unit"),
+    }
+}
+
+/// A number with the unit behind it, in SI units; angles in radians.
+pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
+    let value: f64 = element.attr(attribute)?.parse().ok()?;
+    let behind = element.next_siblings().filter_map(ElementRef::wrap).next();
+    let text = behind.filter(|next| next.value().name() == "mtext" || next.attr("class") == Some("unit"));
+    let degree = element
+        .next_sibling()
+        .is_some_and(|next| matches!(next.value(), Node::Text(text) if text.starts_with('°')));
+    let column = if common_column(element) { 1e3 } else { 1.0 };
+    let scale =
+        if degree { PI / 180.0 } else { text.map_or(1.0, |text| unit(&text.text().collect::<String>())) };
+    Some(value * scale * column)
+}
+
+/// Whether the number is a force of the table of motions, whose unit stands in the next column.
+fn common_column(element: ElementRef<'_>) -> bool {
+    let name = element.attr("data-quantity").unwrap_or_default();
+    matches!(name, "motion_si.f_x" | "motion_si.f_y")
+}
+
+pub fn within(element: ElementRef<'_>, class: &str) -> bool {
+    element.ancestors().filter_map(ElementRef::wrap).any(|above| above.attr("data-table") == Some(class))
+}
+
+/// The number that a person reads.
+pub fn shown(element: ElementRef<'_>) -> f64 {
+    let mut text = String::new();
+    for node in element.descendants() {
+        if let Node::Text(part) = node.value() {
+            let raised = node.parent().is_some_and(|above| {
+                ElementRef::wrap(above).is_some_and(|above| {
+                    above.value().name() == "sup"
+                        || above.value().name() == "mn"
+                            && above.prev_sibling().is_some()
+                            && above
+                                .parent()
+                                .and_then(ElementRef::wrap)
+                                .is_some_and(|up| up.value().name() == "msup")
+                })
+            });
+            if raised {
+                text.push('^');
+            }
+            text += part;
+        }
+    }
+    let text = text.replace('−', "-").replace('⋅', "·").replace("·10^", "e");
+    if text == "unlimited" {
+        f64::INFINITY
+    } else {
+        text.parse().unwrap_or_else(|_| panic!("`{text}` is no number"))
+    }
+}
+
+/// Whether a number is another one rounded to four digits or more, or to five places.
+pub fn close(shown: f64, meant: f64) -> bool {
+    shown == meant || (shown - meant).abs() <= 5.001e-4 * meant.abs() || (shown - meant).abs() <= 5.001e-6
+}
+
+/// A token of a formula: a value with the size of what it is made of, several values, a function, or an operator.
+#[derive(Debug, Clone)]
+enum Token {
+    Value(f64, f64),
+    List(Vec<(f64, f64)>),
+    Function(String),
+    Operator(char),
+}
+
+/// What the numbers of a step come to. `None` if there are none.
+pub fn evaluate(numbers: ElementRef<'_>) -> Option<(f64, f64)> {
+    let mut tokens = Vec::new();
+    for math in numbers.select(&Selector::parse("math").unwrap()) {
+        for row in math.children().filter_map(ElementRef::wrap) {
+            tokens.extend(tokens_of(row));
+        }
+    }
+    match tokens.first() {
+        Some(Token::Operator('=' | '≤' | '≥' | '<' | '>')) => {
+            Some(Reader { tokens: &tokens[1..] }.whole())
+        }
+        _ => None,
+    }
+}
+
+fn tokens_of(row: ElementRef<'_>) -> Vec<Token> {
+    let mut tokens = Vec::new();
+    for element in row.children().filter_map(ElementRef::wrap) {
+        let text: String = element.text().collect();
+        let children: Vec<_> = element.children().filter_map(ElementRef::wrap).collect();
+        let inner = |i: usize| Reader { tokens: &token_of(children[i]) }.whole();
+        let token = match element.value().name() {
+            _ if element.attr("data-value").is_some() => {
+                let value = si(element, "data-value").unwrap();
+                Token::Value(value, value.abs())
+            }
+            "mn" => {
+                let value: f64 = text.parse().unwrap();
+                Token::Value(value, value)
+            }
+            "mtext" => continue,
+            "mi" if text == "π" => Token::Value(PI, PI),
+            "mi" => Token::Function(text),
+            "mo" => match text.chars().next().unwrap() {
+                '\u{2061}' => continue,
+                sign => Token::Operator(sign),
+            },
+            "mfrac" => {
+                let ((above, size), (below, _)) = (inner(0), inner(1));
+                Token::Value(above / below, size / below.abs())
+            }
+            "msup" => {
+                let ((base, _), (exponent, _)) = (inner(0), inner(1));
+                let power = base.powf(exponent);
+                Token::Value(power, power.abs())
+            }
+            "msqrt" => {
+                let (value, _) = Reader { tokens: &tokens_of(element) }.whole();
+                Token::Value(value.sqrt(), value.sqrt())
+            }
+            "mrow" => token_of(element).remove(0),
+            other => panic!("{other} in numbers"),
+        };
+        tokens.push(token);
+    }
+    tokens
+}
+
+/// A row as one token, any other element as it is.
+fn token_of(element: ElementRef<'_>) -> Vec<Token> {
+    if element.attr("data-value").is_some() || element.value().name() != "mrow" {
+        let value: f64 = match element.attr("data-value") {
+            Some(value) => value.parse().unwrap(),
+            None => match element.value().name() {
+                "mn" => element.text().collect::<String>().parse().unwrap(),
+                other => panic!("{other} alone"),
+            },
+        };
+        return vec![Token::Value(value, value.abs())];
+    }
+    let tokens = tokens_of(element);
+    if let Some(Token::Operator('{')) = tokens.first() {
+        let inner = &tokens[1..tokens.len() - 1];
+        let parts = inner.split(|token| matches!(token, Token::Operator(',')));
+        return vec![Token::List(parts.map(|tokens| Reader { tokens }.whole()).collect())];
+    }
+    let (value, size) = Reader { tokens: &tokens }.whole();
+    vec![Token::Value(value, size)]
+}
+
+struct Reader<'a> {
+    tokens: &'a [Token],
+}
+
+impl Reader<'_> {
+    fn whole(mut self) -> (f64, f64) {
+        let value = self.sum();
+        assert!(self.tokens.is_empty(), "left over: {:?}", self.tokens);
+        value
+    }
+
+    fn take(&mut self, sign: char) -> bool {
+        let found = matches!(self.tokens.first(), Some(Token::Operator(first)) if *first == sign);
+        if found {
+            self.tokens = &self.tokens[1..];
+        }
+        found
+    }
+
+    fn sum(&mut self) -> (f64, f64) {
+        let negative = self.take('−');
+        let (value, mut size) = self.product();
+        let mut total = if negative { -value } else { value };
+        loop {
+            let sign = if self.take('+') {
+                1.0
+            } else if self.take('−') {
+                -1.0
+            } else {
+                return (total, size);
+            };
+            let (value, term) = self.product();
+            total += sign * value;
+            size += term;
+        }
+    }
+
+    fn product(&mut self) -> (f64, f64) {
+        let (mut value, mut size) = self.factor();
+        loop {
+            if self.take('⋅') {
+                let (factor, term) = self.factor();
+                value *= factor;
+                size *= term;
+            } else if self.take('/') {
+                let (divisor, _) = self.factor();
+                value /= divisor;
+                size /= divisor.abs();
+            } else {
+                return (value, size);
+            }
+        }
+    }
+
+    fn factor(&mut self) -> (f64, f64) {
+        let token = self.tokens[0].clone();
+        self.tokens = &self.tokens[1..];
+        match token {
+            Token::Value(value, size) => (value, size),
+            Token::Operator('(') => {
+                let value = self.sum();
+                assert!(self.take(')'));
+                value
+            }
+            Token::Operator('|') => {
+                let (value, size) = self.sum();
+                assert!(self.take('|'));
+                (value.abs(), size)
+            }
+            Token::Function(name) => {
+                let argument = self.tokens[0].clone();
+                self.tokens = &self.tokens[1..];
+                let (value, size) = match (name.as_str(), argument) {
+                    ("min", Token::List(list)) => {
+                        list.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
+                    }
+                    ("max", Token::List(list)) => {
+                        list.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
+                    }
+                    (_, Token::Value(x, _)) => {
+                        let value = match name.as_str() {
+                            "cos" => x.cos(),
+                            "sinh" => x.sinh(),
+                            "cosh" => x.cosh(),
+                            "tanh" => x.tanh(),
+                            "exp" => x.exp(),
+                            other => panic!("{other} is no function"),
+                        };
+                        (value, value.abs())
+                    }
+                    other => panic!("{other:?}"),
+                };
+                (value, size)
+            }
+            other => panic!("{other:?} is no factor"),
+        }
+    }
+}
