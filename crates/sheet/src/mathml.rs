@@ -42,23 +42,38 @@ pub fn line(formula: &Formula, lead: &str, drawn: Drawn<'_>) -> String {
     math.collect::<Vec<_>>().join("<wbr>")
 }
 
-/// Adds a term to the last chunk; a product of numbers continues in further chunks.
+/// Adds a term to the last chunk. A product of numbers continues in a further chunk with each factor; one of symbols where a
+/// factor is more than a symbol.
 fn term_chunks(term: &Formula, drawn: Drawn<'_>, first: bool, chunks: &mut Vec<String>) {
-    let mut add = |text: String| chunks.last_mut().expect("there is a chunk").push_str(&text);
-    match (term, drawn) {
-        (Formula::Product(factors), Drawn::Numbers(_)) => {
-            for (i, factor) in factors.iter().enumerate() {
-                let factor = factor_of(factor, drawn);
-                if i == 0 {
-                    chunks.last_mut().expect("there is a chunk").push_str(&factor);
+    let Formula::Product(factors) = term else {
+        return add(chunks, &draw(term, drawn, first));
+    };
+    let plain = |factor: &Formula| matches!(factor, Formula::Name(_) | Formula::Number(_));
+    for (i, factor) in factors.iter().enumerate() {
+        let text = factor_of(factor, drawn);
+        match drawn {
+            _ if i == 0 => add(chunks, &text),
+            Drawn::Numbers(_) => chunks.push(operator("⋅") + &text),
+            Drawn::Symbols => {
+                add(chunks, TIMES);
+                if plain(factor) && plain(&factors[i - 1]) {
+                    add(chunks, &text);
                 } else {
-                    chunks.push(operator("⋅") + &factor);
+                    chunks.push(text);
                 }
             }
         }
-        (term, _) => add(draw(term, drawn, first)),
     }
 }
+
+fn add(chunks: &mut [String], text: &str) {
+    if let Some(last) = chunks.last_mut() {
+        last.push_str(text);
+    }
+}
+
+/// A product's sign between symbols, which is not seen.
+const TIMES: &str = "<mo>\u{2062}</mo>";
 
 fn operator(sign: &str) -> String {
     format!("<mo form=\"infix\">{sign}</mo>")
@@ -91,7 +106,7 @@ pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
         }
         Formula::Product(factors) => {
             let between = match drawn {
-                Drawn::Symbols => "<mo>\u{2062}</mo>".to_owned(),
+                Drawn::Symbols => TIMES.to_owned(),
                 Drawn::Numbers(_) => operator("⋅"),
             };
             let factors: Vec<_> = factors.iter().map(|factor| factor_of(factor, drawn)).collect();
