@@ -9,7 +9,7 @@ set -euo pipefail
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 [[ -f $folder/env ]] && exit 0
 root=$folder/root
-work=$folder/work
+work=$folder/making
 rm -rf "$root" "$work"
 mkdir -p "$root" "$work/packages" "$work/std/src"
 

@@ -91,13 +91,10 @@ impl Band {
         let wide: Vec<_> = self.0.iter().filter(|slice| most > 0.0 && thick(slice) > 0.85 * most).collect();
         let Some((gamma, least, greatest)) = wide.get(wide.len() / 2) else { return };
         let (x, y) = picture.place(*gamma, (least + greatest) / 2.0);
-        let text = Text::new(
-            &format!(
-                "${}$",
-                case.name().replace("2–3", r"\up{2–3}").replace("1a", r"\up{1a}").replace("1b", r"\up{1b}")
-            ),
-            NAME,
-        );
+        let name = case.name();
+        // Numbers and their letters are names; the rest is mathematics.
+        let is_name = name.starts_with(|first: char| first.is_ascii_digit());
+        let text = if is_name { Text::verbatim(name, NAME) } else { Text::new(&format!("${name}$"), NAME) };
         let x = x.clamp(picture.plot.x0 + text.width, picture.plot.x1 - text.width);
         if greatest - least > 0.12 {
             scene.text_in(&text, &Rect::around(x, y, text.width, text.height()), INK);
