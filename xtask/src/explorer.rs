@@ -175,19 +175,15 @@ fn prepared() -> Result<(PathBuf, PathBuf), Missing> {
     toolchain().map_err(Missing::Part)?;
     let page = build().map_err(Missing::Build)?;
     let chromium = programs::chromium().map_err(|missing| Missing::Part(missing.to_string()))?;
-    if (found("node").is_none() || found("npm").is_none()) && !programs::install(&["nodejs", "npm"]) {
+    if (programs::found("node").is_none() || programs::found("npm").is_none())
+        && !programs::install(&["nodejs", "npm"])
+    {
         return Err(Missing::Part("there is no Node.js with npm, and it could not be installed".to_owned()));
     }
     let tests = root().join("web").join("tests");
     run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))
         .map_err(Missing::Part)?;
     Ok((page, chromium))
-}
-
-/// The path of a program.
-fn found(program: &str) -> Option<PathBuf> {
-    let paths = std::env::var_os("PATH")?;
-    std::env::split_paths(&paths).map(|folder| folder.join(program)).find(|path| path.is_file())
 }
 
 fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {

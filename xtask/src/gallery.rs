@@ -3,11 +3,9 @@
 use std::path::Path;
 use std::{fs, io};
 
-use standfast_cli::args::Format;
-use standfast_cli::assess::assess;
-use standfast_cli::sheet::{self, Paper};
+use standfast_cases::{Assessment, Case, CaseFigure};
 use standfast_figures::{FigureId, report_figure};
-use standfast_sheet::Options;
+use standfast_sheet::{Options, Sheet};
 
 /// A file of the gallery: its path in docs, and its content.
 type File = (String, String);
@@ -48,29 +46,25 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
 fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
     let mut cases = Vec::new();
     for path in sorted(&root.join("examples"), "toml")? {
-        let folder = tempfile::tempdir()?;
-        let assessed = assess(&path, Some(folder.path()), 2.0, Format::Text).map_err(io::Error::other)?;
-        if let Some(error) = assessed.undrawn {
-            return Err(io::Error::other(error));
-        }
-        let figures = sorted(folder.path(), "svg")?.into_iter().map(|figure| {
-            let name = figure.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            Ok((format!("gallery/case-{name}"), fs::read_to_string(figure)?))
-        });
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        cases.push((name, figures.collect::<io::Result<_>>()?));
+        let case = Case::parse(&name, &fs::read_to_string(&path)?).map_err(io::Error::other)?;
+        let assessment = Assessment::of(&case, 2.0).map_err(io::Error::other)?;
+        let figures = assessment.figures().map_err(io::Error::other)?;
+        let files = figures.into_iter().map(|CaseFigure { suffix, figure, .. }| {
+            (format!("gallery/case-{name}{suffix}.svg"), figure.svg().to_owned())
+        });
+        let files = files.collect();
+        cases.push((name, files));
     }
     Ok(cases)
 }
 
 /// The calculation sheet of an example.
 fn sheet(root: &Path, example: &str) -> io::Result<String> {
-    let folder = tempfile::tempdir()?;
-    let path = folder.path().join("sheet.html");
-    let file = path.to_string_lossy().parse().map_err(io::Error::other)?;
-    let case = root.join("examples").join(example).with_extension("toml");
-    sheet::sheet(&case, &file, &Options::default(), Paper::default()).map_err(io::Error::other)?;
-    fs::read_to_string(path)
+    let file = format!("{example}.toml");
+    let text = fs::read_to_string(root.join("examples").join(&file))?;
+    let sheet = Sheet::of(&file, &text, &Options::default()).map_err(io::Error::other)?;
+    Ok(sheet.html().to_owned())
 }
 
 /// The files of a folder with an extension, by name.

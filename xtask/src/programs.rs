@@ -15,7 +15,7 @@ impl fmt::Display for Missing {
 
 /// Chromium or another browser of its family.
 pub fn chromium() -> Result<PathBuf, Missing> {
-    let find = || standfast_cli::browser::find().ok();
+    let find = || ["chromium", "chromium-browser", "google-chrome"].into_iter().find_map(found);
     find().or_else(|| install(&["chromium"]).then(find).flatten()).ok_or(Missing("chromium"))
 }
 
@@ -24,6 +24,12 @@ pub fn for_pdfs() -> Result<PathBuf, Missing> {
     let browser = chromium()?;
     let reads = || Command::new("pdftotext").arg("-v").output().is_ok();
     if reads() || install(&["poppler-utils"]) && reads() { Ok(browser) } else { Err(Missing("pdftotext")) }
+}
+
+/// The path of a program.
+pub fn found(program: &str) -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    std::env::split_paths(&folders).map(|folder| folder.join(program)).find(|path| path.is_file())
 }
 
 /// Installs Debian packages, if that is allowed here.
