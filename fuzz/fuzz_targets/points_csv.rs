@@ -9,7 +9,7 @@ use standfast_cli::report;
 fuzz_target!(|bytes: &[u8]| {
     for problem in [Problem::Force, Problem::Wrench] {
         for on_error in [OnError::Stop, OnError::Null] {
-            let options = Options { name: "points.csv".into(), problem, on_error };
+            let options = Options { problem, on_error, ..Options::new("points.csv") };
             if let Err(error) = run(bytes, Vec::new(), &options) {
                 assert!(!report(&error).is_empty());
             }
