@@ -1,7 +1,7 @@
 """Modes of random points by standfast, MuJoCo and Rapier: the tables of README.md.
 
     pip install -r requirements.txt
-    python compare.py            # the 1,000 points of the tables; about a quarter of an hour
+    python compare.py            # the 1,000 points of the tables; some minutes
     python compare.py tune       # the search for settings, on other points
 """
 

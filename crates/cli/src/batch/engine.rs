@@ -21,8 +21,8 @@ use super::{BatchError, OnError, Options, Place, RowProblem, Summary, TableForma
 /// The most rows of a batch, and of a row group of Parquet that is not copied.
 const ROWS: usize = 1 << 17;
 
-/// How much text is read at once: little for text, about a row group for Parquet.
-const TEXT: usize = 1 << 20;
+/// How much text is read at once: about a row group for Parquet, and otherwise as little as stays in the caches.
+const TEXT: usize = 1 << 17;
 const TEXT_OF_GROUP: usize = 1 << 23;
 
 /// Where a table comes from.
