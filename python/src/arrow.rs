@@ -217,8 +217,11 @@ impl<'py> FromPyObject<'_, 'py> for Given {
     }
 }
 
-/// Cuts columns into stretches of rows in which each is one array.
-fn stretches(given: [Given; 4]) -> PyResult<Vec<([Column; 4], usize)>> {
+/// Rows in which every operand is one array or one number, and how many they are.
+type Stretch = ([Column; 4], usize);
+
+/// Cuts columns into stretches of rows.
+fn stretches(given: [Given; 4]) -> PyResult<Vec<Stretch>> {
     let lengths = given.each_ref().map(|given| match given {
         Given::Number(_) => None,
         Given::Chunks(chunks) => Some(chunks.iter().map(|chunk| chunk.len()).sum::<usize>()),
@@ -270,50 +273,82 @@ pub(crate) enum Place {
 }
 
 /// A table's batches with the columns of the operands picked out.
-struct Batches {
-    reader: Box<dyn RecordBatchReader + Send>,
-    picks: [Result<usize, f64>; 4],
+fn batches(
+    table: AnyRecordBatch,
+    places: [Place; 4],
+) -> PyResult<impl Iterator<Item = PyResult<Stretch>> + Send> {
+    let reader = table.into_reader()?;
+    let schema = reader.schema();
+    let mut picks = [Err(0.0); 4];
+    for ((pick, place), name) in picks.iter_mut().zip(places).zip(NAMES) {
+        *pick = match place {
+            Place::Number(value) => Err(value),
+            Place::Column(column) => Ok(schema.index_of(&column).map_err(|_| {
+                let names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
+                PyKeyError::new_err(format!(
+                    "the table has no column {column} for {name}; it has {}; name yours with columns={{'{name}': …}}",
+                    names.join(", ")
+                ))
+            })?),
+        };
+    }
+    if picks.iter().all(Result::is_err) {
+        return Err(PyValueError::new_err("columns names no column of the table, only numbers"));
+    }
+    Ok(reader.map(move |batch| {
+        let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let columns = picks.map(|pick| match pick {
+            Ok(column) => Column::Array(batch.column(column).clone()),
+            Err(value) => Column::Constant(value),
+        });
+        Ok((columns, batch.num_rows()))
+    }))
 }
 
-impl Batches {
-    fn new(table: AnyRecordBatch, places: [Place; 4]) -> PyResult<Batches> {
-        let reader = table.into_reader()?;
-        let schema = reader.schema();
-        let mut picks = [Err(0.0); 4];
-        for ((pick, place), name) in picks.iter_mut().zip(places).zip(NAMES) {
-            *pick = match place {
-                Place::Number(value) => Err(value),
-                Place::Column(column) => Ok(schema.index_of(&column).map_err(|_| {
-                    let names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
-                    PyKeyError::new_err(format!(
-                        "the table has no column {column} for {name}; it has {}; name yours with columns={{'{name}': …}}",
-                        names.join(", ")
-                    ))
-                })?),
-            };
+/// Runs `work` on every stretch; its failures count the rows before.
+fn each(
+    stretches: impl Iterator<Item = PyResult<Stretch>>,
+    mut work: impl FnMut(&[Column; 4], usize) -> Result<(), Failure>,
+) -> PyResult<()> {
+    let mut start = 0;
+    for stretch in stretches {
+        let (columns, rows) = stretch?;
+        if rows > 0 {
+            work(&columns, rows).map_err(|failure| failure.raise(start))?;
         }
-        if picks.iter().all(Result::is_err) {
-            return Err(PyValueError::new_err("columns names no column of the table, only numbers"));
-        }
-        Ok(Batches { reader, picks })
+        start += rows;
     }
+    Ok(())
+}
 
-    /// Runs `work` on every batch, with the number of rows before it.
-    fn each(mut self, mut work: impl FnMut(&[Column; 4], usize) -> Result<(), Failure>) -> PyResult<()> {
-        let mut start = 0;
-        for batch in &mut self.reader {
-            let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
-            let columns = self.picks.map(|pick| match pick {
-                Ok(column) => Column::Array(batch.column(column).clone()),
-                Err(value) => Column::Constant(value),
-            });
-            if batch.num_rows() > 0 {
-                work(&columns, batch.num_rows()).map_err(|failure| failure.raise(start))?;
-            }
-            start += batch.num_rows();
-        }
-        Ok(())
-    }
+fn classify(
+    py: Python<'_>,
+    stretches: impl Iterator<Item = PyResult<Stretch>> + Send,
+    threads: Option<NonZero<usize>>,
+    names: bool,
+) -> PyResult<ArrowArray> {
+    let threads = grid::threads(threads);
+    py.detach(|| {
+        let mut codes = Codes::default();
+        each(stretches, |columns, rows| codes.append(columns, rows, threads))?;
+        Ok(codes.finish(names))
+    })
+}
+
+fn onset(
+    py: Python<'_>,
+    stretches: impl Iterator<Item = PyResult<Stretch>> + Send,
+    threads: Option<NonZero<usize>>,
+) -> PyResult<ArrowTable> {
+    let threads = grid::threads(threads);
+    py.detach(|| {
+        let mut batches = Vec::new();
+        each(stretches, |columns, rows| {
+            batches.push(onset_batch(columns, rows, threads)?);
+            Ok(())
+        })?;
+        Ok(ArrowTable { batches })
+    })
 }
 
 /// Mode codes or symbols of Arrow columns.
@@ -324,16 +359,7 @@ pub(crate) fn classify_columns(
     threads: Option<NonZero<usize>>,
     names: bool,
 ) -> PyResult<ArrowArray> {
-    let stretches = stretches(columns)?;
-    let threads = grid::threads(threads);
-    py.detach(|| {
-        let mut codes = Codes::default();
-        for (columns, rows) in stretches {
-            let start = codes.codes.len();
-            codes.append(&columns, rows, threads).map_err(|failure| failure.raise(start))?;
-        }
-        Ok(codes.finish(names))
-    })
+    classify(py, stretches(columns)?.into_iter().map(Ok), threads, names)
 }
 
 /// Mode codes or symbols of the rows of a table.
@@ -345,13 +371,7 @@ pub(crate) fn classify_table(
     threads: Option<NonZero<usize>>,
     names: bool,
 ) -> PyResult<ArrowArray> {
-    let batches = Batches::new(table, places)?;
-    let threads = grid::threads(threads);
-    py.detach(|| {
-        let mut codes = Codes::default();
-        batches.each(|columns, rows| codes.append(columns, rows, threads))?;
-        Ok(codes.finish(names))
-    })
+    classify(py, batches(table, places)?, threads, names)
 }
 
 /// The onset of Arrow columns.
@@ -361,16 +381,7 @@ pub(crate) fn onset_columns(
     columns: [Given; 4],
     threads: Option<NonZero<usize>>,
 ) -> PyResult<ArrowTable> {
-    let stretches = stretches(columns)?;
-    let threads = grid::threads(threads);
-    py.detach(|| {
-        let (mut batches, mut start) = (Vec::new(), 0);
-        for (columns, rows) in stretches {
-            batches.push(onset_batch(&columns, rows, threads).map_err(|failure| failure.raise(start))?);
-            start += rows;
-        }
-        Ok(ArrowTable { batches })
-    })
+    onset(py, stretches(columns)?.into_iter().map(Ok), threads)
 }
 
 /// The onset of the rows of a table.
@@ -381,16 +392,7 @@ pub(crate) fn onset_table(
     places: [Place; 4],
     threads: Option<NonZero<usize>>,
 ) -> PyResult<ArrowTable> {
-    let given = Batches::new(table, places)?;
-    let threads = grid::threads(threads);
-    py.detach(|| {
-        let mut batches = Vec::new();
-        given.each(|columns, rows| {
-            batches.push(onset_batch(columns, rows, threads)?);
-            Ok(())
-        })?;
-        Ok(ArrowTable { batches })
-    })
+    onset(py, batches(table, places)?, threads)
 }
 
 /// An Arrow array for any library that speaks the PyCapsule interface.

@@ -7,6 +7,8 @@ use serde::Serialize;
 use standfast::initiation::{Crossing, Relation, Step};
 use standfast::{Mode, Motion, Reduced, Slip};
 
+use crate::case::Case;
+
 /// Everything that is known of one point.
 #[derive(Debug, Serialize)]
 pub struct Answer {
@@ -29,6 +31,29 @@ pub struct Answer {
 struct SafetyFactors {
     sliding: f64,
     overturning: f64,
+}
+
+/// A case's body. Units are SI.
+#[derive(Debug, Serialize)]
+pub(crate) struct Body {
+    width: f64,
+    height: f64,
+    mass: f64,
+    weight: f64,
+    friction: f64,
+}
+
+impl Body {
+    pub(crate) fn of(case: &Case) -> Body {
+        let body = &case.body;
+        Body {
+            width: body.width(),
+            height: body.height(),
+            mass: body.mass(),
+            weight: body.mass() * case.gravity,
+            friction: case.friction,
+        }
+    }
 }
 
 /// Accelerations and reactions.

@@ -10,7 +10,7 @@ use standfast::Diagram;
 use standfast_figures::{DesignPoint, Figure, FigureId, RenderError, diagram, report_figure};
 use thiserror::Error;
 
-use crate::write::{self, WriteError};
+use crate::write::{self, ExtensionError, WriteError};
 
 /// How a picture is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -40,26 +40,13 @@ pub struct PictureFile {
     picture: Picture,
 }
 
-/// A file name that does not say which kind of picture it is.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{found}; the extension has to be svg, png or pdf")]
-pub struct ExtensionError {
-    found: String,
-}
-
 impl FromStr for PictureFile {
     type Err = ExtensionError;
 
     fn from_str(text: &str) -> Result<PictureFile, ExtensionError> {
-        let path = PathBuf::from(text);
-        let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        match Picture::from_str(&extension, true) {
-            Ok(picture) => Ok(PictureFile { path, picture }),
-            Err(_) if extension.is_empty() => {
-                Err(ExtensionError { found: "there is no extension".to_owned() })
-            }
-            Err(_) => Err(ExtensionError { found: format!("unknown extension `{extension}`") }),
-        }
+        let kind = |extension: &str| Picture::from_str(extension, false).ok();
+        let (path, picture) = write::by_extension(text, "svg, png or pdf", kind)?;
+        Ok(PictureFile { path, picture })
     }
 }
 

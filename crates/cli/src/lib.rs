@@ -103,10 +103,16 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         ..batch::Options::new(&name)
     };
     let summary = batch::process(&args.input, &args.output, &options)?;
-    if let Some(first) = summary.first {
-        eprintln!("warning: {} of {} rows without a result; the first: {first}", summary.bad, summary.rows);
+    if let Some(first) = &summary.first {
+        let batch::Summary { bad, rows, .. } = summary;
+        complain(&format!("warning: {bad} of {rows} rows without a result; the first: {first}\n"));
     }
     Ok(())
+}
+
+/// Writes to standard error; where nobody reads that, there is nobody to tell.
+pub fn complain(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
 }
 
 /// Prints, without complaint if nobody reads.

@@ -11,7 +11,7 @@ fn main() -> ExitCode {
     match standfast_cli::run(standfast_cli::args::Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprint!("{}", standfast_cases::report(error.as_ref()));
+            standfast_cli::complain(&standfast_cases::report(error.as_ref()));
             ExitCode::FAILURE
         }
     }

@@ -10,7 +10,7 @@ use thiserror::Error;
 
 use crate::assess::{self, ReadError};
 use crate::browser::{self, PrintError};
-use crate::write::{self, WriteError};
+use crate::write::{self, ExtensionError, WriteError};
 
 /// How a sheet is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,25 +26,15 @@ pub struct SheetFile {
     kind: Kind,
 }
 
-/// A file name that does not say which kind of sheet it is.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{found}; the extension has to be html or pdf")]
-pub struct ExtensionError {
-    found: String,
-}
-
 impl FromStr for SheetFile {
     type Err = ExtensionError;
 
     fn from_str(text: &str) -> Result<SheetFile, ExtensionError> {
-        let path = PathBuf::from(text);
-        let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        let kind = match extension.to_ascii_lowercase().as_str() {
-            "html" => Kind::Html,
-            "pdf" => Kind::Pdf,
-            "" => return Err(ExtensionError { found: "there is no extension".to_owned() }),
-            _ => return Err(ExtensionError { found: format!("unknown extension `{extension}`") }),
-        };
+        let (path, kind) = write::by_extension(text, "html or pdf", |extension| match extension {
+            "html" => Some(Kind::Html),
+            "pdf" => Some(Kind::Pdf),
+            _ => None,
+        })?;
         Ok(SheetFile { path, kind })
     }
 }

@@ -17,6 +17,34 @@ pub struct WriteError {
     pub cause: io::Error,
 }
 
+/// A file name whose extension does not say how the file is written.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{found}; the extension has to be {expected}")]
+pub struct ExtensionError {
+    found: String,
+    expected: &'static str,
+}
+
+/// The file `text`, and what `kind` makes of its extension, which it gets in lower case; `expected` says which there are.
+///
+/// # Errors
+/// If there is no extension, or `kind` does not know it.
+pub fn by_extension<T>(
+    text: &str,
+    expected: &'static str,
+    kind: impl Fn(&str) -> Option<T>,
+) -> Result<(PathBuf, T), ExtensionError> {
+    let path = PathBuf::from(text);
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    match kind(&extension.to_ascii_lowercase()) {
+        Some(kind) => Ok((path, kind)),
+        None if extension.is_empty() => {
+            Err(ExtensionError { found: "there is no extension".to_owned(), expected })
+        }
+        None => Err(ExtensionError { found: format!("unknown extension `{extension}`"), expected }),
+    }
+}
+
 /// A file that appears under its name only when it is [finished](Pending::finish). Dropped before, it leaves
 /// nothing behind.
 #[derive(Debug)]

@@ -116,3 +116,13 @@ proptest! {
         try_table(format!("gamma,k_prime,k,mu\n{gamma},{k_prime},{k},{mu}\n").as_bytes());
     }
 }
+
+/// A closed pipe in the place of standard error, as `2>&1 | head` leaves it: the exit code is what remains.
+#[test]
+fn an_error_that_nobody_reads_is_an_exit_code() {
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let program = env!("CARGO_BIN_EXE_standfast");
+    let status = std::process::Command::new(program).args(["assess", "none.toml"]).stderr(writer).status();
+    assert_eq!(status.expect("the program starts").code(), Some(1));
+}

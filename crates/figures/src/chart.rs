@@ -78,12 +78,7 @@ impl Drawing<'_> {
         margins::axes(&mut draft.canvas.scene, &frame, &margins::PLANE);
         let tabs = mu_tabs.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
         margins::beside_mu_axis(&mut draft.canvas.scene, &frame, tabs);
-        draft.letters();
-        draft.design_points();
-        draft.lens();
-        draft.names();
-        draft.notes();
-        draft.formulas();
+        draft.marks();
         draft.finish()
     }
 
@@ -223,8 +218,18 @@ impl<'a> Draft<'a> {
         }
     }
 
+    /// What stands over the lines: letters, points, the lens, names, notes and formulas, the later where the earlier leave room.
+    pub(crate) fn marks(&mut self) {
+        self.letters();
+        self.design_points();
+        self.lens();
+        self.names();
+        self.notes();
+        self.formulas();
+    }
+
     /// Dots and letters of named points, letters at the ends of lines.
-    pub(crate) fn letters(&mut self) {
+    fn letters(&mut self) {
         let frame = self.canvas.board.frame;
         let shown: Vec<_> = self.given.named().filter(|point| frame.shows(point.k, point.mu)).collect();
         for point in &shown {
@@ -268,7 +273,7 @@ impl<'a> Draft<'a> {
         Some(frame.at(arc.to, arc.curve.at(arc.to)))
     }
 
-    pub(crate) fn design_points(&mut self) {
+    fn design_points(&mut self) {
         let frame = self.canvas.board.frame;
         let points = self.given.points;
         let at = |point: &DesignPoint| frame.at(point.k, point.mu);
@@ -290,20 +295,20 @@ impl<'a> Draft<'a> {
         }
     }
 
-    pub(crate) fn lens(&mut self) {
+    fn lens(&mut self) {
         if self.given.sheet.lens {
             inset::draw(&mut self.canvas.scene, &mut self.canvas.board, self.given.diagram);
         }
     }
 
-    pub(crate) fn names(&mut self) {
+    fn names(&mut self) {
         for area in std::mem::take(&mut self.areas) {
             let (largest, patch) = if area.unresolved.is_some() { (13.5, Some(PAPER)) } else { (15.5, None) };
             self.canvas.name(&area.pieces, &area.name, largest, patch);
         }
     }
 
-    pub(crate) fn notes(&mut self) {
+    fn notes(&mut self) {
         let chart = self.given.diagram.chart();
         for note in self.given.sheet.notes {
             let (Some(lower), upper) = (note.lower.curve(chart), note.upper.curve(chart)) else { continue };
@@ -315,7 +320,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    pub(crate) fn formulas(&mut self) {
+    fn formulas(&mut self) {
         for &line in self.given.sheet.formulas {
             let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
             let mut arcs: Vec<_> = traces.flat_map(|trace| self.given.stretch(trace)).collect();

@@ -241,12 +241,7 @@ impl Map<'_> {
         draft.tints();
         draft.traces();
         axes(&mut draft.canvas.scene, &frame);
-        draft.letters();
-        draft.design_points();
-        draft.lens();
-        draft.names();
-        draft.notes();
-        draft.formulas();
+        draft.marks();
         let scene = &mut draft.canvas.scene;
         // A formula too long for the margin is left out; a letter or a short name is not.
         let mut right = std::mem::take(&mut draft.right);

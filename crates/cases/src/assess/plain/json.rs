@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Plain;
-use crate::answer::{Answer, Onset, direction};
+use crate::answer::{Answer, Body, Onset, direction};
 use crate::case::Load;
 use crate::describe::Scale;
 
@@ -15,15 +15,6 @@ struct Document<'a> {
     body: Body,
     loads: Vec<LoadAnswer<'a>>,
     diagrams: &'a [String],
-}
-
-#[derive(Serialize)]
-struct Body {
-    width: f64,
-    height: f64,
-    mass: f64,
-    weight: f64,
-    friction: f64,
 }
 
 #[derive(Serialize)]
@@ -47,13 +38,7 @@ pub(super) fn render(plain: &Plain<'_>, files: &[String]) -> String {
         title: case.title.as_deref(),
         note: case.note.as_deref(),
         gravity: case.gravity,
-        body: Body {
-            width: case.body.width(),
-            height: case.body.height(),
-            mass: case.body.mass(),
-            weight: scale.weight,
-            friction: case.friction,
-        },
+        body: Body::of(case),
         loads: case.loads.iter().map(|load| load_answer(plain, load, &scale, files)).collect(),
         diagrams: files,
     })

@@ -8,7 +8,7 @@ use standfast::wave::Goda;
 use standfast::{LoadKind, Mode, Modes};
 
 use super::{Assessed, loads};
-use crate::answer::{Onset, direction};
+use crate::answer::{Body, Onset, direction};
 use crate::case::{Case, Component, WaveLoad};
 
 /// What the numbers are measured in.
@@ -21,7 +21,7 @@ struct Document<'a> {
     note: Option<&'a str>,
     units: &'static str,
     gravity: f64,
-    body: Body,
+    body: LoadedBody,
     weight_counted_as: &'static str,
     #[serde(flatten)]
     waves: Option<Waves>,
@@ -35,12 +35,9 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
-struct Body {
-    width: f64,
-    height: f64,
-    mass: f64,
-    weight: f64,
-    friction: f64,
+struct LoadedBody {
+    #[serde(flatten)]
+    body: Body,
     kinetic_friction: f64,
     added_mass: f64,
     centroid_height: f64,
@@ -154,12 +151,8 @@ pub(in crate::assess) fn render(case: &Case, all: &[Assessed], files: &[String])
         note: case.note.as_deref(),
         units: UNITS,
         gravity: case.gravity,
-        body: Body {
-            width: body.width(),
-            height: body.height(),
-            mass: body.mass(),
-            weight: body.mass() * case.gravity,
-            friction: case.friction,
+        body: LoadedBody {
+            body: Body::of(case),
             kinetic_friction: case.kinetic_friction,
             added_mass: case.added_mass.mass,
             centroid_height: body.centroid_height(),
