@@ -136,13 +136,13 @@ impl Field {
         let body = Body::new(now(Field::Width), now(Field::Height), now(Field::Mass)).map_err(said)?;
         let force = HorizontalForce::new(now(Field::Thrust), now(Field::Level), Slip::Left).map_err(said)?;
         let reduced = force.reduce(&body, state.friction, GRAVITY).map_err(said)?;
-        let (slenderness, elevation) = (reduced.point.slenderness(), reduced.point.elevation());
+        let (slenderness, elevation) = (reduced.point.gamma(), reduced.point.k_prime());
         // Rounding is not to take a figure of the report away.
         if matches!(self, Field::Width | Field::Height | Field::Level) {
             state.set_body(slenderness, elevation);
         }
         if matches!(self, Field::Mass | Field::Thrust) {
-            state.force = reduced.point.force();
+            state.force = reduced.point.k();
         }
         (state.width, state.mass) = (body.width(), body.mass());
         Ok(())

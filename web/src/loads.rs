@@ -65,8 +65,8 @@ pub fn take_effective(state: &mut State) -> bool {
     let full = situation(state).and_then(|situation| situation.at(1.0));
     let Some(reduced) = full.ok().and_then(|full| full.effective) else { return false };
     let point = reduced.point;
-    state.set_body(point.slenderness(), point.elevation());
-    state.force = point.force();
+    state.set_body(point.gamma(), point.k_prime());
+    state.force = point.k();
     state.mirrored = reduced.mirrored;
     state.view = None;
     // They are in the coordinates now.
@@ -120,7 +120,7 @@ impl LoadPath {
         let effective = full.effective.is_some_and(|reduced| {
             let (one, two) = (reduced.point, state.point());
             let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(b.abs());
-            !near(one.force(), two.force()) || !near(one.elevation(), two.elevation())
+            !near(one.k(), two.k()) || !near(one.k_prime(), two.k_prime())
         });
         Ok(LoadPath { svg: load_plane_on_screen(&plane, across).svg().to_owned(), words, effective })
     }
@@ -143,8 +143,8 @@ fn at_full_load(full: &Full) -> Vec<String> {
     if let Some(reduced) = full.effective {
         words.push(format!(
             "Effective coordinates: <i>k</i><sub>eff</sub> = {}, <i>k</i>′<sub>eff</sub> = {}.",
-            shown(reduced.point.force()),
-            shown(reduced.point.elevation())
+            shown(reduced.point.k()),
+            shown(reduced.point.k_prime())
         ));
     }
     words
@@ -165,7 +165,7 @@ mod tests {
         assert!((first_departure(&stages).unwrap().from / departs - 1.0).abs() < 1e-12);
         let before = state.point();
         assert!(take_effective(&mut state));
-        assert!((state.elevation - before.elevation()).abs() < 1e-12);
+        assert!((state.elevation - before.k_prime()).abs() < 1e-12);
     }
 
     #[test]
@@ -196,6 +196,6 @@ mod tests {
         });
         let ((one, one_mode), (two, two_mode)) = (modes[0], modes[1]);
         assert_eq!(one_mode, two_mode);
-        assert!((one.elevation() - two.elevation()).abs() < 1e-12 && one.elevation() > 0.9);
+        assert!((one.k_prime() - two.k_prime()).abs() < 1e-12 && one.k_prime() > 0.9);
     }
 }

@@ -1,8 +1,8 @@
 //! What the panel says about the design point.
 
 use serde::Serialize;
-use standfast::diagram::Strip;
 use standfast::initiation::{Crossing, Relation};
+use standfast::region::Strip;
 use standfast::{Mode, Modes, Motion};
 
 use crate::field::Field;
@@ -29,8 +29,8 @@ pub struct Reading {
     failed: Vec<Failed>,
     factors: Vec<Factor>,
     departure: String,
-    along_force: Vec<Change>,
-    along_friction: Vec<Change>,
+    along_k: Vec<Change>,
+    along_mu: Vec<Change>,
     motion: Vec<Quantity>,
     case: String,
     points: Vec<[String; 3]>,
@@ -176,8 +176,8 @@ impl Reading {
                 }
                 None => "No force at this elevation moves the body against this friction.".to_owned(),
             },
-            along_force: margins.along_force.iter().map(|crossing| change(crossing, true)).collect(),
-            along_friction: margins.along_friction.iter().map(|crossing| change(crossing, false)).collect(),
+            along_k: margins.along_k.iter().map(|crossing| change(crossing, true)).collect(),
+            along_mu: margins.along_mu.iter().map(|crossing| change(crossing, false)).collect(),
             motion: quantities(state, &motion),
             case: {
                 let diagram = state.diagram();
@@ -207,7 +207,7 @@ impl Reading {
             figure: state.figure.map(|id| id.number()),
             is_map: state.figure.is_none_or(|id| id.body().is_some()),
             numbers: Numbers {
-                given: [point.slenderness(), point.elevation(), point.force(), point.friction()],
+                given: [point.gamma(), point.k_prime(), point.k(), point.mu()],
                 motion: [
                     motion.x_ddot,
                     motion.y_ddot,

@@ -122,10 +122,10 @@ impl Answer {
         };
         let margins = point.margins();
         Answer {
-            gamma: point.slenderness(),
-            k_prime: point.elevation(),
-            k: point.force(),
-            mu: point.friction(),
+            gamma: point.gamma(),
+            k_prime: point.k_prime(),
+            k: point.k(),
+            mu: point.mu(),
             mode: mode.symbol(),
             mode_words: mode.words(),
             unique: point.is_unique(),
@@ -139,8 +139,8 @@ impl Answer {
             trace: point.explain().steps.iter().map(step).collect(),
             margins: Margins {
                 leaves_rest: margins.leaves_rest().as_ref().map(change),
-                along_k: margins.along_force.iter().map(change).collect(),
-                along_mu: margins.along_friction.iter().map(change).collect(),
+                along_k: margins.along_k.iter().map(change).collect(),
+                along_mu: margins.along_mu.iter().map(change).collect(),
             },
         }
     }

@@ -180,10 +180,10 @@ pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
         row![value, format!("{} → {}", reduced.orient(crossing.from), reduced.orient(crossing.to))]
     };
     let mut text = paragraph(&leaves_rest, 2);
-    let values: Vec<f64> = margins.along_force.iter().map(|crossing| crossing.at).collect();
+    let values: Vec<f64> = margins.along_k.iter().map(|crossing| crossing.at).collect();
     let forces: Vec<_> = apart(&values)
         .into_iter()
-        .zip(&margins.along_force)
+        .zip(&margins.along_k)
         .map(|(value, crossing)| {
             let k = format!("k = {value}");
             let force = scale.map(|scale| kilonewtons(crossing.at * scale.weight));
@@ -191,22 +191,22 @@ pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
         })
         .collect();
     if !forces.is_empty() {
-        text += &format!("  as the force grows, at μ = {}:\n", digits(point.friction()));
+        text += &format!("  as the force grows, at μ = {}:\n", digits(point.mu()));
         text += &columns(&forces, 4, &[]);
     }
 
-    let values: Vec<f64> = margins.along_friction.iter().map(|crossing| crossing.at).collect();
+    let values: Vec<f64> = margins.along_mu.iter().map(|crossing| crossing.at).collect();
     let frictions: Vec<_> = apart(&values)
         .into_iter()
-        .zip(&margins.along_friction)
+        .zip(&margins.along_mu)
         .map(|(value, crossing)| arrow(format!("μ = {value}"), crossing))
         .collect();
     if frictions.is_empty() {
-        text += &format!("  At {} friction makes no difference.\n", force(point.force()));
+        text += &format!("  At {} friction makes no difference.\n", force(point.k()));
     } else {
-        text += &format!("  as the friction grows, at {}:\n", force(point.force()));
+        text += &format!("  as the friction grows, at {}:\n", force(point.k()));
         text += &columns(&frictions, 4, &[]);
-        if margins.along_friction.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
+        if margins.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
             text += "    No friction keeps the body at rest under this force.\n";
         }
     }

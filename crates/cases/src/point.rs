@@ -35,10 +35,10 @@ fn explanation(reduced: &Reduced) -> String {
     let _ = writeln!(
         text,
         "\nPoint\n  γ = {}   k' = {}   k = {}   μ = {}\n  {}",
-        digits(point.slenderness()),
-        digits(point.elevation()),
-        digits(point.force()),
-        digits(point.friction()),
+        digits(point.gamma()),
+        digits(point.k_prime()),
+        digits(point.k()),
+        digits(point.mu()),
         point.chart().case().words(),
     );
     text += "\nStep by step (report's equation numbers)\n";

@@ -45,7 +45,7 @@ fn every_row_is_a_scalar_call() {
     for (i, (record, point)) in reader.records().zip(&points).enumerate() {
         let record = record.expect("a row");
         assert_eq!(&record[0], format!("row {i}, \"so\""));
-        assert_eq!(record[4].parse(), Ok(point.slenderness()));
+        assert_eq!(record[4].parse(), Ok(point.gamma()));
         assert_eq!(&record[6], point.mode().symbol());
         assert_eq!(&record[7], point.is_unique().to_string());
         assert_eq!(&record[8], point.others().to_string());

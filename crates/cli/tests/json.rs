@@ -86,8 +86,8 @@ fn assess_is_the_library_in_si_units() {
         let motion = reduced.motion();
         assert_eq!(load["name"], json!(name));
         assert_eq!(load["direction"], json!(if reduced.mirrored { "right" } else { "left" }));
-        assert_eq!(load["k"], json!(reduced.point.force()));
-        assert_eq!(load["k_prime"], json!(reduced.point.elevation()));
+        assert_eq!(load["k"], json!(reduced.point.k()));
+        assert_eq!(load["k_prime"], json!(reduced.point.k_prime()));
         assert_eq!(load["mode"], json!(reduced.mode().symbol()));
         assert_eq!(load["motion"]["theta_ddot"], json!(motion.theta_ddot));
         // B = 0.5 m.

@@ -43,7 +43,7 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
         words.extend(name.split_whitespace().map(|word| Text::verbatim(&shortened(word), SMALL)));
         words.extend(margins::words(&format!("{}:", pair(point.k, point.mu)), SMALL));
         let chart = drawing.diagram.chart();
-        if let Ok(at) = Point::new(chart.slenderness(), chart.elevation(), point.k, point.mu) {
+        if let Ok(at) = Point::new(chart.gamma(), chart.k_prime(), point.k, point.mu) {
             let (mode, others, remark) = if point.mirrored {
                 (at.mode().mirrored(), at.others().mirrored(), " (to the right, mirrored)")
             } else {

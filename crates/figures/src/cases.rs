@@ -1,6 +1,8 @@
 //! The plane of slenderness and elevation: which case of the report a body belongs to.
 
-use standfast::initiation::{Case, Chart};
+use std::ops::Range;
+
+use standfast::initiation::{Chart, ChartCase};
 
 use crate::Figure;
 use crate::number;
@@ -32,7 +34,7 @@ pub fn cases_on_screen(chart: &Chart, (width, height): (f64, f64)) -> Picture {
         up: UP,
     };
     let mut scene = Scene::themed();
-    let shown = Case::ALL.map(|case| (case, Band::of(case)));
+    let shown = ChartCase::ALL.map(|case| (case, Band::of(case)));
     for (_, band) in shown.iter().filter(|(case, _)| *case == chart.case()) {
         scene.fill(&band.outline(&picture), tint(standfast::Mode::RockO));
     }
@@ -60,11 +62,11 @@ pub fn cases_on_screen(chart: &Chart, (width, height): (f64, f64)) -> Picture {
 struct Band(Vec<(f64, f64, f64)>);
 
 impl Band {
-    fn of(case: Case) -> Band {
+    fn of(case: ChartCase) -> Band {
         const STEPS: u32 = 120;
         let slice = |i: u32| {
             let gamma = ACROSS.value(f64::from(i) / f64::from(STEPS));
-            let (least, greatest) = case.elevations(gamma).ok()?;
+            let Range { start: least, end: greatest } = case.k_primes(gamma).ok()?;
             Some((gamma, least.clamp(UP.from, UP.to), greatest.clamp(UP.from, UP.to)))
         };
         Band((0..=STEPS).filter_map(slice).collect())
@@ -85,7 +87,7 @@ impl Band {
     }
 
     /// Writes the name in the middle of the part that is nearly as thick as the thickest.
-    fn name(&self, scene: &mut Scene, picture: &Picture, case: Case) {
+    fn name(&self, scene: &mut Scene, picture: &Picture, case: ChartCase) {
         let thick = |slice: &(f64, f64, f64)| slice.2 - slice.1;
         let most = self.0.iter().map(thick).fold(0.0, f64::max);
         let wide: Vec<_> = self.0.iter().filter(|slice| most > 0.0 && thick(slice) > 0.85 * most).collect();

@@ -3,8 +3,9 @@
 //! Drawing order: tints, hatching, drop lines, curves, axes, points, then labels: letters of points, design points,
 //! the lens, names of regions, formulas. What finds no free place goes to the plot's edge, and then to the caption.
 
-use standfast::diagram::{Strip, Unresolved};
+use standfast::diagram::Unresolved;
 use standfast::initiation::NamedPoint;
+use standfast::region::Strip;
 use standfast::{Diagram, Mode};
 
 use crate::canvas::Canvas;

@@ -3,7 +3,7 @@
 //! Solid arrows are forces, dashed ones accelerations; each kind has a scale of its own. A dashed outline shows where
 //! the motion takes the body, exaggerated.
 
-use standfast::{Corner, Mode, Motion, Point};
+use standfast::{Corner, CornerAcceleration, Mode, Motion, Point};
 
 use crate::Figure;
 use crate::palette::{FAINT, INK, MARK, PUSH, symbol, tint};
@@ -58,7 +58,7 @@ pub fn free_body(given: &FreeBody, (width, height): (f64, f64)) -> (Figure, Pose
          half-widths right of the centre. Dashed: accelerations of the corners O, left, and O′, right, and an exaggerated \
          picture of the motion that begins.",
         if given.mirrored { "right" } else { "left" },
-        crate::number::digits((1.0 + given.point.elevation()) / 2.0),
+        crate::number::digits((1.0 + given.point.k_prime()) / 2.0),
         crate::number::digits(sketch.motion.xi),
     );
     let (svg, labels) = scene.finish(width, height, &title, &description);
@@ -86,19 +86,19 @@ struct Sketch {
 impl Sketch {
     fn new(given: &FreeBody, width: f64, height: f64) -> Sketch {
         let FreeBody { point, mirrored } = *given;
-        let gamma = point.slenderness();
+        let gamma = point.gamma();
         let (mode, motion) = (point.mode(), point.motion());
         let (mode, motion) = if mirrored { (mode.mirrored(), motion.mirrored()) } else { (mode, motion) };
-        let elevation = point.elevation().clamp(LOWEST, HIGHEST);
+        let elevation = point.k_prime().clamp(LOWEST, HIGHEST);
         let heights = gamma * (2.0_f64).max(1.0 + elevation);
         let scale = ((width - 2.0 * SIDE) / 2.0).min((height - TOP - BOTTOM) / heights).max(1e-3);
         let base = height - BOTTOM;
-        let largest = point.force().max(motion.f_x.abs()).max(motion.f_y);
+        let largest = point.k().max(motion.f_x.abs()).max(motion.f_y);
         let fastest = motion.slip.abs().max(motion.lift_o).max(motion.lift_o_prime);
         Sketch {
             mode,
             motion,
-            k: point.force(),
+            k: point.k(),
             towards: if mirrored { 1.0 } else { -1.0 },
             centre: width / 2.0,
             base,
@@ -227,7 +227,7 @@ impl Sketch {
     fn accelerations(&self, scene: &mut Scene) {
         let pen = Pen { colour: INK, width: 1.5, dashes: "4.5 2.6" };
         for (corner, name, out) in [(Corner::O, "O", -1.0), (Corner::OPrime, "{O′}", 1.0)] {
-            let (across, up) = self.motion.at(corner);
+            let CornerAcceleration { along: across, up } = self.motion.at(corner);
             let size = across.hypot(up);
             if size * self.per_gravity < 1.0 {
                 continue;

@@ -54,7 +54,7 @@ mod text;
 
 use standfast::Diagram;
 use standfast::contact::path::Stage;
-use standfast::diagram::Region;
+use standfast::region::Region;
 
 pub use cases::cases_on_screen;
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};

@@ -5,7 +5,8 @@ use standfast::Diagram;
 use standfast::Mode::{
     Rest, RockO, RockOPrime, SlideLeft, SlideRockOLeft, SlideRockOPrimeLeft, SlideRockORight,
 };
-use standfast::initiation::{Case, Curve, PointName};
+use standfast::initiation::{ChartCase, PointName};
+use standfast::region::Curve;
 
 use crate::DesignPoint;
 use crate::sheet::At::{A, BPrime, D, E, Far, Zero};
@@ -140,18 +141,22 @@ const BELOW_BASE: Sheet = Sheet {
 };
 
 /// The sheet of a diagram and its condition in markup.
-pub(crate) fn sheet(case: Case) -> (&'static Sheet, &'static str) {
+pub(crate) fn sheet(case: ChartCase) -> (&'static Sheet, &'static str) {
     match case {
-        Case::OneA => (&CASE_1, "force above the centre of mass, case 1, $0 ≤ k′ ≤ (1+γ^2)/(3γ^2)$"),
-        Case::OneB => {
+        ChartCase::OneA => (&CASE_1, "force above the centre of mass, case 1, $0 ≤ k′ ≤ (1+γ^2)/(3γ^2)$"),
+        ChartCase::OneB => {
             (&CASE_1, "force above the centre of mass, case 1, $(1+γ^2)/(3γ^2) < k′ ≤ (4+γ^2)/(3γ^2)$")
         }
-        Case::TwoThree => (&CASE_2_3, "force above the centre of mass, cases 2 and 3, $k′ > (4+γ^2)/(3γ^2)$"),
-        Case::DeltaPositive => (&DELTA_POSITIVE, "force below the centre of mass, $|k′| < (1+γ^2)/(4+γ^2)$"),
-        Case::DeltaNotPositive => {
+        ChartCase::TwoThree => {
+            (&CASE_2_3, "force above the centre of mass, cases 2 and 3, $k′ > (4+γ^2)/(3γ^2)$")
+        }
+        ChartCase::DeltaPositive => {
+            (&DELTA_POSITIVE, "force below the centre of mass, $|k′| < (1+γ^2)/(4+γ^2)$")
+        }
+        ChartCase::DeltaNotPositive => {
             (&DELTA_NOT_POSITIVE, "force below the centre of mass, $|k′| ≥ (1+γ^2)/(4+γ^2)$")
         }
-        Case::BelowBase => (&BELOW_BASE, "effective force below the base, $k′ < −1$"),
+        ChartCase::BelowBase => (&BELOW_BASE, "effective force below the base, $k′ < −1$"),
     }
 }
 
@@ -160,7 +165,7 @@ pub(crate) fn sheet(case: Case) -> (&'static Sheet, &'static str) {
 pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
     const FAR: f64 = 7.0;
     let chart = diagram.chart();
-    let unit = 1.0 / chart.slenderness();
+    let unit = 1.0 / chart.gamma();
     let (k_a, k_d) = (chart.k_a(), chart.k_d());
     let a = Some(k_a).filter(|&k| k < 1e6 * unit);
     let base = a.unwrap_or(k_d);
@@ -175,15 +180,17 @@ pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
         }
     }
     if let Some(limit) =
-        Mark::Asymptote.mu(chart).filter(|limit| *limit < 3.0 * base && chart.elevation() >= 0.0)
+        Mark::Asymptote.mu(chart).filter(|limit| *limit < 3.0 * base && chart.k_prime() >= 0.0)
     {
         mu = mu.max(1.15 * limit);
     }
     // Where rising lines bound the regions, see them rise across the picture, but not A squeezed into a corner.
     let rises = |curve: Curve| curve.at(k).min(3.0 * base);
     match chart.case() {
-        Case::DeltaPositive | Case::DeltaNotPositive => mu = mu.max(1.05 * rises(chart.upper_line())),
-        Case::BelowBase => mu = mu.max(1.3 * rises(chart.mu_star_star())),
+        ChartCase::DeltaPositive | ChartCase::DeltaNotPositive => {
+            mu = mu.max(1.05 * rises(chart.upper_line()))
+        }
+        ChartCase::BelowBase => mu = mu.max(1.3 * rises(chart.mu_star_star())),
         _ => {}
     }
     for point in points.iter().filter(|point| point.is_drawable()) {

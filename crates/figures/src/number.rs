@@ -1,20 +1,21 @@
 //! Numbers as a caption shows them: three significant digits, a true minus sign, powers of ten when needed.
 
 use standfast::initiation::Chart;
+use standfast::number::{self, Significant};
 
 /// A number in markup that is the same in plain characters.
 pub(crate) fn digits(number: f64) -> String {
-    to_digits(number, 3)
+    significant(number, 3)
 }
 
 /// A number with more than three significant digits if it takes them to tell it from its `neighbours`.
 pub(crate) fn distinct_digits(number: f64, neighbours: &[f64]) -> String {
     const MOST: usize = 9;
     let tells = |count: &usize| {
-        let shown = to_digits(number, *count);
-        neighbours.iter().all(|&other| other == number || to_digits(other, *count) != shown)
+        let shown = significant(number, *count);
+        neighbours.iter().all(|&other| other == number || significant(other, *count) != shown)
     };
-    to_digits(number, (3..MOST).find(tells).unwrap_or(MOST))
+    significant(number, (3..MOST).find(tells).unwrap_or(MOST))
 }
 
 /// A number with `count` significant digits, a true minus sign, and a power of ten as `10^{7}` when needed.
@@ -22,32 +23,17 @@ pub fn significant(number: f64, count: usize) -> String {
     if number.is_infinite() {
         return if number > 0.0 { "∞" } else { "−∞" }.into();
     }
-    to_digits(number, count)
-}
-
-fn to_digits(number: f64, count: usize) -> String {
-    if number == 0.0 {
-        return "0".into();
-    }
-    let scientific = format!("{number:.*e}", count - 1);
-    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
-    let exponent: i32 = exponent.parse().expect("the exponent is a whole number");
-    let text = if (-4..6).contains(&exponent) {
-        let decimals = (count as i32 - 1 - exponent).max(0) as usize;
-        trimmed(&format!("{number:.decimals$}")).to_string()
-    } else {
-        format!("{} × 10^{{{exponent}}}", trimmed(mantissa))
+    let Significant { mantissa, exponent } = number::significant(number, count);
+    let text = match exponent {
+        None => mantissa,
+        Some(exponent) => format!("{mantissa} × 10^{{{exponent}}}"),
     };
     text.replace('-', "−")
 }
 
 /// γ and k′ of a chart in markup.
 pub(crate) fn body(chart: &Chart) -> String {
-    format!("$γ = {}$, $k′ = {}$", digits(chart.slenderness()), digits(chart.elevation()))
-}
-
-fn trimmed(number: &str) -> &str {
-    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+    format!("$γ = {}$, $k′ = {}$", digits(chart.gamma()), digits(chart.k_prime()))
 }
 
 #[cfg(test)]
@@ -58,7 +44,7 @@ mod tests {
     fn three_significant_digits() {
         let shown = [0.0, 0.714285, 2.5, -0.55, 12.04, 123456.0, 0.000123456, 1e7, -2.5e-9].map(digits);
         let expected =
-            ["0", "0.714", "2.5", "−0.55", "12", "123456", "0.000123", "1 × 10^{7}", "−2.5 × 10^{−9}"];
+            ["0", "0.714", "2.5", "−0.55", "12", "123000", "0.000123", "1 × 10^{7}", "−2.5 × 10^{−9}"];
         assert_eq!(shown, expected);
     }
 

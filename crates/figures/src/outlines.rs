@@ -3,8 +3,9 @@
 //! The content, the window and the colours are those of [`diagram`](crate::diagram); curves become polylines that
 //! stay within a two-thousandth of the window's height of the exact ones.
 
-use standfast::diagram::{Strip, Window};
-use standfast::initiation::{Curve, PointName};
+use standfast::diagram::Window;
+use standfast::initiation::PointName;
+use standfast::region::{Curve, Strip};
 use standfast::{Diagram, Mode, Modes};
 
 use crate::map;
@@ -142,7 +143,7 @@ pub fn outlines(diagram: &Diagram, window: Option<Window>) -> Outlines {
         };
         let dashed = trace.style == Style::Dashed;
         OutlinedLine {
-            name: name(trace.line, chart.elevation()),
+            name: name(trace.line, chart.k_prime()),
             formula: trace.line.formula(chart),
             dashed,
             parts,

@@ -3,9 +3,8 @@
 //! Nothing is known of the boundaries but the strips of the regions: they are drawn where neighbours differ in mode. So
 //! there are no formulas here, and the axes have numbers.
 
-use standfast::contact::path::Stage;
-use standfast::diagram::Strip;
-use standfast::initiation::Curve;
+use standfast::contact::path::{self, Stage};
+use standfast::region::{Curve, Strip};
 use standfast::{Mode, Modes};
 
 use crate::canvas::Canvas;
@@ -232,15 +231,16 @@ fn sides(given: &LoadPlane, areas: &[Area], window: &View) -> Vec<Side> {
 }
 
 /// The way of a rising load: a line along the body's friction.
-struct LoadPath<'a> {
-    stages: &'a [Stage],
+struct LoadPath {
+    stages: Vec<Stage>,
     up_to: f64,
     friction: Option<f64>,
 }
 
-impl<'a> LoadPath<'a> {
-    fn of(given: &LoadPlane<'a>, up_to: f64) -> LoadPath<'a> {
-        LoadPath { stages: given.stages, up_to, friction: drawable(given.friction) }
+impl LoadPath {
+    fn of(given: &LoadPlane<'_>, up_to: f64) -> LoadPath {
+        let stages = path::up_to(given.stages, given.up_to);
+        LoadPath { stages, up_to, friction: drawable(given.friction) }
     }
 
     /// The load factors at which stages change.
@@ -265,7 +265,7 @@ impl<'a> LoadPath<'a> {
         let x = |factor: f64| frame.x(factor.clamp(0.0, frame.window.k_max));
         let Rect { x0, x1, .. } = frame.area;
         canvas.scene.line((x0, y), (x1, y), Pen::solid(PAPER, 4.0));
-        for stage in self.stages {
+        for stage in &self.stages {
             let dashes = if stage.modes.len() > 1 { "6 3" } else { "" };
             let pen = Pen { colour: MARK, width: 1.8, dashes };
             canvas.scene.line((x(stage.from), y), (x(stage.to), y), pen);
@@ -316,7 +316,7 @@ impl<'a> LoadPath<'a> {
     /// Symbols of modes along their stages, where there is room.
     fn names(&self, canvas: &mut Canvas, y: f64) {
         let frame = canvas.board.frame;
-        for stage in self.stages {
+        for stage in &self.stages {
             let Some(mode) = stage.mode else { continue };
             let text = Text::new(symbol(mode), TICK);
             let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k_max)));
@@ -382,18 +382,19 @@ fn description(window: &View, areas: &[Area], caption: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use standfast::contact::{Block, Wrench, plane};
+    use standfast::Wrench;
+    use standfast::contact::{Block, plane};
 
     use super::*;
 
     /// The report's γ = 3, k′ = 0.8 as a load plane: λ is k.
-    fn in_air() -> Vec<standfast::diagram::Region> {
+    fn in_air() -> Vec<standfast::region::Region> {
         let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
         let force = Wrench { x: -1.0, p: 0.0, m: 0.8 * 3.0 };
         plane::regions(&Block::uniform(3.0, 0.3), &weight, &force, 2.0).expect("a valid block")
     }
 
-    fn plane(regions: &[standfast::diagram::Region]) -> LoadPlane<'_> {
+    fn plane(regions: &[standfast::region::Region]) -> LoadPlane<'_> {
         LoadPlane { regions, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
     }
 

@@ -4,8 +4,7 @@
 //! window where it takes the smallest or the largest μ, and nothing is sampled. Hyperbolas become cubic Béziers
 //! through their end tangents, split until they are right to a hundredth of a pixel.
 
-use standfast::diagram::Strip;
-use standfast::initiation::Curve;
+use standfast::region::{Curve, Strip};
 
 use crate::scene::{Path, Rect};
 

@@ -194,7 +194,7 @@ impl Map<'_> {
 
     fn content(&self) -> Content {
         let chart = self.diagram.chart();
-        let body = (chart.slenderness(), chart.elevation());
+        let body = (chart.gamma(), chart.k_prime());
         let of_report = self.figure.and_then(|id| Some((id, report::chart(id)?)));
         match of_report.filter(|(_, (_, drawn, _))| *drawn == body) {
             Some((id, (sheet, ..))) => Content {

@@ -2,7 +2,8 @@
 //! named; the geometry comes from the library's [`Chart`].
 
 use standfast::Mode;
-use standfast::initiation::{Case, Chart, Curve, PointName};
+use standfast::initiation::{Chart, ChartCase, PointName};
+use standfast::region::Curve;
 
 use crate::plot::level;
 
@@ -177,8 +178,8 @@ impl Line {
 
     /// The line's equation in markup.
     pub(crate) fn formula(self, chart: &Chart) -> &'static str {
-        let above = chart.elevation() >= 0.0;
-        let falls_to_zero = chart.case() == Case::TwoThree;
+        let above = chart.k_prime() >= 0.0;
+        let falls_to_zero = chart.case() == ChartCase::TwoThree;
         match self {
             Line::Diagonal => "$μ = k$",
             Line::VerticalA | Line::VerticalE => "",
@@ -199,7 +200,7 @@ impl Line {
     pub(crate) fn name(self, chart: &Chart) -> &'static str {
         match self {
             Line::Diagonal => "$OA$",
-            Line::Upper if chart.elevation() >= 0.0 => "$CD$",
+            Line::Upper if chart.k_prime() >= 0.0 => "$CD$",
             Line::Upper => "$AB$",
             Line::Lower => "$DC$",
             _ => "dotted",
@@ -268,7 +269,7 @@ impl Mark {
 
 /// Symbol and value of a point's abscissa in markup.
 pub(crate) fn k_markup(name: PointName, chart: &Chart) -> (&'static str, &'static str) {
-    let k_prime = chart.elevation();
+    let k_prime = chart.k_prime();
     match name {
         PointName::A if k_prime >= 0.0 => ("k_A", r"\frac{1}{γ(1+k′)}"),
         PointName::A if k_prime >= -1.0 => ("k_A", r"\frac{1}{γ(1−|k′|)}"),
@@ -289,9 +290,11 @@ pub(crate) fn letter_markup(name: PointName) -> String {
 }
 
 fn asymptote_markup(chart: &Chart) -> &'static str {
-    if chart.case() == Case::TwoThree || chart.case() == Case::BelowBase && chart.coefficients()[0] < 0.0 {
+    if chart.case() == ChartCase::TwoThree
+        || chart.case() == ChartCase::BelowBase && chart.coefficients()[0] < 0.0
+    {
         r"$\frac{|a|}{c}$"
-    } else if chart.case() == Case::BelowBase {
+    } else if chart.case() == ChartCase::BelowBase {
         r"$\frac{a}{|c|}$"
     } else {
         r"$\frac{a}{c}$"

@@ -62,7 +62,7 @@ fn a_diagram_is_tidy_for_any_body() {
 #[test]
 fn a_diagram_with_design_points_is_tidy_for_any_body() {
     for body in bodies() {
-        let unit = 1.0 / body.chart().slenderness();
+        let unit = 1.0 / body.chart().gamma();
         let point = |k: f64, mu: f64, label: &str| DesignPoint {
             k: k * unit,
             mu: mu * unit,

@@ -3,11 +3,12 @@
 use std::time::{Duration, Instant};
 
 use resvg::usvg;
-use standfast::LoadKind::{Horizontal, Uplift, Weight};
 use standfast::contact::path::Stage;
-use standfast::contact::{Block, Wrench, path, plane};
-use standfast::diagram::Region;
-use standfast::{Body, Diagram, Mode, Situation};
+use standfast::contact::{Block, path, plane};
+use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
+use standfast::loads::{Action, Load, LoadKind, LoadSource};
+use standfast::region::Region;
+use standfast::{Body, Diagram, Mode, Situation, Wrench};
 use standfast_figures::{DesignPoint, Figure, LoadPlane, Rect, diagram, load_plane};
 
 const G: f64 = 9.81;
@@ -42,9 +43,9 @@ impl Case {
     fn of(situation: &Situation, up_to: f64, name: &str) -> Case {
         Case {
             regions: situation.plane(up_to).expect("a valid situation"),
-            stages: situation.path(up_to).expect("a valid situation"),
+            stages: situation.path().expect("a valid situation"),
             up_to,
-            friction: situation.static_friction,
+            friction: situation.static_friction(),
             name: name.into(),
         }
     }
@@ -88,7 +89,7 @@ fn random_cases(count: usize) -> impl Iterator<Item = Case> {
         let up_to = [2.0, 5.0, 0.5, 20.0][i % 4];
         Case {
             regions: plane::regions(&block, &permanent, &variable, up_to).expect("a valid block"),
-            stages: path::stages(&block, &permanent, &variable, up_to).expect("a valid block"),
+            stages: path::stages(&block, &permanent, &variable).expect("a valid block"),
             up_to,
             friction,
             name: format!("random block {i}: {block:?} {permanent:?} {variable:?}"),
@@ -99,33 +100,38 @@ fn random_cases(count: usize) -> impl Iterator<Item = Case> {
 fn caisson(friction: f64) -> (Body, Situation) {
     let body = Body::new(15.0, 10.5, 346_050.0).expect("a body");
     let buoyant = Wrench { x: 0.0, p: 2318.6e3, m: 0.0 };
-    (body, Situation::new(body, friction, G).permanent(Weight, buoyant))
+    let weight = Load::permanent(LoadSource::BuoyantWeight, Weight, buoyant);
+    (body, Situation::new(body, friction, G).expect("a body on a base").with(weight))
+}
+
+fn variable(kind: LoadKind, action: impl Into<Action>) -> Load {
+    Load::variable(LoadSource::Other, kind, action)
+}
+
+fn standing(body: Body, friction: f64, gravity: f64) -> Situation {
+    Situation::new(body, friction, gravity).expect("a body on a base").with_weight()
 }
 
 /// Cases worth looking at.
 fn gallery() -> Vec<Case> {
     let (body, still) = caisson(0.6);
-    let wave = body.horizontal_force(-940.68e3, 4849.6 / 940.68);
-    let goda = still.clone().variable(Horizontal, wave).variable(Uplift, body.base_pressure(0.0, 65_739.0));
-    let lifted =
-        still.clone().variable(Horizontal, wave).variable(Uplift, body.base_pressure(30_000.0, 180_000.0));
-    let right = still
-        .variable(Horizontal, body.horizontal_force(940.68e3, 4849.6 / 940.68))
-        .variable(Uplift, body.base_pressure(65_739.0, 0.0));
+    let wave = |force: f64, left: f64, right: f64| {
+        let push = variable(Horizontal, Action::horizontal(force, 4849.6 / 940.68));
+        still.clone().with(push).with(variable(Uplift, Action::base_pressure(&body, left, right)))
+    };
+    let goda = wave(-940.68e3, 0.0, 65_739.0);
+    let lifted = wave(-940.68e3, 30_000.0, 180_000.0);
+    let right = wave(940.68e3, 65_739.0, 0.0);
     let monument = Body::new(0.8, 2.4, 4_000.0).expect("a body");
-    let seismic = Situation::new(monument, 0.7, G)
-        .permanent(Weight, monument.weight(G))
-        .variable(Horizontal, monument.base_acceleration(0.5 * G, -0.2 * G));
+    let shaken = Action::Inertia { right: 0.5 * G, up: -0.2 * G };
+    let seismic = standing(monument, 0.7, G).with(variable(Horizontal, shaken));
     let leaning = Body::new(10.0, 8.0, 2e5).expect("a body");
     let leaning = leaning.with_centroid(2.0, 5.0).and_then(|body| body.with_base(4.0, 5.0)).expect("a body");
-    let eccentric = Situation::new(leaning, 0.5, G)
-        .permanent(Weight, leaning.weight(G))
-        .variable(Horizontal, leaning.horizontal_force(-900e3, 6.0));
+    let eccentric = standing(leaning, 0.5, G).with(variable(Horizontal, Action::horizontal(-900e3, 6.0)));
     let square = Body::new(2.0, 2.0, 1000.0).expect("a body");
-    let undecided = Situation::new(square, 3.0, 10.0)
-        .permanent(Weight, square.weight(10.0))
-        .variable(Horizontal, square.horizontal_force(-10_000.0, 0.5));
-    let sticky = Situation { kinetic_friction: 0.4, ..goda.clone() };
+    let undecided =
+        standing(square, 3.0, 10.0).with(variable(Horizontal, Action::horizontal(-10_000.0, 0.5)));
+    let sticky = goda.clone().with_kinetic_friction(0.4).expect("less than to stick");
     vec![
         Case::of(&goda, 3.0, "Caisson, Goda 2000"),
         Case::of(&lifted, 3.0, "Caisson lifted by its uplift"),

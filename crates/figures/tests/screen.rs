@@ -1,6 +1,6 @@
 //! Pictures for a screen: labels apart, colours left to the page, values where the picture says.
 
-use standfast::initiation::{Case, Chart};
+use standfast::initiation::{Chart, ChartCase};
 use standfast::{Diagram, Point};
 use standfast_figures::{
     DesignPoint, Figure, FigureId, FreeBody, Map, Rect, View, cases_on_screen, free_body, sketch_on_screen,
@@ -115,7 +115,13 @@ fn the_cases_lie_where_the_chart_has_them() {
     let (gamma, k_prime) = picture.values(x, y);
     assert!((gamma - 3.0).abs() < 1e-12 && (k_prime - 0.8).abs() < 1e-12);
     let names: Vec<&str> = picture.figure.labels().iter().map(|label| label.text.as_str()).collect();
-    for case in [Case::OneA, Case::OneB, Case::TwoThree, Case::DeltaPositive, Case::DeltaNotPositive] {
+    for case in [
+        ChartCase::OneA,
+        ChartCase::OneB,
+        ChartCase::TwoThree,
+        ChartCase::DeltaPositive,
+        ChartCase::DeltaNotPositive,
+    ] {
         assert!(names.contains(&case.name()), "{names:?} lack {}", case.name());
     }
 }

@@ -41,7 +41,7 @@ fn plain(case: &Case, index: usize) -> Line {
         sliding: Some(point.safety_against_sliding()),
         overturning: Some(point.safety_against_overturning()),
         unique: point.is_unique(),
-        leaves_rest: departure.filter(|_| point.force() > 0.0).map(|crossing| crossing.at / point.force()),
+        leaves_rest: departure.filter(|_| point.k() > 0.0).map(|crossing| crossing.at / point.k()),
         looked_to: None,
         into: departure.map(|crossing| reduced.orient(crossing.to)),
         sentences: vec![describe::verdict(reduced), describe::uniqueness(reduced)],

@@ -19,8 +19,8 @@ const ROUNDS: usize = 15;
 
 #[inline(always)]
 fn read_and_write(columns: Columns<'_>, codes: &mut [u8]) {
-    let Columns { slenderness, elevation, force, friction } = columns;
-    let points = slenderness.iter().zip(elevation).zip(force).zip(friction);
+    let Columns { gamma, k_prime, k, mu } = columns;
+    let points = gamma.iter().zip(k_prime).zip(k).zip(mu);
     for (code, (((a, b), c), d)) in codes.iter_mut().zip(points) {
         *code = u8::from(a + b + c + d > 3.0);
     }
@@ -67,8 +67,7 @@ fn main() {
     let mut column = |low, high| (0..POINTS).map(|_| random.uniform(low, high)).collect::<Vec<f64>>();
     let (slenderness, elevation) = (column(0.3, 4.0), column(-1.0, 1.0));
     let (force, friction) = (column(0.0, 3.0), column(0.0, 2.0));
-    let columns =
-        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
+    let columns = Columns { gamma: &slenderness, k_prime: &elevation, k: &force, mu: &friction };
     let mut codes = vec![0; POINTS];
 
     println!("{POINTS} points, one thread, medians of {ROUNDS} rounds, ns a point");

@@ -69,8 +69,7 @@ fn batch_of_ten_million(bencher: Bencher) {
     let points = points(10_000_000);
     let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
     let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
-    let columns =
-        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
+    let columns = Columns { gamma: &slenderness, k_prime: &elevation, k: &force, mu: &friction };
     let mut codes = vec![0; points.len()];
     bencher
         .counter(ItemsCount::new(points.len()))

@@ -9,10 +9,10 @@
 //! use standfast::Mode;
 //!
 //! let columns = Columns {
-//!     slenderness: &[1.0, 1.0],
-//!     elevation: &[0.4, 1.0],
-//!     force: &[0.5, 2.0],
-//!     friction: &[0.6, 5.0],
+//!     gamma: &[1.0, 1.0],
+//!     k_prime: &[0.4, 1.0],
+//!     k: &[0.5, 2.0],
+//!     mu: &[0.6, 5.0],
 //! };
 //! let mut codes = [0; 2];
 //! classify(columns, &mut codes)?;
@@ -29,13 +29,13 @@ use crate::sign::{Fused, Rounded, UNSURE, screen};
 #[derive(Debug, Clone, Copy)]
 pub struct Columns<'a> {
     /// γ = H/B.
-    pub slenderness: &'a [f64],
+    pub gamma: &'a [f64],
     /// k', the height of the force above the centre of mass in H.
-    pub elevation: &'a [f64],
+    pub k_prime: &'a [f64],
     /// k = F/(m g).
-    pub force: &'a [f64],
+    pub k: &'a [f64],
     /// μ.
-    pub friction: &'a [f64],
+    pub mu: &'a [f64],
 }
 
 /// Why a batch could not be classified.
@@ -64,10 +64,10 @@ pub enum BatchError {
 impl<'a> Columns<'a> {
     fn check_lengths(&self, expected: usize) -> Result<(), BatchError> {
         let lengths = [
-            ("slenderness", self.slenderness.len()),
-            ("elevation", self.elevation.len()),
-            ("force", self.force.len()),
-            ("friction", self.friction.len()),
+            ("gamma", self.gamma.len()),
+            ("k_prime", self.k_prime.len()),
+            ("k", self.k.len()),
+            ("mu", self.mu.len()),
         ];
         match lengths.into_iter().find(|&(_, found)| found != expected) {
             Some((column, found)) => Err(BatchError::Length { column, found, expected }),
@@ -83,18 +83,13 @@ impl<'a> Columns<'a> {
     /// # Panics
     /// If a column has no such index.
     pub fn point(&self, index: usize) -> Result<Point, InputError> {
-        Point::new(self.slenderness[index], self.elevation[index], self.force[index], self.friction[index])
+        Point::new(self.gamma[index], self.k_prime[index], self.k[index], self.mu[index])
     }
 
     /// The columns from `start`, `length` points long.
     fn slice(&self, start: usize, length: usize) -> Columns<'a> {
         let cut = |column: &'a [f64]| &column[start..start + length];
-        Columns {
-            slenderness: cut(self.slenderness),
-            elevation: cut(self.elevation),
-            force: cut(self.force),
-            friction: cut(self.friction),
-        }
+        Columns { gamma: cut(self.gamma), k_prime: cut(self.k_prime), k: cut(self.k), mu: cut(self.mu) }
     }
 }
 
@@ -198,8 +193,8 @@ fn settle(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), (usize, InputErr
 /// The kernel's loop, to be compiled once for every instruction set.
 #[inline(always)]
 fn screen_all<T: Rounded>(columns: Columns<'_>, codes: &mut [u8]) {
-    let Columns { slenderness, elevation, force, friction } = columns;
-    let points = slenderness.iter().zip(elevation).zip(force).zip(friction);
+    let Columns { gamma, k_prime, k, mu } = columns;
+    let points = gamma.iter().zip(k_prime).zip(k).zip(mu);
     for (code, (((&gamma, &k_prime), &k), &mu)) in codes.iter_mut().zip(points) {
         *code = screen::<T>(gamma, k_prime, k, mu);
     }

@@ -1,4 +1,4 @@
-//! A body in SI units, per metre run: its geometry, its inertia, and what loads on it amount to at its centre of mass.
+//! A body in SI units, per metre run: its geometry and its inertia.
 //!
 //! ```text
 //!      ┌───────────────┐ ─┬─
@@ -9,10 +9,8 @@
 //!        b₁      b₂
 //! ```
 
-use crate::contact::Wrench;
 use crate::error::InputError;
-use crate::mode::Corner;
-use crate::stability::Actions;
+use crate::quantity::{Expected, Quantity};
 
 /// A rectangular body, per metre run of its length; uniform unless told otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,13 +25,13 @@ pub struct Body {
     moment_of_inertia: f64,
 }
 
-/// What still water amounts to.
+/// How far a base reaches from mid-width, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StillWater {
-    /// Its pressure on both sides.
-    pub sides: Wrench,
-    /// Its pressure under the base: buoyancy, and the moment of a head difference.
-    pub base: Wrench,
+pub struct BaseEdges {
+    /// To the left, to O.
+    pub left: f64,
+    /// To the right, to O'.
+    pub right: f64,
 }
 
 impl Body {
@@ -42,9 +40,9 @@ impl Body {
     /// # Errors
     /// If one of them is not a finite number above zero.
     pub fn new(width: f64, height: f64, mass: f64) -> Result<Body, InputError> {
-        let width = InputError::positive("width", width)?;
-        let height = InputError::positive("height", height)?;
-        let mass = InputError::positive("mass", mass)?;
+        let width = InputError::positive(Quantity::Width, width)?;
+        let height = InputError::positive(Quantity::Height, height)?;
+        let mass = InputError::positive(Quantity::Mass, mass)?;
         Ok(Body {
             width,
             height,
@@ -62,7 +60,7 @@ impl Body {
     /// # Errors
     /// If one of them, or the mass, is not a finite number above zero.
     pub fn of_density(width: f64, height: f64, density: f64) -> Result<Body, InputError> {
-        let density = InputError::positive("density", density)?;
+        let density = InputError::positive(Quantity::Density, density)?;
         Body::new(width, height, density * width * height)
     }
 
@@ -72,8 +70,8 @@ impl Body {
     /// If the centre of mass does not lie above the base, between O and O'.
     pub fn with_centroid(self, offset: f64, height: f64) -> Result<Body, InputError> {
         let body = Body {
-            centroid_offset: InputError::finite("offset of the centre of mass", offset)?,
-            centroid_height: InputError::positive("height of the centre of mass", height)?,
+            centroid_offset: InputError::finite(Quantity::CentroidOffset, offset)?,
+            centroid_height: InputError::positive(Quantity::CentroidHeight, height)?,
             ..self
         };
         body.check()
@@ -85,8 +83,8 @@ impl Body {
     /// If the centre of mass does not lie between O and O'.
     pub fn with_base(self, left: f64, right: f64) -> Result<Body, InputError> {
         let body = Body {
-            base_left: InputError::finite("left half of the base", left)?,
-            base_right: InputError::finite("right half of the base", right)?,
+            base_left: InputError::finite(Quantity::BaseLeft, left)?,
+            base_right: InputError::finite(Quantity::BaseRight, right)?,
             ..self
         };
         body.check()
@@ -97,22 +95,20 @@ impl Body {
     /// # Errors
     /// If it is not a finite number above zero.
     pub fn with_moment_of_inertia(self, moment: f64) -> Result<Body, InputError> {
-        Ok(Body { moment_of_inertia: InputError::positive("moment of inertia", moment)?, ..self })
+        Ok(Body { moment_of_inertia: InputError::positive(Quantity::MomentOfInertia, moment)?, ..self })
     }
 
     fn check(self) -> Result<Body, InputError> {
-        let expected = "one that lies between O and O'";
         if self.heel_distance() > 0.0 && self.toe_distance() > 0.0 {
             Ok(self)
         } else {
-            let quantity = "offset of the centre of mass";
-            Err(InputError { quantity, value: self.centroid_offset, expected })
+            Err(InputError::new(Quantity::CentroidOffset, self.centroid_offset, Expected::BetweenCorners))
         }
     }
 
-    /// How far the base reaches to the left and to the right of mid-width, m; see [`with_base`](Body::with_base).
-    pub fn base_edges(&self) -> (f64, f64) {
-        (self.base_left, self.base_right)
+    /// How far the base reaches to the left and to the right of mid-width; see [`with_base`](Body::with_base).
+    pub fn base_edges(&self) -> BaseEdges {
+        BaseEdges { left: self.base_left, right: self.base_right }
     }
 
     /// 2B, m.
@@ -140,6 +136,11 @@ impl Body {
         self.moment_of_inertia
     }
 
+    /// How far the centre of mass lies to the right of mid-width, m.
+    pub fn centroid_offset(&self) -> f64 {
+        self.centroid_offset
+    }
+
     /// Height of the centre of mass above the base, m.
     pub fn centroid_height(&self) -> f64 {
         self.centroid_height
@@ -163,80 +164,5 @@ impl Body {
     /// Whether the body is the report's: uniform, and touching its base over its whole width.
     pub fn is_uniform(&self) -> bool {
         Body::new(self.width, self.height, self.mass) == Ok(*self)
-    }
-
-    /// The weight at the acceleration of gravity `gravity` (m/s²), N per metre run.
-    pub fn weight(&self, gravity: f64) -> Wrench {
-        Wrench { x: 0.0, p: self.mass * gravity, m: 0.0 }
-    }
-
-    /// A horizontal force `force` to the right (N per metre run) at `elevation` above the base (m).
-    pub fn horizontal_force(&self, force: f64, elevation: f64) -> Wrench {
-        Wrench { x: force, p: 0.0, m: -force * (elevation - self.centroid_height) }
-    }
-
-    /// A vertical force `force` downwards (N per metre run) at `arm` to the right of O (m).
-    pub fn vertical_force(&self, force: f64, arm: f64) -> Wrench {
-        Wrench { x: 0.0, p: force, m: -force * (arm - self.heel_distance()) }
-    }
-
-    /// Pressure under the base, linear between `left` at O and `right` at O' (Pa).
-    pub fn base_pressure(&self, left: f64, right: f64) -> Wrench {
-        let width = self.base_width();
-        let force = (left + right) / 2.0 * width;
-        let about_o = (left + 2.0 * right) / 6.0 * width * width;
-        Wrench { x: 0.0, p: -force, m: about_o - force * self.heel_distance() }
-    }
-
-    /// Acceleration of the base by `horizontal` to the right and `vertical` upwards (m/s²), as forces of inertia: the
-    /// body's motion is then the one relative to its base.
-    pub fn base_acceleration(&self, horizontal: f64, vertical: f64) -> Wrench {
-        Wrench { x: -self.mass * horizontal, p: self.mass * vertical, m: 0.0 }
-    }
-
-    /// Still water at `left` and `right` above the base on either side (m), of `unit_weight` ρg (N/m³): its pressure on
-    /// the sides, and under the base, where it is linear between the two.
-    ///
-    /// # Errors
-    /// If a level is negative or above the crest, which would be under water.
-    pub fn still_water(&self, left: f64, right: f64, unit_weight: f64) -> Result<StillWater, InputError> {
-        InputError::positive("unit weight of water", unit_weight)?;
-        let mut sides = Wrench::ZERO;
-        for (level, towards) in [(left, 1.0), (right, -1.0)] {
-            let level = InputError::not_negative("water level", level)?;
-            if level > self.height {
-                let expected =
-                    "no more than the height of the body: its crest has to stand above still water";
-                return Err(InputError { quantity: "water level", value: level, expected });
-            }
-            sides = sides + self.horizontal_force(towards * unit_weight * level * level / 2.0, level / 3.0);
-        }
-        Ok(StillWater { sides, base: self.base_pressure(unit_weight * left, unit_weight * right) })
-    }
-
-    /// The corner that the classical checks call the heel: O, or O' if the horizontal force points right (without one, if
-    /// the moment turns the body that way).
-    pub fn heel(&self, weight: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> Corner {
-        let right = horizontal.x > 0.0 || horizontal.x == 0.0 && weight.m + uplift.m + horizontal.m < 0.0;
-        if right { Corner::OPrime } else { Corner::O }
-    }
-
-    /// The classical actions about the [heel](Body::heel), from vertical, uplift and horizontal loads. The other corner is
-    /// not looked at, as is the custom; a body can also turn about it where a load pulls below its base or far outside.
-    pub fn actions(&self, weight: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> Actions {
-        let (σ, arm) = match self.heel(weight, uplift, horizontal) {
-            Corner::O => (1.0, self.heel_distance()),
-            Corner::OPrime => (-1.0, self.toe_distance()),
-        };
-        // Clockwise about O, or counter-clockwise about O'.
-        let resisting = |wrench: &Wrench| wrench.p * arm - σ * wrench.m;
-        Actions {
-            buoyant_weight: weight.p,
-            weight_arm: if weight.p == 0.0 { 0.0 } else { resisting(weight) / weight.p },
-            uplift: 0.0 - uplift.p,
-            uplift_moment: 0.0 - resisting(uplift),
-            force: horizontal.x.abs(),
-            force_moment: σ * (horizontal.m - horizontal.x * self.centroid_height),
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! The k–μ plane as exact regions: which mode holds where, for one body and one elevation of the force.
 //!
-//! Every region is a row of [`Strip`]s between two values of k, bounded below and above by a line or a
+//! Every region is a row of [`Strip`](crate::region::Strip)s between two values of k, bounded below and above by a line or a
 //! hyperbola of the [`Chart`]. Nothing is sampled: a picture, an area or a containment test starts from the
 //! formulas.
 //!
@@ -15,46 +15,9 @@
 //! ```
 
 use crate::error::InputError;
-use crate::initiation::{Case, Chart, Curve, Point};
+use crate::initiation::{Chart, ChartCase, Point};
 use crate::mode::{Mode, Modes};
-
-/// The part of a region between two values of k.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Strip {
-    /// Smallest k.
-    pub from: f64,
-    /// Largest k, possibly infinite.
-    pub to: f64,
-    /// The curve the strip lies above.
-    pub lower: Curve,
-    /// The curve the strip lies below; `None` if it is open at the top.
-    pub upper: Option<Curve>,
-}
-
-impl Strip {
-    /// Whether (k, μ) lies in the strip or on its edge, in floating point. Which mode owns an edge is
-    /// [`Diagram::mode_at`]'s to say, exactly.
-    pub fn contains(&self, k: f64, mu: f64) -> bool {
-        let below = self.upper.is_none_or(|upper| mu <= upper.at(k));
-        self.from <= k && k <= self.to && self.lower.at(k) <= mu && below
-    }
-}
-
-/// A connected region of the plane: strips from left to right, each beginning where the last ended.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Region {
-    /// The mode that holds in it.
-    pub mode: Mode,
-    /// Its strips, never empty.
-    pub strips: Vec<Strip>,
-}
-
-impl Region {
-    /// Whether (k, μ) lies in the region or on its edge, in floating point.
-    pub fn contains(&self, k: f64, mu: f64) -> bool {
-        self.strips.iter().any(|strip| strip.contains(k, mu))
-    }
-}
+use crate::region::{Curve, Region, Strip};
 
 /// A part of the indeterminate set N, where three modes are consistent and the report's section IV.7 picks one.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,20 +56,20 @@ impl Unresolved {
 }
 
 impl Diagram {
-    /// The diagram for γ = `slenderness` and k' = `elevation`, any real number.
+    /// The diagram for γ and k', any real number.
     ///
     /// # Errors
-    /// If a number is not finite or `slenderness` is not above zero.
-    pub fn new(slenderness: f64, elevation: f64) -> Result<Diagram, InputError> {
-        Ok(Diagram::of(Chart::new(slenderness, elevation)?))
+    /// If a number is not finite or `gamma` is not above zero.
+    pub fn new(gamma: f64, k_prime: f64) -> Result<Diagram, InputError> {
+        Ok(Diagram::of(Chart::new(gamma, k_prime)?))
     }
 
     /// The diagram of a chart.
     pub fn of(chart: Chart) -> Diagram {
         let regions = match chart.case() {
-            Case::OneA | Case::OneB | Case::TwoThree => force_above(&chart),
-            Case::DeltaPositive | Case::DeltaNotPositive => force_below(&chart),
-            Case::BelowBase => force_below_base(&chart),
+            ChartCase::OneA | ChartCase::OneB | ChartCase::TwoThree => force_above(&chart),
+            ChartCase::DeltaPositive | ChartCase::DeltaNotPositive => force_below(&chart),
+            ChartCase::BelowBase => force_below_base(&chart),
         };
         let regions = regions
             .into_iter()
@@ -137,17 +100,17 @@ impl Diagram {
     /// The mode at (k, μ), exactly, boundaries included.
     ///
     /// # Errors
-    /// If `force` or `friction` is negative or not finite.
-    pub fn mode_at(&self, force: f64, friction: f64) -> Result<Mode, InputError> {
-        Ok(Point::new(self.chart.slenderness(), self.chart.elevation(), force, friction)?.mode())
+    /// If `k` or `mu` is negative or not finite.
+    pub fn mode_at(&self, k: f64, mu: f64) -> Result<Mode, InputError> {
+        Ok(Point::new(self.chart.gamma(), self.chart.k_prime(), k, mu)?.mode())
     }
 
     /// The indeterminate set N in the report's parts; empty unless −1 < k' < 0.
     pub fn unresolved(&self) -> Vec<Unresolved> {
         let chart = &self.chart;
         let name = match chart.case() {
-            Case::DeltaPositive => "BB'C'C",
-            Case::DeltaNotPositive if chart.elevation() > -1.0 => "BAC'C",
+            ChartCase::DeltaPositive => "BB'C'C",
+            ChartCase::DeltaNotPositive if chart.k_prime() > -1.0 => "BAC'C",
             _ => return Vec::new(),
         };
         let start = chart.k_a().max(chart.k_b_prime());
@@ -182,7 +145,7 @@ impl Diagram {
         let points = self.chart.points();
         let largest =
             |of: fn(f64, f64) -> f64, start: f64| points.iter().fold(start, |m, p| m.max(of(p.k, p.mu)));
-        let unit = 1.0 / self.chart.slenderness();
+        let unit = 1.0 / self.chart.gamma();
         Window { k: 1.25 * largest(|k, _| k, unit), mu: 1.25 * largest(|_, mu| mu, unit) }
     }
 }
@@ -214,7 +177,7 @@ fn force_below(chart: &Chart) -> Vec<Row> {
     let (k_a, k_d) = (chart.k_a(), chart.k_d());
     let (ab, dc, mu_star) = (chart.upper_line(), chart.lower_line(), chart.mu_star());
     // Only a B' to the right of A bounds anything; for Δ ≤ 0 the lens from A to B' is empty.
-    let k_b = if chart.case() == Case::DeltaPositive { chart.k_b_prime().max(k_a) } else { k_a };
+    let k_b = if chart.case() == ChartCase::DeltaPositive { chart.k_b_prime().max(k_a) } else { k_a };
     let inf = f64::INFINITY;
     // D lies left of A if |k'| > 1/2, right of it otherwise.
     let (left, right) = (k_a.min(k_d), k_a.max(k_d));

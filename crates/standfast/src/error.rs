@@ -1,24 +1,31 @@
 //! The one error of the mechanics: a quantity whose value makes no sense.
 
+use crate::quantity::{Expected, Quantity};
+
 /// A value that no body, load or friction can have.
 ///
-/// The message names the quantity, shows the value, and says what is expected:
+/// Which quantity it is and what is expected are values, so that a program can tell errors apart; the message names the
+/// quantity, shows the value, and says what is expected:
 ///
 /// ```
+/// use standfast::Quantity;
+///
 /// let error = standfast::Point::new(1.0, 0.4, 2.0, -0.5).unwrap_err();
+/// assert_eq!((error.quantity, error.value), (Quantity::Friction, -0.5));
 /// assert_eq!(error.to_string(), "friction μ is -0.5; expected a number from 0 to 1e50");
 /// ```
 ///
 /// The limits 1e50 and 1e-50 are far outside any use; within them no formula of this library overflows.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{quantity} is {}; expected {expected}", readable(*.value))]
+#[non_exhaustive]
 pub struct InputError {
-    /// The quantity in words and symbol, e.g. `friction μ`.
-    pub quantity: &'static str,
+    /// The quantity.
+    pub quantity: Quantity,
     /// The value that was given.
     pub value: f64,
     /// What the quantity has to be.
-    pub expected: &'static str,
+    pub expected: Expected,
 }
 
 /// The value as a person would write it: `1e300`, not three hundred digits.
@@ -34,33 +41,37 @@ pub(crate) const LARGEST: f64 = 1e50;
 pub(crate) const SMALLEST: f64 = 1e-50;
 
 impl InputError {
+    pub(crate) fn new(quantity: Quantity, value: f64, expected: Expected) -> InputError {
+        InputError { quantity, value, expected }
+    }
+
     /// Passes `value` on if it is a number of any sign.
-    pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, InputError> {
-        InputError::within(quantity, value, -LARGEST, LARGEST, "a number from -1e50 to 1e50")
+    pub(crate) fn finite(quantity: Quantity, value: f64) -> Result<f64, InputError> {
+        InputError::within(quantity, value, -LARGEST, LARGEST, Expected::Finite)
     }
 
     /// Passes `value` on if it is a number not below zero.
-    pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64, InputError> {
-        InputError::within(quantity, value, 0.0, LARGEST, "a number from 0 to 1e50")
+    pub(crate) fn not_negative(quantity: Quantity, value: f64) -> Result<f64, InputError> {
+        InputError::within(quantity, value, 0.0, LARGEST, Expected::NotNegative)
     }
 
     /// Passes `value` on if it is a number above zero.
-    pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, InputError> {
-        InputError::within(quantity, value, SMALLEST, LARGEST, "a number above zero, from 1e-50 to 1e50")
+    pub(crate) fn positive(quantity: Quantity, value: f64) -> Result<f64, InputError> {
+        InputError::within(quantity, value, SMALLEST, LARGEST, Expected::Positive)
     }
 
     /// Passes `value` on if it lies between `least` and `most`; −0 becomes 0.
     pub(crate) fn within(
-        quantity: &'static str,
+        quantity: Quantity,
         value: f64,
         least: f64,
         most: f64,
-        expected: &'static str,
+        expected: Expected,
     ) -> Result<f64, InputError> {
         if (least..=most).contains(&value) {
             Ok(value + 0.0)
         } else {
-            Err(InputError { quantity, value, expected })
+            Err(InputError::new(quantity, value, expected))
         }
     }
 }

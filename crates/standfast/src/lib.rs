@@ -15,10 +15,10 @@
 //! | Which mode begins, with what motion, and is the answer unique? | [`Point`] |
 //! | At which force or friction does it change? Why this mode? | [`Point::margins`], [`Point::explain`] |
 //! | What does the whole k–μ plane look like? | [`Diagram`], [`initiation::Chart`] |
-//! | My body has metres and my force kilonewtons | [`Body`], [`HorizontalForce`] |
+//! | My body has metres and my force kilonewtons | [`Body`], [`loads::HorizontalForce`] |
 //! | Ten million points | [`batch`] |
-//! | Water, waves, uplift, earthquakes, added mass: the whole situation | [`Situation`], [`wave`] |
-//! | Safety factors and heel pressure | [`Actions`] |
+//! | Water, waves, uplift, earthquakes, added mass: the whole situation | [`Situation`], [`loads`], [`wave`] |
+//! | Safety factors and bearing pressure | [`Stability`] |
 //! | Any wrench, added mass, μ_s ≠ μ_k, eccentric bodies | [`contact`] |
 //!
 //! The symbols are those of the report this library implements, on vertical caisson breakwaters, after Shenton's
@@ -34,20 +34,26 @@ pub mod diagram;
 mod error;
 mod exact;
 pub mod initiation;
-mod load;
+pub mod loads;
 mod mode;
 mod motion;
+pub mod number;
+mod quantity;
+pub mod region;
+pub mod relation;
 pub mod sign;
 mod situation;
 mod stability;
-pub mod wave;
+mod wrench;
 
-pub use body::{Body, StillWater};
+pub use body::{BaseEdges, Body};
 pub use diagram::Diagram;
 pub use error::InputError;
 pub use initiation::{Point, classify};
-pub use load::{HorizontalForce, Reduced};
-pub use mode::{Corner, Mode, Modes, Slip};
-pub use motion::Motion;
-pub use situation::{Load, LoadKind, Situation, State, first_departure};
-pub use stability::{Actions, HeelPressure, Stability};
+pub use loads::wave;
+pub use mode::{Corner, Mode, Modes, ParseModeError, Slip};
+pub use motion::{CornerAcceleration, Motion};
+pub use quantity::{Expected, Quantity};
+pub use situation::{Departure, Outcome, Response, Situation};
+pub use stability::{Bearing, ClassicalActions, Stability};
+pub use wrench::Wrench;

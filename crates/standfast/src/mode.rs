@@ -1,6 +1,7 @@
 //! The modes of response: how a body that was at rest begins to move.
 
 use std::fmt;
+use std::str::FromStr;
 
 /// Which bottom corner a rocking body turns about.
 ///
@@ -11,6 +12,7 @@ use std::fmt;
 ///      O──────────O'
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Corner {
     /// O, bottom left: the heel under a force that points left.
     O,
@@ -30,6 +32,7 @@ impl Corner {
 
 /// A direction of slip along the base.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Slip {
     /// To the left (−x).
     Left,
@@ -217,6 +220,60 @@ impl fmt::Display for Mode {
     }
 }
 
+/// A text that is no mode's symbol.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("\"{0}\" is no mode; expected one of RE, SL, RO, SRO-, SRO+, SRO'-, RO', SL+, SRO'+, FL")]
+pub struct ParseModeError(String);
+
+impl FromStr for Mode {
+    type Err = ParseModeError;
+
+    /// The mode of a [symbol](Mode::symbol); a true minus sign or prime is as good.
+    ///
+    /// ```
+    /// use standfast::Mode;
+    /// assert_eq!("SRO'-".parse(), Ok(Mode::SlideRockOPrimeLeft));
+    /// assert_eq!("SRO′−".parse(), Ok(Mode::SlideRockOPrimeLeft));
+    /// assert!("sliding".parse::<Mode>().is_err());
+    /// ```
+    fn from_str(text: &str) -> Result<Mode, ParseModeError> {
+        let plain = text.trim().replace('−', "-").replace('′', "'");
+        let found = Mode::ALL.into_iter().find(|mode| mode.symbol() == plain);
+        found.ok_or_else(|| ParseModeError(text.to_owned()))
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Mode {
+    /// The symbol.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.symbol())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Mode {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Mode, D::Error> {
+        let symbol = <std::borrow::Cow<'de, str>>::deserialize(deserializer)?;
+        symbol.parse().map_err(serde::de::Error::custom)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Modes {
+    /// The symbols in a list.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Modes {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Modes, D::Error> {
+        Ok(Vec::<Mode>::deserialize(deserializer)?.into_iter().collect())
+    }
+}
+
 /// A set of modes: those that satisfy all conditions at once.
 ///
 /// ```
@@ -265,6 +322,14 @@ impl Modes {
     /// How many modes the set has.
     pub fn len(self) -> usize {
         self.0.count_ones() as usize
+    }
+
+    /// The set without a mode; without any if there is none.
+    pub fn without(mut self, mode: Option<Mode>) -> Modes {
+        if let Some(mode) = mode {
+            self.remove(mode);
+        }
+        self
     }
 
     /// The modes seen in a mirror.

@@ -2,11 +2,21 @@
 
 use crate::mode::Corner;
 
+/// The acceleration of a corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CornerAcceleration {
+    /// Along the base, to the right.
+    pub along: f64,
+    /// Upwards.
+    pub up: f64,
+}
+
 /// Accelerations and reactions at initiation.
 ///
 /// In the report's problem lengths are in B, accelerations in g, θ̈ in g/B and forces in m g; in the
 /// [general contact problem](crate::contact) they have the units of its input.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion {
     /// ẍ of the centre of mass, to the right.
     pub x_ddot: f64,
@@ -29,12 +39,13 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The acceleration of a corner: to the right, and upwards.
-    pub fn at(&self, corner: Corner) -> (f64, f64) {
-        match corner {
-            Corner::O => (self.slip, self.lift_o),
-            Corner::OPrime => (self.slip, self.lift_o_prime),
-        }
+    /// The acceleration of a corner.
+    pub fn at(&self, corner: Corner) -> CornerAcceleration {
+        let up = match corner {
+            Corner::O => self.lift_o,
+            Corner::OPrime => self.lift_o_prime,
+        };
+        CornerAcceleration { along: self.slip, up }
     }
 
     /// The motion in other units: accelerations times `acceleration`, lengths times `length`, forces times `force`,

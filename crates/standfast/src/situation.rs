@@ -13,61 +13,49 @@
 //! ```
 //!
 //! with all accelerations and reactions times P/(m g); if X points right, everything is mirrored.
+//!
+//! ```
+//! use standfast::loads::{Action, Load, LoadKind, LoadSource};
+//! use standfast::{Body, Departure, Mode, Situation};
+//!
+//! // A caisson of 15 m by 12 m and 378 t/m, pushed with 1000 kN/m at 9 m.
+//! let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-1e6, 9.0));
+//! let situation = Situation::new(Body::new(15.0, 12.0, 378e3)?, 0.6, 9.81)?.with_weight().with(push);
+//! let outcome = situation.outcome()?;
+//! assert_eq!(outcome.full.mode, Some(Mode::Rest));
+//! let Departure::At { factor, mode } = outcome.departure else { panic!() };
+//! assert_eq!(mode, Some(Mode::SlideLeft));
+//! assert!((factor - 0.6 * 378e3 * 9.81 / 1e6).abs() < 1e-12);
+//! # Ok::<(), standfast::InputError>(())
+//! ```
 
 use crate::body::Body;
 use crate::contact::path::{Stage, stages};
-use crate::contact::plane;
-use crate::contact::{self, Answer, Block, Wrench};
-use crate::diagram::Region;
+use crate::contact::{self, Block, Solution, plane};
 use crate::error::InputError;
 use crate::initiation::Point;
-use crate::load::Reduced;
-use crate::mode::{Corner, Mode, Modes};
+use crate::loads::{Action, HorizontalForce, Load, LoadKind, LoadSource, Pose, Reduced};
+use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
-use crate::stability::Actions;
-
-/// How a load counts among the classical [`Actions`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LoadKind {
-    /// Vertical: weight, buoyancy, vertical acceleration.
-    Weight,
-    /// Pressure under the base that is not buoyancy.
-    Uplift,
-    /// Horizontal: waves, water on the sides, forces, horizontal acceleration.
-    Horizontal,
-}
-
-/// A load on the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
-    /// How it counts.
-    pub kind: LoadKind,
-    /// Whether it is there all the time, or grows with the load factor.
-    pub permanent: bool,
-    /// Its wrench at the centre of mass, N and N·m per metre run.
-    pub wrench: Wrench,
-}
+use crate::quantity::{Expected, Quantity};
+use crate::region::Region;
+use crate::stability::{ClassicalActions, Stability};
+use crate::wrench::Wrench;
 
 /// A body, its friction and its loads; SI units, per metre run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Situation {
-    /// The body.
-    pub body: Body,
-    /// g, m/s².
-    pub gravity: f64,
-    /// μ to stick.
-    pub static_friction: f64,
-    /// μ to slip; no more than to stick.
-    pub kinetic_friction: f64,
-    /// Mass of water that a horizontal motion carries along, kg per metre run.
-    pub added_mass: f64,
-    /// All loads, the weight included.
-    pub loads: Vec<Load>,
+    body: Body,
+    gravity: f64,
+    static_friction: f64,
+    kinetic_friction: f64,
+    added_mass: f64,
+    loads: Vec<Load>,
 }
 
-/// What happens under one load factor.
+/// How a body responds to a load that is applied at once.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct Response {
     /// The total wrench at the centre of mass, N and N·m per metre run.
     pub wrench: Wrench,
     /// The mode reported.
@@ -80,7 +68,44 @@ pub struct State {
     pub motion: Option<Motion>,
 }
 
-impl State {
+/// Where a body leaves rest as its variable loads rise from nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Departure {
+    /// For no load factor above zero: it rests under any multiple of the variable loads.
+    Never,
+    /// It does not rest to begin with.
+    AtOnce {
+        /// The mode it begins with.
+        mode: Option<Mode>,
+        /// Whether the permanent loads alone move it; otherwise any share of the variable loads does, however small.
+        permanent: bool,
+    },
+    /// At a load factor.
+    At {
+        /// λ > 0.
+        factor: f64,
+        /// The mode it leaves rest into.
+        mode: Option<Mode>,
+    },
+}
+
+/// Everything about a situation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Under the full load, applied at once.
+    pub full: Response,
+    /// Where it leaves rest as the variable loads rise.
+    pub departure: Departure,
+    /// The stages of the rising variable loads, the last without end; none where all loads are permanent.
+    pub path: Vec<Stage>,
+    /// The classical actions under the full load.
+    pub actions: ClassicalActions,
+    /// Safety factors and bearing pressure under the full load. They mean nothing for a body that is
+    /// [lifted](Response::is_lifted).
+    pub stability: Stability,
+}
+
+impl Response {
     /// Whether one mode only is consistent.
     pub fn is_unique(&self) -> bool {
         self.modes.len() <= 1
@@ -88,11 +113,7 @@ impl State {
 
     /// The consistent modes beside the one reported.
     pub fn others(&self) -> Modes {
-        let mut others = self.modes;
-        if let Some(mode) = self.mode {
-            others.remove(mode);
-        }
-        others
+        self.modes.without(self.mode)
     }
 
     /// Whether nothing presses the body on its base any more: P ≤ 0.
@@ -101,70 +122,158 @@ impl State {
     }
 }
 
+impl Departure {
+    /// The mode that the body leaves rest into.
+    pub fn mode(&self) -> Option<Mode> {
+        match *self {
+            Departure::Never => None,
+            Departure::AtOnce { mode, .. } | Departure::At { mode, .. } => mode,
+        }
+    }
+
+    /// The load factor up to which the body rests: zero if it moves at once, infinite if it never does.
+    pub fn load_factor(&self) -> f64 {
+        match *self {
+            Departure::Never => f64::INFINITY,
+            Departure::AtOnce { .. } => 0.0,
+            Departure::At { factor, .. } => factor,
+        }
+    }
+}
+
+impl Outcome {
+    /// The mode in which a body that left rest under the rising loads comes to the full load: one that it began with it
+    /// keeps for as long as it is consistent.
+    pub fn risen(&self) -> Option<Mode> {
+        let stages = self.path.iter().filter(|stage| stage.from < 1.0);
+        stages.fold(None, |mode: Option<Mode>, stage| match mode {
+            Some(mode) if mode != Mode::Rest && stage.modes.contains(mode) => Some(mode),
+            _ => stage.mode,
+        })
+    }
+}
+
 impl Situation {
-    /// A body without loads, not even its weight, with one coefficient of friction.
-    pub fn new(body: Body, friction: f64, gravity: f64) -> Situation {
-        Situation {
+    /// A body without loads, not even its weight, with one coefficient of friction, at `gravity` (m/s²).
+    ///
+    /// # Errors
+    /// If `friction` is negative or `gravity` not above zero, or one of them not finite.
+    pub fn new(body: Body, friction: f64, gravity: f64) -> Result<Situation, InputError> {
+        let friction = InputError::not_negative(Quantity::Friction, friction)?;
+        Ok(Situation {
             body,
-            gravity,
+            gravity: InputError::positive(Quantity::Gravity, gravity)?,
             static_friction: friction,
             kinetic_friction: friction,
             added_mass: 0.0,
             loads: Vec::new(),
+        })
+    }
+
+    /// The same with less friction to slip than to stick.
+    ///
+    /// # Errors
+    /// If it is negative or more than to stick.
+    pub fn with_kinetic_friction(self, friction: f64) -> Result<Situation, InputError> {
+        let kinetic_friction = InputError::not_negative(Quantity::KineticFriction, friction)?;
+        if kinetic_friction > self.static_friction {
+            let expected = Expected::NotAboveStaticFriction;
+            return Err(InputError::new(Quantity::KineticFriction, friction, expected));
         }
+        Ok(Situation { kinetic_friction, ..self })
     }
 
-    /// Adds a load that is there all the time.
-    pub fn permanent(mut self, kind: LoadKind, wrench: Wrench) -> Situation {
-        self.loads.push(Load { kind, permanent: true, wrench });
+    /// The same with water that a horizontal motion carries along, kg per metre run.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn with_added_mass(self, mass: f64) -> Result<Situation, InputError> {
+        Ok(Situation { added_mass: InputError::not_negative(Quantity::AddedMass, mass)?, ..self })
+    }
+
+    /// The same with the body's weight.
+    pub fn with_weight(self) -> Situation {
+        self.with(Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight))
+    }
+
+    /// The same with a load.
+    pub fn with(mut self, load: Load) -> Situation {
+        self.loads.push(load);
         self
     }
 
-    /// Adds a load that grows with the load factor.
-    pub fn variable(mut self, kind: LoadKind, wrench: Wrench) -> Situation {
-        self.loads.push(Load { kind, permanent: false, wrench });
+    /// The same with loads.
+    pub fn with_all(mut self, loads: impl IntoIterator<Item = Load>) -> Situation {
+        self.loads.extend(loads);
         self
     }
 
-    fn total(&self, share: impl Fn(&Load) -> f64) -> Wrench {
-        self.loads.iter().fold(Wrench::ZERO, |sum, load| sum + load.wrench * share(load))
+    /// The body.
+    pub fn body(&self) -> &Body {
+        &self.body
     }
 
-    /// The wrenches of the permanent and of the variable loads.
-    pub fn wrenches(&self) -> [Wrench; 2] {
-        [true, false].map(|permanent| self.total(|load| if load.permanent == permanent { 1.0 } else { 0.0 }))
+    /// g, m/s².
+    pub fn gravity(&self) -> f64 {
+        self.gravity
     }
 
-    /// The total wrench under a load factor.
-    pub fn wrench(&self, factor: f64) -> Wrench {
-        let [permanent, variable] = self.wrenches();
+    /// μ to stick.
+    pub fn static_friction(&self) -> f64 {
+        self.static_friction
+    }
+
+    /// μ to slip; no more than to stick.
+    pub fn kinetic_friction(&self) -> f64 {
+        self.kinetic_friction
+    }
+
+    /// Mass of water that a horizontal motion carries along, kg per metre run.
+    pub fn added_mass(&self) -> f64 {
+        self.added_mass
+    }
+
+    /// All loads.
+    pub fn loads(&self) -> &[Load] {
+        &self.loads
+    }
+
+    /// What a load amounts to at the centre of mass of the body on its base.
+    pub fn wrench_of(&self, load: &Load) -> Wrench {
+        load.action.wrench(&self.body, self.gravity, Pose::UPRIGHT)
+    }
+
+    /// The total wrench under a load factor, for any pose of the body.
+    pub fn wrench_at(&self, factor: f64, pose: Pose) -> Wrench {
+        let [permanent, variable] = [true, false].map(|permanent| {
+            let loads = self.loads.iter().filter(|load| load.permanent == permanent);
+            loads.map(|load| load.action.wrench(&self.body, self.gravity, pose)).sum::<Wrench>()
+        });
         permanent + variable * factor
     }
 
-    /// The classical actions under a load factor, and so [`Actions::stability`].
-    pub fn actions(&self, factor: f64) -> Actions {
-        let [vertical, uplift, sideways] = self.by_kind(factor);
-        self.body.actions(&vertical, &uplift, &sideways)
+    /// The wrenches of the permanent and of the variable loads, and what a kind of load adds up to under the full load.
+    fn sums(&self) -> Sums {
+        let mut sums = Sums { permanent: Wrench::ZERO, variable: Wrench::ZERO, by_kind: [Wrench::ZERO; 3] };
+        for load in &self.loads {
+            let wrench = self.wrench_of(load);
+            let share = if load.permanent { &mut sums.permanent } else { &mut sums.variable };
+            *share = *share + wrench;
+            let kind = &mut sums.by_kind[load.kind as usize];
+            *kind = *kind + wrench;
+        }
+        sums
     }
 
-    /// The [heel](Body::heel) of the classical actions under a load factor.
-    pub fn heel(&self, factor: f64) -> Corner {
-        let [vertical, uplift, sideways] = self.by_kind(factor);
-        self.body.heel(&vertical, &uplift, &sideways)
-    }
-
-    /// Vertical, uplift and horizontal loads under a load factor.
-    fn by_kind(&self, factor: f64) -> [Wrench; 3] {
-        let of = |kind| {
-            let share = |load: &Load| if load.permanent { 1.0 } else { factor };
-            self.total(|load| if load.kind == kind { share(load) } else { 0.0 })
-        };
+    /// The classical actions under the full load.
+    fn actions(&self, by_kind: &[Wrench; 3]) -> ClassicalActions {
+        let of = |kind: LoadKind| by_kind[kind as usize];
         let (weight, uplift, horizontal) =
             (of(LoadKind::Weight), of(LoadKind::Uplift), of(LoadKind::Horizontal));
         // A load of one kind may have a part of the other, as an earthquake has; that part acts at C.
         let vertical = Wrench { p: weight.p + horizontal.p, x: 0.0, ..weight };
         let sideways = Wrench { x: horizontal.x + weight.x + uplift.x, p: 0.0, ..horizontal };
-        [vertical, uplift, sideways]
+        ClassicalActions::of(&self.body, &vertical, &uplift, &sideways)
     }
 
     /// The block of the [contact problem](crate::contact), with lengths in B and masses in m.
@@ -189,13 +298,11 @@ impl Situation {
         Wrench { x: wrench.x / weight, p: wrench.p / weight, m: wrench.m / (weight * half_width) }
     }
 
-    /// The point of the report's plane for a wrench: (k_eff, k'_eff) of a uniform body that presses on its base (P > 0)
+    /// The point of the report's plane for a total wrench: (k_eff, k'_eff) of a uniform body that presses on its base (P > 0)
     /// and that a horizontal force acts on (X ≠ 0). `None` also where X is so small beside M or P that its elevation is
     /// out of all range.
     pub fn effective(&self, wrench: &Wrench) -> Option<Reduced> {
-        let ordinary =
-            self.body.is_uniform() && self.added_mass == 0.0 && self.static_friction == self.kinetic_friction;
-        if !ordinary || wrench.p <= 0.0 || wrench.x == 0.0 {
+        if !self.is_ordinary() || wrench.p <= 0.0 || wrench.x == 0.0 {
             return None;
         }
         let k = wrench.x.abs() / wrench.p;
@@ -204,14 +311,38 @@ impl Situation {
         Some(Reduced { point, mirrored: wrench.x > 0.0 })
     }
 
+    /// Whether the body is the report's: uniform, with one friction, without water that moves with it.
+    fn is_ordinary(&self) -> bool {
+        self.body.is_uniform() && self.added_mass == 0.0 && self.static_friction == self.kinetic_friction
+    }
+
+    /// The report's problem itself, where the situation is nothing else: one horizontal force beside the weight. Its numbers
+    /// are those of the force, without the rounding that a moment about C would bring in.
+    pub fn in_air(&self) -> Option<Reduced> {
+        let [Load { action: Action::Weight, permanent: true, .. }, Load { action, permanent: false, .. }] =
+            self.loads.as_slice()
+        else {
+            return None;
+        };
+        let Action::Force { at, right, up: 0.0 } = *action else { return None };
+        let direction = if right > 0.0 { Slip::Right } else { Slip::Left };
+        let force = HorizontalForce::new(right.abs(), at.y, direction).ok()?;
+        force.reduce(&self.body, self.static_friction, self.gravity).ok().filter(|_| self.is_ordinary())
+    }
+
     /// What begins if the variable load, times `factor`, is applied at once.
     ///
     /// # Errors
-    /// If a number is not finite, or friction is negative or smaller to stick than to slip.
-    pub fn at(&self, factor: f64) -> Result<State, InputError> {
-        InputError::positive("gravity", self.gravity)?;
-        let wrench = self.wrench(InputError::finite("load factor", factor)?);
-        let effective = self.effective(&wrench);
+    /// If a number is out of range.
+    pub fn at(&self, factor: f64) -> Result<Response, InputError> {
+        let factor = InputError::finite(Quantity::LoadFactor, factor)?;
+        let Sums { permanent, variable, .. } = self.sums();
+        let wrench = permanent + variable * factor;
+        let lone = self.in_air().filter(|_| factor == 1.0);
+        self.response(wrench, lone.or_else(|| self.effective(&wrench)))
+    }
+
+    fn response(&self, wrench: Wrench, effective: Option<Reduced>) -> Result<Response, InputError> {
         let weight = self.body.mass() * self.gravity;
         let half_width = self.body.width() / 2.0;
         Ok(match effective {
@@ -221,39 +352,79 @@ impl Situation {
                 modes.insert(reduced.mode());
                 let acceleration = self.gravity * (wrench.p / weight);
                 let motion = reduced.motion().scaled(acceleration, half_width, wrench.p);
-                State { wrench, mode: Some(reduced.mode()), modes, effective, motion: Some(motion) }
+                Response { wrench, mode: Some(reduced.mode()), modes, effective, motion: Some(motion) }
             }
             None => {
-                let answer: Answer = contact::solve(&self.block(), &self.reduced_wrench(&wrench))?;
-                let motion = answer.mode().and_then(|mode| answer.motion(mode));
+                let solution = self.solve(&wrench)?;
+                let motion = solution.mode().and_then(|mode| solution.motion(mode));
                 let motion = motion.map(|motion| motion.scaled(self.gravity, half_width, weight));
-                State { wrench, mode: answer.mode(), modes: answer.modes, effective, motion }
+                Response { wrench, mode: solution.mode(), modes: solution.modes, effective, motion }
             }
         })
     }
 
-    /// The stages of a variable load that rises from nothing to `up_to` times its value.
+    /// The contact problem under a total wrench, in the units of [`block`](Situation::block).
     ///
     /// # Errors
-    /// As [`at`](Situation::at).
-    pub fn path(&self, up_to: f64) -> Result<Vec<Stage>, InputError> {
-        InputError::positive("gravity", self.gravity)?;
-        let [permanent, variable] = self.wrenches().map(|wrench| self.reduced_wrench(&wrench));
-        stages(&self.block(), &permanent, &variable, up_to)
+    /// If a number is out of range.
+    pub fn solve(&self, wrench: &Wrench) -> Result<Solution, InputError> {
+        contact::solve(&self.block(), &self.reduced_wrench(wrench))
+    }
+
+    /// The stages of the variable loads that rise from nothing without end.
+    ///
+    /// # Errors
+    /// If a number is out of range.
+    pub fn path(&self) -> Result<Vec<Stage>, InputError> {
+        let Sums { permanent, variable, .. } = self.sums();
+        stages(&self.block(), &self.reduced_wrench(&permanent), &self.reduced_wrench(&variable))
     }
 
     /// The regions of the plane of load factor and static friction, up to a load factor; see [`plane`].
     ///
     /// # Errors
-    /// As [`at`](Situation::at).
+    /// If a number is out of range, or `up_to` is not above zero.
     pub fn plane(&self, up_to: f64) -> Result<Vec<Region>, InputError> {
-        InputError::positive("gravity", self.gravity)?;
-        let [permanent, variable] = self.wrenches().map(|wrench| self.reduced_wrench(&wrench));
+        let Sums { permanent, variable, .. } = self.sums();
+        let [permanent, variable] = [permanent, variable].map(|wrench| self.reduced_wrench(&wrench));
         plane::regions(&self.block(), &permanent, &variable, up_to)
+    }
+
+    /// Everything: under the full load, on the way there, and by the classical checks.
+    ///
+    /// # Errors
+    /// If a number is out of range.
+    pub fn outcome(&self) -> Result<Outcome, InputError> {
+        let sums = self.sums();
+        let wrench = sums.permanent + sums.variable;
+        let full = self.response(wrench, self.in_air().or_else(|| self.effective(&wrench)))?;
+        let varies = self.loads.iter().any(|load| !load.permanent);
+        let path = if varies { self.path()? } else { Vec::new() };
+        let departure = self.departure(&path, &sums.permanent)?;
+        let actions = self.actions(&sums.by_kind);
+        let stability = actions.stability(self.static_friction, self.body.base_width());
+        Ok(Outcome { full, departure, path, actions, stability })
+    }
+
+    fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
+        let begin = self.solve(permanent)?.mode();
+        if begin != Some(Mode::Rest) {
+            // As soon as anything is added, the mode may be another.
+            let mode = path.first().map_or(begin, |stage| stage.mode).filter(|mode| *mode != Mode::Rest);
+            return Ok(Departure::AtOnce { mode: mode.or(begin), permanent: true });
+        }
+        Ok(match path.iter().find(|stage| stage.mode != Some(Mode::Rest)) {
+            None => Departure::Never,
+            Some(Stage { from: 0.0, mode, .. }) => Departure::AtOnce { mode: *mode, permanent: false },
+            Some(Stage { from, mode, .. }) => Departure::At { factor: *from, mode: *mode },
+        })
     }
 }
 
-/// The first stage of a path that is not rest: where the body leaves it, and into which mode.
-pub fn first_departure(path: &[Stage]) -> Option<&Stage> {
-    path.iter().find(|stage| stage.mode != Some(Mode::Rest))
+/// What loads add up to.
+struct Sums {
+    permanent: Wrench,
+    variable: Wrench,
+    /// In the order of [`LoadKind`].
+    by_kind: [Wrench; 3],
 }

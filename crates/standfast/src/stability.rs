@@ -1,18 +1,29 @@
-//! The classical checks of a caisson: safety factors and heel pressure.
+//! The classical checks of a caisson: safety factors and bearing pressure at both edges of the base.
 //!
 //! ```text
 //! SF_sliding = μ(W' − U)/P        SF_overturning = (W' t − M_U)/M_p, about the heel
 //!                                 (W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe, where the force turns that way
 //! W_e = W' − U                    t_e = (W' t − M_U − M_p)/W_e
-//! p_e = 2W_e/(3t_e)               for 0 < t_e ≤ B_c/3: the base is pressed near the heel only
-//!       (2W_e/B_c)(2 − 3t_e/B_c)  up to 2B_c/3; beyond, the heel is unloaded, and beyond B_c there is no contact
+//!
+//! B_c/3 ≤ t_e ≤ 2B_c/3:   p_heel = (W_e/B_c)(4 − 6t_e/B_c)      p_toe = (W_e/B_c)(6t_e/B_c − 2)      contact over B_c
+//! t_e < B_c/3:            p_heel = 2W_e/(3t_e)                  p_toe = 0                            contact over 3t_e
+//! t_e > 2B_c/3:           p_toe = 2W_e/(3(B_c − t_e))           p_heel = 0                           over 3(B_c − t_e)
+//! t_e ≤ 0, t_e ≥ B_c:     the base cannot carry the resultant at rest
 //! ```
 //!
 //! They say whether the body stays at rest. Which mode begins when it does not, they cannot say.
 
+use crate::body::Body;
+use crate::mode::Corner;
+use crate::wrench::Wrench;
+
 /// Vertical and horizontal actions on a caisson as a designer adds them up; N and N·m per metre run, about the heel.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Actions {
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ClassicalActions {
+    /// The corner they are taken about: O, or O' if the horizontal force points right (without one, if the moment turns the
+    /// body that way).
+    pub heel: Corner,
     /// W', N/m: weight less buoyancy.
     pub buoyant_weight: f64,
     /// t, m: its arm to the heel.
@@ -29,15 +40,31 @@ pub struct Actions {
 
 /// How the base is pressed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum HeelPressure {
-    /// The largest pressure, at the heel, Pa.
-    Pressed(f64),
-    /// The resultant lies so far from the heel that the heel is unloaded.
-    Unloaded,
+#[non_exhaustive]
+pub enum Bearing {
+    /// Linear over the contact.
+    Pressed {
+        /// At the heel, Pa; zero where it is unloaded.
+        heel: f64,
+        /// At the toe, Pa; zero where it is unloaded.
+        toe: f64,
+        /// The length of the contact, m.
+        contact: f64,
+    },
     /// The resultant of all loads misses the base: the base cannot carry it at rest.
     OutsideBase,
     /// Nothing presses the body on its base: W' ≤ U.
     Lifted,
+}
+
+impl Bearing {
+    /// The larger of both pressures, Pa.
+    pub fn largest(&self) -> Option<f64> {
+        match *self {
+            Bearing::Pressed { heel, toe, .. } => Some(heel.max(toe)),
+            Bearing::OutsideBase | Bearing::Lifted => None,
+        }
+    }
 }
 
 /// The classical results.
@@ -45,28 +72,50 @@ pub enum HeelPressure {
 pub struct Stability {
     /// SF_sliding; infinite without a horizontal force.
     pub sliding: f64,
-    /// SF_overturning, about the heel; infinite where no force turns the body that way, and zero where it turns without
-    /// one, by uplift or eccentric weight alone.
-    pub overturning: f64,
+    /// The factor against overturning about the heel; infinite where no force turns the body that way, and zero where it turns
+    /// without one, by uplift or eccentric weight alone.
+    pub overturning_about_heel: f64,
     /// The same about the other corner, the toe: a force far below the centre of mass turns the body about it.
     pub overturning_about_toe: f64,
     /// t_e, m: distance of the resultant from the heel; `None` if nothing presses.
     pub resultant_arm: Option<f64>,
-    /// p_e.
-    pub heel_pressure: HeelPressure,
+    /// The pressure on the base.
+    pub bearing: Bearing,
 }
 
 impl Stability {
-    /// The smaller of both factors against overturning.
-    pub fn least_overturning(&self) -> f64 {
-        self.overturning.min(self.overturning_about_toe)
+    /// SF_overturning: the lesser of the factors about both corners.
+    pub fn overturning(&self) -> f64 {
+        self.overturning_about_heel.min(self.overturning_about_toe)
     }
 }
 
-impl Actions {
-    /// Safety factors with friction μ, and the heel pressure on a base `base_width` wide (m).
+impl ClassicalActions {
+    /// The actions on `body` of vertical, uplift and horizontal loads.
+    pub fn of(body: &Body, vertical: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> ClassicalActions {
+        let right = horizontal.x > 0.0 || horizontal.x == 0.0 && vertical.m + uplift.m + horizontal.m < 0.0;
+        let (heel, σ, arm) = match right {
+            false => (Corner::O, 1.0, body.heel_distance()),
+            true => (Corner::OPrime, -1.0, body.toe_distance()),
+        };
+        // Clockwise about O, or counter-clockwise about O'.
+        let resisting = |wrench: &Wrench| wrench.p * arm - σ * wrench.m;
+        ClassicalActions {
+            heel,
+            buoyant_weight: vertical.p,
+            weight_arm: if vertical.p == 0.0 { 0.0 } else { resisting(vertical) / vertical.p },
+            uplift: 0.0 - uplift.p,
+            uplift_moment: 0.0 - resisting(uplift),
+            force: horizontal.x.abs(),
+            force_moment: σ * (horizontal.m - horizontal.x * body.centroid_height()),
+        }
+    }
+
+    /// Safety factors with friction μ, and the pressure on a base `base_width` wide (m).
     pub fn stability(&self, friction: f64, base_width: f64) -> Stability {
-        let Actions { buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } = *self;
+        let ClassicalActions {
+            buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment, ..
+        } = *self;
         let pressing = buoyant_weight - uplift;
         let resisting = buoyant_weight * weight_arm - uplift_moment;
         let about_toe = pressing * base_width - resisting;
@@ -76,23 +125,68 @@ impl Actions {
             () => f64::INFINITY,
         };
         let resultant_arm = (pressing > 0.0).then(|| (resisting - force_moment) / pressing);
-        let heel_pressure = match resultant_arm {
-            Some(arm) if arm > 0.0 && arm <= base_width / 3.0 => {
-                HeelPressure::Pressed(2.0 * pressing / (3.0 * arm))
-            }
-            Some(arm) if arm > 0.0 && arm < 2.0 * base_width / 3.0 => {
-                HeelPressure::Pressed(2.0 * pressing / base_width * (2.0 - 3.0 * arm / base_width))
-            }
-            Some(arm) if arm > 0.0 && arm <= base_width => HeelPressure::Unloaded,
-            Some(_) => HeelPressure::OutsideBase,
-            None => HeelPressure::Lifted,
-        };
         Stability {
             sliding: ratio(friction * pressing, force),
-            overturning: ratio(resisting, force_moment),
+            overturning_about_heel: ratio(resisting, force_moment),
             overturning_about_toe: ratio(about_toe, -force_moment),
             resultant_arm,
-            heel_pressure,
+            bearing: resultant_arm.map_or(Bearing::Lifted, |arm| bearing(pressing, arm, base_width)),
+        }
+    }
+}
+
+/// The pressure of W_e = `pressing` at t_e = `arm` from the heel.
+fn bearing(pressing: f64, arm: f64, base_width: f64) -> Bearing {
+    let share = arm / base_width;
+    let mean = pressing / base_width;
+    match share {
+        share if !(share > 0.0 && share < 1.0) => Bearing::OutsideBase,
+        share if share < 1.0 / 3.0 => {
+            Bearing::Pressed { heel: 2.0 * pressing / (3.0 * arm), toe: 0.0, contact: 3.0 * arm }
+        }
+        share if share > 2.0 / 3.0 => {
+            let from_toe = base_width - arm;
+            Bearing::Pressed { heel: 0.0, toe: 2.0 * pressing / (3.0 * from_toe), contact: 3.0 * from_toe }
+        }
+        share => Bearing::Pressed {
+            heel: (mean * (4.0 - 6.0 * share)).max(0.0),
+            toe: (mean * (6.0 * share - 2.0)).max(0.0),
+            contact: base_width,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The published check: W_e = 2196 kN/m at 8.618 m of 15 m gives 80.9 kPa at the heel and 211.9 kPa at the toe.
+    #[test]
+    fn both_edges_of_a_caisson() {
+        let Bearing::Pressed { heel, toe, contact } = bearing(2196e3, 8.618, 15.0) else { panic!() };
+        assert!((heel / 1e3 - 80.9).abs() < 0.05 && (toe / 1e3 - 211.9).abs() < 0.05, "{heel} {toe}");
+        assert_eq!(contact, 15.0);
+    }
+
+    /// Whatever the arm: the pressures add up to the resultant, act where it does, and never pull.
+    #[test]
+    fn bearing_is_in_equilibrium() {
+        let (pressing, base) = (3e5, 12.0);
+        for i in 1..1200 {
+            let arm = f64::from(i) * 0.01;
+            let Bearing::Pressed { heel, toe, contact } = bearing(pressing, arm, base) else {
+                panic!("{arm}")
+            };
+            assert!(heel >= 0.0 && toe >= 0.0 && contact <= base);
+            // From the heel the contact begins at 0, or at base − contact where the heel is unloaded.
+            let start = if heel == 0.0 { base - contact } else { 0.0 };
+            let sum = (heel + toe) / 2.0 * contact;
+            let moment = sum * start + (heel + 2.0 * toe) / 6.0 * contact * contact;
+            assert!((sum / pressing - 1.0).abs() < 1e-12, "{arm}");
+            assert!((moment / (pressing * arm) - 1.0).abs() < 1e-12, "{arm}");
+        }
+        for arm in [0.0, -1.0, 12.0, 13.0, f64::NAN] {
+            assert_eq!(bearing(pressing, arm, base), Bearing::OutsideBase);
         }
     }
 }

@@ -2,9 +2,10 @@
 
 mod common;
 
+use std::ops::Range;
+
 use common::{Boundary, Random};
-use standfast::contact::enumerate;
-use standfast::initiation::{Case, Chart, PointName};
+use standfast::initiation::{Bounds, Chart, ChartCase, PointName, enumerate};
 use standfast::{Diagram, Mode, Modes, Point};
 
 /// Bodies and elevations of every case, thresholds and special values included.
@@ -57,13 +58,13 @@ fn the_window_shows_all_named_points() {
             assert!(point.k < window.k && point.mu < window.mu, "{chart:?} {point:?} {window:?}");
         }
         let expected = match chart.case() {
-            Case::OneA | Case::OneB => vec![A, C, D],
-            Case::TwoThree => vec![A, C, D, E],
-            Case::DeltaPositive => vec![A, BPrime, CPrime, D, F],
-            Case::DeltaNotPositive => vec![A, CPrime, D, F],
-            Case::BelowBase => vec![A, D],
+            ChartCase::OneA | ChartCase::OneB => vec![A, C, D],
+            ChartCase::TwoThree => vec![A, C, D, E],
+            ChartCase::DeltaPositive => vec![A, BPrime, CPrime, D, F],
+            ChartCase::DeltaNotPositive => vec![A, CPrime, D, F],
+            ChartCase::BelowBase => vec![A, D],
         };
-        let absent = match chart.elevation() {
+        let absent = match chart.k_prime() {
             0.0 => vec![D],
             -1.0 => vec![A, CPrime],
             _ => vec![],
@@ -88,7 +89,7 @@ fn strips_follow_one_another_and_do_not_cross() {
                     let (low, high) =
                         (strip.lower.at(k), strip.upper.map_or(f64::INFINITY, |upper| upper.at(k)));
                     assert!(low <= high + 1e-9 * (1.0 + low.abs()), "{chart:?} {} at k = {k}", region.mode);
-                    assert!(low >= -1e-9 * (1.0 + 1.0 / chart.slenderness()), "{chart:?} {}", region.mode);
+                    assert!(low >= -1e-9 * (1.0 + 1.0 / chart.gamma()), "{chart:?} {}", region.mode);
                 }
             }
         }
@@ -100,12 +101,12 @@ fn strips_follow_one_another_and_do_not_cross() {
 fn unresolved_parts_are_where_several_modes_are_consistent() {
     let mut random = Random(32);
     let mut hits = 0;
-    for chart in charts().into_iter().filter(|chart| (-1.0..0.0).contains(&chart.elevation())) {
+    for chart in charts().into_iter().filter(|chart| (-1.0..0.0).contains(&chart.k_prime())) {
         let parts = Diagram::of(chart).unresolved();
         for _ in 0..2000 {
             let k = random.uniform(0.0, 8.0 * chart.k_a().max(chart.k_b_prime()).min(1e3));
             let mu = random.uniform(0.0, 1.5 * (chart.upper_line().at(k) + 1.0));
-            let point = Point::new(chart.slenderness(), chart.elevation(), k, mu).unwrap();
+            let point = Point::new(chart.gamma(), chart.k_prime(), k, mu).unwrap();
             let inside: Vec<_> = parts.iter().filter(|part| part.contains(k, mu)).collect();
             if point.is_unique() {
                 assert!(inside.is_empty(), "{point:?}");
@@ -144,14 +145,14 @@ fn named_points_satisfy_the_curves_that_define_them() {
         let (upper, lower, mu_star) = (chart.upper_line(), chart.lower_line(), chart.mu_star());
         for point in chart.points() {
             let on = |mu: f64, terms: f64| {
-                let size = point.mu.abs() + terms.abs() + 1.0 / chart.slenderness();
+                let size = point.mu.abs() + terms.abs() + 1.0 / chart.gamma();
                 assert!(close(point.mu, mu, size), "{chart:?} {point:?}: {mu}");
             };
-            let along = point.k * chart.elevation();
+            let along = point.k * chart.k_prime();
             match point.name {
                 PointName::A => {
                     on(point.k, 0.0);
-                    if chart.elevation() < -1.0 {
+                    if chart.k_prime() < -1.0 {
                         on(lower.at(point.k), along);
                         on(chart.mu_star_star().at(point.k), 0.0);
                     } else {
@@ -172,7 +173,7 @@ fn named_points_satisfy_the_curves_that_define_them() {
                 }
                 PointName::D => {
                     assert_eq!(point.mu, 0.0);
-                    let line = if chart.elevation() < 0.0 { lower } else { upper };
+                    let line = if chart.k_prime() < 0.0 { lower } else { upper };
                     on(line.at(point.k), along);
                 }
                 PointName::E => assert!(close(a * point.k, -b, b) && point.k > chart.k_d()),
@@ -221,19 +222,19 @@ fn published_coordinates() {
 #[test]
 fn cases_change_at_the_reports_thresholds() {
     let case = |gamma, k_prime| Chart::new(gamma, k_prime).unwrap().case();
-    assert_eq!(case(1.0, 0.4), Case::OneA);
-    assert_eq!(case(1.0, 1.0), Case::OneB);
-    assert_eq!(case(2.0, 0.55), Case::OneB);
-    assert_eq!(case(3.0, 0.8), Case::TwoThree);
-    assert_eq!(case(4.0, -0.55), Case::DeltaPositive);
-    assert_eq!(case(1.0, -0.6), Case::DeltaNotPositive);
-    assert_eq!(case(1.0, -1.0), Case::DeltaNotPositive);
-    assert_eq!(case(1.0, -1.5), Case::BelowBase);
+    assert_eq!(case(1.0, 0.4), ChartCase::OneA);
+    assert_eq!(case(1.0, 1.0), ChartCase::OneB);
+    assert_eq!(case(2.0, 0.55), ChartCase::OneB);
+    assert_eq!(case(3.0, 0.8), ChartCase::TwoThree);
+    assert_eq!(case(4.0, -0.55), ChartCase::DeltaPositive);
+    assert_eq!(case(1.0, -0.6), ChartCase::DeltaNotPositive);
+    assert_eq!(case(1.0, -1.0), ChartCase::DeltaNotPositive);
+    assert_eq!(case(1.0, -1.5), ChartCase::BelowBase);
     // Cases 2 and 3 need γ > √2, case 1b γ > 1/√2, for a force on the body.
-    assert_eq!(case(1.414, 1.0), Case::OneB);
-    assert_eq!(case(1.415, 1.0), Case::TwoThree);
-    assert_eq!(case(0.707, 1.0), Case::OneA);
-    assert_eq!(case(0.708, 1.0), Case::OneB);
+    assert_eq!(case(1.414, 1.0), ChartCase::OneB);
+    assert_eq!(case(1.415, 1.0), ChartCase::TwoThree);
+    assert_eq!(case(0.707, 1.0), ChartCase::OneA);
+    assert_eq!(case(0.708, 1.0), ChartCase::OneB);
 }
 
 #[test]
@@ -260,9 +261,9 @@ fn modes_change_at_the_crossings_and_nowhere_else() {
     for _ in 0..20_000 {
         let [gamma, k_prime, k, mu] = random.point();
         let margins = Point::new(gamma, k_prime, k, mu).unwrap().margins();
-        for (crossings, along_force) in [(&margins.along_force, true), (&margins.along_friction, false)] {
+        for (crossings, along_k) in [(&margins.along_k, true), (&margins.along_mu, false)] {
             let mode = |value: f64| {
-                let (k, mu) = if along_force { (value, mu) } else { (k, value) };
+                let (k, mu) = if along_k { (value, mu) } else { (k, value) };
                 Point::new(gamma, k_prime, k, mu).unwrap().mode()
             };
             for pair in crossings.windows(2) {
@@ -332,7 +333,7 @@ fn a_point_lies_between_its_bounds() {
         };
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
         let margins = point.margins();
-        for (value, (below, above)) in [(k, margins.force_bounds()), (mu, margins.friction_bounds())] {
+        for (value, Bounds { below, above }) in [(k, margins.k_bounds()), (mu, margins.mu_bounds())] {
             assert!(below.is_none_or(|crossing| crossing.at <= value * (1.0 + 1e-9)), "{point:?} {below:?}");
             assert!(above.is_none_or(|crossing| crossing.at >= value * (1.0 - 1e-9)), "{point:?} {above:?}");
             assert!(below.is_none_or(|crossing| crossing.to == point.mode()), "{point:?} {below:?}");
@@ -474,7 +475,7 @@ fn bad_charts_are_refused() {
 #[test]
 fn case_1b_exists_without_the_caption_s_condition() {
     let chart = Chart::new(1.0, 1.0).unwrap();
-    assert_eq!(chart.case(), Case::OneB);
+    assert_eq!(chart.case(), ChartCase::OneB);
     assert!(chart.mu_star().slope(chart.k_a()) < 0.0);
 }
 
@@ -500,12 +501,11 @@ fn lines_drawn_only_are_where_they_should_be() {
 }
 
 #[test]
-fn the_elevations_of_the_cases_tile_the_axis_as_the_chart_decides() {
-    use standfast::initiation::{Case, Chart};
+fn the_k_primes_of_the_cases_tile_the_axis_as_the_chart_decides() {
     for gamma in [0.05, 0.3, 0.7, 1.0, 1.4, 2.0, 4.5, 10.0, 20.0] {
-        let ranges = Case::ALL.map(|case| case.elevations(gamma).unwrap());
-        assert!(ranges.windows(2).all(|pair| pair[0].1 == pair[1].0 && pair[0].0 < pair[0].1));
-        for (case, (least, greatest)) in Case::ALL.into_iter().zip(ranges) {
+        let ranges = ChartCase::ALL.map(|case| case.k_primes(gamma).unwrap());
+        assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start && pair[0].start < pair[0].end));
+        for (case, Range { start: least, end: greatest }) in ChartCase::ALL.into_iter().zip(ranges) {
             let (least, greatest) = (least.max(-3.0), greatest.min(least.max(0.0) + 500.0));
             for share in [1e-6, 0.25, 0.5, 0.999_999] {
                 let k_prime = least + share * (greatest - least);
@@ -513,5 +513,5 @@ fn the_elevations_of_the_cases_tile_the_axis_as_the_chart_decides() {
             }
         }
     }
-    assert!(Case::OneA.elevations(0.0).is_err());
+    assert!(ChartCase::OneA.k_primes(0.0).is_err());
 }

@@ -3,8 +3,9 @@
 mod common;
 
 use common::{Boundary, Random};
-use standfast::contact::{Block, Wrench, enumerate, solve};
-use standfast::{InputError, Mode, Modes, Point};
+use standfast::contact::{Block, solve};
+use standfast::initiation::enumerate;
+use standfast::{InputError, Mode, Modes, Point, Wrench};
 
 fn check([gamma, k_prime, k, mu]: [f64; 4]) {
     let point = Point::new(gamma, k_prime, k, mu).unwrap();

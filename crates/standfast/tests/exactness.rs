@@ -150,8 +150,7 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
     }
     let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
     let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
-    let columns =
-        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
+    let columns = Columns { gamma: &slenderness, k_prime: &elevation, k: &force, mu: &friction };
     let expected: Vec<u8> =
         points.iter().map(|&[g, h, k, m]| standfast::classify(g, h, k, m).unwrap().code()).collect();
 
@@ -188,13 +187,13 @@ fn a_batch_names_the_first_bad_value() {
         let mut friction = good;
         friction[4500] = bad;
         friction[4700] = f64::NAN;
-        let columns = Columns { slenderness: &good, elevation: &good, force: &good, friction: &friction };
+        let columns = Columns { gamma: &good, k_prime: &good, k: &good, mu: &friction };
         let error = batch::classify(columns, &mut [0; 5000]).unwrap_err();
         assert_eq!(error.to_string(), expected);
     }
-    let columns = Columns { slenderness: &good, elevation: &good, force: &good[1..], friction: &good };
+    let columns = Columns { gamma: &good, k_prime: &good, k: &good[1..], mu: &good };
     let error = batch::classify(columns, &mut [0; 5000]).unwrap_err();
-    assert_eq!(error, BatchError::Length { column: "force", found: 4999, expected: 5000 });
+    assert_eq!(error, BatchError::Length { column: "k", found: 4999, expected: 5000 });
 }
 
 /// Whatever is not a valid number is caught in every column, by every kernel.
@@ -211,7 +210,10 @@ fn no_bad_value_gets_a_mode() {
             let columns = [&[gamma; 9], &[k_prime; 9], &[k; 9], &[mu; 9]];
             let [slenderness, elevation, force, friction] = columns.map(|column| column.as_slice());
             let mut codes = [0; 9];
-            let batch = batch::classify(Columns { slenderness, elevation, force, friction }, &mut codes);
+            let batch = batch::classify(
+                Columns { gamma: slenderness, k_prime: elevation, k: force, mu: friction },
+                &mut codes,
+            );
             assert_eq!(batch.is_ok(), scalar.is_ok(), "column {column}, {bad}");
             if let Ok(code) = scalar {
                 assert_eq!(codes, [code; 9]);

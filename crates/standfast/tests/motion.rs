@@ -5,14 +5,15 @@ mod common;
 
 use common::{Boundary, Random};
 use dashu_ratio::Relaxed as Rational;
-use standfast::contact::{Block, Wrench, solve};
-use standfast::{Corner, Mode, Motion, Point};
+use standfast::contact::{Block, solve};
+use standfast::initiation::Bounds;
+use standfast::{Corner, Mode, Motion, Point, Wrench};
 
 /// The laws, term by term from their definition; `RELATIVE` to the largest term of each.
 fn assert_lawful(point: &Point, mode: Mode) -> Motion {
     const RELATIVE: f64 = 1e-12;
     let motion = point.motion_in(mode).unwrap();
-    let (γ, k_prime, k, μ) = (point.slenderness(), point.elevation(), point.force(), point.friction());
+    let (γ, k_prime, k, μ) = (point.gamma(), point.k_prime(), point.k(), point.mu());
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = motion;
     let balance = |terms: &[f64]| {
         let size = terms.iter().fold(1e-300, |size: f64, term| size.max(term.abs()));
@@ -167,7 +168,7 @@ fn a_force_through_the_centre_is_the_limit_of_both_chapters() {
         let (below, centre, above) = (at(-1e-9), at(0.0), at(1e-9));
         assert_eq!(at(-0.0).motion(), centre.motion());
         let near = centre.margins();
-        let (low, high) = near.friction_bounds();
+        let Bounds { below: low, above: high } = near.mu_bounds();
         if [low, high].into_iter().flatten().any(|crossing| (crossing.at - mu).abs() < 1e-6) {
             continue;
         }
@@ -211,8 +212,7 @@ fn onset_columns_agree_with_the_single_call() {
     let count = points.len();
     let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
     let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
-    let columns =
-        Columns { slenderness: &slenderness, elevation: &elevation, force: &force, friction: &friction };
+    let columns = Columns { gamma: &slenderness, k_prime: &elevation, k: &force, mu: &friction };
 
     let (mut mode, mut others) = (vec![0; count], vec![0; count]);
     let mut motion = [(); 9].map(|()| vec![0.0; count]);

@@ -4,14 +4,28 @@
 mod common;
 
 use common::Random;
-use standfast::LoadKind::{Horizontal, Uplift, Weight};
 use standfast::contact::path::stages;
 use standfast::contact::plane::regions;
-use standfast::contact::{Block, Wrench, solve};
+use standfast::contact::{Block, solve};
 use standfast::initiation::Chart;
-use standfast::{Actions, Body, Mode, Modes, Point, Situation, first_departure};
+use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
+use standfast::loads::{Action, Load, LoadKind, LoadSource, Pose, StillWater};
+use standfast::{Body, ClassicalActions, Corner, Departure, Mode, Modes, Point, Situation, Wrench};
 
 const G: f64 = 9.81;
+
+fn permanent(kind: LoadKind, action: impl Into<Action>) -> Load {
+    Load::permanent(LoadSource::Other, kind, action)
+}
+
+fn variable(kind: LoadKind, action: impl Into<Action>) -> Load {
+    Load::variable(LoadSource::Other, kind, action)
+}
+
+/// A body under its weight.
+fn standing(body: Body, friction: f64, gravity: f64) -> Situation {
+    Situation::new(body, friction, gravity).unwrap().with_weight()
+}
 
 /// Whether a point lies within rounding of a change of mode, where two ways to compute it may differ.
 fn near_boundary(point: &Point) -> bool {
@@ -19,10 +33,10 @@ fn near_boundary(point: &Point) -> bool {
     let (margins, chart) = (point.margins(), point.chart());
     // N begins where no mode changes.
     let curves = [chart.upper_line(), chart.lower_line(), chart.mu_star()];
-    curves.iter().any(|curve| near(curve.at(point.force()), point.friction()))
-        || near(chart.k_a(), point.force())
-        || margins.along_force.iter().any(|crossing| near(crossing.at, point.force()))
-        || margins.along_friction.iter().any(|crossing| near(crossing.at, point.friction()))
+    curves.iter().any(|curve| near(curve.at(point.k()), point.mu()))
+        || near(chart.k_a(), point.k())
+        || margins.along_k.iter().any(|crossing| near(crossing.at, point.k()))
+        || margins.along_mu.iter().any(|crossing| near(crossing.at, point.mu()))
 }
 
 fn all_modes(point: &Point) -> Modes {
@@ -65,7 +79,8 @@ fn any_wrench_on_a_uniform_block_is_a_point_of_the_report_s_plane() {
             p: random.uniform(0.01, 3.0) * weight,
             m: random.uniform(-3.0, 3.0) * weight * width,
         };
-        let situation = Situation::new(body, random.log(0.05, 5.0), G).permanent(Weight, wrench);
+        let situation =
+            Situation::new(body, random.log(0.05, 5.0), G).unwrap().with(permanent(Weight, wrench));
         let state = situation.at(0.0).unwrap();
         let reduced = state.effective.unwrap();
         if near_boundary(&reduced.point) {
@@ -106,8 +121,9 @@ fn buoyancy_and_uplift_lower_p_and_turn() {
             Body::new(random.uniform(1.0, 20.0), random.uniform(1.0, 20.0), random.log(1e3, 1e6)).unwrap();
         let (half_width, weight) = (body.width() / 2.0, body.mass() * G);
         let [p1, p2] = [0, 1].map(|_| random.uniform(0.0, 1.0) * weight / half_width);
-        let situation = Situation::new(body, 0.6, G);
-        let reduced = situation.reduced_wrench(&(body.weight(G) + body.base_pressure(p1, p2)));
+        let pressed = permanent(Uplift, Action::base_pressure(&body, p1, p2));
+        let situation = standing(body, 0.6, G).with(pressed);
+        let reduced = situation.reduced_wrench(&situation.wrench_at(1.0, Pose::UPRIGHT));
         let close = |one: f64, two: f64| (one - two).abs() <= 1e-12 * (1.0 + two.abs());
         assert!(close(reduced.p, 1.0 - (p1 + p2) * half_width / weight));
         assert!(close(reduced.m, (p2 - p1) * half_width / (3.0 * weight)));
@@ -124,9 +140,8 @@ fn base_excitation_has_its_regions() {
         let body = Body::new(2.0, 2.0 * random.uniform(0.2, 6.0), random.log(1e2, 1e5)).unwrap();
         let γ = body.slenderness();
         let (a_h, a_v, μ) = (random.uniform(0.01, 3.0), random.uniform(-0.9, 1.0), random.uniform(0.0, 3.0));
-        let situation = Situation::new(body, μ, G)
-            .permanent(Weight, body.weight(G))
-            .variable(Horizontal, body.base_acceleration(a_h * G, a_v * G));
+        let shaken = variable(Horizontal, Action::Inertia { right: a_h * G, up: a_v * G });
+        let situation = standing(body, μ, G).with(shaken);
         let state = situation.at(1.0).unwrap();
         let k = a_h / (1.0 + a_v);
         let μ_rock = ((4.0 + γ * γ) * k + 3.0 * γ) / (1.0 + 4.0 * γ * γ + 3.0 * γ * k);
@@ -156,15 +171,15 @@ fn base_excitation_has_its_regions() {
 fn added_mass_enters_the_inertia() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
     let with = |friction, force| {
-        let body_in_water = Situation { added_mass: 500.0, ..Situation::new(body, friction, 10.0) };
-        body_in_water.permanent(Weight, body.weight(10.0)).variable(Horizontal, force)
+        let body_in_water = standing(body, friction, 10.0).with_added_mass(500.0).unwrap();
+        body_in_water.with(variable(Horizontal, force))
     };
-    let slide = with(0.2, body.horizontal_force(-5000.0, 1.0)).at(1.0).unwrap();
+    let slide = with(0.2, Action::horizontal(-5000.0, 1.0)).at(1.0).unwrap();
     assert_eq!(slide.mode, Some(Mode::SlideLeft));
     assert!(slide.effective.is_none());
     // (μ m g − F)/(m + M_a)
     assert!((slide.motion.unwrap().x_ddot - (2000.0 - 5000.0) / 1500.0).abs() < 1e-12);
-    let rock = with(9.0, body.horizontal_force(-15000.0, 2.0)).at(1.0).unwrap();
+    let rock = with(9.0, Action::horizontal(-15000.0, 2.0)).at(1.0).unwrap();
     assert_eq!(rock.mode, Some(Mode::RockO));
     // (F·2H − m g B)/(I + (m + M_a)H² + m B²)
     let expected = (15000.0 * 2.0 - 10_000.0) / (1000.0 * 2.0 / 3.0 + 1500.0 + 1000.0);
@@ -181,10 +196,12 @@ fn added_mass_obeys_the_equations_of_motion() {
         let body = Body::new(width, height, random.log(1e3, 1e6)).unwrap();
         let (mass, weight) = (body.mass(), body.mass() * G);
         let added = mass * random.uniform(0.0, 2.0);
-        let force = body.horizontal_force(-random.uniform(0.0, 2.0) * weight, random.uniform(0.0, height));
-        let situation = Situation { added_mass: added, ..Situation::new(body, random.log(0.05, 2.0), G) }
-            .permanent(Weight, body.weight(G))
-            .variable(Horizontal, force);
+        let force = Action::horizontal(-random.uniform(0.0, 2.0) * weight, random.uniform(0.0, height));
+        let situation = standing(body, random.log(0.05, 2.0), G)
+            .with_added_mass(added)
+            .unwrap()
+            .with(variable(Horizontal, force.clone()));
+        let force = force.wrench(&body, G, Pose::UPRIGHT);
         let state = situation.at(1.0).unwrap();
         let motion = state.motion.unwrap();
         seen.insert(state.mode.unwrap());
@@ -211,18 +228,24 @@ fn loads_have_their_moments() {
     // Moments about O, counter-clockwise: M − P·(−b₁)… = M + X d·(−1)… from the wrench at C.
     let about_o =
         |wrench: Wrench| wrench.m - wrench.p * body.heel_distance() - wrench.x * body.centroid_height();
-    assert_eq!(about_o(body.weight(10.0)), -1e6 * 4.5);
-    assert_eq!(about_o(body.horizontal_force(-100.0, 6.0)), 600.0);
-    assert_eq!(about_o(body.vertical_force(100.0, 2.0)), -200.0);
-    let pressure = body.base_pressure(6.0, 12.0); // 81 N/m at 5 m from O
+    let at_c = |action: Action| action.wrench(&body, 10.0, Pose::UPRIGHT);
+    assert_eq!(about_o(at_c(Action::Weight)), -1e6 * 4.5);
+    assert_eq!(about_o(at_c(Action::horizontal(-100.0, 6.0))), 600.0);
+    assert_eq!(about_o(at_c(Action::vertical(&body, 100.0, 2.0))), -200.0);
+    let pressure = at_c(Action::base_pressure(&body, 6.0, 12.0)); // 81 N/m at 5 m from O
     assert_eq!(pressure.p, -81.0);
     assert!((about_o(pressure) - 81.0 * 5.0).abs() < 1e-9);
     // 1000·10·(5² − 2²)/2 to the left; moments of both triangles, and of the base.
-    let water = body.still_water(2.0, 5.0, 10_000.0).unwrap();
-    assert_eq!((water.sides.x, water.sides.p), (-105_000.0, 0.0));
-    assert_eq!((water.base.x, water.base.p), (0.0, -(20_000.0 + 50_000.0) / 2.0 * 9.0));
-    assert!((about_o(water.sides) - (125_000.0 * 5.0 / 3.0 - 20_000.0 * 2.0 / 3.0)).abs() < 1e-6);
-    assert!((about_o(water.base) - (20_000.0 + 2.0 * 50_000.0) / 6.0 * 81.0).abs() < 1e-6);
+    let water = StillWater::new(&body, 2.0, 5.0, 1000.0).unwrap().loads(&body, 10.0);
+    let sum = |source| {
+        let loads = water.iter().filter(|load| load.source == source);
+        loads.map(|load| load.action.wrench(&body, 10.0, Pose::UPRIGHT)).sum::<Wrench>()
+    };
+    let (sides, base) = (sum(LoadSource::StillWater), sum(LoadSource::Buoyancy));
+    assert_eq!((sides.x, sides.p), (-105_000.0, 0.0));
+    assert_eq!((base.x, base.p), (0.0, -(20_000.0 + 50_000.0) / 2.0 * 9.0));
+    assert!((about_o(sides) - (125_000.0 * 5.0 / 3.0 - 20_000.0 * 2.0 / 3.0)).abs() < 1e-6);
+    assert!((about_o(base) - (20_000.0 + 2.0 * 50_000.0) / 6.0 * 81.0).abs() < 1e-6);
 }
 
 #[test]
@@ -235,7 +258,7 @@ fn impossible_bodies_and_water_are_refused() {
     assert!(body.with_base(-1.0, 0.5).is_err());
     assert!(body.with_moment_of_inertia(0.0).is_err());
     assert_eq!(
-        body.still_water(3.0, 8.5, 1e4).unwrap_err().to_string(),
+        StillWater::new(&body, 3.0, 8.5, 1e3).unwrap_err().to_string(),
         "water level is 8.5; expected no more than the height of the body: its crest has to stand above still water"
     );
 }
@@ -244,9 +267,8 @@ fn impossible_bodies_and_water_are_refused() {
 #[test]
 fn a_floating_body_is_an_answer() {
     let body = Body::new(10.0, 8.0, 5e4).unwrap();
-    let situation = Situation::new(body, 0.6, G)
-        .permanent(Weight, body.weight(G))
-        .permanent(Weight, body.still_water(7.0, 7.0, 1025.0 * G).unwrap().base);
+    let water = StillWater::new(&body, 7.0, 7.0, 1025.0).unwrap();
+    let situation = standing(body, 0.6, G).with_all(water.loads(&body, G));
     let state = situation.at(0.0).unwrap();
     assert!(state.is_lifted());
     assert_eq!(state.mode, Some(Mode::Flight));
@@ -289,22 +311,19 @@ fn consistent_modes_are_different_motions() {
 fn overturning_has_a_factor_about_each_corner() {
     let body = Body::new(4.0, 2.0, 1e4).unwrap();
     let weight = body.mass() * G;
-    let at = |situation: Situation| situation.actions(1.0).stability(0.6, 4.0);
+    let at = |situation: &Situation| situation.outcome().unwrap().stability;
     // A force to the left and a moment to the right about the base, 0.75 of what the weight resists.
     let twist = Wrench { x: -1e3, p: 0.0, m: -1e3 - 1.5 * weight };
-    let twisted =
-        at(Situation::new(body, 0.6, G).permanent(Weight, body.weight(G)).variable(Horizontal, twist));
-    assert_eq!(twisted.overturning, f64::INFINITY);
+    let twisted = at(&standing(body, 0.6, G).with(variable(Horizontal, twist)));
+    assert_eq!(twisted.overturning_about_heel, f64::INFINITY);
     assert!((twisted.overturning_about_toe - 2.0 / 1.5).abs() < 1e-12);
-    assert_eq!(twisted.least_overturning(), twisted.overturning_about_toe);
+    assert_eq!(twisted.overturning(), twisted.overturning_about_toe);
     // 0 to 40 kPa from O to O' turns it about O with 40e3·4/2·(8/3) N·m against 2 m g, and does not lift it.
-    let uplifted = Situation::new(body, 0.6, G)
-        .permanent(Weight, body.weight(G))
-        .variable(standfast::LoadKind::Uplift, body.base_pressure(0.0, 40e3));
+    let uplifted = standing(body, 0.6, G).with(variable(Uplift, Action::base_pressure(&body, 0.0, 40e3)));
     assert!(40e3 * 2.0 * 8.0 / 3.0 > 2.0 * weight && 40e3 * 2.0 < weight);
-    assert_eq!(at(uplifted.clone()).overturning, 0.0);
+    assert_eq!(at(&uplifted).overturning_about_heel, 0.0);
     assert!(uplifted.at(1.0).unwrap().mode != Some(Mode::Rest));
-    assert_eq!(at(uplifted).overturning_about_toe, f64::INFINITY);
+    assert_eq!(at(&uplifted).overturning_about_toe, f64::INFINITY);
 }
 
 /// A random body, friction and pair of wrenches.
@@ -325,8 +344,8 @@ fn a_path_has_every_crossing() {
     let mut random = Random(45);
     for _ in 0..5_000 {
         let (block, permanent, variable) = random_path(&mut random);
-        let stages = stages(&block, &permanent, &variable, 5.0).unwrap();
-        assert_eq!((stages[0].from, stages.last().unwrap().to), (0.0, 5.0));
+        let stages = stages(&block, &permanent, &variable).unwrap();
+        assert_eq!((stages[0].from, stages.last().unwrap().to), (0.0, f64::INFINITY));
         for pair in stages.windows(2) {
             assert_eq!(pair[0].to, pair[1].from);
             assert_ne!((pair[0].mode, pair[0].modes), (pair[1].mode, pair[1].modes));
@@ -356,9 +375,9 @@ fn a_path_in_air_crosses_where_the_margins_say() {
         let margins = Point::new(gamma, k_prime, 1.0, mu).unwrap().margins();
         let unit = Wrench { x: -1.0, p: 0.0, m: k_prime * gamma };
         let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
-        let stages = stages(&Block::uniform(gamma, mu), &weight, &unit, 50.0).unwrap();
+        let stages = stages(&Block::uniform(gamma, mu), &weight, &unit).unwrap();
         let changes: Vec<_> = stages.windows(2).filter(|pair| pair[0].mode != pair[1].mode).collect();
-        let expected: Vec<_> = margins.along_force.iter().filter(|crossing| crossing.at < 50.0).collect();
+        let expected: Vec<_> = margins.along_k.iter().collect();
         assert_eq!(changes.len(), expected.len(), "{gamma} {k_prime} {mu}");
         for (pair, crossing) in changes.iter().zip(expected) {
             assert!((pair[0].to - crossing.at).abs() <= 1e-9 * crossing.at);
@@ -372,12 +391,9 @@ fn a_path_in_air_crosses_where_the_margins_say() {
 fn a_rising_load_enters_n_from_rocking() {
     // γ = 1, k' = −1/2, μ = 3: rest to k_A = 2, then RO up to AB (μ = 1 + k/2 at k = 4), where SL takes over.
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
-    let situation = Situation::new(body, 3.0, 10.0)
-        .permanent(Weight, body.weight(10.0))
-        .variable(Horizontal, body.horizontal_force(-10_000.0, 0.5));
-    let path = situation.path(6.0).unwrap();
-    let departure = first_departure(&path).unwrap();
-    assert_eq!((departure.from, departure.mode), (2.0, Some(Mode::RockO)));
+    let situation = standing(body, 3.0, 10.0).with(variable(Horizontal, Action::horizontal(-10_000.0, 0.5)));
+    let departure = situation.outcome().unwrap().departure;
+    assert_eq!(departure, Departure::At { factor: 2.0, mode: Some(Mode::RockO) });
     let full = situation.at(5.0).unwrap();
     assert_eq!(full.mode, Some(Mode::SlideLeft));
     assert_eq!(full.others().to_string(), "RO SRO-");
@@ -438,13 +454,15 @@ fn in_air_the_plane_is_the_report_s_diagram() {
 fn classical_actions_are_taken_about_the_heel() {
     let body = Body::new(4.0, 6.0, 1000.0).unwrap();
     for side in [-1.0, 1.0] {
-        let uplift = if side < 0.0 { body.base_pressure(0.0, 500.0) } else { body.base_pressure(500.0, 0.0) };
-        let situation = Situation::new(body, 0.5, 10.0)
-            .permanent(Weight, body.weight(10.0))
-            .variable(Uplift, uplift)
-            .variable(Horizontal, body.horizontal_force(side * 2000.0, 4.0));
-        let actions = situation.actions(1.0);
-        let expected = Actions {
+        let (left, right) = if side < 0.0 { (0.0, 500.0) } else { (500.0, 0.0) };
+        let push = variable(Horizontal, Action::horizontal(side * 2000.0, 4.0));
+        let situation = standing(body, 0.5, 10.0)
+            .with(variable(Uplift, Action::base_pressure(&body, left, right)))
+            .with(push.clone());
+        let outcome = situation.outcome().unwrap();
+        let actions = outcome.actions;
+        let expected = ClassicalActions {
+            heel: if side < 0.0 { Corner::O } else { Corner::OPrime },
             buoyant_weight: 10_000.0,
             weight_arm: 2.0,
             uplift: 1000.0,
@@ -453,18 +471,16 @@ fn classical_actions_are_taken_about_the_heel() {
             force_moment: 8000.0,
         };
         assert!((actions.uplift_moment - expected.uplift_moment).abs() < 1e-9);
-        assert_eq!(Actions { uplift_moment: expected.uplift_moment, ..actions }, expected);
-        let stability = actions.stability(0.5, 4.0);
+        assert_eq!(ClassicalActions { uplift_moment: expected.uplift_moment, ..actions }, expected);
+        let stability = outcome.stability;
         assert_eq!(stability.sliding, 0.5 * 9000.0 / 2000.0);
-        assert!((stability.overturning - (20_000.0 - expected.uplift_moment) / 8000.0).abs() < 1e-12);
+        assert!((stability.overturning() - (20_000.0 - expected.uplift_moment) / 8000.0).abs() < 1e-12);
 
-        let in_air = Situation::new(body, 0.5, 10.0)
-            .permanent(Weight, body.weight(10.0))
-            .variable(Horizontal, body.horizontal_force(side * 2000.0, 4.0));
+        let in_air = standing(body, 0.5, 10.0).with(push);
         let point = in_air.at(1.0).unwrap().effective.unwrap().point;
-        let stability = in_air.actions(1.0).stability(0.5, 4.0);
+        let stability = in_air.outcome().unwrap().stability;
         assert!((stability.sliding - point.safety_against_sliding()).abs() < 1e-12);
-        assert!((stability.overturning - point.safety_against_overturning()).abs() < 1e-12);
+        assert!((stability.overturning() - point.safety_against_overturning()).abs() < 1e-12);
     }
 }
 
@@ -487,20 +503,94 @@ fn the_plane_is_free_of_scale() {
 #[test]
 fn both_parts_of_an_earthquake_count() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
-    let situation = Situation::new(body, 0.6, 10.0)
-        .permanent(Weight, body.weight(10.0))
-        .variable(Horizontal, body.base_acceleration(4.0, -5.0));
-    let actions = situation.actions(1.0);
-    assert_eq!((actions.buoyant_weight, actions.force), (5000.0, 4000.0));
-    assert_eq!(actions.stability(0.6, 2.0).sliding, 0.75);
+    let shaken = variable(Horizontal, Action::Inertia { right: 4.0, up: -5.0 });
+    let situation = standing(body, 0.6, 10.0).with(shaken);
+    let outcome = situation.outcome().unwrap();
+    assert_eq!((outcome.actions.buoyant_weight, outcome.actions.force), (5000.0, 4000.0));
+    assert_eq!(outcome.stability.sliding, 0.75);
     assert_eq!(situation.at(1.0).unwrap().mode, Some(Mode::SlideLeft));
 }
 
 #[test]
-fn gravity_has_to_be_above_zero() {
+fn numbers_that_no_situation_has_are_refused() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
     for gravity in [0.0, -9.81, f64::NAN] {
-        let situation = Situation::new(body, 0.6, gravity).permanent(Weight, body.weight(9.81));
-        assert!(situation.at(1.0).is_err() && situation.path(1.0).is_err() && situation.plane(1.0).is_err());
+        assert!(Situation::new(body, 0.6, gravity).is_err());
+    }
+    assert!(Situation::new(body, -0.1, G).is_err());
+    let standing = standing(body, 0.6, G);
+    assert_eq!(
+        standing.clone().with_kinetic_friction(0.7).unwrap_err().to_string(),
+        "kinetic friction is 0.7; expected no more than the friction to stick"
+    );
+    assert!(standing.clone().with_added_mass(-1.0).is_err());
+    assert!(standing.at(f64::NAN).is_err() && standing.plane(0.0).is_err());
+}
+
+/// Never, at once by the permanent loads, at once by any share of the variable ones, at a load factor: by hand.
+#[test]
+fn a_departure_is_one_of_four() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    let push = |force, elevation| Action::horizontal(force, elevation);
+    let of = |situation: Situation| situation.outcome().unwrap().departure;
+    // Sliding at μ m g = 6 kN.
+    assert_eq!(
+        of(standing(body, 0.6, 10.0).with(variable(Horizontal, push(-5000.0, 1.0)))),
+        Departure::At { factor: 1.2, mode: Some(Mode::SlideLeft) }
+    );
+    // Far beyond any window.
+    let Departure::At { factor, .. } =
+        of(standing(body, 0.6, 10.0).with(variable(Horizontal, push(-1e-9, 1.0))))
+    else {
+        panic!()
+    };
+    assert!((factor / 6e12 - 1.0).abs() < 1e-12);
+    // Pressed onto its base without end; no load; a force through the base against as much friction has k' = −1, and slides.
+    assert_eq!(
+        of(standing(body, 0.6, 10.0).with(variable(Weight, Action::vertical(&body, 1e4, 1.0)))),
+        Departure::Never
+    );
+    assert_eq!(of(standing(body, 0.0, 10.0).with(variable(Horizontal, push(0.0, 1.0)))), Departure::Never);
+    assert_eq!(of(standing(body, 0.6, 10.0)), Departure::Never);
+    // Without friction.
+    assert_eq!(
+        of(standing(body, 0.0, 10.0).with(variable(Horizontal, push(-1.0, 1.0)))),
+        Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: false }
+    );
+    // 7 kN are there all the time.
+    let pushed = standing(body, 0.6, 10.0).with(permanent(Horizontal, push(-7000.0, 1.0)));
+    let at_once = Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: true };
+    assert_eq!(of(pushed.clone()), at_once);
+    assert_eq!(of(pushed.clone().with(variable(Horizontal, push(7000.0, 1.0)))), at_once);
+    assert_eq!((at_once.load_factor(), Departure::Never.load_factor()), (0.0, f64::INFINITY));
+    // At rest at μ m g exactly, and beyond with any more.
+    let poised = standing(body, 0.6, 10.0).with(permanent(Horizontal, push(-6000.0, 1.0)));
+    assert_eq!(of(poised.clone()), Departure::Never);
+    assert_eq!(
+        of(poised.with(variable(Horizontal, push(-1.0, 1.0)))),
+        Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: false }
+    );
+}
+
+/// One horizontal force beside the weight has the report's numbers to the last bit, with either sign; anything else its
+/// effective ones, which agree to rounding.
+#[test]
+fn a_force_in_air_keeps_its_numbers() {
+    let mut random = Random(49);
+    for _ in 0..20_000 {
+        let body =
+            Body::new(random.uniform(1.0, 20.0), random.uniform(1.0, 20.0), random.log(1e3, 1e6)).unwrap();
+        let elevation = random.uniform(0.0, body.height());
+        let force = random.log(1e2, 1e7) * if random.coin() { 1.0 } else { -1.0 };
+        let situation = standing(body, random.uniform(0.1, 2.0), G)
+            .with(variable(Horizontal, Action::horizontal(force, elevation)));
+        let full = situation.outcome().unwrap().full;
+        let reduced = full.effective.unwrap();
+        let half_height = body.height() / 2.0;
+        assert_eq!(reduced.point.k_prime(), (elevation - half_height) / half_height);
+        assert_eq!(reduced.point.k(), force.abs() / (body.mass() * G));
+        assert_eq!(reduced.mirrored, force > 0.0);
+        let by_wrench = situation.effective(&full.wrench).unwrap().point;
+        assert!((by_wrench.k_prime() - reduced.point.k_prime()).abs() < 1e-12);
     }
 }

@@ -1,6 +1,7 @@
 //! Bodies and forces in SI units, reduced to the report's numbers and mirrored.
 
-use standfast::{Body, HorizontalForce, Mode, Slip};
+use standfast::loads::HorizontalForce;
+use standfast::{Body, Mode, Slip};
 
 /// A caisson of 15 m by 12 m and 2100 kg/m³ weighs 378 t/m; 1000 kN/m at 9 m above its base.
 fn caisson() -> Body {
@@ -20,12 +21,12 @@ fn a_body_has_the_geometry_and_inertia_of_a_rectangle() {
 fn a_force_reduces_to_k_and_k_prime() {
     let force = HorizontalForce::new(1e6, 9.0, Slip::Left).unwrap();
     let reduced = force.reduce(&caisson(), 0.6, 10.0).unwrap();
-    assert_eq!(reduced.point.force(), 1e6 / 3.78e6);
-    assert_eq!(reduced.point.elevation(), 0.5); // 3 m above the centre, of 6
-    assert_eq!(reduced.point.friction(), 0.6);
+    assert_eq!(reduced.point.k(), 1e6 / 3.78e6);
+    assert_eq!(reduced.point.k_prime(), 0.5); // 3 m above the centre, of 6
+    assert_eq!(reduced.point.mu(), 0.6);
     assert!(!reduced.mirrored);
     let base = HorizontalForce::new(1e6, 0.0, Slip::Left).unwrap().reduce(&caisson(), 0.6, 10.0).unwrap();
-    assert_eq!(base.point.elevation(), -1.0);
+    assert_eq!(base.point.k_prime(), -1.0);
 }
 
 #[test]

@@ -2,8 +2,9 @@
 //! other tools are known to make.
 
 use serde::Deserialize;
+use standfast::loads::Pose;
 use standfast::wave::{Choices, Heights, Sea, Section, Warning, goda};
-use standfast::{Actions, HeelPressure, Stability};
+use standfast::{Bearing, Body, ClassicalActions, Corner, Wrench};
 
 /// A case of the file; keys that a case lacks are those of its base.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -144,7 +145,8 @@ fn goda_s_worked_example() {
     // Concrete of 2400 kg/m³ above water, a mean of 2100 below.
     let buoyant_weight = 15.0 * (3.4 * 2400.0 + 7.1 * (2100.0 - 1030.0)) * 9.81;
     check("buoyant_weight", buoyant_weight / 1e3);
-    let actions = Actions {
+    let actions = ClassicalActions {
+        heel: Corner::O,
         buoyant_weight,
         weight_arm: 7.5,
         uplift: result.uplift,
@@ -152,7 +154,8 @@ fn goda_s_worked_example() {
         force: result.force,
         force_moment: result.force_moment,
     };
-    let Stability { sliding, overturning, .. } = actions.stability(case.friction.unwrap(), 15.0);
+    let stability = actions.stability(case.friction.unwrap(), 15.0);
+    let (sliding, overturning) = (stability.sliding, stability.overturning());
     // Given to four figures.
     assert!(agrees(sliding, case.recomputed["SF_sliding"], 1e-3, 0.0), "{sliding}");
     assert!(agrees(overturning, case.recomputed["SF_overturning"], 1e-3, 0.0), "{overturning}");
@@ -165,7 +168,8 @@ fn published_cases_of_a_vertical_wall() {
         let heights = Heights::Local { significant: case.h_13.unwrap(), maximum: case.h_max.unwrap() };
         let result = goda(&case.sea(), &heights, &case.section(), &case.choices()).unwrap();
         let width = case.caisson_width.unwrap();
-        let actions = Actions {
+        let actions = ClassicalActions {
+            heel: Corner::O,
             buoyant_weight: case.buoyant_weight.unwrap() * 1e3,
             weight_arm: case.weight_arm_ratio.unwrap() * width,
             uplift: result.uplift,
@@ -174,7 +178,7 @@ fn published_cases_of_a_vertical_wall() {
             force_moment: result.force_moment,
         };
         let stability = actions.stability(case.friction.unwrap(), width);
-        let HeelPressure::Pressed(heel) = stability.heel_pressure else { panic!("{}", case.name) };
+        let Bearing::Pressed { heel, .. } = stability.bearing else { panic!("{}", case.name) };
         for (name, found) in [
             ("P", result.force / 1e3),
             ("U", result.uplift / 1e3),
@@ -183,7 +187,7 @@ fn published_cases_of_a_vertical_wall() {
             ("p1", result.p1 / 1e3),
             ("pu", result.pu / 1e3),
             ("SF_sliding", stability.sliding),
-            ("SF_overturning", stability.overturning),
+            ("SF_overturning", stability.overturning()),
             ("heel_pressure", heel / 1e3),
         ] {
             let expected = case.published[name];
@@ -247,7 +251,8 @@ fn the_angle_is_in_degrees_and_may_be_turned() {
 /// W' has the arm t that is given, not B/2.
 #[test]
 fn the_weight_s_arm_is_its_own() {
-    let actions = Actions {
+    let actions = ClassicalActions {
+        heel: Corner::O,
         buoyant_weight: 100.0,
         weight_arm: 4.0,
         uplift: 20.0,
@@ -256,16 +261,17 @@ fn the_weight_s_arm_is_its_own() {
         force_moment: 100.0,
     };
     let stability = actions.stability(0.6, 9.0);
-    assert_eq!(stability.overturning, 2.8);
+    assert_eq!(stability.overturning(), 2.8);
     assert_eq!(stability.sliding, 0.6 * 80.0 / 30.0);
     assert_eq!(stability.resultant_arm, Some(180.0 / 80.0));
 }
 
-/// The three ranges of the heel pressure join, and there is none without contact.
+/// The three ranges of the pressure join, and there is none without contact.
 #[test]
-fn heel_pressure_has_its_ranges() {
+fn bearing_pressure_has_its_ranges() {
     let at = |resultant_arm: f64| {
-        let actions = Actions {
+        let actions = ClassicalActions {
+            heel: Corner::O,
             buoyant_weight: 90.0,
             weight_arm: resultant_arm,
             uplift: 0.0,
@@ -273,15 +279,40 @@ fn heel_pressure_has_its_ranges() {
             force: 0.0,
             force_moment: 0.0,
         };
-        actions.stability(0.6, 9.0).heel_pressure
+        actions.stability(0.6, 9.0).bearing
     };
-    let HeelPressure::Pressed(below) = at(3.0 - 1e-9) else { panic!() };
-    let HeelPressure::Pressed(above) = at(3.0 + 1e-9) else { panic!() };
-    assert!((below - 20.0).abs() < 1e-6 && (above - 20.0).abs() < 1e-6); // 2W/B
-    assert_eq!(at(4.5), HeelPressure::Pressed(10.0)); // W/B
-    assert_eq!(at(6.5), HeelPressure::Unloaded);
-    assert_eq!(at(0.0), HeelPressure::OutsideBase);
-    assert_eq!(at(-1.0), HeelPressure::OutsideBase);
+    for (arm, mirrored) in [(3.0, false), (6.0, true)] {
+        for nudge in [-1e-9, 1e-9] {
+            let Bearing::Pressed { heel, toe, .. } = at(arm + nudge) else { panic!() };
+            let largest = if mirrored { toe } else { heel };
+            assert!((largest - 20.0).abs() < 1e-6 && (heel + toe - 20.0).abs() < 1e-6); // 2W/B
+        }
+    }
+    let even = Bearing::Pressed { heel: 10.0, toe: 10.0, contact: 9.0 };
+    assert_eq!(at(4.5), even); // W/B
+    assert_eq!([at(0.0), at(-1.0), at(9.0)], [Bearing::OutsideBase; 3]);
+}
+
+/// The pressures as loads of a body add up to Goda's force, uplift and moments.
+#[test]
+fn pressures_on_a_body_are_the_resultants() {
+    let (sea, heights, section) = example();
+    for crest_height in [0.5, 3.4, 11.0, 20.0] {
+        let section = Section { crest_height, ..section };
+        let waves = goda(&sea, &heights, &section, &Choices::default()).unwrap();
+        let body = Body::new(section.caisson_width, section.base_depth + crest_height, 1e6).unwrap();
+        let [wall, uplift] = waves.loads(&body, section.base_depth);
+        let [wall, uplift] = [wall, uplift].map(|load| load.action.wrench(&body, 9.81, Pose::UPRIGHT));
+        let about_o = |Wrench { x, p, m }: Wrench| m - p * body.heel_distance() - x * body.centroid_height();
+        for (found, expected) in [
+            (-wall.x, waves.force),
+            (about_o(wall), waves.force_moment),
+            (-uplift.p, waves.uplift),
+            (about_o(uplift), waves.uplift_moment),
+        ] {
+            assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+        }
+    }
 }
 
 #[test]

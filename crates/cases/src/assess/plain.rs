@@ -28,14 +28,14 @@ impl<'a> Plain<'a> {
         for (i, load) in case.loads.iter().enumerate() {
             let point = &load.reduced.point;
             let design = DesignPoint {
-                k: point.force(),
-                mu: point.friction(),
+                k: point.k(),
+                mu: point.mu(),
                 label: load_name(case, i),
                 mirrored: load.reduced.mirrored,
             };
-            match planes.iter_mut().find(|plane| plane.k_prime == point.elevation()) {
+            match planes.iter_mut().find(|plane| plane.k_prime == point.k_prime()) {
                 Some(plane) => plane.points.push(design),
-                None => planes.push(Plane { k_prime: point.elevation(), points: vec![design] }),
+                None => planes.push(Plane { k_prime: point.k_prime(), points: vec![design] }),
             }
         }
         Plain { case, planes }

@@ -87,9 +87,8 @@ impl Assessed {
         if let Some(reduced) = &self.full.effective {
             let point = &reduced.point;
             let label = name.clone().unwrap_or_else(|| "full load".to_owned());
-            let design =
-                DesignPoint { k: point.force(), mu: point.friction(), label, mirrored: reduced.mirrored };
-            let plane = Diagram::new(point.slenderness(), point.elevation())?;
+            let design = DesignPoint { k: point.k(), mu: point.mu(), label, mirrored: reduced.mirrored };
+            let plane = Diagram::new(point.gamma(), point.k_prime())?;
             figures.push(CaseFigure {
                 suffix: suffix.to_owned(),
                 words: "k–μ diagram in effective coordinates".to_owned(),

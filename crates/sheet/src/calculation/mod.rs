@@ -34,12 +34,12 @@ pub fn plain(case: &Case) -> Markup {
         };
         steps.know("F", load.force.magnitude(), KILONEWTON);
         steps.know("e", load.force.elevation(), METRE);
-        steps.know("μ", point.friction(), NONE);
+        steps.know("μ", point.mu(), NONE);
         steps.heading("Reduction to the report's plane");
         let about = format!("Force, to the {towards}, in weights of the body");
-        steps.add(&about, "", ["k", "F/(m g)"], point.force(), NONE, "k");
+        steps.add(&about, "", ["k", "F/(m g)"], point.k(), NONE, "k");
         let about = "Height of the force above the centre of mass, in half-heights";
-        steps.add(about, "", ["k'", "(e − H)/H"], point.elevation(), NONE, "k_prime");
+        steps.add(about, "", ["k'", "(e − H)/H"], point.k_prime(), NONE, "k_prime");
         mode::safety_factors(&mut steps, point);
         mode::decision(&mut steps, &load.reduced);
         motion::reduced(&mut steps, &load.reduced, &scale);

@@ -14,19 +14,12 @@ use crate::steps::Steps;
 pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
     let point = &reduced.point;
     steps.heading("The report's plane, in effective coordinates");
-    steps.add(
-        "Horizontal by vertical load",
-        "theory of loads",
-        ["k_eff", "|X|/V"],
-        point.force(),
-        NONE,
-        "k_eff",
-    );
+    steps.add("Horizontal by vertical load", "theory of loads", ["k_eff", "|X|/V"], point.k(), NONE, "k_eff");
     let about = "Height of the resultant above the centre of mass, in half-heights";
     let formula = ["k'_eff", "−M/(X H)"];
-    steps.add(about, "theory of loads", formula, point.elevation(), NONE, "k_prime_eff");
-    steps.know("k", point.force(), NONE);
-    steps.know("k'", point.elevation(), NONE);
+    steps.add(about, "theory of loads", formula, point.k_prime(), NONE, "k_prime_eff");
+    steps.know("k", point.k(), NONE);
+    steps.know("k'", point.k_prime(), NONE);
     if reduced.mirrored {
         steps.note(describe::MIRRORED);
     }
@@ -83,7 +76,7 @@ pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
     if bounds().any(|bound| bound.contains("a k")) {
         let [a, b, c, d] = chart.coefficients();
         // Chapter III of the report has them for forces above the centre of mass, chapter IV for those below.
-        let above = point.elevation() >= 0.0;
+        let above = point.k_prime() >= 0.0;
         let numbers = if above { ["3.18", "3.19", "3.20", "3.21"] } else { ["4.42", "4.43", "4.44", "4.45"] };
         steps.add("Coefficients", numbers[0], ["a", "4 + γ^2 − 3 γ^2 k'"], a, NONE, "");
         steps.add("", numbers[1], ["b", "3 γ"], b, NONE, "");
@@ -135,7 +128,7 @@ pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, scale: Option<&Scale
         table.numbers data-table="changes" {
             thead { tr { th { "Varied" } th.n { "Value" } th.n { "F" } th { "Change of mode" } } }
             tbody {
-                @for (text, crossing) in shown(&margins.along_force) {
+                @for (text, crossing) in shown(&margins.along_k) {
                     tr {
                         td { "force, " (PreEscaped(symbol("k"))) }
                         td.n { data value=(crossing.at) { (text) } }
@@ -143,7 +136,7 @@ pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, scale: Option<&Scale
                         td { (arrow(reduced, crossing)) }
                     }
                 }
-                @for (text, crossing) in shown(&margins.along_friction) {
+                @for (text, crossing) in shown(&margins.along_mu) {
                     tr {
                         td { "friction, " (PreEscaped(symbol("μ"))) }
                         td.n { data value=(crossing.at) { (text) } }
@@ -154,7 +147,7 @@ pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, scale: Option<&Scale
             }
         }
     });
-    if margins.along_friction.last().is_some_and(|crossing| crossing.to != Mode::Rest) {
+    if margins.along_mu.last().is_some_and(|crossing| crossing.to != Mode::Rest) {
         steps.note("No friction keeps the body at rest under this force.");
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn reduced(steps: &mut Steps, reduced: &Reduced, scale: &Scale) {
     // The force points right where the point is the mirror image.
     let [along, about] = if reduced.mirrored { ["f_x + k", "−"] } else { ["f_x − k", "+"] };
     let numbers =
-        if reduced.point.elevation() >= 0.0 { ["3.9", "3.10", "3.11"] } else { ["4.24", "4.25", "4.26"] };
+        if reduced.point.k_prime() >= 0.0 { ["3.9", "3.10", "3.11"] } else { ["4.24", "4.25", "4.26"] };
     steps.add("The equations of motion with these numbers", numbers[0], ["ẍ", along], x_ddot, NONE, "");
     steps.add("", numbers[1], ["ÿ", "f_y − 1"], y_ddot, NONE, "");
     let formula = format!("3 (γ f_x + ξ f_y {about} γ k k')/(1 + γ^2)");

@@ -11,7 +11,7 @@ use crate::exact::Real;
 use crate::mode::{Corner, Mode, Modes, Slip};
 
 /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
-pub(super) type Numbers<T> = [T; 11];
+pub(crate) type Numbers<T> = [T; 11];
 
 /// The rotation about a corner, α = `moment`/`inertia`.
 pub(super) struct Rotation<T> {
@@ -103,9 +103,9 @@ pub(super) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
 }
 
 /// The consistent modes and the one reported.
-pub(super) struct Verdict {
-    pub(super) modes: Modes,
-    pub(super) mode: Option<Mode>,
+pub(crate) struct Verdict {
+    pub(crate) modes: Modes,
+    pub(crate) mode: Option<Mode>,
 }
 
 impl Verdict {

@@ -1,9 +1,9 @@
 //! The conditions of a consistent mode as inequalities between numbers of its motion.
 
 use super::Block;
-use crate::initiation::{Relation, Sign};
 use crate::mode::{Corner, Mode, Slip};
 use crate::motion::Motion;
+use crate::relation::{Relation, Sign};
 
 /// The conditions of `mode`, which begins with `motion`; see the table of the [contact problem](super).
 pub(super) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relation> {

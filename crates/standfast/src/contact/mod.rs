@@ -37,14 +37,14 @@
 //! nothing is divided. Where a touching corner is not pressed at all, the motion is flight's; it counts once, as the mode that
 //! touches. For μ_s = μ_k several modes are consistent only if the friction reaches Painlevé's bound
 //! (ρ²/m_y + r²)/(|r| d) at a corner, where ρ² + m_y r c changes its sign; for μ_s > μ_k also where one corner could
-//! stick and the other slip. The one [reported](Answer::mode) is then, as in the report's section IV.7, the first of
+//! stick and the other slip. The one [reported](Solution::mode) is then, as in the report's section IV.7, the first of
 //! rest, slide, slide-rock (ρ² + m_y r c > 0), rock, slide-rock (ρ² + m_y r c < 0), flight.
 //!
 //! Limits: the base is flat and rigid, reactions act at the corners, the motion is that of the first instant.
 //!
 //! ```
-//! use standfast::contact::{Block, Wrench, solve};
-//! use standfast::Mode;
+//! use standfast::contact::{Block, solve};
+//! use standfast::{Mode, Wrench};
 //!
 //! // The report's γ = 1, k' = −1/2, k = 4, μ = 3: X = −k, M = k k' γ.
 //! let answer = solve(&Block::uniform(1.0, 3.0), &Wrench { x: -4.0, p: 1.0, m: -2.0 })?;
@@ -56,19 +56,20 @@
 mod conditions;
 mod explain;
 
-use conditions::{Numbers, Rotation, Verdict, conditions};
+pub(crate) use conditions::{Numbers, Verdict};
+use conditions::{Rotation, conditions};
 
 pub mod path;
 pub mod plane;
 
-use std::ops::{Add, Mul};
-
 use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
-use crate::initiation::{Point, Relation};
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::motion::Motion;
+use crate::quantity::{Expected, Quantity};
+use crate::relation::Relation;
+use crate::wrench::Wrench;
 
 /// A block on its base; symbols and units in the [module's table](self).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,55 +108,24 @@ impl Block {
     }
 
     fn check(&self) -> Result<(), InputError> {
-        InputError::positive("distance b1 of O", self.b1)?;
-        InputError::positive("distance b2 of O'", self.b2)?;
-        InputError::positive("depth d of the base", self.d)?;
-        InputError::positive("square rho2 of the radius of gyration", self.rho2)?;
-        InputError::positive("inertia m_x", self.m_x)?;
-        InputError::positive("inertia m_y", self.m_y)?;
-        InputError::not_negative("kinetic friction mu_k", self.mu_k)?;
-        InputError::finite("static friction mu_s", self.mu_s)?;
+        InputError::positive(Quantity::B1, self.b1)?;
+        InputError::positive(Quantity::B2, self.b2)?;
+        InputError::positive(Quantity::D, self.d)?;
+        InputError::positive(Quantity::Rho2, self.rho2)?;
+        InputError::positive(Quantity::InertiaX, self.m_x)?;
+        InputError::positive(Quantity::InertiaY, self.m_y)?;
+        InputError::not_negative(Quantity::MuK, self.mu_k)?;
+        InputError::finite(Quantity::MuS, self.mu_s)?;
         if self.mu_s < self.mu_k {
-            let expected = "no less than the kinetic friction mu_k";
-            return Err(InputError { quantity: "static friction mu_s", value: self.mu_s, expected });
+            return Err(InputError::new(Quantity::MuS, self.mu_s, Expected::NotBelowKineticFriction));
         }
         Ok(())
     }
 }
 
-/// A planar wrench at the centre of mass, the weight included.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wrench {
-    /// X: horizontal force, to the right.
-    pub x: f64,
-    /// P: net vertical force, downwards.
-    pub p: f64,
-    /// M: moment, counter-clockwise.
-    pub m: f64,
-}
-
-impl Wrench {
-    /// No load.
-    pub const ZERO: Wrench = Wrench { x: 0.0, p: 0.0, m: 0.0 };
-}
-
-impl Add for Wrench {
-    type Output = Wrench;
-    fn add(self, other: Wrench) -> Wrench {
-        Wrench { x: self.x + other.x, p: self.p + other.p, m: self.m + other.m }
-    }
-}
-
-impl Mul<f64> for Wrench {
-    type Output = Wrench;
-    fn mul(self, factor: f64) -> Wrench {
-        Wrench { x: self.x * factor, p: self.p * factor, m: self.m * factor }
-    }
-}
-
 /// The consistent modes of a block under a wrench.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
+pub struct Solution {
     /// Every consistent mode.
     pub modes: Modes,
     mode: Option<Mode>,
@@ -163,7 +133,7 @@ pub struct Answer {
     wrench: Wrench,
 }
 
-impl Answer {
+impl Solution {
     /// The mode reported; see the [module](self) for the order. For μ_s = μ_k some mode is always consistent; for
     /// μ_s > μ_k that is not proven, and `None` would say so.
     pub fn mode(&self) -> Option<Mode> {
@@ -179,8 +149,8 @@ impl Answer {
     /// they hold was decided exactly; their numbers are rounded.
     ///
     /// ```
-    /// use standfast::contact::{Block, Wrench, solve};
-    /// use standfast::Mode;
+    /// use standfast::contact::{Block, solve};
+    /// use standfast::{Mode, Wrench};
     ///
     /// let answer = solve(&Block::uniform(1.0, 0.6), &Wrench { x: -0.5, p: 1.0, m: 0.2 })?;
     /// let conditions: Vec<_> = answer.explain(Mode::Rest).iter().map(ToString::to_string).collect();
@@ -196,29 +166,14 @@ impl Answer {
 ///
 /// # Errors
 /// If a number is not finite, a length, ρ², m_x or m_y is not above zero, or not μ_s ≥ μ_k ≥ 0.
-pub fn solve(block: &Block, wrench: &Wrench) -> Result<Answer, InputError> {
+pub fn solve(block: &Block, wrench: &Wrench) -> Result<Solution, InputError> {
     block.check()?;
-    InputError::finite("horizontal force x", wrench.x)?;
-    InputError::finite("vertical force p", wrench.p)?;
-    InputError::finite("moment m", wrench.m)?;
+    InputError::finite(Quantity::WrenchX, wrench.x)?;
+    InputError::finite(Quantity::WrenchP, wrench.p)?;
+    InputError::finite(Quantity::WrenchM, wrench.m)?;
     let numbers = numbers(block, wrench);
     let Verdict { modes, mode } = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
-    Ok(Answer { modes, mode, block: *block, wrench: *wrench })
-}
-
-/// Every consistent mode of the report's problem, by trying the modes one by one: an exact witness of
-/// [`Point::mode`] and [`Point::others`] that shares no formula with them.
-pub fn enumerate(point: &Point) -> Modes {
-    // ρ² = (1+γ²)/3 is no f64, but modes do not change if all inertia is trebled.
-    fn numbers<T: Real>(point: &Point) -> Numbers<T> {
-        let [γ, k_prime, k, μ] =
-            [point.slenderness(), point.elevation(), point.force(), point.friction()].map(T::of);
-        let [one, three] = [1.0, 3.0].map(T::of);
-        let m = k.clone() * k_prime * γ.clone();
-        let rho2 = one.clone() + γ.clone() * γ.clone();
-        [one.clone(), one.clone(), γ, rho2, three.clone(), three, μ.clone(), μ, -k, one, m]
-    }
-    decide(|| numbers::<Approx>(point), || numbers::<Exact>(point)).modes
+    Ok(Solution { modes, mode, block: *block, wrench: *wrench })
 }
 
 /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
@@ -229,7 +184,7 @@ fn numbers(block: &Block, wrench: &Wrench) -> Numbers<f64> {
 }
 
 /// The verdict by tracked floating point, or by exact arithmetic where that cannot tell.
-fn decide(approx: impl Fn() -> Numbers<Approx>, exact: impl Fn() -> Numbers<Exact>) -> Verdict {
+pub(crate) fn decide(approx: impl Fn() -> Numbers<Approx>, exact: impl Fn() -> Numbers<Exact>) -> Verdict {
     let verdict = Verdict::of(conditions(&approx())).or_else(|| Verdict::of(conditions(&exact())));
     verdict.expect("exact signs are always known")
 }

@@ -5,16 +5,18 @@
 //! constant, and are decided exactly.
 
 use super::conditions::{COUNT, conditions};
-use super::{Block, Wrench, numbers, solve};
+use super::{Block, numbers, solve};
 use crate::error::InputError;
 use crate::mode::{Mode, Modes};
+use crate::wrench::Wrench;
 
 /// A stretch of load factors with the same modes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Stage {
     /// The load factor at which it begins.
     pub from: f64,
-    /// The load factor at which it ends.
+    /// The load factor at which it ends; infinite for the last.
     pub to: f64,
     /// The mode reported.
     pub mode: Option<Mode>,
@@ -22,34 +24,47 @@ pub struct Stage {
     pub modes: Modes,
 }
 
-/// The stages of a load rising from zero to `up_to` times `variable`, beside `permanent`.
+impl Stage {
+    /// The consistent modes beside the one reported.
+    pub fn others(&self) -> Modes {
+        self.modes.without(self.mode)
+    }
+}
+
+/// The stages of a load rising from zero without end, beside `permanent`; the last ends at infinity.
 ///
 /// # Errors
-/// As [`solve`]; or if `up_to` is not a number above zero.
-pub fn stages(
-    block: &Block,
-    permanent: &Wrench,
-    variable: &Wrench,
-    up_to: f64,
-) -> Result<Vec<Stage>, InputError> {
-    let up_to = InputError::positive("largest load factor", up_to)?;
-    let mut ends: Vec<f64> = crossings(block, permanent, variable).filter(|λ| *λ < up_to).collect();
-    ends.push(up_to);
+/// As [`solve`].
+pub fn stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Vec<Stage>, InputError> {
+    let mut ends: Vec<f64> = crossings(block, permanent, variable).collect();
     ends.sort_by(f64::total_cmp);
     // One crossing, computed from two conditions.
     ends.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
+    ends.push(f64::INFINITY);
 
     let mut stages: Vec<Stage> = Vec::new();
     let mut from = 0.0;
     for to in ends {
-        let answer = solve(block, &(*permanent + *variable * (from + (to - from) / 2.0)))?;
+        // Beyond the last crossing any load factor will do.
+        let inside = match to {
+            f64::INFINITY if from == 0.0 => 1.0,
+            f64::INFINITY => 2.0 * from,
+            to => from + (to - from) / 2.0,
+        };
+        let solution = solve(block, &(*permanent + *variable * inside))?;
         match stages.last_mut() {
-            Some(last) if (last.mode, last.modes) == (answer.mode(), answer.modes) => last.to = to,
-            _ => stages.push(Stage { from, to, mode: answer.mode(), modes: answer.modes }),
+            Some(last) if (last.mode, last.modes) == (solution.mode(), solution.modes) => last.to = to,
+            _ => stages.push(Stage { from, to, mode: solution.mode(), modes: solution.modes }),
         }
         from = to;
     }
     Ok(stages)
+}
+
+/// The stages up to a load factor.
+pub fn up_to(stages: &[Stage], largest: f64) -> Vec<Stage> {
+    let within = stages.iter().filter(|stage| stage.from < largest);
+    within.map(|stage| Stage { to: stage.to.min(largest), ..*stage }).collect()
 }
 
 /// The load factors above zero at which a condition changes its sign.

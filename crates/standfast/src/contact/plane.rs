@@ -13,11 +13,12 @@
 //! is joined to its neighbour: this is a picture's precision, not that of a mode.
 
 use super::conditions::{COUNT, conditions};
-use super::{Block, Wrench, numbers, solve};
-use crate::diagram::{Region, Strip};
+use super::{Block, numbers, solve};
 use crate::error::InputError;
-use crate::initiation::Curve;
 use crate::mode::Mode;
+use crate::quantity::Quantity;
+use crate::region::{Curve, Region, Strip};
+use crate::wrench::Wrench;
 
 /// A boundary (α₀ + α₁λ) + μ (β₀ + β₁λ) = 0.
 #[derive(Clone, Copy)]
@@ -45,7 +46,7 @@ pub fn regions(
     variable: &Wrench,
     up_to: f64,
 ) -> Result<Vec<Region>, InputError> {
-    let up_to = InputError::positive("largest load factor", up_to)?;
+    let up_to = InputError::positive(Quantity::LoadFactor, up_to)?;
     // In t = λ/up_to, so that the boundaries' coefficients are of one size whatever the load is measured in.
     let variable = *variable * up_to;
     let boundaries = boundaries(block, permanent, &variable);

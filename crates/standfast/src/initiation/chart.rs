@@ -1,6 +1,10 @@
 //! The lines, curves and named points of the k–μ plane of one body and one elevation of the force.
 
+use std::ops::Range;
+
 use crate::error::InputError;
+use crate::quantity::Quantity;
+use crate::region::Curve;
 
 /// The k–μ plane for a slenderness γ and an elevation k': coefficients, curves and named points.
 ///
@@ -21,7 +25,7 @@ pub struct Chart {
 
 /// The report's cases of force above (k' ≥ 0) and below (k' < 0) the centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Case {
+pub enum ChartCase {
     /// 0 ≤ k' ≤ (1+γ²)/(3γ²): μ* rises from A (Figs. 3.3a, 3.6a, 3.9a).
     OneA,
     /// (1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²): μ* falls from A (Figs. 3.3b, 3.6b, 3.9b).
@@ -37,121 +41,58 @@ pub enum Case {
     BelowBase,
 }
 
-impl Case {
+impl ChartCase {
     /// All cases, from the lowest elevation of the force to the highest.
-    pub const ALL: [Case; 6] = [
-        Case::BelowBase,
-        Case::DeltaNotPositive,
-        Case::DeltaPositive,
-        Case::OneA,
-        Case::OneB,
-        Case::TwoThree,
+    pub const ALL: [ChartCase; 6] = [
+        ChartCase::BelowBase,
+        ChartCase::DeltaNotPositive,
+        ChartCase::DeltaPositive,
+        ChartCase::OneA,
+        ChartCase::OneB,
+        ChartCase::TwoThree,
     ];
 
-    /// The k' between which a body of `slenderness` γ is in this case: (1+γ²)/(3γ²), (4+γ²)/(3γ²) and −(1+γ²)/(4+γ²)
+    /// The k' between which a body of slenderness γ is in this case: (1+γ²)/(3γ²), (4+γ²)/(3γ²) and −(1+γ²)/(4+γ²)
     /// part them, beside 0 and −1.
     ///
     /// # Errors
-    /// If `slenderness` is not above zero.
-    pub fn elevations(self, slenderness: f64) -> Result<(f64, f64), InputError> {
-        let square = InputError::positive("slenderness γ", slenderness)?.powi(2);
+    /// If `gamma` is not above zero.
+    pub fn k_primes(self, gamma: f64) -> Result<Range<f64>, InputError> {
+        let square = InputError::positive(Quantity::Slenderness, gamma)?.powi(2);
         let (level, zero) = ((1.0 + square) / (3.0 * square), (4.0 + square) / (3.0 * square));
         let steep = -(1.0 + square) / (4.0 + square);
         Ok(match self {
-            Case::BelowBase => (f64::NEG_INFINITY, -1.0),
-            Case::DeltaNotPositive => (-1.0, steep),
-            Case::DeltaPositive => (steep, 0.0),
-            Case::OneA => (0.0, level),
-            Case::OneB => (level, zero),
-            Case::TwoThree => (zero, f64::INFINITY),
+            ChartCase::BelowBase => f64::NEG_INFINITY..-1.0,
+            ChartCase::DeltaNotPositive => -1.0..steep,
+            ChartCase::DeltaPositive => steep..0.0,
+            ChartCase::OneA => 0.0..level,
+            ChartCase::OneB => level..zero,
+            ChartCase::TwoThree => zero..f64::INFINITY,
         })
     }
 
     /// The case's short name: `1a`, `1b`, `2–3`, `Δ > 0`, `Δ ≤ 0`, `k' < −1`.
     pub fn name(self) -> &'static str {
         match self {
-            Case::OneA => "1a",
-            Case::OneB => "1b",
-            Case::TwoThree => "2–3",
-            Case::DeltaPositive => "Δ > 0",
-            Case::DeltaNotPositive => "Δ ≤ 0",
-            Case::BelowBase => "k' < −1",
+            ChartCase::OneA => "1a",
+            ChartCase::OneB => "1b",
+            ChartCase::TwoThree => "2–3",
+            ChartCase::DeltaPositive => "Δ > 0",
+            ChartCase::DeltaNotPositive => "Δ ≤ 0",
+            ChartCase::BelowBase => "k' < −1",
         }
     }
 
     /// The case in words and symbols.
     pub fn words(self) -> &'static str {
         match self {
-            Case::OneA => "case 1a, force above the centre: k' ≤ (1+γ²)/(3γ²)",
-            Case::OneB => "case 1b, force above the centre: (1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²)",
-            Case::TwoThree => "cases 2 and 3, force above the centre: k' > (4+γ²)/(3γ²)",
-            Case::DeltaPositive => "force below the centre, Δ > 0: |k'| < (1+γ²)/(4+γ²)",
-            Case::DeltaNotPositive => "force below the centre, Δ ≤ 0: |k'| ≥ (1+γ²)/(4+γ²)",
-            Case::BelowBase => "effective force below the base: k' < −1",
+            ChartCase::OneA => "case 1a, force above the centre: k' ≤ (1+γ²)/(3γ²)",
+            ChartCase::OneB => "case 1b, force above the centre: (1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²)",
+            ChartCase::TwoThree => "cases 2 and 3, force above the centre: k' > (4+γ²)/(3γ²)",
+            ChartCase::DeltaPositive => "force below the centre, Δ > 0: |k'| < (1+γ²)/(4+γ²)",
+            ChartCase::DeltaNotPositive => "force below the centre, Δ ≤ 0: |k'| ≥ (1+γ²)/(4+γ²)",
+            ChartCase::BelowBase => "effective force below the base: k' < −1",
         }
-    }
-}
-
-/// A curve μ(k) of the k–μ plane.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Curve {
-    /// μ = slope·k + intercept.
-    Line {
-        /// dμ/dk.
-        slope: f64,
-        /// μ at k = 0.
-        intercept: f64,
-    },
-    /// μ = (a k + b)/(c k + d).
-    Hyperbola {
-        /// Coefficient of k above.
-        a: f64,
-        /// Constant above.
-        b: f64,
-        /// Coefficient of k below.
-        c: f64,
-        /// Constant below.
-        d: f64,
-    },
-}
-
-impl Curve {
-    /// The k axis, μ = 0.
-    pub const AXIS: Curve = Curve::Line { slope: 0.0, intercept: 0.0 };
-    /// The line OA, μ = k.
-    pub const DIAGONAL: Curve = Curve::Line { slope: 1.0, intercept: 0.0 };
-
-    /// μ at k; not finite at a pole.
-    pub fn at(&self, k: f64) -> f64 {
-        match *self {
-            Curve::Line { slope, intercept } => slope * k + intercept,
-            Curve::Hyperbola { a, b, c, d } => (a * k + b) / (c * k + d),
-        }
-    }
-
-    /// The k at which a hyperbola has its vertical asymptote, if it has one: d/c for μ** (4.97).
-    pub fn pole(&self) -> Option<f64> {
-        match *self {
-            Curve::Hyperbola { c, d, .. } => Some(-d / c).filter(|k| k.is_finite()),
-            Curve::Line { .. } => None,
-        }
-    }
-
-    /// dμ/dk at k (3.24, 4.47).
-    pub fn slope(&self, k: f64) -> f64 {
-        match *self {
-            Curve::Line { slope, .. } => slope,
-            Curve::Hyperbola { a, b, c, d } => (a * d - b * c) / (c * k + d).powi(2),
-        }
-    }
-
-    /// The k at which the curve has the value `mu`, if there is one.
-    pub fn k_at(&self, mu: f64) -> Option<f64> {
-        let k = match *self {
-            Curve::Line { slope, intercept } => (mu - intercept) / slope,
-            Curve::Hyperbola { a, b, c, d } => (b - mu * d) / (mu * c - a),
-        };
-        k.is_finite().then_some(k)
     }
 }
 
@@ -202,14 +143,14 @@ pub struct NamedPoint {
 }
 
 impl Chart {
-    /// The plane for γ = `slenderness` and k' = `elevation`, any real number.
+    /// The plane for γ and k', any real number.
     ///
     /// # Errors
-    /// If a number is not finite or `slenderness` is not above zero.
-    pub fn new(slenderness: f64, elevation: f64) -> Result<Chart, InputError> {
+    /// If a number is not finite or `gamma` is not above zero.
+    pub fn new(gamma: f64, k_prime: f64) -> Result<Chart, InputError> {
         Ok(Chart {
-            gamma: InputError::positive("slenderness γ", slenderness)?,
-            k_prime: InputError::finite("elevation k'", elevation)?,
+            gamma: InputError::positive(Quantity::Slenderness, gamma)?,
+            k_prime: InputError::finite(Quantity::KPrime, k_prime)?,
         })
     }
 
@@ -218,12 +159,12 @@ impl Chart {
     }
 
     /// γ = H/B.
-    pub fn slenderness(&self) -> f64 {
+    pub fn gamma(&self) -> f64 {
         self.gamma
     }
 
     /// k'.
-    pub fn elevation(&self) -> f64 {
+    pub fn k_prime(&self) -> f64 {
         self.k_prime
     }
 
@@ -235,18 +176,18 @@ impl Chart {
 
     /// The report's case, computed in f64: within rounding of a threshold, where neighbouring cases draw the same
     /// picture, it may be either. Modes do not depend on it.
-    pub fn case(&self) -> Case {
+    pub fn case(&self) -> ChartCase {
         let Chart { gamma: γ, k_prime } = *self;
         if k_prime < -1.0 {
-            Case::BelowBase
+            ChartCase::BelowBase
         } else if k_prime < 0.0 {
-            if self.delta() > 0.0 { Case::DeltaPositive } else { Case::DeltaNotPositive }
+            if self.delta() > 0.0 { ChartCase::DeltaPositive } else { ChartCase::DeltaNotPositive }
         } else if 3.0 * γ * γ * k_prime <= 1.0 + γ * γ {
-            Case::OneA
+            ChartCase::OneA
         } else if 3.0 * γ * γ * k_prime <= 4.0 + γ * γ {
-            Case::OneB
+            ChartCase::OneB
         } else {
-            Case::TwoThree
+            ChartCase::TwoThree
         }
     }
 
@@ -314,7 +255,7 @@ impl Chart {
     /// k_E = b/|a|, the zero of μ*, for k' > 0 and a < 0; infinite otherwise.
     pub fn k_e(&self) -> f64 {
         let [a, b, ..] = self.coefficients();
-        if self.case() == Case::TwoThree { -b / a } else { f64::INFINITY }
+        if self.case() == ChartCase::TwoThree { -b / a } else { f64::INFINITY }
     }
 
     /// k_B' = (1+γ²)/(3γ|k'|) (4.48), for k' < 0; it lies right of A only if Δ > 0. Infinite for k' ≥ 0.
@@ -344,13 +285,13 @@ impl Chart {
     /// The named point, if this chart has it. A point beyond 1e100, as D for k' next to zero, counts as none.
     pub fn point(&self, name: PointName) -> Option<NamedPoint> {
         let case = self.case();
-        let below = matches!(case, Case::DeltaPositive | Case::DeltaNotPositive);
+        let below = matches!(case, ChartCase::DeltaPositive | ChartCase::DeltaNotPositive);
         let (k, mu) = match name {
             PointName::A => (self.k_a(), self.k_a()),
             PointName::C if self.k_prime >= 0.0 => (0.0, 1.0 / self.gamma),
             PointName::D => (self.k_d(), 0.0),
-            PointName::E if case == Case::TwoThree => (self.k_e(), 0.0),
-            PointName::BPrime if case == Case::DeltaPositive => (self.k_b_prime(), self.mu_b_prime()),
+            PointName::E if case == ChartCase::TwoThree => (self.k_e(), 0.0),
+            PointName::BPrime if case == ChartCase::DeltaPositive => (self.k_b_prime(), self.mu_b_prime()),
             PointName::CPrime if below => (self.k_c_prime(), self.lower_line().at(self.k_c_prime())),
             PointName::F if below => {
                 let [a, b, ..] = self.coefficients();

@@ -1,8 +1,9 @@
 //! How far a point is from another mode: the forces and the frictions at which the mode changes.
 
-use super::{Case, Chart, Curve, Point};
+use super::{Chart, ChartCase, Point};
 use crate::error::LARGEST;
 use crate::mode::Mode;
+use crate::region::Curve;
 
 /// A change of mode along a line of the k–μ plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,10 +30,19 @@ pub struct Crossing {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Margins {
     /// As the force k grows from zero, at the point's friction.
-    pub along_force: Vec<Crossing>,
+    pub along_k: Vec<Crossing>,
     /// As the friction μ grows from zero, at the point's force.
-    pub along_friction: Vec<Crossing>,
+    pub along_mu: Vec<Crossing>,
     point: Point,
+}
+
+/// The changes of mode on either side of a value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// The nearest below, if there is one.
+    pub below: Option<Crossing>,
+    /// The nearest above, if there is one.
+    pub above: Option<Crossing>,
 }
 
 impl Margins {
@@ -45,8 +55,8 @@ impl Margins {
         let forces = curves.iter().filter_map(|curve| curve.k_at(mu)).chain([point.chart().k_a()]);
         let frictions = curves.iter().map(|curve| curve.at(k));
         Margins {
-            along_force: crossings(forces, k, |k| mode(k, mu)),
-            along_friction: crossings(frictions, mu, |mu| mode(k, mu)),
+            along_k: crossings(forces, k, |k| mode(k, mu)),
+            along_mu: crossings(frictions, mu, |mu| mode(k, mu)),
             point: *point,
         }
     }
@@ -54,28 +64,28 @@ impl Margins {
     /// Where the body first leaves rest as the force grows, and into which mode. `None` if no force up to 1e50 moves
     /// it: one through the base (k' = −1) against as much friction.
     pub fn leaves_rest(&self) -> Option<Crossing> {
-        self.along_force.first().copied()
+        self.along_k.first().copied()
     }
 
     /// The nearest changes of mode below and above the point's force. A point on a boundary is at the end of the
     /// interval whose mode it has.
-    pub fn force_bounds(&self) -> (Option<Crossing>, Option<Crossing>) {
-        bounds(&self.along_force, self.point.k, self.point.mode())
+    pub fn k_bounds(&self) -> Bounds {
+        bounds(&self.along_k, self.point.k, self.point.mode())
     }
 
     /// The nearest changes of mode below and above the point's friction, likewise.
-    pub fn friction_bounds(&self) -> (Option<Crossing>, Option<Crossing>) {
-        bounds(&self.along_friction, self.point.mu, self.point.mode())
+    pub fn mu_bounds(&self) -> Bounds {
+        bounds(&self.along_mu, self.point.mu, self.point.mode())
     }
 }
 
-fn bounds(crossings: &[Crossing], value: f64, mode: Mode) -> (Option<Crossing>, Option<Crossing>) {
+fn bounds(crossings: &[Crossing], value: f64, mode: Mode) -> Bounds {
     // A crossing within rounding of the value lies below it if it leads into the point's mode.
     let near = |at: f64| (at - value).abs() <= NEAR * value;
     let is_below =
         |crossing: &Crossing| if near(crossing.at) { crossing.to == mode } else { crossing.at < value };
     let above = crossings.iter().position(|crossing| !is_below(crossing)).unwrap_or(crossings.len());
-    (above.checked_sub(1).map(|below| crossings[below]), crossings.get(above).copied())
+    Bounds { below: above.checked_sub(1).map(|below| crossings[below]), above: crossings.get(above).copied() }
 }
 
 /// Two values of k or μ that are this close, relatively, may be one crossing computed in two ways.
@@ -85,8 +95,8 @@ const NEAR: f64 = 16.0 * f64::EPSILON;
 fn boundary_curves(chart: &Chart) -> Vec<Curve> {
     let mut curves = vec![Curve::DIAGONAL, chart.upper_line(), chart.lower_line()];
     match chart.case() {
-        Case::BelowBase => curves.push(chart.mu_star_star()),
-        Case::TwoThree => curves.extend([chart.mu_star(), chart.mu_star_rising()]),
+        ChartCase::BelowBase => curves.push(chart.mu_star_star()),
+        ChartCase::TwoThree => curves.extend([chart.mu_star(), chart.mu_star_rising()]),
         _ => curves.push(chart.mu_star()),
     }
     curves

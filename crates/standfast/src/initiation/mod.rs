@@ -15,10 +15,10 @@
 //!
 //! | symbol | identifier | meaning |
 //! |---|---|---|
-//! | γ | `slenderness` | H/B |
-//! | k' | `elevation` | height of the force above C, in H |
-//! | k | `force` | F/(m g) |
-//! | μ | `friction` | Coulomb friction, static and kinetic |
+//! | γ | `gamma` | H/B |
+//! | k' | `k_prime` | height of the force above C, in H |
+//! | k | `k` | F/(m g) |
+//! | μ | `mu` | Coulomb friction, static and kinetic |
 //!
 //! Everything is non-dimensional: lengths in B, accelerations in g, angular acceleration in g/B, forces in m g.
 //! With a, b, c, d of the [`Chart`], one decision covers chapters III and IV of the report, in this order:
@@ -52,13 +52,17 @@ mod margins;
 mod onset;
 mod trace;
 
-pub use chart::{Case, Chart, Curve, NamedPoint, PointName};
-pub use margins::{Crossing, Margins};
-pub use trace::{Relation, Sign, Step, Trace};
+pub use chart::{Chart, ChartCase, NamedPoint, PointName};
+pub use margins::{Bounds, Crossing, Margins};
+pub use trace::{Step, Trace};
 
+use crate::approx::Approx;
+use crate::contact;
 use crate::error::InputError;
+use crate::exact::{Exact, Real};
 use crate::mode::{Mode, Modes};
 use crate::motion::Motion;
+use crate::quantity::Quantity;
 use crate::sign::{self, Need, Polynomials, signed_slenderness};
 
 /// A body and a force, reduced to the report's four numbers: a point of the k–μ plane for (γ, k').
@@ -71,37 +75,36 @@ pub struct Point {
 }
 
 impl Point {
-    /// The point (k, μ) = (`force`, `friction`) for γ = `slenderness` and k' = `elevation`.
+    /// The point (k, μ) of the plane for γ and k'.
     ///
     /// # Errors
-    /// If a number is not finite or larger than 1e50, `slenderness` is not above zero (1e-50), or `force` or
-    /// `friction` is negative.
-    pub fn new(slenderness: f64, elevation: f64, force: f64, friction: f64) -> Result<Point, InputError> {
+    /// If a number is not finite or larger than 1e50, `gamma` is not above zero (1e-50), or `k` or `mu` is negative.
+    pub fn new(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Result<Point, InputError> {
         Ok(Point {
-            gamma: InputError::positive("slenderness γ", slenderness)?,
-            k_prime: InputError::finite("elevation k'", elevation)?,
-            k: InputError::not_negative("force k", force)?,
-            mu: InputError::not_negative("friction μ", friction)?,
+            gamma: InputError::positive(Quantity::Slenderness, gamma)?,
+            k_prime: InputError::finite(Quantity::KPrime, k_prime)?,
+            k: InputError::not_negative(Quantity::K, k)?,
+            mu: InputError::not_negative(Quantity::Friction, mu)?,
         })
     }
 
     /// γ = H/B.
-    pub fn slenderness(&self) -> f64 {
+    pub fn gamma(&self) -> f64 {
         self.gamma
     }
 
     /// k': height of the force above the centre of mass, in H.
-    pub fn elevation(&self) -> f64 {
+    pub fn k_prime(&self) -> f64 {
         self.k_prime
     }
 
     /// k = F/(m g).
-    pub fn force(&self) -> f64 {
+    pub fn k(&self) -> f64 {
         self.k
     }
 
     /// μ.
-    pub fn friction(&self) -> f64 {
+    pub fn mu(&self) -> f64 {
         self.mu
     }
 
@@ -120,8 +123,7 @@ impl Point {
     ///
     /// Empty except in the indeterminate set
     /// N = {−1 < k' < 0, k > k_A, k ≥ k_B', μ*(k) ≤ μ ≤ 1/γ − k k'}, where it holds RO, and inside N also SRO-.
-    /// It is decided exactly. An independent enumeration is
-    /// [`contact::enumerate`](crate::contact::enumerate).
+    /// It is decided exactly. An independent witness is [`enumerate`].
     pub fn others(&self) -> Modes {
         let mut others = Modes::NONE;
         if self.k_prime <= -1.0 || self.k_prime >= 0.0 {
@@ -195,10 +197,24 @@ impl Point {
     }
 }
 
-/// The mode that begins at γ = `slenderness`, k' = `elevation`, k = `force`, μ = `friction`.
+/// The mode that begins at γ, k', k and μ.
 ///
 /// # Errors
 /// As [`Point::new`].
-pub fn classify(slenderness: f64, elevation: f64, force: f64, friction: f64) -> Result<Mode, InputError> {
-    Ok(Point::new(slenderness, elevation, force, friction)?.mode())
+pub fn classify(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Result<Mode, InputError> {
+    Ok(Point::new(gamma, k_prime, k, mu)?.mode())
+}
+
+/// Every consistent mode at a point, by trying the modes of the [general contact problem](crate::contact) one by one: an
+/// exact witness of [`Point::mode`] and [`Point::others`] that shares no formula with them.
+pub fn enumerate(point: &Point) -> Modes {
+    // ρ² = (1+γ²)/3 is no f64, but modes do not change if all inertia is trebled.
+    fn numbers<T: Real>(point: &Point) -> contact::Numbers<T> {
+        let [γ, k_prime, k, μ] = [point.gamma, point.k_prime, point.k, point.mu].map(T::of);
+        let [one, three] = [1.0, 3.0].map(T::of);
+        let m = k.clone() * k_prime * γ.clone();
+        let rho2 = one.clone() + γ.clone() * γ.clone();
+        [one.clone(), one.clone(), γ, rho2, three.clone(), three, μ.clone(), μ, -k, one, m]
+    }
+    contact::decide(|| numbers::<Approx>(point), || numbers::<Exact>(point)).modes
 }

@@ -1,9 +1,8 @@
 //! A verdict explained: each mode's inequalities in the order they are tried, with the report's equation numbers.
 
-use std::cmp::Ordering;
-
 use super::{Chart, Point};
 use crate::mode::{Mode, Modes};
+use crate::relation::{Relation, Sign};
 use crate::sign::{Need, Polynomials};
 
 /// The modes tried in turn, up to the one that holds.
@@ -40,95 +39,6 @@ pub struct Step {
     pub relations: Vec<Relation>,
     /// Whether they do.
     pub holds: bool,
-}
-
-/// The sign of an inequality.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Sign {
-    /// <
-    Less,
-    /// ≤
-    LessOrEqual,
-    /// ≥
-    GreaterOrEqual,
-    /// >
-    Greater,
-}
-
-impl Sign {
-    /// Whether the inequality holds, for a left side that stands to the right side as `ordering` says.
-    fn holds(self, ordering: Ordering) -> bool {
-        match self {
-            Sign::Less => ordering.is_lt(),
-            Sign::LessOrEqual => ordering.is_le(),
-            Sign::GreaterOrEqual => ordering.is_ge(),
-            Sign::Greater => ordering.is_gt(),
-        }
-    }
-}
-
-impl std::fmt::Display for Sign {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Sign::Less => "<",
-            Sign::LessOrEqual => "≤",
-            Sign::GreaterOrEqual => "≥",
-            Sign::Greater => ">",
-        })
-    }
-}
-
-/// An inequality between a coordinate of the point and a bound.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Relation {
-    /// The report's equation number, or where the bound comes from.
-    pub equation: &'static str,
-    /// The symbol left of the sign: `μ` or `k`.
-    pub quantity: &'static str,
-    /// Its value.
-    pub left: f64,
-    /// The sign between them.
-    pub sign: Sign,
-    /// The bound in symbols, e.g. `1/γ − k k'`.
-    pub bound: &'static str,
-    /// Its value.
-    pub right: f64,
-    /// Whether it holds, decided exactly.
-    pub holds: bool,
-}
-
-impl Relation {
-    /// The inequality in symbols, e.g. `μ ≥ k`.
-    pub fn statement(&self) -> String {
-        format!("{} {} {}", self.quantity, self.sign, self.bound)
-    }
-
-    /// How far `left` is on the right side of `right`: negative where the inequality does not hold.
-    pub fn margin(&self) -> f64 {
-        match self.sign {
-            Sign::Less | Sign::LessOrEqual => self.right - self.left,
-            Sign::GreaterOrEqual | Sign::Greater => self.left - self.right,
-        }
-    }
-}
-
-impl std::fmt::Display for Relation {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Relation { equation, left, sign, right, holds, .. } = *self;
-        let statement = self.statement();
-        let verb = if holds { "holds" } else { "fails" };
-        let (left, right, margin) = (digits(left), digits(right), digits(self.margin().abs()));
-        write!(f, "({equation}) {statement}: {left} {sign} {right}, {verb} by {margin}")
-    }
-}
-
-/// Six significant digits, without trailing zeros.
-fn digits(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return x.to_string();
-    }
-    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    if (1e-4..1e7).contains(&rounded.abs()) { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 /// The equation numbers of one chapter.

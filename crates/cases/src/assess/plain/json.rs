@@ -51,7 +51,7 @@ fn load_answer<'a>(
     files: &'a [String],
 ) -> LoadAnswer<'a> {
     let point = &load.reduced.point;
-    let plane = plain.plane_of(point.elevation());
+    let plane = plain.plane_of(point.k_prime());
     LoadAnswer {
         name: load.name.as_deref(),
         force: load.force.magnitude(),

@@ -61,8 +61,8 @@ fn summary(case: &Case, scale: &Scale) -> String {
             load_name(case, i),
             digits(load.force.magnitude() / 1e3),
             digits(load.force.elevation()),
-            digits(point.force()),
-            digits(point.elevation()),
+            digits(point.k()),
+            digits(point.k_prime()),
             load.reduced.mode().symbol(),
             digits(point.safety_against_sliding()),
             digits(point.safety_against_overturning()),
@@ -84,10 +84,10 @@ fn details(case: &Case, load: &Load, scale: &Scale) -> String {
     let rows = [
         row!["force F", format!("{} {arrow} {towards}", kilonewtons(load.force.magnitude()))],
         row!["elevation", format!("{} m above the base", digits(load.force.elevation()))],
-        row!["k", format!("{} (of the weight)", digits(point.force()))],
+        row!["k", format!("{} (of the weight)", digits(point.k()))],
         row![
             "k'",
-            format!("{} ({} m {side} the centre of mass)", digits(point.elevation()), digits(above.abs()))
+            format!("{} ({} m {side} the centre of mass)", digits(point.k_prime()), digits(above.abs()))
         ],
     ];
     let mut text = columns(&rows, 2, &[]);

@@ -102,9 +102,9 @@ fn details(case: &Case, assessed: &Assessed) -> String {
             text += "\nIn the report's diagram, with effective coordinates\n";
             let point = &reduced.point;
             let rows = [
-                row!["k_eff", "|X|/P", digits(point.force())],
-                row!["k'_eff", "−M/(X H)", digits(point.elevation())],
-                row!["μ", "", digits(point.friction())],
+                row!["k_eff", "|X|/P", digits(point.k())],
+                row!["k'_eff", "−M/(X H)", digits(point.k_prime())],
+                row!["μ", "", digits(point.mu())],
             ];
             text += &columns(&rows, 2, &[]);
             if reduced.mirrored {

@@ -5,6 +5,7 @@ use crate::error::InputError;
 use crate::initiation::Point;
 use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
+use crate::quantity::Quantity;
 
 /// A horizontal force per metre run of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,8 +22,8 @@ impl HorizontalForce {
     /// If the magnitude is negative, or a number is not finite.
     pub fn new(magnitude: f64, elevation: f64, direction: Slip) -> Result<HorizontalForce, InputError> {
         Ok(HorizontalForce {
-            magnitude: InputError::not_negative("force", magnitude)?,
-            elevation: InputError::finite("elevation of the force", elevation)?,
+            magnitude: InputError::not_negative(Quantity::Force, magnitude)?,
+            elevation: InputError::finite(Quantity::ForceElevation, elevation)?,
             direction,
         })
     }
@@ -48,7 +49,7 @@ impl HorizontalForce {
     /// # Errors
     /// If `friction` is negative or not finite, `gravity` not above zero, or the reduced numbers overflow.
     pub fn reduce(&self, body: &Body, friction: f64, gravity: f64) -> Result<Reduced, InputError> {
-        let gravity = InputError::positive("gravity", gravity)?;
+        let gravity = InputError::positive(Quantity::Gravity, gravity)?;
         let half_height = body.height() / 2.0;
         let k = self.magnitude / (body.mass() * gravity);
         let k_prime = (self.elevation - half_height) / half_height;
@@ -79,11 +80,11 @@ impl Reduced {
         mass: f64,
         gravity: f64,
     ) -> Result<(Body, HorizontalForce), InputError> {
-        let gravity = InputError::positive("gravity", gravity)?;
-        let body = Body::new(width, self.point.slenderness() * width, mass)?;
+        let gravity = InputError::positive(Quantity::Gravity, gravity)?;
+        let body = Body::new(width, self.point.gamma() * width, mass)?;
         let direction = if self.mirrored { Slip::Right } else { Slip::Left };
-        let magnitude = self.point.force() * mass * gravity;
-        let elevation = (1.0 + self.point.elevation()) * body.height() / 2.0;
+        let magnitude = self.point.k() * mass * gravity;
+        let elevation = (1.0 + self.point.k_prime()) * body.height() / 2.0;
         Ok((body, HorizontalForce::new(magnitude, elevation, direction)?))
     }
 

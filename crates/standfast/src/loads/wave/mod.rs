@@ -52,6 +52,7 @@ pub use heights::{BreakingTerms, DesignHeights};
 pub use warning::Warning;
 
 use crate::error::InputError;
+use crate::quantity::{Expected, Quantity};
 
 /// The sea in front of the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,18 +120,12 @@ impl Default for Choices {
 
 impl Sea {
     fn check(&self) -> Result<(), InputError> {
-        InputError::positive("water depth", self.water_depth)?;
-        InputError::not_negative("sea bottom slope", self.sea_bottom_slope)?;
-        InputError::positive("wave period", self.period)?;
-        InputError::within(
-            "wave angle",
-            self.angle_deg,
-            0.0,
-            90.0,
-            "from 0 to 90 degrees from the wall's normal",
-        )?;
-        InputError::positive("water density", self.water_density)?;
-        InputError::positive("gravity", self.gravity)?;
+        InputError::positive(Quantity::WaterDepth, self.water_depth)?;
+        InputError::not_negative(Quantity::SeaBottomSlope, self.sea_bottom_slope)?;
+        InputError::positive(Quantity::WavePeriod, self.period)?;
+        InputError::within(Quantity::WaveAngle, self.angle_deg, 0.0, 90.0, Expected::RightAngleAtMost)?;
+        InputError::positive(Quantity::WaterDensity, self.water_density)?;
+        InputError::positive(Quantity::Gravity, self.gravity)?;
         Ok(())
     }
 }
@@ -139,14 +134,14 @@ impl Heights {
     fn check(&self) -> Result<(), InputError> {
         match *self {
             Heights::DeepWater(height) => {
-                InputError::positive("deep-water wave height", height)?;
+                InputError::positive(Quantity::DeepWaterHeight, height)?;
             }
             Heights::Local { significant, maximum } => {
-                InputError::positive("significant wave height", significant)?;
-                InputError::positive("maximum wave height", maximum)?;
+                InputError::positive(Quantity::SignificantHeight, significant)?;
+                InputError::positive(Quantity::MaximumHeight, maximum)?;
                 if maximum < significant {
-                    let expected = "no less than the significant wave height";
-                    return Err(InputError { quantity: "maximum wave height", value: maximum, expected });
+                    let expected = Expected::NotBelowSignificantHeight;
+                    return Err(InputError::new(Quantity::MaximumHeight, maximum, expected));
                 }
             }
         }
@@ -156,36 +151,31 @@ impl Heights {
 
 impl Section {
     fn check(&self, sea: &Sea) -> Result<(), InputError> {
-        InputError::positive("depth of the base", self.base_depth)?;
-        InputError::positive("depth above the berm", self.depth_above_berm)?;
+        InputError::positive(Quantity::BaseDepth, self.base_depth)?;
+        InputError::positive(Quantity::BermDepth, self.depth_above_berm)?;
         if self.depth_above_berm > sea.water_depth {
-            let expected = "no more than the water depth: the berm lies on the sea bed";
-            return Err(InputError {
-                quantity: "depth above the berm",
-                value: self.depth_above_berm,
-                expected,
-            });
+            let expected = Expected::NotBelowSeaBed;
+            return Err(InputError::new(Quantity::BermDepth, self.depth_above_berm, expected));
         }
-        InputError::finite("crest height", self.crest_height)?;
+        InputError::finite(Quantity::CrestHeight, self.crest_height)?;
         if self.crest_height <= 0.0 {
-            let expected = "above zero: the crest has to stand above still water";
-            return Err(InputError { quantity: "crest height", value: self.crest_height, expected });
+            let expected = Expected::AboveStillWater;
+            return Err(InputError::new(Quantity::CrestHeight, self.crest_height, expected));
         }
-        InputError::not_negative("berm width", self.berm_width)?;
-        InputError::positive("caisson width", self.caisson_width)?;
+        InputError::not_negative(Quantity::BermWidth, self.berm_width)?;
+        InputError::positive(Quantity::CaissonWidth, self.caisson_width)?;
         Ok(())
     }
 }
 
 impl Choices {
     fn check(&self) -> Result<(), InputError> {
-        for (name, factor) in
-            ["factor lambda1", "factor lambda2", "factor lambda3"].into_iter().zip(self.lambda)
-        {
-            InputError::not_negative(name, factor)?;
+        let factors = [Quantity::Lambda1, Quantity::Lambda2, Quantity::Lambda3].into_iter().zip(self.lambda);
+        for (factor, value) in factors {
+            InputError::not_negative(factor, value)?;
         }
-        InputError::positive("factor lambda1", self.lambda[0])?;
-        InputError::within("turn of the waves", self.turn_deg, 0.0, 15.0, "from 0 to 15 degrees")?;
+        InputError::positive(Quantity::Lambda1, self.lambda[0])?;
+        InputError::within(Quantity::WaveTurn, self.turn_deg, 0.0, 15.0, Expected::FifteenDegreesAtMost)?;
         Ok(())
     }
 }

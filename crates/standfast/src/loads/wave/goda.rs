@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use super::heights::breaking_depth;
 use super::{Choices, DesignHeights, Heights, Sea, Section, Warning, deep_water_wavelength, wavelength};
+use crate::body::Body;
 use crate::error::InputError;
+use crate::loads::{Action, Face, Load, LoadKind, LoadSource, PressureDiagram};
 
 /// Goda's pressures on a wall and everything they were computed from; SI units, per metre run. Fields carry the names
 /// of the [module's table](super).
@@ -162,6 +164,20 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     };
     goda.warnings = Warning::all(sea, heights, section, &goda);
     Ok(goda)
+}
+
+impl Goda {
+    /// The pressures as loads on `body`, whose base lies `base_depth` below still water (m): on its right side, and under its
+    /// base.
+    pub fn loads(&self, body: &Body, base_depth: f64) -> [Load; 2] {
+        let Goda { p1, p3, p4, pu, h_c_star, .. } = *self;
+        let diagram = PressureDiagram::through([(0.0, p3), (base_depth, p1), (base_depth + h_c_star, p4)]);
+        let wall = Action::Pressure { face: Face::Right, diagram };
+        [
+            Load::variable(LoadSource::WavePressure, LoadKind::Horizontal, wall),
+            Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, Action::base_pressure(body, 0.0, pu)),
+        ]
+    }
 }
 
 impl Impulsive {

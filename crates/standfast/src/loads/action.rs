@@ -1,0 +1,296 @@
+//! What acts on a body, and where: the wrench at the centre of mass follows, for any pose of the body.
+//!
+//! ```text
+//!         ┌────────Top────────┐
+//!         │                   │ ◄─ p(y)      y ▲
+//!    Left │         C         │ ◄──            │   frame of the body:
+//!         │                   │ ◄─── Right     └──► x, from mid-width
+//!         └─O──────Base──────O'                     at the base
+//!           ▲  ▲  ▲  ▲  ▲  ▲  p(s), s from O
+//! ```
+//!
+//! Weight, forces and forces of inertia keep their direction in space while the body turns; pressures turn with the face
+//! they press on.
+//!
+//! A pressure linear from p₁ at s₁ to p₂ at s₂ adds up to
+//!
+//! ```text
+//! F = (p₁ + p₂)/2 (s₂ − s₁)        S = ∫p s ds = (s₂ − s₁)/6 [p₁(2s₁ + s₂) + p₂(s₁ + 2s₂)]
+//! ```
+
+use crate::body::Body;
+use crate::error::InputError;
+use crate::quantity::{Expected, Quantity};
+use crate::wrench::Wrench;
+
+/// A place on the body, in the frame of the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// To the right of mid-width, m.
+    pub x: f64,
+    /// Above the base, m.
+    pub y: f64,
+}
+
+/// How a body stands: turned about its centre of mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    /// Rotation, counter-clockwise, rad.
+    pub theta: f64,
+}
+
+impl Pose {
+    /// On its base.
+    pub const UPRIGHT: Pose = Pose { theta: 0.0 };
+}
+
+/// A face of the body. Pressure pushes against it, inwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// The left side; positions are heights above the base.
+    Left,
+    /// The right side; positions are heights above the base.
+    Right,
+    /// The base; positions are distances to the right of O.
+    Base,
+    /// The top; positions are distances to the right of its left edge.
+    Top,
+}
+
+/// A pressure at a position on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PressureAt {
+    /// See [`Face`], m.
+    pub position: f64,
+    /// Pa.
+    pub pressure: f64,
+}
+
+/// A pressure along a face, linear from point to point; nothing outside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PressureDiagram {
+    points: Vec<PressureAt>,
+}
+
+impl PressureDiagram {
+    /// A pressure through these points.
+    ///
+    /// # Errors
+    /// If a number is not finite, or a position lies before the one it follows. At one position the pressure may jump.
+    pub fn new(points: Vec<PressureAt>) -> Result<PressureDiagram, InputError> {
+        let mut before = f64::NEG_INFINITY;
+        for PressureAt { position, pressure } in &points {
+            InputError::finite(Quantity::PressurePosition, *position)?;
+            InputError::finite(Quantity::Pressure, *pressure)?;
+            if *position < before {
+                return Err(InputError::new(Quantity::PressurePosition, *position, Expected::InOrder));
+            }
+            before = *position;
+        }
+        Ok(PressureDiagram { points })
+    }
+
+    /// A pressure through points that are known to be in order.
+    pub(super) fn through(points: impl IntoIterator<Item = (f64, f64)>) -> PressureDiagram {
+        let points = points.into_iter().map(|(position, pressure)| PressureAt { position, pressure });
+        PressureDiagram { points: points.collect() }
+    }
+
+    /// The points.
+    pub fn points(&self) -> &[PressureAt] {
+        &self.points
+    }
+
+    /// ∫p ds (N per metre run), and ∫p s ds (N·m per metre run), about the origin of positions.
+    fn resultant(&self) -> (f64, f64) {
+        self.points.windows(2).fold((0.0, 0.0), |(force, moment), pair| {
+            let [PressureAt { position: s1, pressure: p1 }, PressureAt { position: s2, pressure: p2 }] =
+                [pair[0], pair[1]];
+            let length = s2 - s1;
+            let lever = p1 * (2.0 * s1 + s2) + p2 * (s1 + 2.0 * s2);
+            (force + (p1 + p2) / 2.0 * length, moment + lever / 6.0 * length)
+        })
+    }
+}
+
+/// What acts on a body, and where.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Action {
+    /// m g, at the centre of mass.
+    Weight,
+    /// A force at a place of the body, its direction fixed in space; N per metre run.
+    Force {
+        /// Where it acts.
+        at: Place,
+        /// To the right.
+        right: f64,
+        /// Upwards.
+        up: f64,
+    },
+    /// A pressure on a face.
+    Pressure {
+        /// The face.
+        face: Face,
+        /// Along it.
+        diagram: PressureDiagram,
+    },
+    /// The body's inertia against an acceleration of its base, m/s²: its motion is then the one relative to the base.
+    Inertia {
+        /// Of the base, to the right.
+        right: f64,
+        /// Of the base, upwards.
+        up: f64,
+    },
+    /// Any wrench at the centre of mass, its direction fixed in space.
+    Resultant(Wrench),
+}
+
+impl From<Wrench> for Action {
+    fn from(wrench: Wrench) -> Action {
+        Action::Resultant(wrench)
+    }
+}
+
+impl Action {
+    /// A horizontal force `right` (N per metre run, to the right) at `elevation` above the base (m).
+    pub fn horizontal(right: f64, elevation: f64) -> Action {
+        Action::Force { at: Place { x: 0.0, y: elevation }, right, up: 0.0 }
+    }
+
+    /// A vertical force `down` (N per metre run) at `arm` to the right of O (m) and at the height of the centre of mass.
+    pub fn vertical(body: &Body, down: f64, arm: f64) -> Action {
+        let at = Place { x: arm - body.base_edges().left, y: body.centroid_height() };
+        Action::Force { at, right: 0.0, up: -down }
+    }
+
+    /// A pressure under the base, linear between `left` at O and `right` at O' (Pa).
+    pub fn base_pressure(body: &Body, left: f64, right: f64) -> Action {
+        let diagram = PressureDiagram::through([(0.0, left), (body.base_width(), right)]);
+        Action::Pressure { face: Face::Base, diagram }
+    }
+
+    /// The wrench at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
+    pub fn wrench(&self, body: &Body, gravity: f64, pose: Pose) -> Wrench {
+        let (sin, cos) = pose.theta.sin_cos();
+        match self {
+            Action::Weight => Wrench { x: 0.0, p: body.mass() * gravity, m: 0.0 },
+            Action::Force { at, right, up } => {
+                let (x, y) = (at.x - body.centroid_offset(), at.y - body.centroid_height());
+                let (x, y) = (x * cos - y * sin, x * sin + y * cos);
+                Wrench { x: *right, p: 0.0 - up, m: x * up - y * right }
+            }
+            Action::Pressure { face, diagram } => {
+                let Wrench { x, p, m } = pressed(body, *face, diagram);
+                // The force turns with the face; its moment about C does not change.
+                Wrench { x: x * cos + p * sin, p: p * cos - x * sin, m }
+            }
+            Action::Inertia { right, up } => {
+                Wrench { x: 0.0 - body.mass() * right, p: body.mass() * up, m: 0.0 }
+            }
+            Action::Resultant(wrench) => *wrench,
+        }
+    }
+}
+
+/// The wrench of a pressure on a body that stands upright.
+fn pressed(body: &Body, face: Face, diagram: &PressureDiagram) -> Wrench {
+    let (force, moment) = diagram.resultant();
+    // About C: of a side by its height, of the base and the top by the distance to the right.
+    let about_height = moment - force * body.centroid_height();
+    match face {
+        Face::Left => Wrench { x: force, p: 0.0, m: 0.0 - about_height },
+        Face::Right => Wrench { x: 0.0 - force, p: 0.0, m: about_height },
+        Face::Base => Wrench { x: 0.0, p: 0.0 - force, m: moment - force * body.heel_distance() },
+        Face::Top => {
+            let from_left = body.width() / 2.0 + body.centroid_offset();
+            Wrench { x: 0.0, p: force, m: force * from_left - moment }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn body() -> Body {
+        Body::new(10.0, 8.0, 1e5).unwrap().with_base(4.0, 5.0).unwrap().with_centroid(0.5, 3.0).unwrap()
+    }
+
+    fn close(one: Wrench, two: Wrench) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (1.0 + b.abs());
+        near(one.x, two.x) && near(one.p, two.p) && near(one.m, two.m)
+    }
+
+    /// A pressure cut into many small forces that turn with the body has the wrench of the diagram, at any pose.
+    #[test]
+    fn a_pressure_is_the_sum_of_its_parts() {
+        let body = body();
+        let points = [(0.5, 3e3), (2.0, -1e3), (2.0, 5e3), (7.0, 2e3)];
+        let diagram = PressureDiagram::through(points);
+        let pressure = |s: f64| {
+            let pair = points.windows(2).find(|pair| pair[0].0 < s && s < pair[1].0);
+            pair.map_or(0.0, |pair| {
+                let ((s1, p1), (s2, p2)) = (pair[0], pair[1]);
+                p1 + (p2 - p1) * (s - s1) / (s2 - s1)
+            })
+        };
+        for face in [Face::Left, Face::Right, Face::Base, Face::Top] {
+            for theta in [0.0, 0.3, -1.1] {
+                let parts = 16_000;
+                let sum = (0..parts).map(|i| {
+                    let ds = 8.0 / f64::from(parts);
+                    let s = (f64::from(i) + 0.5) * ds;
+                    let force = pressure(s) * ds;
+                    let (at, right, up) = match face {
+                        Face::Left => (Place { x: -5.0, y: s }, force, 0.0),
+                        Face::Right => (Place { x: 5.0, y: s }, -force, 0.0),
+                        Face::Base => (Place { x: s - 4.0, y: 0.0 }, 0.0, force),
+                        Face::Top => (Place { x: s - 5.0, y: 8.0 }, 0.0, -force),
+                    };
+                    let (sin, cos) = f64::sin_cos(theta);
+                    let turned =
+                        Action::Force { at, right: right * cos - up * sin, up: right * sin + up * cos };
+                    turned.wrench(&body, 9.81, Pose { theta })
+                });
+                let whole = Action::Pressure { face, diagram: diagram.clone() };
+                let (sum, whole) = (sum.sum::<Wrench>(), whole.wrench(&body, 9.81, Pose { theta }));
+                let near = |a: f64, b: f64| (a - b).abs() < 1e-3 * 1e4;
+                assert!(
+                    near(sum.x, whole.x) && near(sum.p, whole.p) && near(sum.m, whole.m),
+                    "{face:?} {theta}"
+                );
+                // The middle points of linear pieces are exact but at the pieces' ends.
+                assert!((sum.m - whole.m).abs() < 2.0, "{face:?} {theta}: {} {}", sum.m, whole.m);
+            }
+        }
+    }
+
+    /// A force, the weight and inertia keep their direction; a quarter turn moves the arm of a force.
+    #[test]
+    fn forces_keep_their_direction() {
+        let body = body();
+        let quarter = Pose { theta: std::f64::consts::FRAC_PI_2 };
+        // 2 m above C: turned by 90° it lies 2 m to the left of C, where a push to the left has no moment.
+        let upright = Action::Force { at: Place { x: 0.5, y: 5.0 }, right: -100.0, up: 0.0 };
+        assert!(close(upright.wrench(&body, 9.81, Pose::UPRIGHT), Wrench { x: -100.0, p: 0.0, m: 200.0 }));
+        assert!(close(upright.wrench(&body, 9.81, quarter), Wrench { x: -100.0, p: 0.0, m: 0.0 }));
+        let lift = Action::Force { at: Place { x: 0.5, y: 5.0 }, right: 0.0, up: 100.0 };
+        assert!(close(lift.wrench(&body, 9.81, quarter), Wrench { x: 0.0, p: -100.0, m: -200.0 }));
+        for action in [Action::Weight, Action::Inertia { right: 2.0, up: -1.0 }] {
+            assert_eq!(action.wrench(&body, 9.81, quarter), action.wrench(&body, 9.81, Pose::UPRIGHT));
+        }
+    }
+
+    #[test]
+    fn positions_have_to_rise() {
+        let at = |position, pressure| PressureAt { position, pressure };
+        assert!(PressureDiagram::new(vec![at(0.0, 1.0), at(1.0, 2.0), at(1.0, 0.0)]).is_ok());
+        let error = PressureDiagram::new(vec![at(1.0, 1.0), at(0.5, 2.0)]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "position of a pressure is 0.5; expected positions that rise from point to point"
+        );
+        assert!(PressureDiagram::new(vec![at(0.0, f64::NAN)]).is_err());
+    }
+}

@@ -1,0 +1,88 @@
+//! A base that is shaken, and the water that moves with the body.
+
+use super::wave::{added_mass, added_mass_height};
+use super::{Action, Load, LoadKind, LoadSource};
+use crate::error::InputError;
+use crate::quantity::Quantity;
+
+/// An acceleration of the base, as forces of inertia: the motion that follows is the one relative to the base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Earthquake {
+    horizontal: f64,
+    vertical: f64,
+}
+
+/// Water that a horizontal motion carries along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AddedMass {
+    mass: f64,
+    height: Option<f64>,
+}
+
+impl Earthquake {
+    /// `horizontal` to the right, so that the force of inertia points left, and `vertical` upwards (m/s²).
+    ///
+    /// # Errors
+    /// If one of them is not finite.
+    pub fn new(horizontal: f64, vertical: f64) -> Result<Earthquake, InputError> {
+        let acceleration = |value| InputError::finite(Quantity::Acceleration, value);
+        Ok(Earthquake { horizontal: acceleration(horizontal)?, vertical: acceleration(vertical)? })
+    }
+
+    /// To the right, m/s².
+    pub fn horizontal(&self) -> f64 {
+        self.horizontal
+    }
+
+    /// Upwards, m/s².
+    pub fn vertical(&self) -> f64 {
+        self.vertical
+    }
+
+    /// Inertia of the body; against the shaken wall, water presses as if its mass were shaken, too.
+    pub fn loads(&self, water: &AddedMass) -> Vec<Load> {
+        use LoadKind::{Horizontal, Weight};
+        let inertia = |right, up| Action::Inertia { right, up };
+        let mut loads =
+            vec![Load::variable(LoadSource::HorizontalInertia, Horizontal, inertia(self.horizontal, 0.0))];
+        if let AddedMass { mass, height: Some(height) } = *water {
+            let push = Action::horizontal(0.0 - mass * self.horizontal, height);
+            loads.push(Load::variable(LoadSource::ShakenWater, Horizontal, push));
+        }
+        if self.vertical != 0.0 {
+            loads.push(Load::variable(LoadSource::VerticalInertia, Weight, inertia(0.0, self.vertical)));
+        }
+        loads
+    }
+}
+
+impl AddedMass {
+    /// No water.
+    pub const NONE: AddedMass = AddedMass { mass: 0.0, height: None };
+
+    /// A mass (kg per metre run) whose height is not known: the water's pressure on a shaken wall is then no load.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn of(mass: f64) -> Result<AddedMass, InputError> {
+        Ok(AddedMass { mass: InputError::not_negative(Quantity::AddedMass, mass)?, height: None })
+    }
+
+    /// Water of `density` (kg/m³) beside a wall, as deep as `depths` (m) on one side or on each of both.
+    pub fn beside(density: f64, depths: &[f64]) -> AddedMass {
+        let masses = || depths.iter().map(|&depth| (added_mass(1, density, depth), depth));
+        let mass: f64 = masses().map(|(mass, _)| mass).sum();
+        let moment: f64 = masses().map(|(mass, depth)| mass * added_mass_height(depth)).sum();
+        AddedMass { mass, height: (mass > 0.0).then(|| moment / mass) }
+    }
+
+    /// Its mass, kg per metre run.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Height above the base at which it presses on a shaken wall, m; `None` where the mass alone is given.
+    pub fn height(&self) -> Option<f64> {
+        self.height
+    }
+}

@@ -1,0 +1,94 @@
+//! Loads in SI units, each kept where it acts: what it amounts to at the centre of mass follows for any pose of the body.
+//!
+//! | question | start at |
+//! |---|---|
+//! | What acts where? | [`Action`], [`Load`] |
+//! | Still water on the sides and under the base | [`StillWater`] |
+//! | Pressures under the base | [`Uplift`] |
+//! | A base that is shaken; water that moves with the body | [`Earthquake`], [`AddedMass`] |
+//! | Waves by Goda's formulas | [`wave`] |
+//! | One horizontal force in the report's numbers | [`HorizontalForce`] |
+//!
+//! Each kind of load is a small checked type whose `loads` a [`Situation`](crate::Situation) takes. What a load means (is it
+//! there all the time? does it count as weight, uplift or push?) is decided here, once.
+
+mod action;
+mod earthquake;
+mod force;
+mod uplift;
+mod water;
+pub mod wave;
+
+pub use action::{Action, Face, Place, Pose, PressureAt, PressureDiagram};
+pub use earthquake::{AddedMass, Earthquake};
+pub use force::{HorizontalForce, Reduced};
+pub use uplift::Uplift;
+pub use water::StillWater;
+
+/// How a load counts among the [classical actions](crate::ClassicalActions).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+pub enum LoadKind {
+    /// Vertical: weight, buoyancy, vertical acceleration.
+    Weight,
+    /// Pressure under the base that is not buoyancy.
+    Uplift,
+    /// Horizontal: waves, water on the sides, forces, horizontal acceleration.
+    Horizontal,
+}
+
+/// Where a load comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[non_exhaustive]
+pub enum LoadSource {
+    /// m g.
+    Weight,
+    /// W', from which buoyancy is taken off already.
+    BuoyantWeight,
+    /// Still water under the base.
+    Buoyancy,
+    /// Still water on the sides.
+    StillWater,
+    /// Pressures under the base, as given.
+    Uplift,
+    /// The body's inertia against a horizontal acceleration of the base.
+    HorizontalInertia,
+    /// Water against the shaken wall.
+    ShakenWater,
+    /// The body's inertia against a vertical acceleration of the base.
+    VerticalInertia,
+    /// Waves on the wall.
+    WavePressure,
+    /// Waves under the base.
+    WaveUplift,
+    /// A force.
+    Force,
+    /// Anything else.
+    Other,
+}
+
+/// A load on a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Where it comes from.
+    pub source: LoadSource,
+    /// How it counts.
+    pub kind: LoadKind,
+    /// Whether it is there all the time, or grows with the load factor.
+    pub permanent: bool,
+    /// What acts where.
+    pub action: Action,
+}
+
+impl Load {
+    /// A load that is there all the time.
+    pub fn permanent(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
+        Load { source, kind, permanent: true, action: action.into() }
+    }
+
+    /// A load that grows with the load factor.
+    pub fn variable(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
+        Load { source, kind, permanent: false, action: action.into() }
+    }
+}

@@ -1,0 +1,46 @@
+//! Pressures under the base that are not buoyancy.
+
+use super::{Action, Load, LoadKind, LoadSource};
+use crate::body::Body;
+use crate::error::InputError;
+use crate::quantity::Quantity;
+
+/// A pressure under the base, linear from corner to corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Uplift {
+    left: f64,
+    right: f64,
+    grows: bool,
+}
+
+impl Uplift {
+    /// `left` at O and `right` at O' (Pa); whether it `grows` with the variable loads.
+    ///
+    /// # Errors
+    /// If a pressure is negative or not finite.
+    pub fn new(left: f64, right: f64, grows: bool) -> Result<Uplift, InputError> {
+        let pressure = |pressure| InputError::not_negative(Quantity::Pressure, pressure);
+        Ok(Uplift { left: pressure(left)?, right: pressure(right)?, grows })
+    }
+
+    /// At O, Pa.
+    pub fn left(&self) -> f64 {
+        self.left
+    }
+
+    /// At O', Pa.
+    pub fn right(&self) -> f64 {
+        self.right
+    }
+
+    /// Whether it grows with the variable loads.
+    pub fn grows(&self) -> bool {
+        self.grows
+    }
+
+    /// The load under `body`.
+    pub fn load(&self, body: &Body) -> Load {
+        let action = Action::base_pressure(body, self.left, self.right);
+        Load { permanent: !self.grows, ..Load::variable(LoadSource::Uplift, LoadKind::Uplift, action) }
+    }
+}

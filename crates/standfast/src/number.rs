@@ -1,0 +1,72 @@
+//! Numbers rounded for people, once for every face: text, figures, sheet and page differ in signs and type only.
+
+use std::fmt;
+
+/// A number in some significant digits, without trailing zeros; see [`significant`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Significant {
+    /// The digits with a plain minus sign: the whole number, or what stands before the power of ten. `inf`, `-inf` and
+    /// `NaN` for what has no digits.
+    pub mantissa: String,
+    /// The power of ten, for numbers that would be long without one.
+    pub exponent: Option<i32>,
+}
+
+/// `x` rounded to `count` significant digits; a power of ten below 10⁻⁴ and from 10⁷ on. −0 is 0.
+///
+/// ```
+/// use standfast::number::significant;
+///
+/// assert_eq!(significant(-3708.18, 4).to_string(), "-3708");
+/// assert_eq!(significant(1.23456e12, 4).to_string(), "1.235e12");
+/// ```
+pub fn significant(x: f64, count: usize) -> Significant {
+    // `+ 0.0` turns −0 into 0.
+    let rounded: f64 = format!("{x:.*e}", count.max(1) - 1).parse().unwrap_or(x) + 0.0;
+    if rounded == 0.0 || !rounded.is_finite() || (1e-4..1e7).contains(&rounded.abs()) {
+        return Significant { mantissa: rounded.to_string(), exponent: None };
+    }
+    let scientific = format!("{rounded:e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    Significant { mantissa: mantissa.to_owned(), exponent: exponent.parse().ok() }
+}
+
+impl fmt::Display for Significant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.exponent {
+            None => f.write_str(&self.mantissa),
+            Some(exponent) => write!(f, "{}e{exponent}", self.mantissa),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::significant;
+
+    #[test]
+    fn four_digits() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.6, "0.6"),
+            (1.0 / 3.0, "0.3333"),
+            (-3708.18, "-3708"),
+            (378_000.0, "378000"),
+            (12345.6, "12350"),
+            (9.81, "9.81"),
+            (0.99996, "1"),
+            (9_999_999.0, "1e7"),
+            (2.5e-7, "2.5e-7"),
+            (-1.23456e12, "-1.235e12"),
+            (1e-4, "0.0001"),
+            (f64::INFINITY, "inf"),
+            (f64::NEG_INFINITY, "-inf"),
+        ];
+        for (x, expected) in cases {
+            assert_eq!(significant(x, 4).to_string(), expected);
+        }
+        assert_eq!(significant(f64::NAN, 4).to_string(), "NaN");
+        assert_eq!(significant(123.456, 1).to_string(), "100");
+    }
+}

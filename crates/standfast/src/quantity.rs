@@ -1,0 +1,110 @@
+//! What an input is, and what it has to be: the vocabulary of [`InputError`](crate::InputError).
+
+use std::fmt;
+
+/// Defines an enum whose variants have words.
+macro_rules! worded {
+    ($(#[$meta:meta])* $name:ident { $($variant:ident => $words:literal,)* }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum $name {
+            $(#[doc = $words] $variant,)*
+        }
+
+        impl $name {
+            /// In words, as they stand in a message.
+            pub fn words(self) -> &'static str {
+                match self {
+                    $($name::$variant => $words,)*
+                }
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(self.words())
+            }
+        }
+    };
+}
+
+worded! {
+    /// A quantity that a caller gives.
+    Quantity {
+        Slenderness => "slenderness γ",
+        KPrime => "elevation k'",
+        K => "force k",
+        Friction => "friction μ",
+        KineticFriction => "kinetic friction",
+        Gravity => "gravity",
+        Width => "width",
+        Height => "height",
+        Mass => "mass",
+        Density => "density",
+        CentroidOffset => "offset of the centre of mass",
+        CentroidHeight => "height of the centre of mass",
+        BaseLeft => "left half of the base",
+        BaseRight => "right half of the base",
+        MomentOfInertia => "moment of inertia",
+        AddedMass => "added mass",
+        Force => "force",
+        ForceElevation => "elevation of the force",
+        BuoyantWeight => "buoyant weight",
+        WeightArm => "arm of the buoyant weight",
+        WaterLevel => "water level",
+        WaterDensity => "water density",
+        Pressure => "pressure",
+        PressurePosition => "position of a pressure",
+        Acceleration => "acceleration of the base",
+        LoadFactor => "load factor",
+        Turn => "rotation of the body",
+        WaterDepth => "water depth",
+        SeaBottomSlope => "sea bottom slope",
+        WavePeriod => "wave period",
+        WaveAngle => "wave angle",
+        WaveTurn => "turn of the waves",
+        DeepWaterHeight => "deep-water wave height",
+        SignificantHeight => "significant wave height",
+        MaximumHeight => "maximum wave height",
+        BaseDepth => "depth of the base",
+        BermDepth => "depth above the berm",
+        CrestHeight => "crest height",
+        BermWidth => "berm width",
+        CaissonWidth => "caisson width",
+        Lambda1 => "factor lambda1",
+        Lambda2 => "factor lambda2",
+        Lambda3 => "factor lambda3",
+        B1 => "distance b1 of O",
+        B2 => "distance b2 of O'",
+        D => "depth d of the base",
+        Rho2 => "square rho2 of the radius of gyration",
+        InertiaX => "inertia m_x",
+        InertiaY => "inertia m_y",
+        MuS => "static friction mu_s",
+        MuK => "kinetic friction mu_k",
+        WrenchX => "horizontal force x",
+        WrenchP => "vertical force p",
+        WrenchM => "moment m",
+    }
+}
+
+worded! {
+    /// What a quantity has to be.
+    Expected {
+        Finite => "a number from -1e50 to 1e50",
+        NotNegative => "a number from 0 to 1e50",
+        Positive => "a number above zero, from 1e-50 to 1e50",
+        BetweenCorners => "one that lies between O and O'",
+        NotAboveCrest => "no more than the height of the body: its crest has to stand above still water",
+        NotAboveStaticFriction => "no more than the friction to stick",
+        NotBelowKineticFriction => "no less than the kinetic friction mu_k",
+        RightAngleAtMost => "from 0 to 90 degrees from the wall's normal",
+        FifteenDegreesAtMost => "from 0 to 15 degrees",
+        NotBelowSignificantHeight => "no less than the significant wave height",
+        NotBelowSeaBed => "no more than the water depth: the berm lies on the sea bed",
+        AboveStillWater => "above zero: the crest has to stand above still water",
+        InOrder => "positions that rise from point to point",
+        OnTheFace => "a place on the face",
+    }
+}
