@@ -1,4 +1,4 @@
-//! The case file: a body, its friction and its loads, as a designer writes them.
+//! A case: one body and the loads on it, from typed [`Inputs`] that go together.
 //!
 //! ```
 //! let text = r#"
@@ -12,46 +12,28 @@
 //! force = "450 kN/m"
 //! elevation = "8 m"
 //! "#;
-//! let case = standfast_cases::Case::parse("case.toml", text)?;
+//! let case = standfast_cases::CaseFile::parse("case.toml", text)?.case()?;
 //! assert_eq!(case.body.mass(), 378_000.0);
-//! assert_eq!(case.loads[0].force.magnitude(), 450_000.0);
-//! assert!(case.is_plain());
-//! # Ok::<(), standfast_cases::CaseError>(())
+//! assert_eq!(case.forces[0].force.magnitude(), 450_000.0);
+//! let outcome = case.situation(Some(0))?.outcome()?;
+//! assert_eq!(outcome.full.mode, Some(standfast::Mode::Rest));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A case with nothing but a uniform body and forces in air is *plain*: each force is the report's problem. Any other
-//! has [`situations`](Case::situations), in which all loads act together.
-//!
-//! Nothing is guessed: a key, unit or value that is not understood is a [`CaseError`] that points at it.
+//! Nothing here reads text, so that a case may be varied millions of times.
 
-mod body;
-mod error;
-mod input;
-mod loads;
-mod number;
-mod situation;
-mod table;
-mod warning;
-mod wave;
+use standfast::loads::{
+    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, StillWater, Uplift,
+};
+use standfast::wave::{Choices, Goda, Heights, Sea, Section, goda};
+use standfast::{Body, InputError, Situation, Slip};
 
-pub use error::{CaseError, Problem};
-pub use input::{Input, inputs};
-pub use number::{Number, NumberId, Replacement};
-pub use situation::{Component, LoadedBody, Origin};
-pub use wave::WaveLoad;
+use crate::error::{Fault, Place, Problem};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Table};
 
-use std::ops::Range;
-
-use standfast::{Body, HorizontalForce, InputError, Reduced};
-use toml::de::DeTable;
-
-use crate::units::Quantity;
-use body::ReadBody;
-use number::Numbers;
-use table::{At, Field, Source, Table};
-
-/// Standard acceleration of gravity as engineers round it, m/s².
-const GRAVITY: f64 = 9.81;
+/// How far lengths that have to be equal may differ, m.
+const SAME_LENGTH: f64 = 1e-6;
 
 /// A case: one body and the loads on it.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,20 +53,17 @@ pub struct Case {
     /// How water takes part in the weight.
     pub weight: Weight,
     /// Still water.
-    pub water: Option<Water>,
+    pub water: Option<StillWater>,
     /// Pressures under the base.
     pub uplift: Option<Uplift>,
     /// Acceleration of the base.
     pub earthquake: Option<Earthquake>,
     /// Waves.
-    pub wave: Option<WaveLoad>,
+    pub wave: Option<Waves>,
     /// Water that a horizontal motion carries along.
     pub added_mass: AddedMass,
     /// Forces, each an alternative to the others; all other loads act together with each.
-    pub loads: Vec<Load>,
-    /// Every number of the file, in the order they were read.
-    pub numbers: Vec<Number>,
-    plain: bool,
+    pub forces: Vec<NamedForce>,
 }
 
 /// What the weight of the body stands for.
@@ -101,167 +80,405 @@ pub enum Weight {
     },
 }
 
-/// Still water on both sides.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Water {
-    /// Its level above the base at the left, m.
-    pub left: f64,
-    /// Its level above the base at the right, m.
-    pub right: f64,
-    /// Its density, kg/m³.
-    pub density: f64,
-}
-
-/// A pressure under the base, linear from corner to corner.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Uplift {
-    /// At O, Pa.
-    pub left: f64,
-    /// At O', Pa.
-    pub right: f64,
-    /// Whether it grows with the variable load.
-    pub grows: bool,
-}
-
-/// Water that a horizontal motion carries along.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct AddedMass {
-    /// Its mass, kg per metre run.
-    pub mass: f64,
-    /// Height above the base at which it presses, m; `None` where the mass alone is given.
-    pub height: Option<f64>,
-}
-
-/// An acceleration of the base.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Earthquake {
-    /// To the right, so that the force of inertia points left, m/s².
-    pub horizontal: f64,
-    /// Upwards, m/s².
-    pub vertical: f64,
+/// Waves from the right, and what they amount to by Goda's formulas.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Waves {
+    /// The sea.
+    pub sea: Sea,
+    /// The wave heights as they are given.
+    pub heights: Heights,
+    /// The caisson and its berm.
+    pub section: Section,
+    /// The choices in the formulas.
+    pub choices: Choices,
+    /// The pressures, forces and moments.
+    pub goda: Goda,
 }
 
 /// A force on the body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Load {
+pub struct NamedForce {
     /// What the force is called.
     pub name: Option<String>,
     /// The force.
     pub force: HorizontalForce,
-    /// The force, alone and in air, on a uniform body, as a point of the k–μ plane.
-    pub reduced: Reduced,
 }
 
 impl Case {
-    /// Reads a case file; `name` is what errors call it.
+    /// The case of inputs.
     ///
     /// # Errors
-    /// If the text is not TOML, or a key or value is not what a case file has.
-    pub fn parse(name: &str, text: &str) -> Result<Case, CaseError> {
-        Case::parse_with(name, text, &[])
-    }
-
-    /// Reads a case file as if some of its numbers were others.
-    ///
-    /// # Errors
-    /// As [`parse`](Case::parse), the replaced numbers included.
-    pub fn parse_with(name: &str, text: &str, replaced: &[Replacement]) -> Result<Case, CaseError> {
-        let parsed = if text.trim().is_empty() {
-            Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 })
-        } else {
-            read(text, replaced)
+    /// If a value is missing, out of its range, or does not go with the others.
+    pub fn of(inputs: &Inputs) -> Result<Case, Fault> {
+        let given = Given { inputs };
+        given.ranges()?;
+        if !inputs.has(Table::Body) {
+            return Err(Fault::new(Problem::MissingTable { table: Table::Body }, Table::Top));
+        }
+        let gravity = inputs.gravity();
+        let body = given.body()?;
+        let friction = given.required(Key::Friction)?;
+        let kinetic_friction = given.kinetic_friction(friction)?;
+        let weight = given.weight(&body)?;
+        let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity))?;
+        let water = match (inputs.has(Table::Water), weight, &wave) {
+            (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),
+            (false, Weight::Total, Some(_)) => return Err(Fault::new(Problem::NoWater, Table::Wave)),
+            (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
+            (false, _, _) => None,
         };
-        parsed.map_err(|At { problem, span }| CaseError::new(name, text, problem, span))
+        let uplift = given.in_table(Table::Uplift, Given::uplift)?;
+        let earthquake = given.in_table(Table::Earthquake, Given::earthquake)?;
+        let added_mass =
+            given.in_table(Table::AddedMass, |given| given.added_mass(water.as_ref(), wave.as_ref()))?;
+        const OTHER_LOADS: [Table; 4] = [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave];
+        if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
+            return Err(Fault::new(Problem::MissingTable { table: Table::Load }, Table::Top));
+        }
+        let forces = (0..inputs.count(Table::Load))
+            .map(|index| given.force(index, &body))
+            .collect::<Result<_, _>>()?;
+        let case = Case {
+            title: inputs.text(Key::Title).map(str::to_owned),
+            note: inputs.text(Key::Note).map(str::to_owned),
+            gravity,
+            body,
+            friction,
+            kinetic_friction,
+            weight,
+            water,
+            uplift,
+            earthquake,
+            wave,
+            added_mass: added_mass.unwrap_or(AddedMass::NONE),
+            forces,
+        };
+        case.base_situation().map_err(|error| given.blame(Table::Body, error))?;
+        Ok(case)
     }
 
-    /// Whether there is nothing but a uniform body in air, and forces.
-    pub fn is_plain(&self) -> bool {
-        self.plain
+    /// How many situations there are: one for each alternative force, or the only one.
+    pub fn situation_count(&self) -> usize {
+        self.forces.len().max(1)
     }
-}
 
-const TABLES: &[&str] =
-    &["title", "note", "gravity", "body", "load", "water", "uplift", "earthquake", "wave", "added_mass"];
+    /// The body under all loads that act together, with one of the alternative forces.
+    ///
+    /// # Errors
+    /// If the numbers of a changed case are out of range.
+    ///
+    /// # Panics
+    /// If there is no such force.
+    pub fn situation(&self, force: Option<usize>) -> Result<Situation, InputError> {
+        let situation = self.base_situation()?;
+        Ok(match force {
+            Some(force) => situation.with(self.forces[force].load()),
+            None => situation,
+        })
+    }
 
-/// The tables beside which a case needs no [[load]].
-const OTHER_LOADS: [&str; 4] = ["water", "uplift", "earthquake", "wave"];
+    /// The body under the loads that act beside each of the alternative forces.
+    fn base_situation(&self) -> Result<Situation, InputError> {
+        let mut situation = Situation::new(self.body, self.friction, self.gravity)?
+            .with_kinetic_friction(self.kinetic_friction)?
+            .with_added_mass(self.added_mass.mass())?;
+        situation = match self.weight {
+            Weight::Total => situation.with_weight(),
+            Weight::Buoyant { force, arm } => {
+                let action = Action::vertical(&self.body, force, arm);
+                situation.with(Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action))
+            }
+        };
+        let water = self.water.iter().flat_map(|water| water.loads(&self.body, self.gravity));
+        let uplift = self.uplift.iter().map(|uplift| uplift.load(&self.body));
+        let earthquake = self.earthquake.iter().flat_map(|earthquake| earthquake.loads(&self.added_mass));
+        let wave = self
+            .wave
+            .iter()
+            .flat_map(|Waves { goda, section, .. }| goda.loads(&self.body, section.base_depth));
+        Ok(situation.with_all(water).with_all(uplift).with_all(earthquake).with_all(wave))
+    }
 
-fn read(text: &str, replaced: &[Replacement]) -> Result<Case, At> {
-    let document = DeTable::parse(text).map_err(|error| {
-        let problem = Problem::Syntax(error.message().to_owned());
-        At { problem, span: error.span().unwrap_or(0..0) }
-    })?;
-    let numbers = Numbers::new(replaced);
-    let source = Source { text, numbers: &numbers };
-    let top = Table::new(document.get_ref(), document.span(), "the case file", source);
-    let case = read_tables(&top)?;
-    Ok(Case { numbers: numbers.into_noted(), ..case })
-}
-
-fn read_tables(top: &Table<'_>) -> Result<Case, At> {
-    top.only(TABLES)?;
-    let title = top.optional("title", Field::text)?;
-    let note = top.optional("note", Field::text)?;
-    let gravity = top.optional("gravity", |field| field.positive(Quantity::Acceleration))?.unwrap_or(GRAVITY);
-
-    let body_table = top.required("body", |field| field.table("[body]"))?;
-    let ReadBody { body, friction, kinetic_friction, weight, plain } = body::read(&body_table)?;
-    let table = |key, header| top.optional(key, |field| field.table(header));
-
-    let wave = table("wave", "[wave]")?;
-    let wave = wave.map(|table| wave::read(&table, &body, gravity)).transpose()?;
-    let water = table("water", "[water]")?;
-    let water = match (water, weight, &wave) {
-        (Some(table), Weight::Buoyant { .. }, _) => return Err(table.problem(Problem::WaterTwice)),
-        (None, Weight::Total, Some(_)) => return Err(top.problem_at("wave", Problem::NoWater)),
-        (Some(table), Weight::Total, wave) => Some(loads::water(&table, &body, gravity, wave.as_ref())?),
-        (None, _, _) => None,
-    };
-    let uplift = table("uplift", "[uplift]")?.map(|table| loads::uplift(&table)).transpose()?;
-    let earthquake = table("earthquake", "[earthquake]")?;
-    let earthquake = earthquake.map(|table| loads::earthquake(&table, gravity)).transpose()?;
-    let added_mass = table("added_mass", "[added_mass]")?;
-    let added_mass = added_mass
-        .map(|table| loads::added_mass(&table, water.as_ref(), wave.as_ref()))
-        .transpose()?
-        .unwrap_or_default();
-    let loads = if OTHER_LOADS.iter().any(|key| top.has(key)) {
-        top.optional("load", |field| field.tables("[[load]]"))?.unwrap_or_default()
-    } else {
-        top.required("load", |field| field.tables("[[load]]"))?
-    };
-    let loads = loads
-        .into_iter()
-        .map(|table| loads::force(&table, &body, friction, gravity))
-        .collect::<Result<_, _>>()?;
-
-    let plain = plain && !OTHER_LOADS.iter().any(|key| top.has(key)) && !top.has("added_mass");
-    Ok(Case {
-        title,
-        note,
-        gravity,
-        body,
-        friction,
-        kinetic_friction,
-        weight,
-        water,
-        uplift,
-        earthquake,
-        wave,
-        added_mass,
-        loads,
-        numbers: Vec::new(),
-        plain,
-    })
-}
-
-/// A problem that the library finds: shown at the key of its quantity, if it is a matter of that alone.
-fn impossible(table: &Table<'_>, keys: &[(&str, &'static str)], error: InputError) -> At {
-    match keys.iter().find(|(quantity, _)| *quantity == error.quantity) {
-        Some((_, key)) => table.problem_at(key, Problem::Impossible { key, error }),
-        None => table.problem(Problem::Mechanics(error)),
+    /// The name of an alternative force, or its number, counted from one.
+    pub fn force_name(&self, index: usize) -> String {
+        self.forces[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
     }
 }
 
-/// A place in the text.
-type Span = Range<usize>;
+impl NamedForce {
+    fn load(&self) -> Load {
+        let right = self.force.direction().sign() * self.force.magnitude();
+        let action = Action::horizontal(right, self.force.elevation());
+        Load::variable(LoadSource::Force, LoadKind::Horizontal, action)
+    }
+}
+
+/// Inputs, read with what goes wrong.
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    inputs: &'a Inputs,
+}
+
+impl Given<'_> {
+    /// Every number is in the range of its key.
+    fn ranges(&self) -> Result<(), Fault> {
+        for (id, number) in self.inputs.numbers() {
+            let key = id.key;
+            if let Some(range) = key.info().range().filter(|range| !range.contains(number)) {
+                return Err(Fault::new(Problem::out_of_range(key, range, number), id));
+            }
+        }
+        Ok(())
+    }
+
+    fn number(&self, key: Key) -> Option<f64> {
+        self.inputs.number(key)
+    }
+
+    fn required(&self, key: Key) -> Result<f64, Fault> {
+        self.number(key).ok_or_else(|| self.missing(key, 0))
+    }
+
+    fn missing(&self, key: Key, index: usize) -> Fault {
+        Fault::new(Problem::MissingKey { key }, Place::Table(key.info().table, index))
+    }
+
+    /// What a table says, if there is one.
+    fn in_table<T>(
+        &self,
+        table: Table,
+        read: impl FnOnce(&Self) -> Result<T, Fault>,
+    ) -> Result<Option<T>, Fault> {
+        self.inputs.has(table).then(|| read(self)).transpose()
+    }
+
+    /// What the library refuses, shown at the key of a table that gives the quantity.
+    fn blame(&self, table: Table, error: InputError) -> Fault {
+        self.blame_one_of(table.keys(), 0, error)
+            .unwrap_or_else(|| Fault::new(Problem::Mechanics(error), table))
+    }
+
+    fn blame_one_of(
+        &self,
+        mut keys: impl Iterator<Item = Key>,
+        index: usize,
+        error: InputError,
+    ) -> Option<Fault> {
+        let key = keys.find(|key| {
+            key.info().gives.contains(&error.quantity) && self.inputs.get(Id { index, key: *key }).is_some()
+        })?;
+        Some(Fault::new(Problem::Impossible { key, error }, Id { index, key }))
+    }
+
+    fn body(&self) -> Result<Body, Fault> {
+        let (width, height) = (self.required(Key::Width)?, self.required(Key::Height)?);
+        let body = match (self.number(Key::Mass), self.number(Key::Density)) {
+            (Some(_), Some(_)) => {
+                let problem = Problem::Both { one: Key::Mass, two: Key::Density };
+                return Err(Fault::new(problem, Key::Density));
+            }
+            (None, None) => {
+                let problem = Problem::Neither { one: Key::Mass, two: Key::Density };
+                return Err(Fault::new(problem, Table::Body));
+            }
+            (Some(mass), None) => Body::new(width, height, mass),
+            (None, Some(density)) => Body::of_density(width, height, density),
+        };
+        let half = width / 2.0;
+        let shaped = body.and_then(|body| {
+            let left = self.number(Key::BaseLeft).unwrap_or(half);
+            let right = self.number(Key::BaseRight).unwrap_or(half);
+            let offset = self.number(Key::CentroidOffset).unwrap_or(0.0);
+            let height = self.number(Key::CentroidHeight).unwrap_or(body.centroid_height());
+            let body = body.with_base(left, right)?.with_centroid(offset, height)?;
+            match self.number(Key::MomentOfInertia) {
+                Some(moment) => body.with_moment_of_inertia(moment),
+                None => Ok(body),
+            }
+        });
+        shaped.map_err(|error| self.blame(Table::Body, error))
+    }
+
+    fn kinetic_friction(&self, friction: f64) -> Result<f64, Fault> {
+        let kinetic = self.number(Key::KineticFriction).unwrap_or(friction);
+        if kinetic > friction {
+            return Err(Fault::new(Problem::KineticFriction { kinetic, friction }, Key::KineticFriction));
+        }
+        Ok(kinetic)
+    }
+
+    fn weight(&self, body: &Body) -> Result<Weight, Fault> {
+        match (self.number(Key::BuoyantWeight), self.number(Key::WeightArm)) {
+            (Some(force), arm) => Ok(Weight::Buoyant { force, arm: arm.unwrap_or(body.heel_distance()) }),
+            (None, None) => Ok(Weight::Total),
+            (None, Some(_)) => Err(Fault::new(Problem::ArmWithoutWeight, Key::WeightArm)),
+        }
+    }
+
+    fn water(&self, body: &Body, wave: Option<&Waves>) -> Result<StillWater, Fault> {
+        let side = |key: Key| self.number(key);
+        let (left, right) = match (side(Key::Level), side(Key::WaterLeft), side(Key::WaterRight)) {
+            (Some(level), None, None) => (level, level),
+            (None, Some(left), Some(right)) => (left, right),
+            (None, None, None) => return Err(Fault::new(Problem::NoLevel, Table::Water)),
+            (None, Some(_), None) => {
+                return Err(Fault::new(Problem::OneLevel { missing: Key::WaterRight }, Table::Water));
+            }
+            (None, None, Some(_)) => {
+                return Err(Fault::new(Problem::OneLevel { missing: Key::WaterLeft }, Table::Water));
+            }
+            (Some(_), _, _) => return Err(Fault::new(Problem::LevelAndSides, Key::Level)),
+        };
+        let of_wave = wave.map(|wave| wave.sea.water_density);
+        let density = match (self.number(Key::WaterDensity), of_wave) {
+            (Some(density), Some(of_wave)) if density != of_wave => {
+                return Err(disagree((Key::WaterDensity, density), (Key::WaveWaterDensity, of_wave)));
+            }
+            (Some(density), _) | (None, Some(density)) => density,
+            (None, None) => return Err(Fault::new(Problem::NoWaterDensity, Table::Water)),
+        };
+        let right_key = if side(Key::Level).is_some() { Key::Level } else { Key::WaterRight };
+        let water = StillWater::new(body, left, right, density).map_err(|error| {
+            let left_is_it = error.value == left && side(Key::WaterLeft).is_some();
+            let key = if left_is_it { Key::WaterLeft } else { right_key };
+            let blamed = [key, Key::WaterDensity].into_iter();
+            let fault = self.blame_one_of(blamed, 0, error);
+            fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Table::Water))
+        })?;
+        match wave.map(|wave| wave.section.base_depth) {
+            Some(depth) if (depth - right).abs() > SAME_LENGTH => {
+                Err(disagree((right_key, right), (Key::BaseDepth, depth)))
+            }
+            _ => Ok(water),
+        }
+    }
+
+    fn uplift(&self) -> Result<Uplift, Fault> {
+        let (left, right) = (self.required(Key::UpliftLeft)?, self.required(Key::UpliftRight)?);
+        let grows = self.inputs.truth(Key::UpliftGrows).unwrap_or(false);
+        Uplift::new(left, right, grows).map_err(|error| {
+            let key = if error.value == left { Key::UpliftLeft } else { Key::UpliftRight };
+            Fault::new(Problem::Impossible { key, error }, key)
+        })
+    }
+
+    fn earthquake(&self) -> Result<Earthquake, Fault> {
+        let horizontal = self.required(Key::Horizontal)?;
+        let vertical = self.number(Key::Vertical).unwrap_or(0.0);
+        Earthquake::new(horizontal, vertical).map_err(|error| {
+            let key = if error.value == horizontal { Key::Horizontal } else { Key::Vertical };
+            Fault::new(Problem::Impossible { key, error }, key)
+        })
+    }
+
+    fn added_mass(&self, water: Option<&StillWater>, wave: Option<&Waves>) -> Result<AddedMass, Fault> {
+        // The sea, or the water at the right, and the water at the left.
+        let depths = match (water, wave) {
+            (Some(water), _) => Some((water.density(), [water.right(), water.left()])),
+            (None, Some(Waves { sea, section, .. })) => Some((sea.water_density, [section.base_depth; 2])),
+            (None, None) => None,
+        };
+        match (self.number(Key::WaterMass), self.number(Key::WetSides), depths) {
+            (Some(mass), None, _) => AddedMass::of(mass).map_err(|error| self.blame(Table::AddedMass, error)),
+            (None, Some(sides), Some((density, depths))) => {
+                Ok(AddedMass::beside(density, if sides == 1.0 { &depths[..1] } else { &depths }))
+            }
+            (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
+            (None, None, _) => {
+                let problem = Problem::Neither { one: Key::WaterMass, two: Key::WetSides };
+                Err(Fault::new(problem, Table::AddedMass))
+            }
+            (Some(_), Some(_), _) => {
+                let problem = Problem::Both { one: Key::WaterMass, two: Key::WetSides };
+                Err(Fault::new(problem, Key::WetSides))
+            }
+        }
+    }
+
+    fn waves(&self, body: &Body, gravity: f64) -> Result<Waves, Fault> {
+        let sea = Sea {
+            water_depth: self.required(Key::WaterDepth)?,
+            sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
+            period: self.required(Key::Period)?,
+            angle_deg: self.required(Key::AngleDeg)?,
+            water_density: self.required(Key::WaveWaterDensity)?,
+            gravity,
+        };
+        let heights = self.heights()?;
+        let caisson_width = body.base_width();
+        let given_width = self.number(Key::CaissonWidth);
+        if let Some(width) = given_width.filter(|width| (width - caisson_width).abs() > SAME_LENGTH) {
+            let problem = Problem::CaissonWidth { width, base: caisson_width };
+            return Err(Fault::new(problem, Key::CaissonWidth).and(self.base_key()));
+        }
+        let section = Section {
+            base_depth: self.required(Key::BaseDepth)?,
+            depth_above_berm: self.required(Key::DepthAboveBerm)?,
+            crest_height: self.required(Key::CrestHeight)?,
+            berm_width: self.required(Key::BermWidth)?,
+            caisson_width,
+        };
+        let default = Choices::default();
+        let factor = |key, default| self.number(key).unwrap_or(default);
+        let choices = Choices {
+            lambda: [
+                factor(Key::Lambda1, default.lambda[0]),
+                factor(Key::Lambda2, default.lambda[1]),
+                factor(Key::Lambda3, default.lambda[2]),
+            ],
+            impulsive: self.inputs.truth(Key::Impulsive).unwrap_or(default.impulsive),
+            turn_deg: factor(Key::TurnDeg, default.turn_deg),
+        };
+        let goda =
+            goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
+        let Section { base_depth, crest_height, .. } = section;
+        if (base_depth + crest_height - body.height()).abs() > SAME_LENGTH {
+            let problem = Problem::Height { base_depth, crest_height, height: body.height() };
+            return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
+        }
+        Ok(Waves { sea, heights, section, choices, goda })
+    }
+
+    /// The key that says how wide the base is.
+    fn base_key(&self) -> Key {
+        let keys = [Key::BaseLeft, Key::BaseRight];
+        keys.into_iter().find(|key| self.number(*key).is_some()).unwrap_or(Key::Width)
+    }
+
+    fn heights(&self) -> Result<Heights, Fault> {
+        let one = |missing, at: Key| Err(Fault::new(Problem::OneWaveHeight { missing }, at));
+        match (self.number(Key::DeepWaterHeight), self.number(Key::H13), self.number(Key::Hmax)) {
+            (Some(height), None, None) => Ok(Heights::DeepWater(height)),
+            (None, Some(significant), Some(maximum)) => Ok(Heights::Local { significant, maximum }),
+            (Some(_), _, _) => Err(Fault::new(Problem::DeepAndLocal, Key::DeepWaterHeight)),
+            (None, None, None) => Err(Fault::new(Problem::NoWaveHeight, Table::Wave)),
+            (None, Some(_), None) => one(Key::Hmax, Key::H13),
+            (None, None, Some(_)) => one(Key::H13, Key::Hmax),
+        }
+    }
+
+    fn force(&self, index: usize, body: &Body) -> Result<NamedForce, Fault> {
+        let id = |key| Id { key, index };
+        let required = |key| self.inputs.number(id(key)).ok_or_else(|| self.missing(key, index));
+        let (magnitude, elevation) = (required(Key::Force)?, required(Key::Elevation)?);
+        if elevation > body.height() {
+            return Err(Fault::new(Problem::AboveCrest { height: body.height() }, id(Key::Elevation)));
+        }
+        let direction = self.inputs.direction(id(Key::Towards)).unwrap_or(Slip::Left);
+        let force = HorizontalForce::new(magnitude, elevation, direction).and_then(|force| {
+            // As a point of the report's plane it has to be within range as well.
+            force.reduce(body, self.number(Key::Friction).unwrap_or(0.0), self.inputs.gravity())?;
+            Ok(force)
+        });
+        let force = force.map_err(|error| {
+            let fault = self.blame_one_of(Table::Load.keys(), index, error);
+            fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Place::Table(Table::Load, index)))
+        })?;
+        Ok(NamedForce { name: self.inputs.text(id(Key::LoadName)).map(str::to_owned), force })
+    }
+}
+
+/// Two keys that have to agree and do not.
+fn disagree((one, one_value): (Key, f64), (two, two_value): (Key, f64)) -> Fault {
+    Fault::new(Problem::Disagree { one, one_value, two, two_value }, one).and(two)
+}

@@ -1,7 +1,9 @@
-//! The answer to one point in words and aligned columns.
+//! Points, inequalities and motions in words and aligned columns.
 
-use standfast::initiation::{Crossing, Relation};
-use standfast::{Body, Mode, Motion, Reduced};
+use standfast::initiation::Crossing;
+use standfast::loads::Reduced;
+use standfast::relation::Relation;
+use standfast::{Body, Mode, Motion, Point};
 
 use crate::layout::{apart, columns, digits, paragraph, row};
 
@@ -20,11 +22,6 @@ impl Scale {
     /// The scale of a body under gravity (m/s²).
     pub fn of(body: &Body, gravity: f64) -> Scale {
         Scale { acceleration: gravity, length: body.width() / 2.0, weight: body.mass() * gravity }
-    }
-
-    /// A motion in SI units: m/s², rad/s², N per metre run and m.
-    pub fn si(&self, motion: &Motion) -> Motion {
-        motion.scaled(self.acceleration, self.length, self.weight)
     }
 }
 
@@ -77,9 +74,8 @@ pub fn relations(relations: &[Relation], indent: usize) -> String {
     columns(&rows, indent, &[])
 }
 
-/// Both safety factors.
-pub fn safety_factors(reduced: &Reduced) -> String {
-    let point = &reduced.point;
+/// Both safety factors of a force in air.
+pub fn safety_factors(point: &Point) -> String {
     let rows = [
         row!["sliding", "μ/k", digits(point.safety_against_sliding())],
         row!["overturning", "1/(k γ |1+k'|)", digits(point.safety_against_overturning())],
@@ -89,7 +85,9 @@ pub fn safety_factors(reduced: &Reduced) -> String {
 
 /// A quantity of a motion, and how it is printed.
 #[derive(Debug, Clone, Copy)]
-pub struct Quantity {
+pub struct MotionPart {
+    /// Its name in the JSON and in tables.
+    pub key: &'static str,
     /// Its symbol in plain characters.
     pub symbol: &'static str,
     /// What it is of, and in which direction.
@@ -105,112 +103,92 @@ pub struct Quantity {
 }
 
 /// The quantities of a motion in the order they are printed.
-pub const QUANTITIES: [Quantity; 9] = {
-    const fn quantity(
+pub const MOTION: [MotionPart; 9] = {
+    const fn part(
+        key: &'static str,
         symbol: &'static str,
         words: &'static str,
         of: fn(&Motion) -> f64,
         unit: &'static str,
         (si_unit, si_units): (&'static str, f64),
-    ) -> Quantity {
-        Quantity { symbol, words, of, unit, si_unit, si_units }
+    ) -> MotionPart {
+        MotionPart { key, symbol, words, of, unit, si_unit, si_units }
     }
     const LINEAR: (&str, f64) = ("m/s²", 1.0);
     const ANGULAR: (&str, f64) = ("rad/s²", 1.0);
     const FORCE: (&str, f64) = ("kN/m", 1e3);
     [
-        quantity("ẍ", "of the centre of mass, to the right", |m| m.x_ddot, "g", LINEAR),
-        quantity("ÿ", "of the centre of mass, upwards", |m| m.y_ddot, "g", LINEAR),
-        quantity("θ̈", "counter-clockwise", |m| m.theta_ddot, "g/B", ANGULAR),
-        quantity("f_x", "reaction on the body, to the right", |m| m.f_x, "m g", FORCE),
-        quantity("f_y", "reaction on the body, upwards", |m| m.f_y, "m g", FORCE),
-        quantity("ξ", "where f_y acts, right of the centre of mass", |m| m.xi, "B", ("m", 1.0)),
-        quantity("ẍ_O", "of both corners, along the base to the right", |m| m.slip, "g", LINEAR),
-        quantity("ÿ_O", "of the left corner, upwards", |m| m.lift_o, "g", LINEAR),
-        quantity("ÿ_O'", "of the right corner, upwards", |m| m.lift_o_prime, "g", LINEAR),
+        part("x_ddot", "ẍ", "of the centre of mass, to the right", |m| m.x_ddot, "g", LINEAR),
+        part("y_ddot", "ÿ", "of the centre of mass, upwards", |m| m.y_ddot, "g", LINEAR),
+        part("theta_ddot", "θ̈", "counter-clockwise", |m| m.theta_ddot, "g/B", ANGULAR),
+        part("f_x", "f_x", "reaction on the body, to the right", |m| m.f_x, "m g", FORCE),
+        part("f_y", "f_y", "reaction on the body, upwards", |m| m.f_y, "m g", FORCE),
+        part("xi", "ξ", "where f_y acts, right of the centre of mass", |m| m.xi, "B", ("m", 1.0)),
+        part("slip", "ẍ_O", "of both corners, along the base to the right", |m| m.slip, "g", LINEAR),
+        part("lift_o", "ÿ_O", "of the left corner, upwards", |m| m.lift_o, "g", LINEAR),
+        part("lift_o_prime", "ÿ_O'", "of the right corner, upwards", |m| m.lift_o_prime, "g", LINEAR),
     ]
 };
 
-/// Accelerations and reactions, non-dimensional and, with a scale, in SI units.
-pub fn motion(reduced: &Reduced, scale: Option<&Scale>) -> String {
-    let motion = reduced.motion();
-    let si = scale.map(|scale| scale.si(&motion));
-    let rows: Vec<_> = QUANTITIES
-        .iter()
-        .map(|Quantity { symbol, words, of, unit, si_unit, si_units }| {
-            let mut row = row![*symbol, *words, digits(of(&motion)), *unit];
-            if let Some(si) = &si {
-                row.extend(row![digits(of(si) / si_units), *si_unit]);
-            }
-            row
-        })
-        .collect();
+/// Accelerations and reactions of a real body: in units of g, B and m g, and in SI units.
+pub fn real_motion(motion: &Motion, scale: &Scale) -> String {
+    let reduced = motion.scaled(1.0 / scale.acceleration, 1.0 / scale.length, 1.0 / scale.weight);
+    let rows = MOTION.map(|MotionPart { symbol, words, of, unit, si_unit, si_units, .. }| {
+        row![symbol, words, digits(of(&reduced)), unit, digits(of(motion) / si_units), si_unit]
+    });
     columns(&rows, 2, &[2, 4])
 }
 
-/// Accelerations and reactions of a real body.
-pub fn motion_si(motion: &Motion) -> String {
-    let rows: Vec<_> = QUANTITIES
-        .iter()
-        .map(|quantity| {
-            let value = digits((quantity.of)(motion) / quantity.si_units);
-            row![quantity.symbol, quantity.words, value, quantity.si_unit]
-        })
-        .collect();
+/// Accelerations and reactions at a point of the report's plane.
+pub fn motion(motion: &Motion) -> String {
+    let rows = MOTION
+        .map(|MotionPart { symbol, words, of, unit, .. }| row![symbol, words, digits(of(motion)), unit]);
     columns(&rows, 2, &[2])
 }
 
-/// Where the mode changes as the force or the friction varies.
-pub fn changes(reduced: &Reduced, scale: Option<&Scale>) -> String {
+/// Where the mode changes as the force grows, and where the body leaves rest.
+pub fn along_k(reduced: &Reduced) -> String {
     let point = &reduced.point;
     let margins = point.margins();
-    let force = |k: f64| match scale {
-        Some(scale) => format!("F = {} (k = {})", kilonewtons(k * scale.weight), digits(k)),
-        None => format!("k = {}", digits(k)),
-    };
     let leaves_rest = match margins.leaves_rest() {
         Some(crossing) => {
             let to = reduced.orient(crossing.to);
-            format!("The body leaves rest at {}: beyond, it {} ({to}).", force(crossing.at), to.words())
+            format!("The body leaves rest at k = {}: beyond, it {} ({to}).", digits(crossing.at), to.words())
         }
         None => "No force up to k = 1e50 moves the body.".to_owned(),
     };
-
-    let arrow = |value: String, crossing: &Crossing| {
-        row![value, format!("{} → {}", reduced.orient(crossing.from), reduced.orient(crossing.to))]
-    };
     let mut text = paragraph(&leaves_rest, 2);
-    let values: Vec<f64> = margins.along_k.iter().map(|crossing| crossing.at).collect();
-    let forces: Vec<_> = apart(&values)
-        .into_iter()
-        .zip(&margins.along_k)
-        .map(|(value, crossing)| {
-            let k = format!("k = {value}");
-            let force = scale.map(|scale| kilonewtons(crossing.at * scale.weight));
-            arrow(force.map_or(k.clone(), |force| format!("F = {force} ({k})")), crossing)
-        })
-        .collect();
-    if !forces.is_empty() {
+    if !margins.along_k.is_empty() {
         text += &format!("  as the force grows, at μ = {}:\n", digits(point.mu()));
-        text += &columns(&forces, 4, &[]);
-    }
-
-    let values: Vec<f64> = margins.along_mu.iter().map(|crossing| crossing.at).collect();
-    let frictions: Vec<_> = apart(&values)
-        .into_iter()
-        .zip(&margins.along_mu)
-        .map(|(value, crossing)| arrow(format!("μ = {value}"), crossing))
-        .collect();
-    if frictions.is_empty() {
-        text += &format!("  At {} friction makes no difference.\n", force(point.k()));
-    } else {
-        text += &format!("  as the friction grows, at {}:\n", force(point.k()));
-        text += &columns(&frictions, 4, &[]);
-        if margins.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
-            text += "    No friction keeps the body at rest under this force.\n";
-        }
+        text += &crossings(reduced, "k", &margins.along_k);
     }
     text
+}
+
+/// Where the mode changes as the friction grows.
+pub fn along_mu(reduced: &Reduced) -> String {
+    let margins = reduced.point.margins();
+    if margins.along_mu.is_empty() {
+        return "    Friction makes no difference.\n".to_owned();
+    }
+    let mut text = crossings(reduced, "μ", &margins.along_mu);
+    if margins.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
+        text += "    No friction keeps the body at rest under this load.\n";
+    }
+    text
+}
+
+fn crossings(reduced: &Reduced, symbol: &str, crossings: &[Crossing]) -> String {
+    let values: Vec<f64> = crossings.iter().map(|crossing| crossing.at).collect();
+    let rows: Vec<_> = apart(&values)
+        .into_iter()
+        .zip(crossings)
+        .map(|(value, crossing)| {
+            let change = format!("{} → {}", reduced.orient(crossing.from), reduced.orient(crossing.to));
+            row![format!("{symbol} = {value}"), change]
+        })
+        .collect();
+    columns(&rows, 4, &[])
 }
 
 /// Why the answer to a force that points right speaks of mirrored modes.

@@ -1,16 +1,14 @@
 //! Design: the least value of a quantity that meets a target, and what every number of a case does to its
 //! safety.
 //!
-//! Nothing is linearised or scaled: for each value tried, the case file is read again with that value in place of its own,
-//! and everything that follows from it, waves and water included, is computed anew.
+//! Nothing is linearised or scaled: for each value tried, everything that follows from it, waves and water included, is computed
+//! anew from the typed inputs.
 
 mod json;
-mod outcome;
 mod search;
 mod sensitivity;
 mod target;
 mod text;
-mod vary;
 
 pub use sensitivity::{Sensitivity, sensitivities};
 pub use target::{Target, TargetError};
@@ -19,15 +17,19 @@ use miette::Diagnostic;
 use standfast::InputError;
 use thiserror::Error;
 
-use crate::case::{Case, CaseError, Problem, Replacement};
+use crate::assess::{Assessed, Assessment};
+use crate::case::Case;
+use crate::couple::{Unknown, Variable, vary};
+use crate::error::{CaseError, Problem};
+use crate::inputs::Inputs;
 use crate::layout::digits;
-use crate::units::{Quantity, UnitError};
-use outcome::Outcome;
+use crate::parse::CaseFile;
+use crate::units::{Dimension, UnitError};
 use search::{Found, search};
-use vary::Variable;
 
 /// Why there is no design.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum DesignError {
     /// The case file is wrong.
     #[error(transparent)]
@@ -37,26 +39,19 @@ pub enum DesignError {
     #[error(transparent)]
     Mechanics(#[from] InputError),
     /// A name that is no number of the case.
-    #[error("the case has no `{name}` to vary")]
-    #[diagnostic(help("{}", known(suggestion.as_deref(), names)))]
-    UnknownVariable {
-        /// The name.
-        name: String,
-        /// The one it resembles.
-        suggestion: Option<String>,
-        /// The numbers of the case.
-        names: Vec<String>,
-    },
+    #[error("the case has no `{}` to vary", .0.name)]
+    #[diagnostic(help("{}", known(.0)))]
+    UnknownVariable(Unknown),
     /// An end of the bracket that is no value of the quantity.
     #[error("{option} is \"{written}\", and {error}")]
-    #[diagnostic(help("expected a number in SI units{}", units(*quantity)))]
+    #[diagnostic(help("expected a number in SI units{}", units(*dimension)))]
     Bracket {
         /// The option.
         option: &'static str,
         /// What was given.
         written: String,
         /// What it should measure; `None` for a plain number.
-        quantity: Option<Quantity>,
+        dimension: Option<Dimension>,
         /// What is wrong with it.
         error: UnitError,
     },
@@ -124,55 +119,87 @@ pub struct Request {
     pub to: Option<String>,
 }
 
-/// A case file that is read again and again.
-struct Chain<'a> {
-    name: &'a str,
-    text: &'a str,
+/// A case that is varied.
+struct Varied<'a> {
+    file: &'a CaseFile,
+    case: &'a Case,
 }
 
-impl Chain<'_> {
-    fn case(&self, replaced: &[Replacement]) -> Result<Case, CaseError> {
-        Case::parse_with(self.name, self.text, replaced)
+impl Varied<'_> {
+    fn inputs(&self) -> &Inputs {
+        self.file.inputs()
     }
 
-    fn outcome(&self, replaced: &[Replacement]) -> Result<Outcome, DesignError> {
-        Ok(Outcome::of(&self.case(replaced)?)?)
+    fn case_with(&self, variable: &Variable, value: f64) -> Result<Case, CaseError> {
+        let inputs = vary(self.inputs(), self.case, &[(variable, value)]);
+        Case::of(&inputs).map_err(|fault| self.file.error(fault))
     }
+
+    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, DesignError> {
+        Ok(Assessment::of(&self.case_with(variable, value)?)?)
+    }
+}
+
+/// SF_sliding of a situation.
+fn sliding(assessed: &Assessed) -> f64 {
+    assessed.outcome.stability.sliding
+}
+
+/// SF_overturning of a situation, about either corner.
+fn overturning(assessed: &Assessed) -> f64 {
+    assessed.outcome.stability.overturning()
+}
+
+/// Up to which multiple of its variable loads a situation leaves the body at rest.
+fn load_factor(assessed: &Assessed) -> f64 {
+    assessed.departure().load_factor()
+}
+
+/// The least of a number over all situations.
+fn least(assessment: &Assessment, of: fn(&Assessed) -> f64) -> f64 {
+    of(assessment.least(of))
 }
 
 /// The least value that meets a target, with what it rests on.
-pub struct Design {
-    case: Case,
+pub struct Design<'a> {
+    file: &'a CaseFile,
     request: Request,
     variable: Variable,
+    value: f64,
     bracket: [f64; 2],
-    present: Outcome,
+    present: Assessment,
     found: Found,
     sensitivities: Vec<Sensitivity>,
 }
 
-impl Design {
-    /// Designs the case whose file is `text`; `name` is what errors call it.
+impl<'a> Design<'a> {
+    /// Designs the case of a file.
     ///
     /// # Errors
     /// If the case makes no sense or lacks the quantity, or the target cannot be met.
-    pub fn of(name: &str, text: &str, request: Request) -> Result<Design, DesignError> {
-        let chain = Chain { name, text };
-        let case = chain.case(&[])?;
-        let variable = Variable::find(&request.vary, &case)?;
-        let bracket = bracket(&request, &variable)?;
-        possible(&chain, &case, &request, &variable, bracket)?;
-        let present = chain.outcome(&[])?;
-        let found = search(&chain, &case, &variable, request.target, bracket)?;
-        let sensitivities = sensitivity::all(&chain, &case);
-        Ok(Design { case, request, variable, bracket, present, found, sensitivities })
+    pub fn of(file: &'a CaseFile, request: Request) -> Result<Design<'a>, DesignError> {
+        let case = file.case()?;
+        let varied = Varied { file, case: &case };
+        let variable = Variable::find(&request.vary, file.inputs()).map_err(DesignError::UnknownVariable)?;
+        let value = variable.value(file.inputs(), &case);
+        let bracket = bracket(&request, &variable, value)?;
+        possible(&varied, &request, &variable, bracket)?;
+        let present = Assessment::of(&case)?;
+        let found = search(&varied, &variable, request.target, bracket)?;
+        let sensitivities = sensitivity::all(&varied);
+        Ok(Design { file, request, variable, value, bracket, present, found, sensitivities })
     }
 
     /// What is unusual about the case with the value found, and is not at present.
-    fn new_warnings(&self) -> impl Iterator<Item = &str> {
-        let new =
-            self.found.outcome.warnings.iter().filter(|warning| !self.present.warnings.contains(warning));
-        new.map(String::as_str)
+    fn new_warnings(&self) -> Vec<crate::Warning> {
+        let present = self.present.case.warnings();
+        let mut warnings = self.found.answer.case.warnings();
+        warnings.retain(|warning| !present.contains(warning));
+        warnings
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.variable.notes(self.file.inputs(), &self.present.case)
     }
 
     /// The design for reading.
@@ -186,15 +213,15 @@ impl Design {
     }
 }
 
-fn bracket(request: &Request, variable: &Variable) -> Result<[f64; 2], DesignError> {
+fn bracket(request: &Request, variable: &Variable, present: f64) -> Result<[f64; 2], DesignError> {
     let end = |option, written: &Option<String>, default: f64| match written {
         None => Ok(default),
         Some(written) => variable.parse(written).map_err(|error| {
-            let quantity = variable.quantity;
-            DesignError::Bracket { option, written: written.clone(), quantity, error }
+            let dimension = variable.dimension();
+            DesignError::Bracket { option, written: written.clone(), dimension, error }
         }),
     };
-    let [low, high] = [variable.present / 5.0, variable.present * 5.0];
+    let [low, high] = [present / 5.0, present * 5.0];
     let from = end("--from", &request.from, low.min(high))?;
     let to = end("--to", &request.to, low.max(high))?;
     if from < to { Ok([from, to]) } else { Err(DesignError::EmptyBracket { from, to }) }
@@ -202,30 +229,34 @@ fn bracket(request: &Request, variable: &Variable) -> Result<[f64; 2], DesignErr
 
 /// Refuses ends, where given, with a sign that the quantity cannot have.
 fn possible(
-    chain: &Chain<'_>,
-    case: &Case,
+    varied: &Varied<'_>,
     request: &Request,
     variable: &Variable,
     [from, to]: [f64; 2],
 ) -> Result<(), DesignError> {
     for (option, written, value) in [("--from", &request.from, from), ("--to", &request.to, to)] {
         let Some(written) = written.clone().filter(|_| value < 0.0) else { continue };
-        if let Err(error) = chain.case(&variable.replacements(case, value))
+        if let Err(error) = varied.case_with(variable, value)
             && let Problem::OutOfRange { key, expected, .. } = *error.problem()
-            && variable.is_under(key)
+            && variable.id().key == key
         {
-            return Err(DesignError::Impossible { option, written, name: variable.name.clone(), expected });
+            return Err(DesignError::Impossible {
+                option,
+                written,
+                name: variable.name().to_owned(),
+                expected,
+            });
         }
     }
     Ok(())
 }
 
-fn units(quantity: Option<Quantity>) -> String {
-    let units = quantity.map(|quantity| format!(", or with a unit: {}", quantity.understood()));
+fn units(dimension: Option<Dimension>) -> String {
+    let units = dimension.map(|dimension| format!(", or with a unit: {}", dimension.understood()));
     units.unwrap_or_default()
 }
 
-fn known(suggestion: Option<&str>, names: &[String]) -> String {
+fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
     let names = format!(
         "the quantities of this case: width, height, mass, friction, water_level, crest_height where it has them, or one of {}",
         names.join(", ")
@@ -238,8 +269,8 @@ fn known(suggestion: Option<&str>, names: &[String]) -> String {
 
 /// A number with the unit of plain numbers.
 fn with_unit(value: f64, variable: &Variable) -> String {
-    match variable.quantity {
-        Some(quantity) => format!("{} {}", digits(value), quantity.si()),
+    match variable.dimension() {
+        Some(dimension) => format!("{} {}", digits(value), dimension.si()),
         None => digits(value),
     }
 }

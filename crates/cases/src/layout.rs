@@ -1,6 +1,7 @@
 //! Numbers, paragraphs and columns of the text output.
 
 use comfy_table::{CellAlignment, Table, presets};
+use standfast::number;
 
 /// Widest line of a paragraph, in characters.
 const WIDTH: usize = 88;
@@ -24,16 +25,12 @@ pub fn apart(numbers: &[f64]) -> Vec<String> {
 
 /// A number in `count` significant digits, without trailing zeros; "unlimited" for infinity.
 pub fn significant(x: f64, count: usize) -> String {
-    if x == f64::INFINITY {
-        return "unlimited".to_owned();
-    }
-    // `+ 0.0` turns −0 into 0.
-    let rounded: f64 = format!("{x:.*e}", count - 1).parse().unwrap_or(x) + 0.0;
-    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
+    if x == f64::INFINITY { "unlimited".to_owned() } else { number::significant(x, count).to_string() }
+}
+
+/// A number to all its digits, but for what binary fractions add behind the fifteenth.
+pub fn plain(x: f64) -> String {
+    significant(x, 15)
 }
 
 /// Words in lines of at most 88 characters, every line after `indent` spaces and ended by a newline.
@@ -79,24 +76,9 @@ mod tests {
     use super::{columns, digits, paragraph};
 
     #[test]
-    fn four_digits() {
-        let cases = [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (0.6, "0.6"),
-            (1.0 / 3.0, "0.3333"),
-            (-3708.18, "-3708"),
-            (378_000.0, "378000"),
-            (12345.6, "12350"),
-            (9.81, "9.81"),
-            (0.99996, "1"),
-            (2.5e-7, "2.5e-7"),
-            (1.23456e12, "1.235e12"),
-            (f64::INFINITY, "unlimited"),
-        ];
-        for (x, expected) in cases {
-            assert_eq!(digits(x), expected);
-        }
+    fn numbers_in_text() {
+        assert_eq!([digits(1.0 / 3.0), digits(-0.0), digits(f64::INFINITY)], ["0.3333", "0", "unlimited"]);
+        assert_eq!(plain(7.1 + 3.4), "10.5");
     }
 
     #[test]

@@ -1,19 +1,26 @@
 //! Case files: a body, its friction and its loads as an engineer writes them, and the answers as text, JSON and figures.
 //!
+//! ```text
+//! text ── CaseFile::parse ──► Inputs ── Case::of ──► Case ── Assessment::of ──► Assessment ──► text, JSON, figures
+//!                              ▲  typed values under their keys, varied without text
+//!                              └── design, tables, random variables
+//! ```
+//!
 //! | question | start at |
 //! |---|---|
-//! | What is in a case file, and how do units become SI? | [`case`], [`units`] |
-//! | What is the answer to a case? | [`Assessment`] |
-//! | What to change for a case to be safe? | [`design`] |
-//! | What is printed for one point? | [`point`]; [`describe`] as text, [`answer`] as JSON |
+//! | What may stand in a case file? | [`key`], [`units`] |
+//! | What does a file say, and where? | [`CaseFile`], [`Inputs`] |
+//! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`] |
+//! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
+//! | What is printed for one point? | [`point`] |
 //!
 //! ```
-//! use standfast_cases::{Assessment, Case};
+//! use standfast_cases::{Assessment, CaseFile, View};
 //!
 //! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
-//! let case = Case::parse("case.toml", text)?;
-//! let assessment = Assessment::of(&case, 2.0)?;
-//! assert!(assessment.text().contains("The body stays at rest (RE)."));
+//! let case = CaseFile::parse("case.toml", text)?.case()?;
+//! let assessment = Assessment::of(&case)?;
+//! assert!(assessment.text(&View::default()).contains("the body stays at rest (RE)."));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -21,18 +28,29 @@
 
 #![forbid(unsafe_code)]
 
-pub mod answer;
 pub mod assess;
 pub mod case;
+pub mod couple;
 pub mod describe;
 pub mod design;
+mod error;
+mod inputs;
+pub mod key;
 pub mod layout;
+mod parse;
 pub mod point;
+pub mod results;
 pub mod suggest;
 pub mod units;
+mod warning;
 
-pub use assess::{Assessed, Assessment, CaseFigure, load_name};
-pub use case::{Case, CaseError};
+pub use assess::{Assessed, Assessment, CaseFigure, Drawn, View};
+pub use case::Case;
+pub use error::{CaseError, Fault, Place, Problem};
+pub use inputs::{GRAVITY, Inputs, Value};
+pub use key::{Id, Key};
+pub use parse::{CaseFile, Entry};
+pub use warning::Warning;
 
 use miette::Diagnostic;
 use serde::Serialize;

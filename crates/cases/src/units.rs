@@ -6,7 +6,7 @@ use thiserror::Error;
 
 /// What a number measures, and so which units fit it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Dimension {
     /// m.
     Length,
     /// kg per metre run.
@@ -23,6 +23,8 @@ pub enum Quantity {
     Pressure,
     /// s.
     Time,
+    /// N·m per metre run.
+    Moment,
 }
 
 /// How a value in some unit becomes SI. Small units divide by a whole number, so that "123 mm" is the f64 nearest to
@@ -35,55 +37,58 @@ enum Scale {
 
 type Unit = (&'static str, Scale);
 
-impl Quantity {
+impl Dimension {
     fn units(self) -> &'static [Unit] {
         use Scale::{Over, Times};
         match self {
-            Quantity::Length => &[("mm", Over(1e3)), ("cm", Over(1e2)), ("m", Times(1.0))],
-            Quantity::Mass => &[("kg/m", Times(1.0)), ("t/m", Times(1e3))],
-            Quantity::Density => {
+            Dimension::Length => &[("mm", Over(1e3)), ("cm", Over(1e2)), ("m", Times(1.0))],
+            Dimension::Mass => &[("kg/m", Times(1.0)), ("t/m", Times(1e3))],
+            Dimension::Density => {
                 &[("kg/m3", Times(1.0)), ("t/m3", Times(1e3)), ("kg/m³", Times(1.0)), ("t/m³", Times(1e3))]
             }
-            Quantity::Force => &[("N/m", Times(1.0)), ("kN/m", Times(1e3)), ("MN/m", Times(1e6))],
-            Quantity::Acceleration => &[("m/s2", Times(1.0)), ("m/s²", Times(1.0))],
-            Quantity::Inertia => &[
+            Dimension::Force => &[("N/m", Times(1.0)), ("kN/m", Times(1e3)), ("MN/m", Times(1e6))],
+            Dimension::Acceleration => &[("m/s2", Times(1.0)), ("m/s²", Times(1.0))],
+            Dimension::Inertia => &[
                 ("kg m2/m", Times(1.0)),
                 ("t m2/m", Times(1e3)),
                 ("kg m²/m", Times(1.0)),
                 ("t m²/m", Times(1e3)),
             ],
-            Quantity::Pressure => {
+            Dimension::Pressure => {
                 &[("Pa", Times(1.0)), ("kPa", Times(1e3)), ("kN/m2", Times(1e3)), ("kN/m²", Times(1e3))]
             }
-            Quantity::Time => &[("s", Times(1.0))],
+            Dimension::Time => &[("s", Times(1.0))],
+            Dimension::Moment => &[("N m/m", Times(1.0)), ("kN m/m", Times(1e3)), ("MN m/m", Times(1e6))],
         }
     }
 
-    /// The quantity in words.
+    /// The dimension in words.
     pub fn words(self) -> &'static str {
         match self {
-            Quantity::Length => "a length",
-            Quantity::Mass => "a mass per metre run",
-            Quantity::Density => "a density",
-            Quantity::Force => "a force per metre run",
-            Quantity::Acceleration => "an acceleration",
-            Quantity::Inertia => "a moment of inertia per metre run",
-            Quantity::Pressure => "a pressure",
-            Quantity::Time => "a time",
+            Dimension::Length => "a length",
+            Dimension::Mass => "a mass per metre run",
+            Dimension::Density => "a density",
+            Dimension::Force => "a force per metre run",
+            Dimension::Acceleration => "an acceleration",
+            Dimension::Inertia => "a moment of inertia per metre run",
+            Dimension::Pressure => "a pressure",
+            Dimension::Time => "a time",
+            Dimension::Moment => "a moment per metre run",
         }
     }
 
     /// The unit of a plain number.
     pub fn si(self) -> &'static str {
         match self {
-            Quantity::Length => "m",
-            Quantity::Mass => "kg/m",
-            Quantity::Density => "kg/m3",
-            Quantity::Force => "N/m",
-            Quantity::Acceleration => "m/s2",
-            Quantity::Inertia => "kg m2/m",
-            Quantity::Pressure => "Pa",
-            Quantity::Time => "s",
+            Dimension::Length => "m",
+            Dimension::Mass => "kg/m",
+            Dimension::Density => "kg/m3",
+            Dimension::Force => "N/m",
+            Dimension::Acceleration => "m/s2",
+            Dimension::Inertia => "kg m2/m",
+            Dimension::Pressure => "Pa",
+            Dimension::Time => "s",
+            Dimension::Moment => "N m/m",
         }
     }
 
@@ -147,28 +152,28 @@ fn split(text: &str) -> Option<(f64, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Quantity, UnitError};
+    use super::{Dimension, UnitError};
 
     #[test]
     fn units_convert() {
         let cases = [
-            (Quantity::Length, "15 m", 15.0),
-            (Quantity::Length, "123 mm", 0.123),
-            (Quantity::Length, "15cm", 0.15),
-            (Quantity::Mass, "370 t/m", 370e3),
-            (Quantity::Mass, "1 kg/m", 1.0),
-            (Quantity::Density, "2.1 t/m³", 2100.0),
-            (Quantity::Density, "2400 kg/m3", 2400.0),
-            (Quantity::Force, "450 kN/m", 450e3),
-            (Quantity::Force, "4.5e2 kN/m", 450e3),
-            (Quantity::Force, " -1.5 MN/m ", -1.5e6),
-            (Quantity::Force, "7 N/m", 7.0),
-            (Quantity::Acceleration, "9.81 m/s2", 9.81),
-            (Quantity::Acceleration, "9.81 m/s²", 9.81),
-            (Quantity::Inertia, "9500 t m2/m", 9.5e6),
-            (Quantity::Pressure, "65.7 kPa", 65.7e3),
-            (Quantity::Pressure, "65.7 kN/m2", 65.7e3),
-            (Quantity::Time, "11.4 s", 11.4),
+            (Dimension::Length, "15 m", 15.0),
+            (Dimension::Length, "123 mm", 0.123),
+            (Dimension::Length, "15cm", 0.15),
+            (Dimension::Mass, "370 t/m", 370e3),
+            (Dimension::Mass, "1 kg/m", 1.0),
+            (Dimension::Density, "2.1 t/m³", 2100.0),
+            (Dimension::Density, "2400 kg/m3", 2400.0),
+            (Dimension::Force, "450 kN/m", 450e3),
+            (Dimension::Force, "4.5e2 kN/m", 450e3),
+            (Dimension::Force, " -1.5 MN/m ", -1.5e6),
+            (Dimension::Force, "7 N/m", 7.0),
+            (Dimension::Acceleration, "9.81 m/s2", 9.81),
+            (Dimension::Acceleration, "9.81 m/s²", 9.81),
+            (Dimension::Inertia, "9500 t m2/m", 9.5e6),
+            (Dimension::Pressure, "65.7 kPa", 65.7e3),
+            (Dimension::Pressure, "65.7 kN/m2", 65.7e3),
+            (Dimension::Time, "11.4 s", 11.4),
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Ok(expected), "{text}");
@@ -179,16 +184,16 @@ mod tests {
     fn what_does_not_fit_is_an_error() {
         let unknown = |unit: &str| UnitError::Unknown(unit.to_owned());
         let cases = [
-            (Quantity::Force, "450 kN", unknown("kN")),
-            (Quantity::Length, "15 kg", unknown("kg")),
-            (Quantity::Length, "15 M", unknown("M")),
-            (Quantity::Length, "15", UnitError::Missing),
-            (Quantity::Length, "m", UnitError::Number),
-            (Quantity::Length, "", UnitError::Number),
-            (Quantity::Length, "inf m", UnitError::Number),
-            (Quantity::Length, "NaN m", UnitError::Number),
-            (Quantity::Length, "1,5 m", UnitError::Comma),
-            (Quantity::Length, "1.5.2 m", unknown(".2 m")),
+            (Dimension::Force, "450 kN", unknown("kN")),
+            (Dimension::Length, "15 kg", unknown("kg")),
+            (Dimension::Length, "15 M", unknown("M")),
+            (Dimension::Length, "15", UnitError::Missing),
+            (Dimension::Length, "m", UnitError::Number),
+            (Dimension::Length, "", UnitError::Number),
+            (Dimension::Length, "inf m", UnitError::Number),
+            (Dimension::Length, "NaN m", UnitError::Number),
+            (Dimension::Length, "1,5 m", UnitError::Comma),
+            (Dimension::Length, "1.5.2 m", unknown(".2 m")),
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Err(expected), "{text}");

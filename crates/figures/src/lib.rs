@@ -152,8 +152,8 @@ pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
 
 /// The plane of load factor and friction of any block, and the way of a rising load through it.
 ///
-/// `regions` and `stages` are those of [`Situation::plane`](standfast::Situation::plane) and
-/// [`Situation::path`](standfast::Situation::path) up to the same load factor.
+/// `regions` are those of [`Situation::plane`](standfast::Situation::plane) up to the same load factor, `stages` those of
+/// [`Situation::path`](standfast::Situation::path), which are cut there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadPlane<'a> {
     /// Which mode holds where.
@@ -172,20 +172,17 @@ pub struct LoadPlane<'a> {
 /// factor at every change of mode, and a diamond at the full load, λ = 1.
 ///
 /// ```
-/// use standfast::LoadKind::{Horizontal, Weight};
+/// use standfast::loads::{Action, Load, LoadKind, LoadSource};
 /// use standfast::{Body, Situation};
 /// use standfast_figures::{LoadPlane, load_plane};
 ///
-/// let body = Body::new(15.0, 10.5, 346_050.0)?;
-/// let situation = Situation::new(body, 0.6, 9.81)
-///     .permanent(Weight, body.weight(9.81))
-///     .variable(Horizontal, body.horizontal_force(-1e6, 5.2));
-/// let (regions, stages) = (situation.plane(2.0)?, situation.path(2.0)?);
+/// let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-1e6, 5.2));
+/// let situation = Situation::new(Body::new(15.0, 10.5, 346_050.0)?, 0.6, 9.81)?.with_weight().with(push);
 /// let figure = load_plane(&LoadPlane {
-///     regions: &regions,
+///     regions: &situation.plane(2.0)?,
 ///     up_to: 2.0,
-///     friction: situation.static_friction,
-///     stages: &stages,
+///     friction: situation.static_friction(),
+///     stages: &situation.path()?,
 ///     title: "Caisson in air",
 /// });
 /// assert!(figure.caption().contains("Full load (λ = 1, diamond): RE"));

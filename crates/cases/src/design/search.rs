@@ -1,10 +1,9 @@
 //! The least value that meets a target.
 
-use super::outcome::Outcome;
 use super::target::Target;
-use super::vary::Variable;
-use super::{Chain, DesignError, with_unit};
-use crate::case::Case;
+use super::{DesignError, Varied, least, load_factor, overturning, sliding, with_unit};
+use crate::assess::Assessment;
+use crate::couple::Variable;
 use crate::layout::digits;
 
 /// How many parts a bracket is cut into to find where the target is first met.
@@ -16,7 +15,7 @@ const NEAR: f64 = 1e-9;
 /// The least value of a bracket that meets a target.
 pub(super) struct Found {
     pub(super) value: f64,
-    pub(super) outcome: Outcome,
+    pub(super) answer: Assessment,
     /// What there is just below.
     pub(super) below: Below,
     /// Beyond this value the target fails again, within the bracket, and why.
@@ -36,22 +35,21 @@ pub(super) enum Below {
 /// A value with what it comes to, or why it does not.
 struct Trial {
     value: f64,
-    outcome: Result<Outcome, DesignError>,
+    answer: Result<Assessment, DesignError>,
     met: bool,
 }
 
 /// Cuts the bracket, takes the first part at whose end the target is met, and halves that.
 pub(super) fn search(
-    chain: &Chain<'_>,
-    case: &Case,
+    varied: &Varied<'_>,
     variable: &Variable,
     target: Target,
     [from, to]: [f64; 2],
 ) -> Result<Found, DesignError> {
     let attempt = |value: f64| {
-        let outcome = chain.outcome(&variable.replacements(case, value));
-        let met = outcome.as_ref().is_ok_and(|outcome| target.is_met(outcome));
-        Trial { value, outcome, met }
+        let answer = varied.answer(variable, value);
+        let met = answer.as_ref().is_ok_and(|answer| target.is_met(answer));
+        Trial { value, answer, met }
     };
     let mut scan: Vec<Trial> =
         (0..=PARTS).map(|i| attempt(from + (to - from) * (f64::from(i) / f64::from(PARTS)))).collect();
@@ -74,12 +72,12 @@ pub(super) fn search(
         None => (met, Below::End),
         Some(below) => {
             let (failing, meeting) = halve(&attempt, size, below, met);
-            let fails = failing.outcome.is_ok();
+            let fails = failing.answer.is_ok();
             let why = why(&attempt, target, meeting.value, failing);
             (meeting, if fails { Below::Fails(why) } else { Below::NoCase(why) })
         }
     };
-    Ok(Found { value: met.value, outcome: met.outcome?, below, until })
+    Ok(Found { value: met.value, answer: met.answer?, below, until })
 }
 
 /// Brings a value that fails and one that meets the target together, in a bracket whose values are of a size.
@@ -106,27 +104,27 @@ fn halve(
 
 /// Why a value beside `met` fails. Of a case that makes no sense it is said with a round value, a little farther away.
 fn why(attempt: &impl Fn(f64) -> Trial, target: Target, met: f64, failing: Trial) -> String {
-    let error = match failing.outcome {
-        Ok(outcome) => return target.binding(&outcome),
+    let error = match failing.answer {
+        Ok(answer) => return target.binding(&answer),
         Err(error) => error,
     };
     let step = 10_f64.powf(failing.value.abs().max(1e-12).log10().floor() - 3.0);
     let towards = if failing.value > met { f64::ceil } else { f64::floor };
     let round = attempt(towards(failing.value / step) * step);
-    round.outcome.err().unwrap_or(error).to_string()
+    round.answer.err().unwrap_or(error).to_string()
 }
 
 fn unmet(scan: Vec<Trial>, variable: &Variable, target: Target, [from, to]: [f64; 2]) -> DesignError {
-    let mut best: Option<(f64, f64, Outcome)> = None;
+    let mut best: Option<(f64, f64, Assessment)> = None;
     let mut worst = f64::INFINITY;
     let mut first_error = None;
-    for Trial { value, outcome, .. } in scan {
-        match outcome {
-            Ok(outcome) => {
-                let score = target.score(&outcome);
+    for Trial { value, answer, .. } in scan {
+        match answer {
+            Ok(answer) => {
+                let score = target.score(&answer);
                 worst = worst.min(score);
                 if best.as_ref().is_none_or(|(best, ..)| score > *best) {
-                    best = Some((score, value, outcome));
+                    best = Some((score, value, answer));
                 }
             }
             Err(error) => {
@@ -134,22 +132,22 @@ fn unmet(scan: Vec<Trial>, variable: &Variable, target: Target, [from, to]: [f64
             }
         }
     }
-    let Some((score, value, outcome)) = best else {
+    let Some((score, value, answer)) = best else {
         return first_error.expect("a trial without outcome has an error");
     };
     if score == worst {
-        let name = variable.name.clone();
-        let binding = target.binding(&outcome);
+        let name = variable.name().to_owned();
+        let binding = target.binding(&answer);
         return DesignError::NoInfluence { name, target, binding };
     }
     let best = format!(
         "the best of {} values tried is {}, with safety factors {} and {}, leaving rest at {} times the load",
         PARTS + 1,
         with_unit(value, variable),
-        digits(outcome.sliding()),
-        digits(outcome.overturning()),
-        digits(outcome.first_load_factor()),
+        digits(least(&answer, sliding)),
+        digits(least(&answer, overturning)),
+        digits(least(&answer, load_factor)),
     );
     let [from, to] = [from, to].map(|value| with_unit(value, variable));
-    DesignError::Unmet { name: variable.name.clone(), from, to, target, best }
+    DesignError::Unmet { name: variable.name().to_owned(), from, to, target, best }
 }

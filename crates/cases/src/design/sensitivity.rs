@@ -1,72 +1,60 @@
 //! What a small change of every number of a case does to its safety.
 
-use super::Chain;
-use super::outcome::Outcome;
-use super::vary::Variable;
-use crate::case::{Case, CaseError, Number};
-use crate::units::Quantity;
+use super::{Varied, least, load_factor, overturning, sliding};
+use crate::assess::{Assessed, Assessment};
+use crate::couple::Variable;
+use crate::error::CaseError;
+use crate::key::Key;
+use crate::parse::CaseFile;
 
 /// By how much, relatively, a number is varied to either side.
 const STEP: f64 = 1e-4;
 
-/// How both safety factors and the first load factor change if a number grows by 1 %; `None` where they are
-/// infinite or the number can grow or shrink no more.
+/// How both safety factors and the load factor change if a number grows by 1 %; `None` where they are infinite or the number
+/// can grow or shrink no more.
 #[derive(Debug, Clone)]
 pub struct Sensitivity {
-    pub(super) variable: Variable,
+    /// The number.
+    pub variable: Variable,
+    /// Its present value, SI.
+    pub value: f64,
     /// Of SF_sliding, the least of all situations.
     pub sliding: Option<f64>,
     /// Of SF_overturning, about either corner, the least of all situations.
     pub overturning: Option<f64>,
     /// Of the load factor at which the body first leaves rest, the least of all situations.
-    pub first_load_factor: Option<f64>,
+    pub load_factor: Option<f64>,
 }
 
-impl Sensitivity {
-    /// The number's table and key, e.g. `wave.period`.
-    pub fn name(&self) -> &str {
-        &self.variable.name
-    }
-
-    /// Its present value in SI units.
-    pub fn value(&self) -> f64 {
-        self.variable.present
-    }
-
-    /// What it measures; `None` for a plain number.
-    pub fn quantity(&self) -> Option<Quantity> {
-        self.variable.quantity
-    }
-}
-
-/// The sensitivity of the case whose file is `text` to every number of it but zeros; `name` is what errors call the file.
-/// What has to go with a number goes with it: the mass with the width, the crest with the height.
+/// The sensitivity of the case of a file to every number of it but zeros. What has to go with a number goes with it: the mass
+/// with the width, the crest with the height.
 ///
 /// # Errors
 /// If the case makes no sense.
-pub fn sensitivities(name: &str, text: &str) -> Result<Vec<Sensitivity>, CaseError> {
-    let chain = Chain { name, text };
-    let case = chain.case(&[])?;
-    Ok(all(&chain, &case))
+pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
+    let case = file.case()?;
+    Ok(all(&Varied { file, case: &case }))
 }
 
 /// The sensitivity to every number but zeros, which have no percent.
-pub(super) fn all(chain: &Chain<'_>, case: &Case) -> Vec<Sensitivity> {
+pub(super) fn all(varied: &Varied<'_>) -> Vec<Sensitivity> {
     // The caisson's width is the body's.
-    let counts = |number: &&Number| number.value != 0.0 && number.id.key != "caisson_width";
-    let numbers = case.numbers.iter().filter(counts);
-    numbers.map(|number| of(chain, case, Variable::of(*number))).collect()
+    let variables = Variable::all(varied.inputs()).filter(|id| id.key != Key::CaissonWidth).map(Variable::of);
+    variables.filter_map(|variable| of(varied, variable)).collect()
 }
 
-fn of(chain: &Chain<'_>, case: &Case, variable: Variable) -> Sensitivity {
-    let at = |step: f64| chain.outcome(&variable.replacements(case, variable.present * (1.0 + step))).ok();
+fn of(varied: &Varied<'_>, variable: Variable) -> Option<Sensitivity> {
+    let value = variable.value(varied.inputs(), varied.case);
+    if value == 0.0 {
+        return None;
+    }
+    let at = |step: f64| varied.answer(&variable, value * (1.0 + step)).ok();
     let (above, below) = (at(STEP), at(-STEP));
-    let change = |of: fn(&Outcome) -> f64| {
-        let difference = of(above.as_ref()?) - of(below.as_ref()?);
+    let change = |of: fn(&Assessed) -> f64| {
+        let least = |answer: &Option<Assessment>| Some(least(answer.as_ref()?, of));
+        let difference = least(&above)? - least(&below)?;
         Some(difference / (2.0 * STEP) / 100.0).filter(|change| change.is_finite())
     };
-    let sliding = change(Outcome::sliding);
-    let overturning = change(Outcome::overturning);
-    let first_load_factor = change(Outcome::first_load_factor);
-    Sensitivity { variable, sliding, overturning, first_load_factor }
+    let (sliding, overturning, load_factor) = (change(sliding), change(overturning), change(load_factor));
+    Some(Sensitivity { variable, value, sliding, overturning, load_factor })
 }

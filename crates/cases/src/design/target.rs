@@ -6,9 +6,13 @@ use std::str::FromStr;
 use standfast::Mode;
 use thiserror::Error;
 
-use super::outcome::{FAR, Outcome, first};
-use crate::assess::situation::Assessed;
+use super::{least, load_factor, overturning, sliding};
+use crate::assess::verdict::predicate;
+use crate::assess::{Assessed, Assessment};
 use crate::layout::digits;
+
+/// Beyond any factor that a design aims at.
+const FAR: f64 = 1e4;
 
 /// What a design has to reach, in every situation of the case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,20 +67,20 @@ impl fmt::Display for Target {
 
 impl Target {
     /// Whether every situation meets it.
-    pub(super) fn is_met(self, outcome: &Outcome) -> bool {
-        outcome.all.iter().all(|assessed| self.is_met_by(assessed))
+    pub(super) fn is_met(self, answer: &Assessment) -> bool {
+        answer.all.iter().all(|assessed| self.is_met_by(assessed))
     }
 
     fn is_met_by(self, assessed: &Assessed) -> bool {
-        let (sliding, overturning) = (assessed.stability.sliding, assessed.stability.least_overturning());
+        let full = &assessed.outcome.full;
         match self {
-            Target::Rest => assessed.full.mode == Some(Mode::Rest),
+            Target::Rest => full.mode == Some(Mode::Rest),
             Target::Factor(factor) => {
                 // By uplift that turns it, a body may move with both factors above 1.
-                let turns = factor >= 1.0 && assessed.full.mode != Some(Mode::Rest);
-                sliding >= factor && overturning >= factor && !assessed.full.is_lifted() && !turns
+                let turns = factor >= 1.0 && full.mode != Some(Mode::Rest);
+                sliding(assessed) >= factor && overturning(assessed) >= factor && !full.is_lifted() && !turns
             }
-            Target::LoadFactor(factor) => first(assessed) >= factor,
+            Target::LoadFactor(factor) => load_factor(assessed) >= factor,
             Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),
         }
     }
@@ -89,37 +93,40 @@ impl Target {
             (_, None) => true,
             _ => false,
         };
-        let stages = assessed.path.iter().filter(|stage| stage.from < 1.0);
-        let mut candidates = stages.map(|stage| (stage.from, stage.mode)).chain([(1.0, assessed.full.mode)]);
+        let stages = assessed.outcome.path.iter().filter(|stage| stage.from < 1.0);
+        let mut candidates =
+            stages.map(|stage| (stage.from, stage.mode)).chain([(1.0, assessed.outcome.full.mode)]);
         candidates.find(|(_, mode)| offends(*mode))
     }
 
     /// How good an outcome is, to tell how near a design came.
-    pub(super) fn score(self, outcome: &Outcome) -> f64 {
+    pub(super) fn score(self, answer: &Assessment) -> f64 {
         match self {
-            Target::Factor(_) => outcome.factor(),
-            _ => outcome.first_load_factor(),
+            Target::Factor(_) => least(answer, sliding).min(least(answer, overturning)),
+            _ => least(answer, load_factor),
         }
     }
 
     /// What keeps an outcome from meeting the target, in words.
-    pub(super) fn binding(self, outcome: &Outcome) -> String {
-        let Some(assessed) = outcome.all.iter().find(|assessed| !self.is_met_by(assessed)) else {
+    pub(super) fn binding(self, answer: &Assessment) -> String {
+        let Some(assessed) = answer.all.iter().find(|assessed| !self.is_met_by(assessed)) else {
             return "nothing".to_owned();
         };
         match self {
-            Target::Factor(_) if assessed.full.is_lifted() => {
+            Target::Factor(_) if assessed.outcome.full.is_lifted() => {
                 "nothing presses the body on its base: P > 0 fails".to_owned()
             }
-            Target::Factor(factor) if assessed.stability.sliding < factor => {
+            Target::Factor(factor) if sliding(assessed) < factor => {
                 format!("sliding: μ(W' − U)/P ≥ {} fails", digits(factor))
             }
             Target::Factor(factor) => {
                 format!("overturning: (W' t − M_U)/M_p ≥ {} fails", digits(factor))
             }
-            Target::Rest => format!("under the full load the body {}", moves(assessed, assessed.full.mode)),
+            Target::Rest => {
+                format!("under the full load the body {}", moves(assessed, assessed.outcome.full.mode))
+            }
             Target::LoadFactor(factor) => {
-                let mode = assessed.departure().map_or(assessed.full.mode, |stage| stage.mode);
+                let mode = assessed.departure().mode().or(assessed.outcome.full.mode);
                 let at = digits(factor);
                 format!("before {at} times the load, the body {}", moves(assessed, mode))
             }
@@ -130,9 +137,7 @@ impl Target {
                 } else {
                     "under the full load at once".to_owned()
                 };
-                let mode = mode
-                    .map_or("has no consistent mode".to_owned(), |mode| format!("{} ({mode})", mode.words()));
-                format!("{when}, the body {mode}")
+                format!("{when}, the body {}", predicate(mode))
             }
         }
     }
@@ -148,7 +153,8 @@ fn moves(assessed: &Assessed, mode: Option<Mode>) -> String {
         _ => "nothing presses it on its base: P > 0 fails",
     };
     // Under the full load, the report's inequalities of rest say it with their numbers.
-    let steps = assessed.full.effective.map(|reduced| reduced.point.explain().steps).unwrap_or_default();
+    let steps =
+        assessed.outcome.full.effective.map(|reduced| reduced.point.explain().steps).unwrap_or_default();
     let rest = steps.into_iter().find(|step| step.mode == Mode::Rest && !step.holds);
     let failing = rest.and_then(|step| step.relations.into_iter().find(|relation| !relation.holds));
     let equation = failing.map_or(String::new(), |relation| {

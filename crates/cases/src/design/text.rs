@@ -2,19 +2,19 @@
 
 use standfast::Mode;
 
-use super::outcome::{self, Outcome, first};
 use super::search::{Below, Found};
-use super::{Design, Target, with_unit};
-use crate::assess::{heading, load_name};
+use super::{Design, Target, least, load_factor, overturning, sliding, with_unit};
+use crate::assess::verdict::departure_word;
+use crate::assess::{Assessed, Assessment, heading};
 use crate::layout::{columns, digits, paragraph, row};
 
 pub(super) fn render(design: &Design) -> String {
-    let Design { case, request, variable, bracket, found, .. } = design;
-    let mut text = heading(case);
+    let Design { request, variable, bracket, found, present, .. } = design;
+    let mut text = heading(&present.case);
     text += "Design\n";
     let [from, to] = bracket.map(|value| with_unit(value, variable));
     let wanted = words(request.target);
-    text += &paragraph(&format!("The least {} from {from} to {to} for which {wanted}.", variable.name), 2);
+    text += &paragraph(&format!("The least {} from {from} to {to} for which {wanted}.", variable.name()), 2);
     text += "\n";
     text += &before_and_after(design);
     text += "\nBinding\n";
@@ -26,7 +26,7 @@ pub(super) fn render(design: &Design) -> String {
     for warning in design.new_warnings() {
         text += &paragraph(&format!("Warning: {warning}."), 2);
     }
-    for note in variable.notes(case) {
+    for note in design.notes() {
         text += &paragraph(&note, 2);
     }
     text += "\nSensitivity: change if one input grows by 1 %, with what has to go with it\n";
@@ -47,30 +47,26 @@ fn words(target: Target) -> String {
 }
 
 fn before_and_after(design: &Design) -> String {
-    let Design { case, variable, present, found, .. } = design;
-    let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol);
-    let factor = |outcome: &Outcome| match outcome.first_load_factor() {
-        f64::INFINITY => "never".to_owned(),
-        factor => format!("{} %", digits(100.0 * factor)),
-    };
+    let Design { variable, value, present, found, .. } = design;
+    let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol).to_owned();
     // Of several alternative forces, the one that governs.
-    let under = |outcome: &Outcome, of| {
-        let load = outcome.governing(of).loaded.load.filter(|_| outcome.all.len() > 1);
-        load.map_or(String::new(), |load| format!(", {}", load_name(case, load)))
+    let under = |answer: &Assessment, of: fn(&Assessed) -> f64| {
+        let name = answer.name(answer.least(of)).filter(|_| answer.all.len() > 1);
+        name.map_or(String::new(), |name| format!(", {name}"))
     };
-    let both = |words: &str, of: &dyn Fn(&Outcome) -> String| row![words, of(present), of(&found.outcome)];
+    let both = |words: &str, of: &dyn Fn(&Assessment) -> String| row![words, of(present), of(&found.answer)];
     let rows = [
         row!["", "at present", "found"],
-        row![variable.name.as_str(), with_unit(variable.present, variable), with_unit(found.value, variable)],
-        both("SF sliding", &|outcome| digits(outcome.sliding()) + &under(outcome, outcome::sliding)),
-        both("SF overturning", &|outcome| {
-            digits(outcome.overturning()) + &under(outcome, outcome::overturning)
+        row![variable.name(), with_unit(*value, variable), with_unit(found.value, variable)],
+        both("SF sliding", &|answer| digits(least(answer, sliding)) + &under(answer, sliding)),
+        both("SF overturning", &|answer| digits(least(answer, overturning)) + &under(answer, overturning)),
+        both("mode under the full load", &|answer| {
+            symbol(answer.governing().outcome.full.mode) + &under(answer, load_factor)
         }),
-        both("mode under the full load", &|outcome| {
-            symbol(outcome.mode()).to_owned() + &under(outcome, first)
+        both("leaves rest at", &|answer| {
+            departure_word(answer.governing().departure()) + &under(answer, load_factor)
         }),
-        both("leaves rest at", &|outcome| factor(outcome) + &under(outcome, first)),
-        both("into", &|outcome| outcome.first_mode().map_or("", Mode::symbol).to_owned()),
+        both("into", &|answer| answer.governing().departure().mode().map_or("", Mode::symbol).to_owned()),
     ];
     columns(&rows, 2, &[1, 2])
 }
@@ -84,7 +80,7 @@ fn binding(found: &Found) -> String {
 }
 
 fn sensitivities(design: &Design) -> String {
-    let mut rows = vec![row!["input", "value", "SF sliding", "SF overturning", "first load factor"]];
+    let mut rows = vec![row!["input", "value", "SF sliding", "SF overturning", "load factor"]];
     let signed = |change: Option<f64>| match change {
         Some(change) => format!("{change:+.5}"),
         None => "–".to_owned(),
@@ -92,11 +88,11 @@ fn sensitivities(design: &Design) -> String {
     rows.extend(design.sensitivities.iter().map(|sensitivity| {
         let variable = &sensitivity.variable;
         row![
-            variable.name.as_str(),
-            with_unit(variable.present, variable),
+            variable.name(),
+            with_unit(sensitivity.value, variable),
             signed(sensitivity.sliding),
             signed(sensitivity.overturning),
-            signed(sensitivity.first_load_factor),
+            signed(sensitivity.load_factor),
         ]
     }));
     columns(&rows, 2, &[2, 3, 4])

@@ -120,6 +120,22 @@ impl Warning {
     }
 }
 
+impl Warning {
+    /// Its name, to be told apart by programs.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Warning::ImpulsiveBreaking { .. } => "impulsive-breaking",
+            Warning::DeepWater { .. } => "deep-water",
+            Warning::HigherThanBreaking { .. } => "higher-than-breaking",
+            Warning::NoPressureAtBase { .. } => "no-pressure-at-base",
+            Warning::BaseBelowBed { .. } => "base-below-bed",
+            Warning::BermBelowBase { .. } => "berm-below-base",
+            Warning::LongPeriod { .. } => "long-period",
+            Warning::SteepBed { .. } => "steep-bed",
+        }
+    }
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -3,13 +3,14 @@
 use standfast::wave::Heights;
 
 use super::text::warnings;
-use crate::case::{Case, WaveLoad};
+use crate::case::{Case, Waves};
 use crate::layout::{columns, digits, row};
+use crate::warning::Warning;
 
-pub(super) fn render(case: &Case, wave: &WaveLoad) -> String {
+pub(super) fn render(case: &Case, wave: &Waves) -> String {
     let mut text = "\nSea and waves\n".to_owned();
     text += &sea(wave);
-    text += &warnings(case.wave_warnings());
+    text += &warnings(case, Warning::is_about_waves);
     text += "\nPressures on the wall (Goda)\n";
     text += &pressures(wave);
     text
@@ -19,7 +20,7 @@ fn metres(x: f64) -> String {
     format!("{} m", digits(x))
 }
 
-fn sea(WaveLoad { sea, heights, section, choices, goda }: &WaveLoad) -> String {
+fn sea(Waves { sea, heights, section, choices, goda }: &Waves) -> String {
     let mut rows = Vec::new();
     match *heights {
         Heights::DeepWater(height) => {
@@ -60,7 +61,7 @@ fn sea(WaveLoad { sea, heights, section, choices, goda }: &WaveLoad) -> String {
     columns(&rows, 2, &[])
 }
 
-fn pressures(WaveLoad { choices, goda, .. }: &WaveLoad) -> String {
+fn pressures(Waves { choices, goda, .. }: &Waves) -> String {
     let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
     let [λ1, λ2, λ3] = choices.lambda.map(digits);
     let impulsive = if choices.impulsive { "in use" } else { "not used" };

@@ -1,0 +1,98 @@
+//! The actions as a designer adds them up, safety factors and bearing pressures.
+
+use standfast::{Bearing, ClassicalActions, Corner, Stability};
+
+use super::Assessed;
+use crate::describe::kilonewtons;
+use crate::layout::{columns, digits, paragraph, row};
+
+/// A corner of the base by its letter.
+pub fn corner(corner: Corner) -> &'static str {
+    match corner {
+        Corner::O => "O",
+        Corner::OPrime => "O'",
+    }
+}
+
+/// Why there is no bearing pressure, in words; `None` where there is one.
+pub fn no_bearing(bearing: Bearing) -> Option<&'static str> {
+    match bearing {
+        Bearing::Pressed { .. } => None,
+        Bearing::Lifted => Some("nothing presses on the base"),
+        _ => Some("the resultant misses the base"),
+    }
+}
+
+fn number(x: f64, unit: &str) -> String {
+    if x.is_finite() { format!("{}{unit}", digits(x)) } else { "none".into() }
+}
+
+pub(super) fn actions(assessed: &Assessed) -> String {
+    let ClassicalActions { heel, buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } =
+        assessed.outcome.actions;
+    let kilonewton_metres = |x: f64| format!("{} kN m/m", digits(x / 1e3));
+    let rows = [
+        row![
+            "W'",
+            kilonewtons(buoyant_weight),
+            format!("at t = {} from the heel {}", number(weight_arm, " m"), corner(heel))
+        ],
+        row!["U", kilonewtons(uplift), format!("M_U = {} about the heel", kilonewton_metres(uplift_moment))],
+        row!["P", kilonewtons(force), format!("M_p = {} about the base", kilonewton_metres(force_moment))],
+    ];
+    columns(&rows, 2, &[])
+}
+
+pub(super) fn factors(assessed: &Assessed) -> String {
+    let full = &assessed.outcome.full;
+    let stability = &assessed.outcome.stability;
+    let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
+    let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { digits(factor) };
+    let mut rows = vec![
+        row!["sliding", "μ(W' − U)/P", factor(sliding)],
+        row!["overturning", "(W' t − M_U)/M_p", factor(overturning_about_heel)],
+    ];
+    if overturning_about_toe.is_finite() && !full.is_lifted() {
+        let formula = "(W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe";
+        rows.push(row!["", formula, factor(overturning_about_toe)]);
+    }
+    let effective = full.effective.map(|reduced| reduced.point.safety_against_overturning());
+    let classical = digits(stability.overturning());
+    let effective = effective.filter(|effective| digits(*effective) != classical);
+    if let Some(effective) = effective {
+        rows.push(row!["", "1/(k_eff γ |1+k'_eff|)", digits(effective)]);
+    }
+    rows.extend(bearing(assessed));
+    let mut text = columns(&rows, 2, &[]);
+    if effective.is_some() {
+        let both = "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one \
+             as less resistance. They differ except at 1, which they pass together.";
+        text += &paragraph(both, 2);
+    }
+    if stability.overturning() == 0.0 && !full.is_lifted() {
+        let turned = "An overturning factor of 0 says that uplift or eccentric weight turn the body without any \
+             horizontal force.";
+        text += &paragraph(turned, 2);
+    }
+    text
+}
+
+fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
+    let Stability { bearing, resultant_arm, .. } = assessed.outcome.stability;
+    let base = assessed.situation.body().base_width();
+    let mut rows = Vec::new();
+    match bearing {
+        Bearing::Pressed { heel, toe, contact } => {
+            let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
+            rows.push(row!["bearing", "at the heel", kilopascals(heel)]);
+            rows.push(row!["", "at the toe", kilopascals(toe)]);
+            let share = format!("{} m ({} % of the base)", digits(contact), digits(100.0 * contact / base));
+            rows.push(row!["", "contact", share]);
+        }
+        other => rows.push(row!["bearing", no_bearing(other).unwrap_or_default(), "none"]),
+    }
+    if let Some(arm) = resultant_arm {
+        rows.push(row!["resultant", "t_e from the heel", number(arm, " m")]);
+    }
+    rows
+}

@@ -1,0 +1,47 @@
+//! The report's diagram: the view that an answer has of it where body and loads allow, and the inequalities that decide.
+
+use standfast::relation::Relation;
+
+use super::Assessed;
+use crate::describe;
+use crate::layout::{columns, digits, paragraph, row};
+
+/// Why a load may be no point of the report's diagram.
+pub const NO_POINT: &str = "The load is no point of the report's diagram, which needs a uniform body with one friction and no \
+    added mass, pressed on its base and pushed sideways; it is answered by the general contact problem.";
+
+impl Assessed {
+    /// The inequalities that decide the mode under the full load: the report's where the load has a point in its diagram,
+    /// otherwise the conditions of the contact problem. None where no mode is consistent.
+    pub fn because(&self) -> Vec<Relation> {
+        let full = &self.outcome.full;
+        match (&full.effective, full.mode) {
+            (Some(reduced), _) => reduced.point.explain().deciding().to_vec(),
+            (None, Some(mode)) => {
+                let solution = self.situation.solve(&full.wrench);
+                solution.map_or_else(|_| Vec::new(), |solution| solution.explain(mode))
+            }
+            (None, None) => Vec::new(),
+        }
+    }
+}
+
+pub(super) fn text(assessed: &Assessed) -> String {
+    let Some(reduced) = &assessed.outcome.full.effective else { return paragraph(NO_POINT, 2) };
+    let point = &reduced.point;
+    let (k, k_prime) = match assessed.situation.in_air() {
+        Some(_) => (["k", "F/(m g)"], ["k'", "(e − H)/H"]),
+        None => (["k_eff", "|X|/P"], ["k'_eff", "−M/(X H)"]),
+    };
+    let rows = [
+        row!["γ", "H/B", digits(point.gamma())],
+        row![k_prime[0], k_prime[1], digits(point.k_prime())],
+        row![k[0], k[1], digits(point.k())],
+        row!["μ", "", digits(point.mu())],
+    ];
+    let mut text = columns(&rows, 2, &[]);
+    if reduced.mirrored {
+        text += &paragraph(describe::MIRRORED, 2);
+    }
+    text
+}

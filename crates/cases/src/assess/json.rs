@@ -1,0 +1,270 @@
+//! The answer as one JSON document, schema 1, at full precision: `docs/answer.schema.json`.
+//!
+//! Units are SI throughout. Results stand under the names of the [one list](crate::results). `null` says that there is no such
+//! thing; a number without bound is the word `infinite`.
+
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+use standfast::contact::path::{self, Stage};
+use standfast::loads::{LoadKind, LoadSource};
+use standfast::wave::Goda;
+use standfast::{Mode, Modes, Motion, Slip, Wrench};
+
+use super::{Assessed, Assessment, View};
+use crate::case::{Case, Waves};
+use crate::point::{PointDocument, RelationDocument};
+use crate::results::ResultName;
+
+/// The version of the document.
+pub(crate) const SCHEMA: u32 = 1;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    schema: u32,
+    title: Option<&'a str>,
+    note: Option<&'a str>,
+    gravity: f64,
+    body: Body,
+    weight_counted_as: &'static str,
+    water: Option<Water>,
+    wave: Option<Wave>,
+    warnings: Vec<Warning>,
+    /// The place of the situation that leaves rest first.
+    governing: usize,
+    situations: Vec<Situation<'a>>,
+    figures: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Body {
+    width: f64,
+    height: f64,
+    mass: f64,
+    weight: f64,
+    slenderness: f64,
+    friction: f64,
+    kinetic_friction: f64,
+    added_mass: f64,
+    centroid_height: f64,
+    heel_distance: f64,
+    toe_distance: f64,
+    moment_of_inertia: f64,
+}
+
+#[derive(Serialize)]
+struct Water {
+    left: f64,
+    right: f64,
+    density: f64,
+}
+
+#[derive(Serialize)]
+struct Warning {
+    name: &'static str,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct Wave {
+    #[serde(rename = "H13")]
+    h_13: f64,
+    #[serde(rename = "Hmax")]
+    h_max: f64,
+    deep_water_wavelength: f64,
+    wavelength: f64,
+    h_b: f64,
+    angle_deg: f64,
+    turn_deg: f64,
+    impulsive: bool,
+    lambda: [f64; 3],
+    eta_star: f64,
+    h_c_star: f64,
+    alpha_1: f64,
+    alpha_2: f64,
+    alpha_3: f64,
+    alpha_4: f64,
+    #[serde(rename = "alpha_I")]
+    alpha_impulsive: f64,
+    alpha_star: f64,
+    p1: f64,
+    p3: f64,
+    p4: f64,
+    pu: f64,
+}
+
+#[derive(Serialize)]
+struct Situation<'a> {
+    load: Option<Force<'a>>,
+    #[serde(flatten)]
+    results: Results<'a>,
+    mode_words: Option<&'static str>,
+    because: Vec<RelationDocument>,
+    /// Of the mode reported: m/s², rad/s², N and m per metre run.
+    motion: Option<Motion>,
+    wrench: Wrench,
+    components: Vec<Component>,
+    path: Vec<PathStage>,
+    report: Option<PointDocument>,
+}
+
+/// The results of the one list.
+struct Results<'a>(&'a Assessed);
+
+impl Serialize for Results<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(ResultName::ALL.len()))?;
+        for result in ResultName::ALL {
+            map.serialize_entry(result.name(), &result.of(self.0))?;
+        }
+        map.end()
+    }
+}
+
+#[derive(Serialize)]
+struct Force<'a> {
+    name: Option<&'a str>,
+    force: f64,
+    elevation: f64,
+    direction: Slip,
+}
+
+#[derive(Serialize)]
+struct Component {
+    name: String,
+    source: LoadSource,
+    counts_as: LoadKind,
+    permanent: bool,
+    #[serde(flatten)]
+    wrench: Wrench,
+}
+
+#[derive(Serialize)]
+struct PathStage {
+    from: f64,
+    to: f64,
+    mode: Option<Mode>,
+    also: Modes,
+}
+
+pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> String {
+    let case = &assessment.case;
+    let governing = assessment.governing();
+    crate::json(&Document {
+        schema: SCHEMA,
+        title: case.title.as_deref(),
+        note: case.note.as_deref(),
+        gravity: case.gravity,
+        body: Body::of(case),
+        weight_counted_as: case.weight_words(),
+        water: case.water.map(|water| Water {
+            left: water.left(),
+            right: water.right(),
+            density: water.density(),
+        }),
+        wave: case.wave.as_ref().map(Wave::of),
+        warnings: case
+            .warnings()
+            .iter()
+            .map(|warning| Warning { name: warning.name(), message: warning.to_string() })
+            .collect(),
+        governing: governing.force.unwrap_or(0),
+        situations: assessment.all.iter().map(|assessed| Situation::of(case, assessed, view)).collect(),
+        figures: files,
+    })
+}
+
+impl Body {
+    fn of(case: &Case) -> Body {
+        let body = &case.body;
+        Body {
+            width: body.width(),
+            height: body.height(),
+            mass: body.mass(),
+            weight: body.mass() * case.gravity,
+            slenderness: body.slenderness(),
+            friction: case.friction,
+            kinetic_friction: case.kinetic_friction,
+            added_mass: case.added_mass.mass(),
+            centroid_height: body.centroid_height(),
+            heel_distance: body.heel_distance(),
+            toe_distance: body.toe_distance(),
+            moment_of_inertia: body.moment_of_inertia(),
+        }
+    }
+}
+
+impl Wave {
+    fn of(Waves { choices, goda, .. }: &Waves) -> Wave {
+        let Goda { h_13, h_max, deep_water_wavelength, wavelength, h_b, angle_deg, .. } = *goda;
+        let Goda { eta_star, h_c_star, alpha_1, alpha_2, alpha_3, alpha_4, .. } = *goda;
+        let Goda { alpha_impulsive, alpha_star, p1, p3, p4, pu, .. } = *goda;
+        Wave {
+            h_13,
+            h_max,
+            deep_water_wavelength,
+            wavelength,
+            h_b,
+            angle_deg,
+            turn_deg: choices.turn_deg,
+            impulsive: choices.impulsive,
+            lambda: choices.lambda,
+            eta_star,
+            h_c_star,
+            alpha_1,
+            alpha_2,
+            alpha_3,
+            alpha_4,
+            alpha_impulsive,
+            alpha_star,
+            p1,
+            p3,
+            p4,
+            pu,
+        }
+    }
+}
+
+impl<'a> Situation<'a> {
+    fn of(case: &'a Case, assessed: &'a Assessed, view: &View) -> Situation<'a> {
+        let full = &assessed.outcome.full;
+        Situation {
+            load: assessed.force.map(|force| Force::of(case, force)),
+            results: Results(assessed),
+            mode_words: full.mode.map(Mode::words),
+            because: assessed.because().iter().map(RelationDocument::of).collect(),
+            motion: full.motion,
+            wrench: full.wrench,
+            components: assessed
+                .components(case)
+                .into_iter()
+                .map(|component| Component {
+                    name: component.name,
+                    source: component.load.source,
+                    counts_as: component.load.kind,
+                    permanent: component.load.permanent,
+                    wrench: component.wrench,
+                })
+                .collect(),
+            path: path::up_to(&assessed.outcome.path, view.up_to).iter().map(PathStage::of).collect(),
+            report: full.effective.as_ref().map(PointDocument::of),
+        }
+    }
+}
+
+impl<'a> Force<'a> {
+    fn of(case: &'a Case, index: usize) -> Force<'a> {
+        let named = &case.forces[index];
+        Force {
+            name: named.name.as_deref(),
+            force: named.force.magnitude(),
+            elevation: named.force.elevation(),
+            direction: named.force.direction(),
+        }
+    }
+}
+
+impl PathStage {
+    fn of(stage: &Stage) -> PathStage {
+        PathStage { from: stage.from, to: stage.to, mode: stage.mode, also: stage.others() }
+    }
+}

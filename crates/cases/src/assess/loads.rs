@@ -1,0 +1,158 @@
+//! The body and its loads one by one, for reading.
+
+use standfast::Wrench;
+use standfast::loads::{Load, LoadSource};
+
+use super::Assessed;
+use crate::case::{Case, Weight};
+use crate::describe::kilonewtons;
+use crate::layout::{columns, digits, paragraph, row};
+
+/// What added mass leaves out.
+const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of the centre of mass; that it acts at \
+    another height, and so couples sway and rotation, is left out.";
+
+/// What an earthquake does to water, and is not counted where the added mass is given as such.
+const SHAKEN_WATER: &str = "The pressure of the water on the shaken wall is not among the loads, because its height is \
+    not given: give sides in [added_mass] in place of the mass, or add it as a [[load]].";
+
+/// What added mass leaves out, in sentences; empty without it.
+pub fn added_mass_notes(case: &Case) -> Vec<&'static str> {
+    let mut notes = Vec::new();
+    if case.added_mass.mass() > 0.0 {
+        notes.push(ADDED_MASS);
+        if case.earthquake.is_some() && case.added_mass.height().is_none() {
+            notes.push(SHAKEN_WATER);
+        }
+    }
+    notes
+}
+
+/// What a load is called; a force has a name of its own.
+pub fn load_words(case: &Case, assessed: &Assessed, load: &Load) -> String {
+    let words = match load.source {
+        LoadSource::Weight => "weight m g",
+        LoadSource::BuoyantWeight => "buoyant weight W'",
+        LoadSource::Buoyancy => "buoyancy",
+        LoadSource::StillWater => "still water on the sides",
+        LoadSource::Uplift => "uplift",
+        LoadSource::HorizontalInertia => "earthquake, horizontal",
+        LoadSource::ShakenWater => "water on the shaken wall",
+        LoadSource::VerticalInertia => "earthquake, vertical",
+        LoadSource::WavePressure => "wave pressure",
+        LoadSource::WaveUplift => "wave uplift",
+        LoadSource::Force => {
+            let name = assessed.force.and_then(|force| case.forces[force].name.clone());
+            return name.unwrap_or_else(|| "force".to_owned());
+        }
+        _ => "load",
+    };
+    words.to_owned()
+}
+
+/// A load of a situation: what it is called, whether it is permanent, and what it amounts to at the centre of mass. Water on
+/// both sides is one load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// What it is called.
+    pub name: String,
+    /// The load; the first of those that are one.
+    pub load: Load,
+    /// At the centre of mass, N and N·m per metre run.
+    pub wrench: Wrench,
+}
+
+impl Assessed {
+    /// The loads one by one.
+    pub fn components(&self, case: &Case) -> Vec<Component> {
+        let mut components: Vec<Component> = Vec::new();
+        for load in self.situation.loads() {
+            let wrench = self.situation.wrench_of(load);
+            match components.last_mut() {
+                Some(last) if last.load.source == load.source => last.wrench = last.wrench + wrench,
+                _ => {
+                    let name = load_words(case, self, load);
+                    components.push(Component { name, load: load.clone(), wrench });
+                }
+            }
+        }
+        components
+    }
+}
+
+impl Case {
+    /// How water takes part in the weight, in words.
+    pub fn weight_words(&self) -> &'static str {
+        match (self.weight, &self.water) {
+            (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
+            (Weight::Total, Some(_)) => "total weight with explicit pressures",
+            (Weight::Total, None) => "total weight, no still water",
+        }
+    }
+}
+
+pub(super) fn body(case: &Case) -> String {
+    let body = &case.body;
+    let metres = |x: f64| format!("{} m", digits(x));
+    let mut rows = vec![
+        row!["width 2B", metres(body.width())],
+        row!["height 2H", metres(body.height())],
+        row!["mass m", format!("{} t/m", digits(body.mass() / 1e3))],
+    ];
+    let gravity = format!("g = {} m/s²", digits(case.gravity));
+    rows.push(row!["weight m g", format!("{} ({gravity})", kilonewtons(body.mass() * case.gravity))]);
+    if case.added_mass.mass() > 0.0 {
+        let mass = format!("{} t/m, moves with the body horizontally", digits(case.added_mass.mass() / 1e3));
+        rows.push(row!["added mass of water", mass]);
+    }
+    rows.push(row!["slenderness γ = H/B", digits(body.slenderness())]);
+    if !body.is_uniform() {
+        let place = format!(
+            "{} above the base, {} right of O, {} left of O'",
+            metres(body.centroid_height()),
+            metres(body.heel_distance()),
+            metres(body.toe_distance())
+        );
+        rows.push(row!["centre of mass", place]);
+        let inertia = format!("{} t m²/m about it", digits(body.moment_of_inertia() / 1e3));
+        rows.push(row!["moment of inertia", inertia]);
+    }
+    if case.kinetic_friction == case.friction {
+        rows.push(row!["friction μ", digits(case.friction)]);
+    } else {
+        let pair = format!("{} to stick, {} to slip", digits(case.friction), digits(case.kinetic_friction));
+        rows.push(row!["friction μ", pair]);
+    }
+    if let Some(water) = &case.water {
+        let levels = if water.left() == water.right() {
+            metres(water.left())
+        } else {
+            format!("{} at the left, {} at the right", metres(water.left()), metres(water.right()))
+        };
+        rows.push(row!["still water", format!("{levels} above the base; {} kg/m³", digits(water.density()))]);
+    }
+    if case.water.is_some() || case.weight != Weight::Total {
+        rows.push(row!["weight counted as", case.weight_words()]);
+    }
+    columns(&rows, 2, &[])
+}
+
+/// The loads one by one, and their sum under the full load.
+pub(super) fn components(case: &Case, assessed: &Assessed) -> String {
+    let mut rows =
+        vec![row!["", "", "left", "down", "moment at C"], row!["load", "", "kN/m", "kN/m", "kN m/m"]];
+    let numbers = |wrench: &Wrench| {
+        // `0.0 −` rather than `−`, so that nothing becomes −0.
+        [0.0 - wrench.x, wrench.p, wrench.m].map(|x| digits(x / 1e3))
+    };
+    for Component { name, load, wrench } in assessed.components(case) {
+        let share = if load.permanent { "permanent" } else { "variable" };
+        let [left, down, moment] = numbers(&wrench);
+        rows.push(row![name, share, left, down, moment]);
+    }
+    let [left, down, moment] = numbers(&assessed.outcome.full.wrench);
+    rows.push(row!["sum", "", left, down, moment]);
+    let mut text = columns(&rows, 2, &[2, 3, 4]);
+    text += &paragraph("Moments are counter-clockwise about the centre of mass C.", 2);
+    text
+}

@@ -1,0 +1,151 @@
+//! What the body does under the full load at once, and while it rises, in sentences: those of every face.
+
+use standfast::contact::path;
+use standfast::{Departure, Mode, Response};
+
+use super::{Assessed, View};
+use crate::describe::kilonewtons;
+use crate::layout::{columns, digits, row};
+
+/// A mode, or the lack of one, as a predicate with its symbol.
+pub fn predicate(mode: Option<Mode>) -> String {
+    match mode {
+        Some(mode) => format!("{} ({mode})", mode.words()),
+        None => "has no consistent mode".to_owned(),
+    }
+}
+
+/// The state under the full load, applied at once.
+pub fn full_load(assessed: &Assessed) -> Vec<String> {
+    let full = &assessed.outcome.full;
+    let mut sentences = Vec::new();
+    if full.is_lifted() {
+        sentences.push(lifted(full));
+    }
+    sentences.push(format!("Applied at once, the full load: the body {}.", predicate(full.mode)));
+    sentences.push(uniqueness(assessed));
+    sentences
+}
+
+fn lifted(full: &Response) -> String {
+    let lift = kilonewtons(0.0 - full.wrench.p);
+    if full.wrench.p == 0.0 {
+        "The loads carry the whole weight: nothing presses the body on its base, and safety factors mean nothing.".to_owned()
+    } else if full.mode == Some(Mode::Flight) {
+        format!("The loads lift the body with {lift} more than its weight: safety factors mean nothing.")
+    } else {
+        format!(
+            "The loads lift the body with {lift} more than its weight, but press one corner down by their moment; \
+             safety factors mean nothing."
+        )
+    }
+}
+
+/// Whether the answer is the only one, and which it is if not.
+fn uniqueness(assessed: &Assessed) -> String {
+    let full = &assessed.outcome.full;
+    let mode = match full.mode {
+        None => {
+            return "That happens only where friction to stick is larger than friction to slip.".to_owned();
+        }
+        Some(_) if full.is_unique() => return "The answer is unique.".to_owned(),
+        Some(mode) => mode,
+    };
+    let list: Vec<_> = full.others().iter().map(|mode| predicate(Some(mode))).collect();
+    let verb = if list.len() == 1 { "satisfies" } else { "satisfy" };
+    let mut text = format!(
+        "The answer is not unique: that it {} {verb} the equations of motion, Coulomb's law and the contact \
+         conditions as well. Rigid-body mechanics cannot choose; a suddenly applied load favours {mode}.",
+        list.join(" and that it "),
+    );
+    let risen = assessed.outcome.risen().filter(|risen| *risen != mode && *risen != Mode::Rest);
+    if let Some(risen) = risen {
+        text += &format!(" Under a rising load the body comes there in {risen} and stays in it.");
+    }
+    text
+}
+
+/// The stages of the rising load; of a lone force in air with its force and k.
+pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
+    let in_air = assessed.situation.in_air();
+    let mut rows = vec![row!["from", "to", "mode", "", ""]];
+    rows.extend(path::up_to(&assessed.outcome.path, view.up_to).iter().map(|stage| {
+        let others = stage.others();
+        let also = if others.is_empty() { String::new() } else { format!("not unique, also {others}") };
+        let force = in_air.filter(|_| stage.from > 0.0).map(|reduced| {
+            let weight = assessed.situation.body().mass() * assessed.situation.gravity();
+            let k = stage.from * reduced.point.k();
+            format!("from F = {} (k = {}) on", kilonewtons(k * weight), digits(k))
+        });
+        let mode = stage.mode.map_or("none", Mode::symbol);
+        row![digits(stage.from), digits(stage.to), mode, force.unwrap_or_default(), also]
+    }));
+    columns(&rows, 2, &[0, 1])
+}
+
+/// What happens while the variable loads rise: where the body leaves rest, and how that differs from the full load at once.
+pub fn path(assessed: &Assessed) -> Vec<String> {
+    match assessed.departure() {
+        _ if assessed.outcome.path.is_empty() => vec!["All loads are permanent; none rises.".to_owned()],
+        departure => vec![leaving(departure), difference(assessed)],
+    }
+}
+
+/// Where the body leaves rest as the loads rise.
+fn leaving(departure: &Departure) -> String {
+    match *departure {
+        Departure::Never => "No multiple of the variable loads moves the body.".to_owned(),
+        Departure::AtOnce { mode, permanent: true } => {
+            format!("The permanent loads alone move the body: it {}.", predicate(mode))
+        }
+        Departure::AtOnce { mode, permanent: false } => {
+            format!("Any share of the variable load, however small, moves the body: it {}.", predicate(mode))
+        }
+        Departure::At { factor, mode } => {
+            let into = mode.map_or("no consistent mode", Mode::symbol);
+            format!(
+                "The body first leaves rest at {} % of the variable load, into {into}.",
+                digits(100.0 * factor)
+            )
+        }
+    }
+}
+
+/// The difference between the full load at once and a rising one.
+fn difference(assessed: &Assessed) -> String {
+    let full = assessed.outcome.full.mode;
+    let symbol = |mode: Option<Mode>| mode.map_or("no consistent mode", Mode::symbol);
+    match *assessed.departure() {
+        Departure::AtOnce { .. } => {
+            "With no rest to begin from, a rising load has no first departure.".to_owned()
+        }
+        Departure::At { factor, .. } if factor < 1.0 && full == Some(Mode::Rest) => format!(
+            "At once, the full load leaves the body at rest; rising, it has moved it before, at {} %.",
+            digits(100.0 * factor)
+        ),
+        _ if full == Some(Mode::Rest) => {
+            "At once or rising, the full load leaves the body at rest.".to_owned()
+        }
+        Departure::At { factor, mode } if mode == full => format!(
+            "At once and rising, the body takes up the same mode, {}; rising, it moves from {} % on.",
+            symbol(full),
+            digits(100.0 * factor)
+        ),
+        Departure::At { factor, mode } => format!(
+            "At once, the full load starts {}; rising, the load has started {} before, at {} %.",
+            symbol(full),
+            symbol(mode),
+            digits(100.0 * factor)
+        ),
+        Departure::Never => format!("At once, the full load starts {}.", symbol(full)),
+    }
+}
+
+/// Where a body leaves rest, in a word or as per cent of the load.
+pub fn departure_word(departure: &Departure) -> String {
+    match *departure {
+        Departure::Never => "never".to_owned(),
+        Departure::AtOnce { .. } => "at once".to_owned(),
+        Departure::At { factor, .. } => format!("{} %", digits(100.0 * factor)),
+    }
+}

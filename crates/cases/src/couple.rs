@@ -1,0 +1,371 @@
+//! Numbers of a case that are varied, one or several at once, and what goes with them for the case to make sense.
+//!
+//! One rule, so that the order of names does not matter:
+//!
+//! 1. The named numbers are set.
+//! 2. What is coupled by *level* is added: the sea's level moves depths, crest and buoyancy, wherever they stand; only a named
+//!    number that moves others itself keeps its value.
+//! 3. What is coupled by *scale* is multiplied, unless it is named: the mass with the width, at constant density.
+
+use std::fmt;
+
+use crate::case::{Case, Weight};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Moves};
+use crate::suggest::closest;
+use crate::units::{Dimension, UnitError};
+
+/// A number of a case that is varied.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    name: String,
+    id: Id,
+    moves: Moves,
+    /// The mass where the file gives the density.
+    by_density: bool,
+    /// Whether a level of the sea moves the water on the other side as well.
+    both_sides: bool,
+}
+
+/// A name that is no number of a case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unknown {
+    /// The name.
+    pub name: String,
+    /// The one it resembles.
+    pub suggestion: Option<String>,
+    /// The numbers of the case.
+    pub names: Vec<String>,
+}
+
+/// Short names, and the numbers they may stand for, the first that a case has.
+const SHORT_NAMES: [(&str, &[Key]); 6] = [
+    ("width", &[Key::Width]),
+    ("height", &[Key::Height]),
+    ("mass", &[Key::Mass, Key::Density]),
+    ("friction", &[Key::Friction]),
+    ("water_level", &[Key::Level, Key::WaterRight, Key::BaseDepth]),
+    ("crest_height", &[Key::CrestHeight]),
+];
+
+impl Variable {
+    /// The number of a case that is called `name`: a short name, or table and key as in `wave.period`.
+    ///
+    /// # Errors
+    /// If there is no such number.
+    pub fn find(name: &str, inputs: &Inputs) -> Result<Variable, Unknown> {
+        let short = SHORT_NAMES.iter().find(|(short, _)| *short == name);
+        let by_short = short.and_then(|(_, keys)| keys.iter().find(|key| inputs.number(**key).is_some()));
+        let by_key = || Variable::all(inputs).find(|id| id.to_string() == name);
+        if let Some(id) = by_short.map(|key| Id::from(*key)).or_else(by_key) {
+            let variable = Variable { name: name.to_owned(), ..Variable::of(id) };
+            return Ok(match name {
+                "water_level" => Variable { moves: Moves::WaterLevel, both_sides: true, ..variable },
+                "mass" => Variable { by_density: id.key == Key::Density, ..variable },
+                _ => variable,
+            });
+        }
+        let names: Vec<_> = Variable::all(inputs).map(|id| id.to_string()).collect();
+        let candidates = SHORT_NAMES.iter().map(|(short, _)| *short).chain(names.iter().map(String::as_str));
+        let suggestion = closest(name, candidates.filter(|candidate| *candidate != name)).map(str::to_owned);
+        Err(Unknown { name: name.to_owned(), suggestion, names })
+    }
+
+    /// The numbers of a case that can be varied.
+    pub fn all(inputs: &Inputs) -> impl Iterator<Item = Id> {
+        inputs.numbers().map(|(id, _)| id).filter(|id| id.key.info().range().is_some())
+    }
+
+    /// The number under a key.
+    pub fn of(id: Id) -> Variable {
+        let moves = id.key.info().moves;
+        let both_sides = id.key == Key::Level;
+        Variable { name: id.to_string(), id, moves, by_density: false, both_sides }
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The key that it is under.
+    pub fn id(&self) -> Id {
+        self.id
+    }
+
+    /// What it measures; `None` for a plain number.
+    pub fn dimension(&self) -> Option<Dimension> {
+        if self.by_density { Some(Dimension::Mass) } else { self.id.key.info().dimension() }
+    }
+
+    /// Its value in a case, SI.
+    pub fn value(&self, inputs: &Inputs, case: &Case) -> f64 {
+        if self.by_density { case.body.mass() } else { inputs.number(self.id).unwrap_or(0.0) }
+    }
+
+    /// The value that a text says, with a unit or in SI.
+    ///
+    /// # Errors
+    /// If it is no number, or its unit does not fit.
+    pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
+        match (text.trim().parse::<f64>(), self.dimension()) {
+            (Ok(value), _) if value.is_finite() => Ok(value),
+            (_, Some(dimension)) => dimension.parse(text),
+            (_, None) => Err(UnitError::Number),
+        }
+    }
+
+    /// What goes with it, in sentences.
+    pub fn notes(&self, inputs: &Inputs, case: &Case) -> Vec<String> {
+        let has = |key: Key| inputs.number(key).is_some();
+        let mut notes = Vec::new();
+        let buoyant = matches!(case.weight, Weight::Buoyant { .. });
+        match self.moves {
+            Moves::Width => {
+                if has(Key::Mass) {
+                    notes.push("The mass goes with the width: the density is kept.");
+                }
+                if buoyant {
+                    notes.push("The buoyant weight goes with the width, and its arm as well.");
+                }
+            }
+            Moves::Height | Moves::BaseDepth => {
+                if has(Key::Mass) {
+                    notes.push("The mass goes with the height: the mean density is kept.");
+                }
+                if buoyant {
+                    notes.push("The buoyant weight takes up the weight added or taken away.");
+                }
+            }
+            Moves::Mass if buoyant => {
+                notes.push("The buoyant weight takes up the weight added or taken away.");
+            }
+            Moves::WaterLevel => {
+                if case.wave.is_some() {
+                    notes.push(
+                        "The sea rises or falls: depths change with the level, the crest stays where it is.",
+                    );
+                }
+                if case.water.is_some_and(|water| water.left() != water.right()) {
+                    notes.push(match self.both_sides {
+                        true => "The level named is that at the right; the one at the left moves with it.",
+                        false => {
+                            "The level at the left stays: water_level in place of water.right moves both."
+                        }
+                    });
+                }
+            }
+            Moves::Friction if has(Key::KineticFriction) => {
+                notes.push("Friction to slip goes with friction to stick, in proportion.");
+            }
+            _ => {}
+        }
+        let resized = matches!(self.moves, Moves::Width | Moves::Height | Moves::Mass);
+        if has(Key::MomentOfInertia) && resized {
+            notes.push("The moment of inertia goes with the mass: the radius of gyration is kept.");
+        }
+        notes.into_iter().map(str::to_owned).collect()
+    }
+}
+
+impl fmt::Display for Variable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name)
+    }
+}
+
+/// The inputs with some numbers changed, and what goes with them; `case` is the case of the unchanged `inputs`.
+pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Inputs {
+    let mut varied = inputs.clone();
+    let mut moved = Moved::default();
+    for (variable, value) in changes {
+        let present = variable.value(inputs, case);
+        if variable.by_density {
+            let density = inputs.number(variable.id).unwrap_or(0.0);
+            varied.set(variable.id, density * (value / present));
+        } else {
+            varied.set(variable.id, *value);
+        }
+        moved.add(variable, case, present, *value);
+    }
+    let named = |key: Key| changes.iter().any(|(variable, _)| variable.id == Id::from(key));
+    for (key, by) in moved.levels {
+        if let Some(value) = varied.number(key).filter(|_| !named(key) || key.info().moves == Moves::Alone) {
+            varied.set(key, value + by);
+        }
+    }
+    for (key, ratio) in moved.scales {
+        if let Some(value) = varied.number(key).filter(|_| !named(key)) {
+            varied.set(key, value * ratio);
+        }
+    }
+    varied
+}
+
+/// What goes with varied numbers.
+#[derive(Default)]
+struct Moved {
+    levels: Vec<(Key, f64)>,
+    scales: Vec<(Key, f64)>,
+}
+
+impl Moved {
+    fn add(&mut self, variable: &Variable, case: &Case, present: f64, value: f64) {
+        let (by, ratio) = (value - present, value / present);
+        match variable.moves {
+            Moves::Alone => {}
+            Moves::Width => self.scale(
+                ratio,
+                &[
+                    Key::Width,
+                    Key::CaissonWidth,
+                    Key::BaseLeft,
+                    Key::BaseRight,
+                    Key::CentroidOffset,
+                    Key::WeightArm,
+                    Key::Mass,
+                    Key::BuoyantWeight,
+                    Key::MomentOfInertia,
+                ],
+            ),
+            Moves::Height => {
+                self.level(by, &[Key::CrestHeight, Key::Height]);
+                self.heighten(case, by);
+            }
+            Moves::Mass => {
+                self.scale(ratio, &[Key::Mass, Key::Density, Key::MomentOfInertia]);
+                self.level(case.body.mass() * (ratio - 1.0) * case.gravity, &[Key::BuoyantWeight]);
+            }
+            Moves::Friction => self.scale(ratio, &[Key::KineticFriction]),
+            Moves::WaterLevel => {
+                self.level(by, &[Key::Level, Key::WaterRight]);
+                if variable.both_sides {
+                    self.level(by, &[Key::WaterLeft]);
+                }
+                self.level(by, &[Key::BaseDepth, Key::WaterDepth, Key::DepthAboveBerm]);
+                self.level(-by, &[Key::CrestHeight]);
+                self.drown(case, by);
+            }
+            Moves::BaseDepth => {
+                self.level(by, &[Key::Level, Key::WaterRight, Key::Height]);
+                self.heighten(case, by);
+                self.drown(case, by);
+            }
+        }
+    }
+
+    fn level(&mut self, by: f64, keys: &[Key]) {
+        self.levels.extend(keys.iter().map(|key| (*key, by)));
+    }
+
+    fn scale(&mut self, ratio: f64, keys: &[Key]) {
+        self.scales.extend(keys.iter().map(|key| (*key, ratio)));
+    }
+
+    /// Makes the body higher, at its density.
+    fn heighten(&mut self, case: &Case, by: f64) {
+        let body = &case.body;
+        let ratio = (body.height() + by) / body.height();
+        self.scale(ratio, &[Key::Mass, Key::CentroidHeight, Key::MomentOfInertia]);
+        self.level(body.mass() * (ratio - 1.0) * case.gravity, &[Key::BuoyantWeight]);
+    }
+
+    /// Takes the buoyancy of more water off a given buoyant weight.
+    fn drown(&mut self, case: &Case, by: f64) {
+        let Some(wave) = &case.wave else { return };
+        let unit_weight = wave.sea.water_density * case.gravity;
+        self.level(-unit_weight * by * case.body.base_width(), &[Key::BuoyantWeight]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CaseFile;
+
+    const CAISSON: &str = "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\nkinetic_friction = 0.5\n\
+        buoyant_weight = 2318640\n[wave]\nH13 = 5.8\nHmax = 8.05\nperiod = 11.4\nsea_bottom_slope = 0.01\n\
+        water_depth = 10.1\ndepth_above_berm = 5.6\nbase_depth = 7.1\ncrest_height = 3.4\nberm_width = 8\n\
+        caisson_width = 15\nangle_deg = 15\nwater_density = 1030\n";
+
+    fn varied(changes: &[(&str, f64)]) -> Inputs {
+        let file = CaseFile::parse("t.toml", CAISSON).unwrap();
+        let case = file.case().unwrap();
+        let variables: Vec<_> =
+            changes.iter().map(|(name, _)| Variable::find(name, file.inputs()).unwrap()).collect();
+        let changes: Vec<_> = variables.iter().zip(changes.iter().map(|(_, value)| *value)).collect();
+        vary(file.inputs(), &case, &changes)
+    }
+
+    fn close(inputs: &Inputs, expected: &[(Key, f64)]) {
+        for &(key, value) in expected {
+            let found = inputs.number(key).unwrap();
+            assert!((found - value).abs() <= 1e-9 * value.abs(), "{key}: {found}, expected {value}");
+        }
+    }
+
+    #[test]
+    fn the_width_takes_the_mass_along() {
+        let wider = varied(&[("width", 18.0)]);
+        close(
+            &wider,
+            &[
+                (Key::Width, 18.0),
+                (Key::CaissonWidth, 18.0),
+                (Key::Mass, 346050.0 * 1.2),
+                (Key::BuoyantWeight, 2318640.0 * 1.2),
+                (Key::Height, 10.5),
+            ],
+        );
+        assert!(Case::of(&wider).is_ok());
+    }
+
+    #[test]
+    fn the_sea_moves_depths_crest_and_buoyancy() {
+        let higher = varied(&[("water_level", 8.1)]);
+        close(
+            &higher,
+            &[
+                (Key::BaseDepth, 8.1),
+                (Key::WaterDepth, 11.1),
+                (Key::DepthAboveBerm, 6.6),
+                (Key::CrestHeight, 2.4),
+                (Key::BuoyantWeight, 2318640.0 - 1030.0 * 9.81 * 15.0),
+            ],
+        );
+        assert!(Case::of(&higher).is_ok());
+    }
+
+    /// Several at once: named first, then levels, then scales, in whatever order they are named.
+    #[test]
+    fn the_order_of_names_does_not_matter() {
+        let changes = [
+            ("width", 18.0),
+            ("water_level", 8.1),
+            ("mass", 400e3),
+            ("friction", 0.3),
+            ("wave.water_depth", 12.0),
+        ];
+        let forth = varied(&changes);
+        let mut reversed = changes;
+        reversed.reverse();
+        assert_eq!(forth.numbers().collect::<Vec<_>>(), varied(&reversed).numbers().collect::<Vec<_>>());
+        close(
+            &forth,
+            &[
+                // Named, and not scaled with the width.
+                (Key::Mass, 400e3),
+                // Named, and raised with the sea.
+                (Key::WaterDepth, 13.0),
+                (Key::KineticFriction, 0.25),
+                // The weight added and the water displaced, then as much wider.
+                (Key::BuoyantWeight, (2318640.0 + (400e3 - 346050.0) * 9.81 - 1030.0 * 9.81 * 15.0) * 1.2),
+            ],
+        );
+        // A number that moves others keeps its own value.
+        close(
+            &varied(&[("height", 12.0), ("crest_height", 3.0)]),
+            &[(Key::Height, 12.0), (Key::CrestHeight, 3.0)],
+        );
+    }
+}

@@ -1,0 +1,419 @@
+//! What can be wrong with a case, and how it is said in the file's own text.
+
+use std::ops::Range as Span;
+
+use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+use standfast::InputError;
+use thiserror::Error;
+
+use crate::key::{Id, Key, Kind, Range, Table};
+use crate::layout::plain;
+use crate::suggest::closest;
+use crate::units::UnitError;
+
+/// What is wrong.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// There is nothing in the file.
+    #[error("{name} is empty")]
+    Empty {
+        /// The file.
+        name: String,
+    },
+    /// The text is not TOML.
+    #[error("this is not valid TOML: {0}")]
+    Syntax(String),
+    /// A key that no case file has.
+    #[error("{} has no key `{name}`", table.header())]
+    UnknownKey {
+        /// The table it is in.
+        table: Table,
+        /// The key.
+        name: String,
+    },
+    /// A key that has to be there.
+    #[error("{} lacks `{}`", key.info().table.header(), key.entry())]
+    MissingKey {
+        /// The key.
+        key: Key,
+    },
+    /// A table that has to be there.
+    #[error("the case file lacks `{}`", table.name())]
+    MissingTable {
+        /// The table.
+        table: Table,
+    },
+    /// A value of another type.
+    #[error("`{}` is {found}; expected {expected}", key.entry())]
+    WrongType {
+        /// The key.
+        key: Key,
+        /// The type found.
+        found: &'static str,
+        /// The type expected.
+        expected: &'static str,
+    },
+    /// Something else where a table should be.
+    #[error("`{}` is {found}; expected {expected}", table.name())]
+    NoTable {
+        /// The table.
+        table: Table,
+        /// The type found.
+        found: &'static str,
+        /// The type expected.
+        expected: &'static str,
+    },
+    /// A text that is no quantity of the kind needed.
+    #[error("`{}` is {written}, and {error}; expected {}", key.entry(), expected(*key))]
+    Unit {
+        /// The key.
+        key: Key,
+        /// The value as it stands in the file.
+        written: String,
+        /// What is wrong with it.
+        error: UnitError,
+    },
+    /// A value that the key cannot have.
+    #[error("`{}` is {written}; expected {expected}", key.entry())]
+    OutOfRange {
+        /// The key.
+        key: Key,
+        /// The value as it stands in the file, or the number that was tried.
+        written: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// The force does not hit the body.
+    #[error("`elevation` is above the crest of the body, which is {height} m high")]
+    AboveCrest {
+        /// Height of the body, m.
+        height: f64,
+    },
+    /// Both are given.
+    #[error("{} has both `{}` and `{}`", one.info().table.header(), one.name(), two.name())]
+    Both {
+        /// A key.
+        one: Key,
+        /// Another that says the same.
+        two: Key,
+    },
+    /// None is given.
+    #[error("{} has neither `{}` nor `{}`", one.info().table.header(), one.name(), two.name())]
+    Neither {
+        /// A key.
+        one: Key,
+        /// Another that would do.
+        two: Key,
+    },
+    /// `load = []`.
+    #[error("the case file has no load")]
+    NoLoad,
+    /// Slip with more friction than stick.
+    #[error("`kinetic_friction` is {kinetic}; expected no more than `friction`, which is {friction}")]
+    KineticFriction {
+        /// To slip.
+        kinetic: f64,
+        /// To stick.
+        friction: f64,
+    },
+    /// `weight_arm` alone.
+    #[error("[body] has `weight_arm` but no `buoyant_weight`")]
+    ArmWithoutWeight,
+    /// A water table beside a weight from which buoyancy is taken off.
+    #[error("the case has both [water] and `buoyant_weight`, so buoyancy would be taken off twice")]
+    WaterTwice,
+    /// Waves without still water.
+    #[error("[wave] needs [water], for the buoyancy, or `buoyant_weight` in [body]")]
+    NoWater,
+    /// No level.
+    #[error("[water] has no level")]
+    NoLevel,
+    /// The level of one side.
+    #[error("[water] lacks `{}`; water on one side only has level 0 on the other", missing.name())]
+    OneLevel {
+        /// The key.
+        missing: Key,
+    },
+    /// Both are given.
+    #[error("[water] has `level`, for both sides, and one for a side")]
+    LevelAndSides,
+    /// Neither here nor with the waves.
+    #[error("[water] lacks `density`, and there is no `water_density` in [wave] to take")]
+    NoWaterDensity,
+    /// Two values of one quantity.
+    #[error("`{one}` is {one_value}, but `{two}` is {two_value}: they have to agree", one_value = with_unit(*one, *one_value), two_value = with_unit(*two, *two_value))]
+    Disagree {
+        /// A key.
+        one: Key,
+        /// Its value.
+        one_value: f64,
+        /// Another.
+        two: Key,
+        /// Its value, or what it makes.
+        two_value: f64,
+    },
+    /// Two heights of one caisson.
+    #[error(
+        "`base_depth` and `crest_height` make {base_depth} m + {crest_height} m, but the body is {height} m high"
+    )]
+    Height {
+        /// Below still water, m.
+        base_depth: f64,
+        /// Above still water, m.
+        crest_height: f64,
+        /// Of the body, m.
+        height: f64,
+    },
+    /// Two widths of one caisson.
+    #[error("`caisson_width` is {width} m, but the base of the body is {base} m wide")]
+    CaissonWidth {
+        /// Of the waves, m.
+        width: f64,
+        /// From O to O', m.
+        base: f64,
+    },
+    /// Water whose mass is to be added, but there is none.
+    #[error("`sides` counts sides with water, but there is neither [water] nor [wave]")]
+    SidesWithoutWater,
+    /// Both are given.
+    #[error("[wave] has `deep_water_height` and a height at the wall")]
+    DeepAndLocal,
+    /// None is given.
+    #[error("[wave] has no wave height")]
+    NoWaveHeight,
+    /// One of the heights at the wall.
+    #[error("[wave] lacks `{}`; at the wall, both `H13` and `Hmax` are needed", missing.name())]
+    OneWaveHeight {
+        /// The key.
+        missing: Key,
+    },
+    /// A value that does not go with the others.
+    #[error("`{}` is {}; expected {}", key.entry(), .error.value, .error.expected)]
+    Impossible {
+        /// The key.
+        key: Key,
+        /// What the library says.
+        error: InputError,
+    },
+    /// Numbers beyond what can be computed, by themselves or together.
+    #[error("these numbers are too large or too small to be computed with: {} is {:e}; expected {}", .0.quantity, .0.value, .0.expected)]
+    Mechanics(InputError),
+}
+
+/// What a key takes, in words.
+fn expected(key: Key) -> &'static str {
+    key.info().dimension().map_or("a number", |dimension| dimension.words())
+}
+
+/// A value in the unit of plain numbers.
+fn with_unit(key: Key, value: f64) -> String {
+    key.info().dimension().map_or(value.to_string(), |dimension| format!("{value} {}", dimension.si()))
+}
+
+impl std::fmt::Display for Key {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        Id::from(*self).fmt(f)
+    }
+}
+
+const SKELETON: &str = "a case file has a body and one or more loads, for example:\n\n\
+    [body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6\n\n\
+    [[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"";
+
+impl Problem {
+    /// What to do.
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Problem::Empty { .. } | Problem::NoLoad => SKELETON.to_owned(),
+            Problem::UnknownKey { table, name } => known(*table, name),
+            Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
+            Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
+            Problem::Unit { key, error, .. } => {
+                let dimension = key.info().dimension()?;
+                let units = format!("the units understood here: {}", dimension.understood());
+                match error {
+                    UnitError::Missing => {
+                        format!("{units}; a number without quotes is in {}", dimension.si())
+                    }
+                    _ => units,
+                }
+            }
+            Problem::NoTable { table, .. } => format!("for example\n{}", table.example()),
+            Problem::WrongType { key, .. } | Problem::OutOfRange { key, .. } => {
+                format!("for example\n{}", line(*key))
+            }
+            Problem::AboveCrest { .. } => {
+                "the elevation is measured from the base, in m if it has no unit".into()
+            }
+            Problem::Both { one: Key::Mass, .. } => {
+                "keep one of them; the other follows from width and height".into()
+            }
+            Problem::Neither { one: Key::Mass, .. } => {
+                "add one of them, for example density = \"2.1 t/m3\"".into()
+            }
+            Problem::Neither { .. } => "add sides = 1 or 2, or for example mass = \"50 t/m\"".into(),
+            Problem::Syntax(message) if message.contains("missing value") || message.contains("quot") => {
+                "texts and numbers with a unit stand in quotes, e.g. width = \"15 m\"".into()
+            }
+            Problem::WaterTwice => "keep [water] to work with the total weight and explicit pressures, or \
+                 `buoyant_weight` to work with W'"
+                .into(),
+            Problem::NoWater => "add for example\n[water]\nlevel = \"7.1 m\"".into(),
+            Problem::NoLevel => "add level = \"7.1 m\" for both sides, or left and right".into(),
+            Problem::NoWaterDensity => "add for example density = \"1030 kg/m3\"".into(),
+            Problem::DeepAndLocal | Problem::NoWaveHeight => {
+                "give either deep_water_height, or H13 and Hmax at the wall".into()
+            }
+            Problem::LevelAndSides | Problem::Both { .. } => "keep one of them".into(),
+            Problem::ArmWithoutWeight => "the arm is that of W'; add buoyant_weight, or remove it".into(),
+            Problem::Disagree { .. } => "keep one of them, or make them equal".into(),
+            Problem::Height { base_depth, crest_height, .. } => {
+                format!("with them the height is {} m", plain(base_depth + crest_height))
+            }
+            Problem::Syntax(_)
+            | Problem::Mechanics(_)
+            | Problem::KineticFriction { .. }
+            | Problem::OneLevel { .. }
+            | Problem::SidesWithoutWater
+            | Problem::OneWaveHeight { .. }
+            | Problem::CaissonWidth { .. }
+            | Problem::Impossible { .. } => return None,
+        };
+        Some(help)
+    }
+
+    /// What a number has to be that is not in a key's range.
+    pub(crate) fn out_of_range(key: Key, range: Range, number: f64) -> Problem {
+        Problem::OutOfRange { key, written: plain(number), expected: range.words() }
+    }
+}
+
+/// A line of a file that has a key right.
+fn line(key: Key) -> String {
+    format!("{} = {}", key.entry(), key.info().example)
+}
+
+/// The names that a table of a file may have: its keys, and at the top the tables.
+pub(crate) fn names(table: Table) -> Vec<&'static str> {
+    let mut names: Vec<_> = table.keys().map(Key::entry).collect();
+    names.dedup();
+    if table == Table::Top {
+        names.extend(Table::ALL.into_iter().map(Table::name).filter(|name| !name.is_empty()));
+    }
+    names
+}
+
+fn known(table: Table, name: &str) -> String {
+    let names = names(table);
+    let known = format!("the keys understood here: {}", names.join(", "));
+    match closest(name, names.iter().copied()) {
+        Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
+        None => known,
+    }
+}
+
+/// Where in a case something is wrong.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// The value under a key.
+    Key(Id),
+    /// A table of its kind, by its place among them.
+    Table(Table, usize),
+}
+
+impl From<Key> for Place {
+    fn from(key: Key) -> Place {
+        Place::Key(key.into())
+    }
+}
+
+impl From<Id> for Place {
+    fn from(id: Id) -> Place {
+        Place::Key(id)
+    }
+}
+
+impl From<Table> for Place {
+    fn from(table: Table) -> Place {
+        Place::Table(table, 0)
+    }
+}
+
+/// A problem of typed inputs, and where it is.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{problem}")]
+pub struct Fault {
+    /// What is wrong.
+    pub problem: Problem,
+    /// Where.
+    pub at: Place,
+    /// The other place, where two do not agree.
+    pub and: Option<Place>,
+}
+
+impl Fault {
+    pub(crate) fn new(problem: Problem, at: impl Into<Place>) -> Fault {
+        Fault { problem, at: at.into(), and: None }
+    }
+
+    pub(crate) fn and(self, place: impl Into<Place>) -> Fault {
+        Fault { and: Some(place.into()), ..self }
+    }
+}
+
+/// A problem, the file it is in, and where.
+#[derive(Debug, Error)]
+#[error("{problem}")]
+pub struct CaseError {
+    problem: Problem,
+    source_code: Box<NamedSource<String>>,
+    spans: Vec<Span<usize>>,
+}
+
+impl CaseError {
+    pub(crate) fn new(name: &str, text: &str, problem: Problem, spans: Vec<Span<usize>>) -> CaseError {
+        let spans = spans.into_iter().map(|span| first_line(text, span)).collect();
+        let source_code = Box::new(NamedSource::new(name, text.to_owned()));
+        CaseError { problem, source_code, spans }
+    }
+
+    /// What is wrong.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+}
+
+/// The part of a span on its first line, so that a table is shown by its header and not as a whole.
+fn first_line(text: &str, span: Span<usize>) -> Span<usize> {
+    let line = text.get(span.clone()).and_then(|shown| shown.lines().next()).unwrap_or_default();
+    span.start..span.start + line.len()
+}
+
+impl Diagnostic for CaseError {
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        let empty = matches!(self.problem, Problem::Empty { .. });
+        (!empty).then_some(&*self.source_code as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        Some(Box::new(self.spans.iter().cloned().map(LabeledSpan::underline)))
+    }
+
+    fn help(&self) -> Option<Box<dyn std::fmt::Display + '_>> {
+        Some(Box::new(self.problem.help()?))
+    }
+}
+
+/// What a key takes, as the type that is expected of its value.
+pub(crate) fn expected_type(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Text => "a text in quotes",
+        Kind::Measured(..) | Kind::InGravity => "a number, or a text with a number and its unit",
+        Kind::Plain(_) => "a number without unit or quotes",
+        Kind::OneOfThree => "a list of three numbers",
+        Kind::Truth => "true or false",
+        Kind::Sides => "1 or 2",
+        Kind::Direction => "\"left\" or \"right\"",
+    }
+}

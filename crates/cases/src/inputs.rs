@@ -1,0 +1,132 @@
+//! What a case file says, as typed values under their keys, without its text: what is varied, millions of times if need be.
+
+use standfast::Slip;
+
+use crate::key::{Id, Key, Table};
+
+/// A value under a key.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Value {
+    /// A number in SI units, or without unit.
+    Number(f64),
+    /// A multiple of the acceleration of gravity.
+    InGravity(f64),
+    /// Words.
+    Text(String),
+    /// true or false.
+    Truth(bool),
+    /// To the left or to the right.
+    Direction(Slip),
+}
+
+/// The values of a case file.
+///
+/// ```
+/// use standfast_cases::{CaseFile, Key};
+///
+/// let text = "[body]\nwidth = 1\nheight = 2\nmass = 5e3\nfriction = 0.6\n[[load]]\nforce = 7\nelevation = 1\n";
+/// let mut inputs = CaseFile::parse("case.toml", text)?.inputs().clone();
+/// assert_eq!(inputs.number(Key::Width), Some(1.0));
+/// inputs.set(Key::Width, 1.5);
+/// assert_eq!(inputs.number(Key::Width), Some(1.5));
+/// # Ok::<(), standfast_cases::CaseError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Inputs {
+    /// In the order of their keys.
+    values: Vec<(Id, Value)>,
+    /// How many tables of each kind there are, in the order of [`Table::ALL`].
+    tables: [usize; Table::ALL.len()],
+}
+
+impl Inputs {
+    /// The value under a key.
+    pub fn get(&self, id: impl Into<Id>) -> Option<&Value> {
+        let place = self.place(id.into()).ok()?;
+        Some(&self.values[place].1)
+    }
+
+    /// The number under a key, in SI units.
+    pub fn number(&self, id: impl Into<Id>) -> Option<f64> {
+        match self.get(id)? {
+            Value::Number(number) => Some(*number),
+            // Where gravity is not given it is the standard one.
+            Value::InGravity(share) => Some(share * self.gravity()),
+            _ => None,
+        }
+    }
+
+    /// The words under a key.
+    pub fn text(&self, id: impl Into<Id>) -> Option<&str> {
+        match self.get(id)? {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// What is true or false under a key.
+    pub fn truth(&self, id: impl Into<Id>) -> Option<bool> {
+        match self.get(id)? {
+            Value::Truth(truth) => Some(*truth),
+            _ => None,
+        }
+    }
+
+    /// The direction under a key.
+    pub fn direction(&self, id: impl Into<Id>) -> Option<Slip> {
+        match self.get(id)? {
+            Value::Direction(direction) => Some(*direction),
+            _ => None,
+        }
+    }
+
+    /// Puts a number (SI) under a key. Whether the key takes such a number is [`Case::of`](crate::Case::of)'s to say.
+    pub fn set(&mut self, id: impl Into<Id>, number: f64) {
+        self.put(id.into(), Value::Number(number));
+    }
+
+    pub(crate) fn put(&mut self, id: Id, value: Value) {
+        match self.place(id) {
+            Ok(place) => self.values[place].1 = value,
+            Err(place) => self.values.insert(place, (id, value)),
+        }
+    }
+
+    fn place(&self, id: Id) -> Result<usize, usize> {
+        self.values.binary_search_by_key(&id, |(id, _)| *id)
+    }
+
+    /// How many tables of a kind there are.
+    pub fn count(&self, table: Table) -> usize {
+        self.tables[table as usize]
+    }
+
+    /// Whether there is a table of a kind.
+    pub fn has(&self, table: Table) -> bool {
+        self.count(table) > 0
+    }
+
+    pub(crate) fn add_table(&mut self, table: Table) {
+        self.tables[table as usize] += 1;
+    }
+
+    /// The acceleration of gravity, m/s².
+    pub fn gravity(&self) -> f64 {
+        match self.get(Key::Gravity) {
+            Some(Value::Number(gravity)) => *gravity,
+            _ => GRAVITY,
+        }
+    }
+
+    /// All numbers with their keys, in SI units: table by table, and load by load.
+    pub fn numbers(&self) -> impl Iterator<Item = (Id, f64)> {
+        let mut found: Vec<(Id, f64)> =
+            self.values.iter().filter_map(|(id, _)| Some((*id, self.number(*id)?))).collect();
+        found.sort_by_key(|(id, _)| (id.key.info().table, id.index, id.key));
+        found.into_iter()
+    }
+}
+
+/// Standard acceleration of gravity as engineers round it, m/s².
+pub const GRAVITY: f64 = 9.81;

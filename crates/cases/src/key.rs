@@ -1,0 +1,474 @@
+//! Every key of a case file, once: its table and name, what it measures and may be, its symbol and its words, an example, what
+//! is taken where the file is silent, and what moves with it when it is varied.
+//!
+//! The parser, errors and their suggestions, `design`, the calculation sheet, the schema and the page of keys come from this
+//! table.
+
+use std::fmt;
+
+use standfast::Quantity;
+
+use crate::units::Dimension;
+
+/// A table of a case file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Table {
+    /// What stands above all tables.
+    Top,
+    /// The body and its friction.
+    Body,
+    /// Waves from the right.
+    Wave,
+    /// Still water.
+    Water,
+    /// Pressures under the base.
+    Uplift,
+    /// A base that is shaken.
+    Earthquake,
+    /// Water that moves with the body.
+    AddedMass,
+    /// Forces, each an alternative to the others.
+    Load,
+}
+
+impl Table {
+    /// All tables, in the order in which their numbers are listed.
+    pub const ALL: [Table; 8] = [
+        Table::Top,
+        Table::Body,
+        Table::Wave,
+        Table::Water,
+        Table::Uplift,
+        Table::Earthquake,
+        Table::AddedMass,
+        Table::Load,
+    ];
+
+    /// Its name in a file; empty for the top.
+    pub fn name(self) -> &'static str {
+        match self {
+            Table::Top => "",
+            Table::Body => "body",
+            Table::Wave => "wave",
+            Table::Water => "water",
+            Table::Uplift => "uplift",
+            Table::Earthquake => "earthquake",
+            Table::AddedMass => "added_mass",
+            Table::Load => "load",
+        }
+    }
+
+    /// Its header as it stands in a file; in words for the top.
+    pub fn header(self) -> &'static str {
+        match self {
+            Table::Top => "the case file",
+            Table::Body => "[body]",
+            Table::Wave => "[wave]",
+            Table::Water => "[water]",
+            Table::Uplift => "[uplift]",
+            Table::Earthquake => "[earthquake]",
+            Table::AddedMass => "[added_mass]",
+            Table::Load => "[[load]]",
+        }
+    }
+
+    /// What it is for, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Table::Top => "above all tables",
+            Table::Body => "the body and its friction",
+            Table::Wave => "waves by Goda's formulas, with the sea at the right",
+            Table::Water => "still water on both sides and under the base",
+            Table::Uplift => "pressures under the base that are not buoyancy",
+            Table::Earthquake => "an acceleration of the base",
+            Table::AddedMass => "water that moves with the body",
+            Table::Load => "one such table for each force; each is an alternative to the others",
+        }
+    }
+
+    /// Whether a file may have it more than once.
+    pub fn repeats(self) -> bool {
+        self == Table::Load
+    }
+
+    /// Its keys, in their order.
+    pub fn keys(self) -> impl Iterator<Item = Key> {
+        Key::ALL.iter().copied().filter(move |key| key.info().table == self)
+    }
+
+    /// Lines of a file that have the table right.
+    pub fn example(self) -> &'static str {
+        match self {
+            Table::Body => {
+                "[body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6"
+            }
+            Table::Water => "[water]\nlevel = \"7.1 m\"",
+            _ => "[[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"",
+        }
+    }
+}
+
+/// Which numbers a key takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Range {
+    /// Any finite number.
+    Finite,
+    /// Zero or more.
+    NotNegative,
+    /// Above zero.
+    Positive,
+}
+
+impl Range {
+    /// Whether a number is in the range.
+    pub fn contains(self, value: f64) -> bool {
+        let in_range = match self {
+            Range::Finite => true,
+            Range::NotNegative => value >= 0.0,
+            Range::Positive => value > 0.0,
+        };
+        in_range && value.is_finite()
+    }
+
+    /// In words, as what is expected.
+    pub fn words(self) -> &'static str {
+        match self {
+            Range::Finite => "a finite number",
+            Range::NotNegative => "a finite number, zero or more",
+            Range::Positive => "a finite number above zero",
+        }
+    }
+}
+
+/// What a key takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Words.
+    Text,
+    /// A number with a unit, or without one in SI units.
+    Measured(Dimension, Range),
+    /// A number without unit.
+    Plain(Range),
+    /// An acceleration; a number without unit counts the acceleration of gravity.
+    InGravity,
+    /// Three numbers without unit in a list; this key is the first of them.
+    OneOfThree,
+    /// true or false.
+    Truth,
+    /// 1 or 2.
+    Sides,
+    /// "left" or "right".
+    Direction,
+}
+
+/// What goes with a number when it is varied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Moves {
+    /// Nothing.
+    Alone,
+    /// All dimensions along the base, and the mass, at constant density.
+    Width,
+    /// The height at constant density, and so the crest above the sea.
+    Height,
+    /// Everything that weighs.
+    Mass,
+    /// Friction to stick and to slip.
+    Friction,
+    /// The level of the sea at the right.
+    WaterLevel,
+    /// The depth of the caisson's base under the sea, its crest staying where it is.
+    BaseDepth,
+}
+
+/// Everything that is said of a key.
+#[derive(Debug, Clone, Copy)]
+pub struct KeyInfo {
+    /// The table it is in.
+    pub table: Table,
+    /// Its name there.
+    pub name: &'static str,
+    /// What it takes.
+    pub kind: Kind,
+    /// Its symbol in calculations; empty for what is no number.
+    pub symbol: &'static str,
+    /// What it is.
+    pub words: &'static str,
+    /// A value as it may stand in a file.
+    pub example: &'static str,
+    /// What is taken where the file is silent; `None` where the key has to be there, or nothing is taken.
+    pub silent: Option<&'static str>,
+    /// What goes with it when it is varied.
+    pub moves: Moves,
+    /// The library's quantities that this key gives.
+    pub gives: &'static [Quantity],
+}
+
+impl KeyInfo {
+    const fn silent(self, words: &'static str) -> KeyInfo {
+        KeyInfo { silent: Some(words), ..self }
+    }
+
+    const fn moves(self, moves: Moves) -> KeyInfo {
+        KeyInfo { moves, ..self }
+    }
+
+    const fn gives(self, gives: &'static [Quantity]) -> KeyInfo {
+        KeyInfo { gives, ..self }
+    }
+
+    /// What its numbers measure; `None` for plain numbers and for what is no number.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self.kind {
+            Kind::Measured(dimension, _) => Some(dimension),
+            Kind::InGravity => Some(Dimension::Acceleration),
+            _ => None,
+        }
+    }
+
+    /// Which numbers it takes; `None` for what is no number.
+    pub fn range(&self) -> Option<Range> {
+        match self.kind {
+            Kind::Measured(_, range) | Kind::Plain(range) => Some(range),
+            Kind::InGravity => Some(Range::Finite),
+            Kind::OneOfThree => Some(Range::Positive),
+            Kind::Text | Kind::Truth | Kind::Sides | Kind::Direction => None,
+        }
+    }
+
+    /// A line of a file that has the key right.
+    pub fn line(&self) -> String {
+        format!("{} = {}", self.name, self.example)
+    }
+}
+
+const fn key(
+    table: Table,
+    name: &'static str,
+    kind: Kind,
+    symbol: &'static str,
+    words: &'static str,
+    example: &'static str,
+) -> KeyInfo {
+    KeyInfo { table, name, kind, symbol, words, example, silent: None, moves: Moves::Alone, gives: &[] }
+}
+
+const fn length(range: Range) -> Kind {
+    Kind::Measured(Dimension::Length, range)
+}
+
+use Kind::{Direction, InGravity, Measured, OneOfThree, Plain, Sides, Text, Truth};
+use Range::{Finite, NotNegative, Positive};
+use Table::{AddedMass, Body, Earthquake, Load, Top, Uplift, Water, Wave};
+
+/// Defines [`Key`] and its table.
+macro_rules! keys {
+    ($($variant:ident = $info:expr;)*) => {
+        /// A key of a case file.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        #[allow(missing_docs, reason = "the words stand in the table")]
+        pub enum Key {
+            $($variant,)*
+        }
+
+        impl Key {
+            /// All keys, table by table.
+            pub const ALL: &'static [Key] = &[$(Key::$variant,)*];
+
+            /// What is said of it.
+            pub const fn info(self) -> &'static KeyInfo {
+                match self {
+                    $(Key::$variant => {
+                        const INFO: KeyInfo = $info;
+                        &INFO
+                    })*
+                }
+            }
+        }
+    };
+}
+
+keys! {
+    Title = key(Top, "title", Text, "", "what the case is called", "\"Caisson in air\"");
+    Note = key(Top, "note", Text, "", "where its numbers come from", "\"numbers from the preliminary design\"");
+    Gravity = key(Top, "gravity", Measured(Dimension::Acceleration, Positive), "g", "acceleration of gravity", "\"9.81 m/s2\"")
+        .silent("acceleration of gravity").gives(&[Quantity::Gravity]);
+
+    Width = key(Body, "width", length(Positive), "w", "width of the body", "\"15 m\"")
+        .moves(Moves::Width).gives(&[Quantity::Width]);
+    Height = key(Body, "height", length(Positive), "h_w", "height of the body", "\"12 m\"")
+        .moves(Moves::Height).gives(&[Quantity::Height]);
+    Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass, per metre run", "\"370 t/m\"")
+        .moves(Moves::Mass).gives(&[Quantity::Mass]);
+    Density = key(Body, "density", Measured(Dimension::Density, Positive), "ρ_b", "mean density of the body", "\"2.1 t/m3\"")
+        .moves(Moves::Mass).gives(&[Quantity::Density, Quantity::Mass]);
+    Friction = key(Body, "friction", Plain(NotNegative), "μ", "Coulomb friction between body and base, to stick", "0.6")
+        .moves(Moves::Friction).gives(&[Quantity::Friction]);
+    KineticFriction = key(Body, "kinetic_friction", Plain(NotNegative), "μ_k", "Coulomb friction, to slip", "0.5")
+        .silent("friction to slip: that to stick").gives(&[Quantity::KineticFriction]);
+    BaseLeft = key(Body, "base_left", length(Positive), "e_l", "edge of the base left of mid-width", "\"7 m\"")
+        .silent("edge of the base left of mid-width: that of the body").gives(&[Quantity::BaseLeft]);
+    BaseRight = key(Body, "base_right", length(Positive), "e_r", "edge of the base right of mid-width", "\"7 m\"")
+        .silent("edge of the base right of mid-width: that of the body").gives(&[Quantity::BaseRight]);
+    CentroidOffset = key(Body, "centroid_offset", length(Finite), "x_C", "centre of mass right of mid-width", "\"0.4 m\"")
+        .silent("centre of mass right of mid-width").gives(&[Quantity::CentroidOffset]);
+    CentroidHeight = key(Body, "centroid_height", length(Positive), "y_C", "centre of mass above the base", "\"5 m\"")
+        .silent("centre of mass above the base: mid-height").gives(&[Quantity::CentroidHeight]);
+    MomentOfInertia =
+        key(Body, "moment_of_inertia", Measured(Dimension::Inertia, Positive), "I", "moment of inertia about the centre of mass", "\"9500 t m2/m\"")
+        .silent("moment of inertia: that of a uniform rectangle").gives(&[Quantity::MomentOfInertia]);
+    BuoyantWeight = key(Body, "buoyant_weight", Measured(Dimension::Force, Positive), "W_g", "weight less buoyancy", "\"2300 kN/m\"")
+        .gives(&[Quantity::BuoyantWeight]);
+    WeightArm = key(Body, "weight_arm", length(Positive), "t_g", "its arm to the left corner O", "\"7.5 m\"")
+        .silent("arm of the buoyant weight: below the centre of mass").gives(&[Quantity::WeightArm]);
+
+    WaterDepth = key(Wave, "water_depth", length(Positive), "h", "depth at the wall", "\"10.1 m\"")
+        .gives(&[Quantity::WaterDepth]);
+    SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "tanθ", "slope of the sea bed", "0.01")
+        .gives(&[Quantity::SeaBottomSlope]);
+    Period = key(Wave, "period", Measured(Dimension::Time, Positive), "T", "significant wave period", "\"11.4 s\"")
+        .gives(&[Quantity::WavePeriod]);
+    AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β", "angle of the waves from the wall’s normal", "15")
+        .gives(&[Quantity::WaveAngle]);
+    WaveWaterDensity = key(Wave, "water_density", Measured(Dimension::Density, Positive), "ρ", "density of the sea", "\"1030 kg/m3\"")
+        .gives(&[Quantity::WaterDensity]);
+    DeepWaterHeight =
+        key(Wave, "deep_water_height", length(Positive), "H_0'", "equivalent deep-water wave height", "\"6.3 m\"")
+        .gives(&[Quantity::DeepWaterHeight]);
+    H13 = key(Wave, "H13", length(Positive), "H_13", "significant wave height at the wall", "\"5.8 m\"")
+        .gives(&[Quantity::SignificantHeight]);
+    Hmax = key(Wave, "Hmax", length(Positive), "H_max", "maximum wave height at the wall", "\"8.05 m\"")
+        .gives(&[Quantity::MaximumHeight]);
+    CaissonWidth = key(Wave, "caisson_width", length(Positive), "B_c", "width of the caisson’s base", "\"15 m\"")
+        .silent("width of the caisson’s base: that of the body").moves(Moves::Width).gives(&[Quantity::CaissonWidth]);
+    BaseDepth = key(Wave, "base_depth", length(Positive), "h'", "depth of the caisson’s base", "\"7.1 m\"")
+        .moves(Moves::BaseDepth).gives(&[Quantity::BaseDepth]);
+    DepthAboveBerm = key(Wave, "depth_above_berm", length(Positive), "d", "depth above the berm’s armour", "\"5.6 m\"")
+        .gives(&[Quantity::BermDepth]);
+    CrestHeight = key(Wave, "crest_height", length(Finite), "h_c", "crest above still water", "\"3.4 m\"")
+        .moves(Moves::Height).gives(&[Quantity::CrestHeight]);
+    BermWidth = key(Wave, "berm_width", length(NotNegative), "B_M", "width of the berm", "\"8 m\"")
+        .gives(&[Quantity::BermWidth]);
+    Lambda1 = key(Wave, "lambda[1]", OneOfThree, "λ1", "factor on the standing pressure", "[1, 1, 1]")
+        .silent("factors on the pressures").gives(&[Quantity::Lambda1]);
+    Lambda2 = key(Wave, "lambda[2]", OneOfThree, "λ2", "factor on the breaking pressure", "[1, 1, 1]")
+        .gives(&[Quantity::Lambda2]);
+    Lambda3 = key(Wave, "lambda[3]", OneOfThree, "λ3", "factor on the uplift", "[1, 1, 1]")
+        .gives(&[Quantity::Lambda3]);
+    Impulsive = key(Wave, "impulsive", Truth, "", "whether Takahashi’s coefficient is used", "true")
+        .silent("Takahashi’s coefficient");
+    TurnDeg = key(Wave, "turn_deg", Plain(NotNegative), "Δβ", "by how much they are turned towards it", "15")
+        .silent("waves turned towards the normal by").gives(&[Quantity::WaveTurn]);
+
+    Level = key(Water, "level", length(NotNegative), "h_l", "still water above the base, both sides", "\"7.1 m\"")
+        .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);
+    WaterLeft = key(Water, "left", length(NotNegative), "h_l", "still water above the base, left", "\"7.1 m\"")
+        .gives(&[Quantity::WaterLevel]);
+    WaterRight = key(Water, "right", length(NotNegative), "h_r", "still water above the base, right", "\"7.1 m\"")
+        .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);
+    WaterDensity = key(Water, "density", Measured(Dimension::Density, Positive), "ρ_w", "density of the water", "\"1030 kg/m3\"")
+        .silent("density of the water: that of the waves").gives(&[Quantity::WaterDensity]);
+
+    UpliftLeft =
+        key(Uplift, "left", Measured(Dimension::Pressure, NotNegative), "p_l", "pressure under the left corner O", "\"20 kPa\"")
+        .gives(&[Quantity::Pressure]);
+    UpliftRight =
+        key(Uplift, "right", Measured(Dimension::Pressure, NotNegative), "p_r", "pressure under the right corner O′", "\"60 kPa\"")
+        .gives(&[Quantity::Pressure]);
+    UpliftGrows = key(Uplift, "grows", Truth, "", "whether it rises with the variable loads", "true")
+        .silent("uplift is there all the time");
+
+    Horizontal =
+        key(Earthquake, "horizontal", InGravity, "a_h", "acceleration of the base, to the right", "0.2    # of g, or \"2 m/s2\"")
+        .gives(&[Quantity::Acceleration]);
+    Vertical = key(Earthquake, "vertical", InGravity, "a_v", "acceleration of the base, upwards", "-0.1    # of g, or \"-1 m/s2\"")
+        .silent("acceleration of the base, upwards: none").gives(&[Quantity::Acceleration]);
+
+    WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "M_a", "mass of water that moves with the body", "\"50 t/m\"")
+        .gives(&[Quantity::AddedMass]);
+    WetSides = key(AddedMass, "sides", Sides, "", "sides on which water moves with the body", "1");
+
+    LoadName = key(Load, "name", Text, "", "name of the load", "\"breaking wave\"");
+    Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force, per metre run", "\"450 kN/m\"")
+        .gives(&[Quantity::Force, Quantity::K]);
+    Elevation = key(Load, "elevation", length(NotNegative), "e", "its height above the base", "\"8 m\"")
+        .gives(&[Quantity::ForceElevation, Quantity::KPrime]);
+    Towards = key(Load, "direction", Direction, "", "where it points", "\"left\"").silent("to the left");
+}
+
+impl Key {
+    /// Its name in its table; `lambda[2]` for the second of a list.
+    pub fn name(self) -> &'static str {
+        self.info().name
+    }
+
+    /// The name that stands in a file: that of the list for one of its numbers.
+    pub fn entry(self) -> &'static str {
+        let name = self.info().name;
+        name.split_once('[').map_or(name, |(list, _)| list)
+    }
+
+    /// The key under which a file has `name` in `table`; the first number of a list.
+    pub fn find(table: Table, name: &str) -> Option<Key> {
+        table.keys().find(|key| key.entry() == name)
+    }
+}
+
+/// A key in one of the tables of its kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Id {
+    /// The place of the table among those of its name, from zero. It is compared first, so that a further table's values stand
+    /// behind all others.
+    pub index: usize,
+    /// The key.
+    pub key: Key,
+}
+
+impl From<Key> for Id {
+    /// The key in the first, or only, table.
+    fn from(key: Key) -> Id {
+        Id { key, index: 0 }
+    }
+}
+
+impl fmt::Display for Id {
+    /// Table and key: `gravity`, `wave.period`, `load[2].force`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let KeyInfo { table, name, .. } = self.key.info();
+        match table {
+            Top => f.write_str(name),
+            table if table.repeats() => write!(f, "{}[{}].{name}", table.name(), self.index + 1),
+            table => write!(f, "{}.{name}", table.name()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names are unique in their table and found again; an example of a number can be read; the table is in order.
+    #[test]
+    fn the_table_of_keys_is_sound() {
+        let mut before = None;
+        for &key in Key::ALL {
+            let info = key.info();
+            assert!(before <= Some(info.table), "{} stands among another table's keys", info.name);
+            before = Some(info.table);
+            let twins = info.table.keys().filter(|other| other.name() == info.name);
+            assert_eq!(twins.count(), 1, "{}", info.name);
+            assert!(!info.words.is_empty() && !info.example.is_empty());
+            assert_eq!(info.range().is_some(), !info.symbol.is_empty(), "{}", info.name);
+            if let Kind::Measured(dimension, range) = info.kind {
+                let value = dimension.parse(info.example.trim_matches('"')).unwrap();
+                assert!(range.contains(value), "{}", info.name);
+            }
+        }
+        assert_eq!(Key::find(Table::Wave, "lambda"), Some(Key::Lambda1));
+        assert_eq!(Key::find(Table::Wave, "lambda[1]"), None);
+        assert_eq!(Key::find(Table::Body, "period"), None);
+        assert_eq!(Id { key: Key::Force, index: 1 }.to_string(), "load[2].force");
+        assert_eq!(Id::from(Key::Period).to_string(), "wave.period");
+        assert_eq!(Id::from(Key::Gravity).to_string(), "gravity");
+    }
+}

@@ -1,0 +1,403 @@
+//! From the text of a case file to typed [`Inputs`], driven by the table of [keys](crate::key).
+//!
+//! Nothing is guessed: a key, unit or value that is not understood is a [`CaseError`] that points at it.
+
+use std::collections::BTreeMap;
+use std::ops::Range as Span;
+
+use standfast::Slip;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::case::Case;
+use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
+use crate::inputs::{Inputs, Value};
+use crate::key::{Id, Key, Kind, Range, Table};
+
+/// A case file: what it says, and where it says it.
+#[derive(Debug, Clone)]
+pub struct CaseFile {
+    name: String,
+    text: String,
+    inputs: Inputs,
+    entries: Vec<Entry>,
+    headers: BTreeMap<(Table, usize), Span<usize>>,
+}
+
+/// An entry of a case file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The key; the first number's of a list.
+    pub id: Id,
+    /// Where its value stands in the text.
+    pub span: Span<usize>,
+}
+
+/// A problem and the place it is at.
+struct At {
+    problem: Problem,
+    span: Span<usize>,
+}
+
+impl CaseFile {
+    /// Reads a case file; `name` is what errors call it.
+    ///
+    /// # Errors
+    /// If the text is not TOML, or a key or value is not what a case file has.
+    pub fn parse(name: &str, text: &str) -> Result<CaseFile, CaseError> {
+        let mut file = CaseFile {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            inputs: Inputs::default(),
+            entries: Vec::new(),
+            headers: BTreeMap::new(),
+        };
+        let read = if text.trim().is_empty() {
+            Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 })
+        } else {
+            file.read()
+        };
+        match read {
+            Ok(()) => {
+                file.entries.sort_by_key(|entry| entry.span.start);
+                Ok(file)
+            }
+            Err(At { problem, span }) => Err(CaseError::new(name, text, problem, vec![span])),
+        }
+    }
+
+    /// What errors call it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What it says.
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// The case it describes.
+    ///
+    /// # Errors
+    /// If the values do not go together.
+    pub fn case(&self) -> Result<Case, CaseError> {
+        Case::of(&self.inputs).map_err(|fault| self.error(fault))
+    }
+
+    /// A fault of inputs, shown in the text.
+    pub fn error(&self, Fault { problem, at, and }: Fault) -> CaseError {
+        let spans = std::iter::once(at).chain(and).map(|place| self.span(place)).collect();
+        CaseError::new(&self.name, &self.text, problem, spans)
+    }
+
+    /// Its entries in their order.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// The value of an entry as it is written, quotes and all.
+    pub fn written(&self, entry: &Entry) -> &str {
+        self.text.get(entry.span.clone()).unwrap_or_default()
+    }
+
+    /// The comment behind the value of an entry, on the line where it ends.
+    pub fn comment(&self, entry: &Entry) -> Option<&str> {
+        let rest = self.text.get(entry.span.end..)?.lines().next()?;
+        let comment = rest.trim_start().strip_prefix('#')?.trim();
+        (!comment.is_empty()).then_some(comment)
+    }
+
+    /// Where a place stands; a key that is not there, at its table.
+    fn span(&self, place: Place) -> Span<usize> {
+        let of_table = |table: Table, index| {
+            let whole = 0..self.text.len();
+            self.headers.get(&(table, index)).cloned().unwrap_or(whole)
+        };
+        match place {
+            Place::Table(table, index) => of_table(table, index),
+            Place::Key(id) => {
+                let list = id.key.entry();
+                let same = |entry: &&Entry| {
+                    let key = entry.id.key;
+                    (key.info().table, key.entry(), entry.id.index) == (id.key.info().table, list, id.index)
+                };
+                let entry = self.entries.iter().find(same).map(|entry| entry.span.clone());
+                entry.unwrap_or_else(|| of_table(id.key.info().table, id.index))
+            }
+        }
+    }
+
+    fn read(&mut self) -> Result<(), At> {
+        let text = std::mem::take(&mut self.text);
+        let read = self.read_document(&text);
+        self.text = text;
+        read
+    }
+
+    fn read_document(&mut self, text: &str) -> Result<(), At> {
+        let document = DeTable::parse(text).map_err(|error| {
+            let problem = Problem::Syntax(error.message().to_owned());
+            At { problem, span: error.span().unwrap_or(0..0) }
+        })?;
+        let top = document.get_ref();
+        self.headers.insert((Table::Top, 0), document.span());
+        only(top, Table::Top)?;
+        self.read_table(text, top, Table::Top, 0)?;
+        for table in Table::ALL.into_iter().filter(|table| *table != Table::Top) {
+            let Some(value) = top.get(table.name()) else { continue };
+            if table.repeats() {
+                self.read_tables(text, value, table)?;
+            } else {
+                let inner = as_table(value, table, "a table")?;
+                self.begin(table, value.span());
+                only(inner, table)?;
+                self.read_table(text, inner, table, 0)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn read_tables(&mut self, text: &str, value: &Spanned<DeValue<'_>>, table: Table) -> Result<(), At> {
+        const EXPECTED: &str = "one table for each load, under [[load]] in double brackets";
+        let Some(list) = value.get_ref().as_array() else { return Err(no_table(value, table, EXPECTED)) };
+        if list.is_empty() {
+            return Err(At { problem: Problem::NoLoad, span: value.span() });
+        }
+        for (index, value) in list.iter().enumerate() {
+            let inner = as_table(value, table, EXPECTED)?;
+            self.begin(table, value.span());
+            only(inner, table)?;
+            self.read_table(text, inner, table, index)?;
+        }
+        Ok(())
+    }
+
+    fn begin(&mut self, table: Table, span: Span<usize>) {
+        self.headers.insert((table, self.inputs.count(table)), span);
+        self.inputs.add_table(table);
+    }
+
+    /// Reads the entries of a table.
+    fn read_table(&mut self, text: &str, table: &DeTable<'_>, kind: Table, index: usize) -> Result<(), At> {
+        for (name, value) in table.iter() {
+            let Some(key) = Key::find(kind, name.get_ref()) else { continue };
+            let field = Field { key, value, text };
+            match key.info().kind {
+                Kind::OneOfThree => {
+                    let keys = [Key::Lambda1, Key::Lambda2, Key::Lambda3];
+                    for (key, number) in keys.into_iter().zip(field.three()?) {
+                        self.inputs.put(Id { key, index }, Value::Number(number));
+                    }
+                }
+                kind => self.inputs.put(Id { key, index }, field.value(kind)?),
+            }
+            self.entries.push(Entry { id: Id { key, index }, span: value.span() });
+        }
+        Ok(())
+    }
+}
+
+/// Refuses every name that a table does not have; the first in the text is reported.
+fn only(found: &DeTable<'_>, table: Table) -> Result<(), At> {
+    let allowed = names(table);
+    let unknown = found.keys().filter(|key| !allowed.contains(&key.get_ref().as_ref()));
+    match unknown.min_by_key(|key| key.span().start) {
+        None => Ok(()),
+        Some(key) => {
+            let problem = Problem::UnknownKey { table, name: key.get_ref().to_string() };
+            Err(At { problem, span: key.span() })
+        }
+    }
+}
+
+fn as_table<'a>(
+    value: &'a Spanned<DeValue<'a>>,
+    table: Table,
+    expected: &'static str,
+) -> Result<&'a DeTable<'a>, At> {
+    value.get_ref().as_table().ok_or_else(|| no_table(value, table, expected))
+}
+
+fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) -> At {
+    At { problem: Problem::NoTable { table, found: type_of(value), expected }, span: value.span() }
+}
+
+fn type_of(value: &Spanned<DeValue<'_>>) -> &'static str {
+    match value.get_ref() {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(integer) if integer.radix() != 10 => "a number that is not decimal",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date or time",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+/// A plain TOML number; `None` for every other type, and for integers that are no decimals (hexadecimal etc.).
+fn plain_number(value: &Spanned<DeValue<'_>>) -> Option<f64> {
+    match value.get_ref() {
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        _ => None,
+    }
+}
+
+/// A value under a key.
+struct Field<'a> {
+    key: Key,
+    value: &'a Spanned<DeValue<'a>>,
+    text: &'a str,
+}
+
+impl Field<'_> {
+    fn problem(&self, problem: Problem) -> At {
+        At { problem, span: self.value.span() }
+    }
+
+    fn wrong_type(&self, expected: &'static str) -> At {
+        self.problem(Problem::WrongType { key: self.key, found: type_of(self.value), expected })
+    }
+
+    /// A value as it stands in the file, shortened where it would fill the screen.
+    fn written(&self, value: &Spanned<DeValue<'_>>) -> String {
+        const MOST: usize = 120;
+        let written = self.text.get(value.span()).unwrap_or_default();
+        match written.char_indices().nth(MOST) {
+            Some((end, _)) => format!("{}…", &written[..end]),
+            None => written.to_owned(),
+        }
+    }
+
+    fn out_of_range(&self, expected: &'static str) -> At {
+        self.problem(Problem::OutOfRange { key: self.key, written: self.written(self.value), expected })
+    }
+
+    fn in_range(&self, number: f64, range: Range) -> Result<f64, At> {
+        // A written "-0.0" is zero.
+        if range.contains(number) { Ok(number + 0.0) } else { Err(self.out_of_range(range.words())) }
+    }
+
+    fn value(&self, kind: Kind) -> Result<Value, At> {
+        let wrong_type = || self.wrong_type(expected_type(kind));
+        let number = plain_number(self.value);
+        Ok(match kind {
+            Kind::Text => Value::Text(self.words()?),
+            Kind::Measured(_, range) => {
+                let number = number.map_or_else(|| self.measured(), Ok)?;
+                Value::Number(self.in_range(number, range)?)
+            }
+            Kind::InGravity => match number {
+                Some(share) => Value::InGravity(self.in_range(share, Range::Finite)?),
+                None => Value::Number(self.in_range(self.measured()?, Range::Finite)?),
+            },
+            Kind::Plain(range) => Value::Number(self.in_range(number.ok_or_else(wrong_type)?, range)?),
+            Kind::OneOfThree => return Err(wrong_type()),
+            Kind::Truth => Value::Truth(self.value.get_ref().as_bool().ok_or_else(wrong_type)?),
+            Kind::Sides => match number.ok_or_else(wrong_type)? {
+                number if number == 1.0 || number == 2.0 => Value::Number(number),
+                _ => return Err(self.out_of_range(expected_type(kind))),
+            },
+            Kind::Direction => match self.words()?.as_str() {
+                "left" => Value::Direction(Slip::Left),
+                "right" => Value::Direction(Slip::Right),
+                _ => return Err(self.out_of_range(expected_type(kind))),
+            },
+        })
+    }
+
+    /// Words; the name of a load in one line, as it stands in tables.
+    fn words(&self) -> Result<String, At> {
+        let words = self.value.get_ref().as_str();
+        let words = words.ok_or_else(|| self.wrong_type(expected_type(Kind::Text)))?;
+        // A terminal would obey them.
+        if words.chars().any(|c| c.is_control() && !c.is_whitespace()) {
+            return Err(self.wrong_type("one without control characters"));
+        }
+        Ok(match self.key {
+            Key::LoadName => words.split_whitespace().collect::<Vec<_>>().join(" "),
+            _ => words.to_owned(),
+        })
+    }
+
+    /// A number with its unit.
+    fn measured(&self) -> Result<f64, At> {
+        let info = self.key.info();
+        let (Some(text), Some(dimension)) = (self.value.get_ref().as_str(), info.dimension()) else {
+            return Err(self.wrong_type(expected_type(info.kind)));
+        };
+        dimension.parse(text).map_err(|error| {
+            self.problem(Problem::Unit { key: self.key, written: self.written(self.value), error })
+        })
+    }
+
+    /// Three numbers without unit in a list.
+    fn three(&self) -> Result<[f64; 3], At> {
+        let expected = expected_type(Kind::OneOfThree);
+        let list = self.value.get_ref().as_array().ok_or_else(|| self.wrong_type(expected))?;
+        if list.len() != 3 {
+            return Err(self.out_of_range(expected));
+        }
+        let mut numbers = [0.0; 3];
+        for (number, value) in numbers.iter_mut().zip(list.iter()) {
+            let field = Field { value, ..*self };
+            let plain = plain_number(value).ok_or_else(|| field.wrong_type("a list of numbers"))?;
+            *number = field.in_range(plain, Range::Positive)?;
+        }
+        Ok(numbers)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_are_as_written_with_their_comments() {
+        let text = "gravity = \"9.81 m/s2\"\ntitle = \"t # no comment\"\n[body]\nwidth = \"150 cm\" # drawing 12\nheight = 2\n\
+                    mass = 5e3#\nfriction = 0.6\n[[load]]\nforce = 7\nelevation = 1\n[[load]]\nname = \"n # 2\"   # push\n\
+                    force = \"1 kN/m\"\nelevation = 1\n";
+        let file = CaseFile::parse("t.toml", text).unwrap();
+        let lines: Vec<_> = file
+            .entries()
+            .iter()
+            .map(|entry| {
+                let number = file.inputs().number(entry.id);
+                format!("{} {} {:?} {number:?}", entry.id, file.written(entry), file.comment(entry))
+            })
+            .collect();
+        assert_eq!(
+            lines,
+            [
+                "gravity \"9.81 m/s2\" None Some(9.81)",
+                "title \"t # no comment\" None None",
+                "body.width \"150 cm\" Some(\"drawing 12\") Some(1.5)",
+                "body.height 2 None Some(2.0)",
+                "body.mass 5e3 None Some(5000.0)",
+                "body.friction 0.6 None Some(0.6)",
+                "load[1].force 7 None Some(7.0)",
+                "load[1].elevation 1 None Some(1.0)",
+                "load[2].name \"n # 2\" Some(\"push\") None",
+                "load[2].force \"1 kN/m\" None Some(1000.0)",
+                "load[2].elevation 1 None Some(1.0)",
+            ]
+        );
+    }
+
+    /// Numbers are listed table by table, whatever the order of the file.
+    #[test]
+    fn numbers_are_in_the_order_of_the_tables() {
+        let text = "[[load]]\nelevation = 1\nforce = 7\n[[load]]\nforce = 8\nelevation = 2\n[water]\nlevel = 1\n\
+                    [body]\nfriction = 0.6\nwidth = 1\n";
+        let file = CaseFile::parse("t.toml", text).unwrap();
+        let names: Vec<_> = file.inputs().numbers().map(|(id, _)| id.to_string()).collect();
+        let expected = "body.width body.friction water.level load[1].force load[1].elevation load[2].force \
+                        load[2].elevation";
+        assert_eq!(names.join(" "), expected);
+    }
+}
