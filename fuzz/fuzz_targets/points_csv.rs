@@ -4,12 +4,12 @@
 
 use libfuzzer_sys::fuzz_target;
 use standfast_cases::report;
-use standfast_cli::batch::{OnError, Options, Problem, run};
+use standfast_tables::{OnError, TableOptions, TableProblem, run};
 
 fuzz_target!(|bytes: &[u8]| {
-    for problem in [Problem::Force, Problem::Wrench] {
+    for problem in [TableProblem::Force, TableProblem::Wrench] {
         for on_error in [OnError::Stop, OnError::Null] {
-            let options = Options { problem, on_error, ..Options::new("points.csv") };
+            let options = TableOptions { problem, on_error, ..TableOptions::new("points.csv") };
             if let Err(error) = run(bytes, Vec::new(), &options) {
                 assert!(!report(&error).is_empty());
             }

@@ -3,16 +3,18 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use standfast::{InputError, Point};
 
-use crate::batch::{Mapping, OnError, Problem, ResultColumn, TableFormat};
-use crate::draw::{KMu, Picture, PictureFile};
-use crate::sheet::{Paper, SheetFile};
 use standfast_cases::design::Target;
 use standfast_figures::FigureId;
 use standfast_sheet::Date;
+use standfast_tables::{Mapping, OnError, ResultColumn, TableFormat, TableProblem};
+
+use crate::draw::{KMu, Picture, PictureFile};
+use crate::format::Format;
+use crate::sheet::{Paper, SheetFile};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -139,16 +141,6 @@ pub enum Command {
         /// The shell
         shell: Shell,
     },
-}
-
-/// How an answer is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Format {
-    /// For reading, with four significant digits
-    #[default]
-    Text,
-    /// One JSON document, at full precision
-    Json,
 }
 
 /// Arguments of `assess`.
@@ -282,7 +274,7 @@ pub struct BatchArgs {
     pub output: PathBuf,
     /// Which problem the rows are
     #[arg(long, value_enum, default_value_t)]
-    pub problem: Problem,
+    pub problem: TableProblem,
     /// The name one of our columns has in the table, e.g. mu=friction; may be given again
     #[arg(long, value_name = "OURS=THEIRS")]
     pub map: Vec<Mapping>,

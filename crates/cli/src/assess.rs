@@ -1,7 +1,6 @@
 //! `standfast assess`: a body and its loads from a case file, its diagrams beside it.
 
 use std::fmt::Write;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
@@ -9,7 +8,8 @@ use standfast::InputError;
 use standfast_cases::{Assessment, Case, CaseError};
 use thiserror::Error;
 
-use crate::args::Format;
+use crate::case_file::{self, ReadError};
+use crate::format::Format;
 use crate::write::{self, WriteError};
 
 /// Why a case was not assessed.
@@ -39,28 +39,6 @@ pub enum AssessError {
     Write(#[from] WriteError),
 }
 
-/// Why a case file was not read.
-#[derive(Debug, Error, Diagnostic)]
-pub enum ReadError {
-    /// The case file cannot be read.
-    #[error("cannot read {}: {cause}", path.display())]
-    System {
-        /// The case file.
-        path: PathBuf,
-        /// What the system says.
-        cause: std::io::Error,
-    },
-    /// The case file is not text.
-    #[error("{} is not UTF-8 text: line {line} has a byte that is no character", path.display())]
-    #[diagnostic(help("save it as UTF-8"))]
-    Encoding {
-        /// The case file.
-        path: PathBuf,
-        /// The first line with such a byte, counted from one.
-        line: usize,
-    },
-}
-
 /// The answer to a case, and why a diagram of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
 pub struct Answered {
@@ -81,7 +59,7 @@ pub fn assess(
     up_to: f64,
     format: Format,
 ) -> Result<Answered, AssessError> {
-    let text = read(path)?;
+    let text = case_file::read(path)?;
     let case = Case::parse(&path.display().to_string(), &text)?;
     let assessment = Assessment::of(&case, up_to)?;
     let mut drawn = Vec::new();
@@ -102,19 +80,6 @@ pub fn assess(
         }
     };
     Ok(Answered { answer, undrawn })
-}
-
-/// The text of a case file.
-///
-/// # Errors
-/// If it cannot be read, or is not text.
-pub fn read(path: &Path) -> Result<String, ReadError> {
-    let bytes = fs::read(path).map_err(|cause| ReadError::System { path: path.to_owned(), cause })?;
-    String::from_utf8(bytes).map_err(|error| {
-        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        ReadError::Encoding { path: path.to_owned(), line }
-    })
 }
 
 /// A diagram in its file.

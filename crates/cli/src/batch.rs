@@ -1,128 +1,137 @@
-//! `standfast batch`: every row of a table of points.
-//!
-//! The table is read piece by piece, the pieces are answered on all cores, and written in order: a table of any length
-//! needs the memory of a few pieces, and the result does not depend on the number of threads.
-//!
-//! ```
-//! use standfast_cli::batch::{Options, run};
-//!
-//! let table = "id,gamma,k_prime,k,mu\na,1,1,2,5\n";
-//! let mut answer = Vec::new();
-//! let summary = run(table.as_bytes(), &mut answer, &Options::new("points.csv"))?;
-//! assert_eq!((summary.rows, summary.bad), (1, 0));
-//! assert_eq!(
-//!     String::from_utf8_lossy(&answer),
-//!     "id,gamma,k_prime,k,mu,mode,unique,also,x_ddot,y_ddot,theta_ddot,f_x,f_y,xi\n\
-//!      a,1,1,2,5,RO,true,,-1.125,1.125,1.125,0.875,2.125,-1.0\n"
-//! );
-//! # Ok::<(), standfast_cli::batch::BatchError>(())
-//! ```
+//! `standfast batch`: every row of a table, from file to file.
 
-mod answers;
-mod arrow;
-mod columns;
-mod engine;
-mod error;
-mod file;
-mod format;
-mod guard;
-mod parquet;
-mod pipeline;
-mod problem;
-mod progress;
-mod table;
-mod text;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
-pub use columns::Mapping;
-pub use error::{BatchError, Place, RowProblem};
-pub use file::process;
-pub use format::TableFormat;
-pub use guard::silence_caught_panics;
-pub use problem::{Problem, ResultColumn};
+use indicatif::HumanCount;
+use miette::Diagnostic;
+use standfast_tables::{Input, Summary, TableError, TableFormat, TableOptions, answer};
+use thiserror::Error;
 
-use std::io::{Read, Write};
-use std::sync::Arc;
+use crate::features::{Feature, LeftOut};
+use crate::progress::Bar;
+use crate::write::{Pending, WriteError};
 
-use clap::ValueEnum;
-
-use engine::Input;
-use progress::Progress;
-
-/// What to do with a row that makes no sense.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum OnError {
-    /// Stop; nothing is written
-    #[default]
-    Stop,
-    /// Leave its results empty and go on; a row of the wrong length is filled up or cut to that of the header
-    Null,
+/// Why a table was not answered.
+#[derive(Debug, Error, Diagnostic)]
+pub enum BatchCommandError {
+    /// The table is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Table(#[from] TableError),
+    /// A format that this build does not have.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    LeftOut(#[from] LeftOut),
+    /// The file of the result cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
 }
 
-/// How to process a table.
-#[derive(Debug, Clone)]
-pub struct Options {
-    /// What errors call the input.
-    pub name: String,
-    /// The format of the input, if its name does not tell.
-    pub from: Option<TableFormat>,
-    /// The format of the output, if its name does not tell.
-    pub to: Option<TableFormat>,
-    /// Which problem the rows are.
-    pub problem: Problem,
-    /// The names the problem's columns have in the table, where they are not ours.
-    pub map: Vec<Mapping>,
-    /// What is computed, in this order; all results of the problem if empty.
-    pub columns: Vec<ResultColumn>,
-    /// What to do with a row that makes no sense.
-    pub on_error: OnError,
-    /// How many threads work; the result is the same for any number.
-    pub threads: usize,
-    /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
-    /// and writing. Only from Parquet to Parquet.
-    #[doc(hidden)]
-    pub known_modes: Option<Arc<[u8]>>,
-}
-
-impl Options {
-    /// The report's problem with all its results on one thread; stop at the first row that makes no sense; `name` is
-    /// what errors call the input.
-    pub fn new(name: &str) -> Options {
-        Options {
-            name: name.to_owned(),
-            from: None,
-            to: None,
-            problem: Problem::Force,
-            map: Vec::new(),
-            columns: Vec::new(),
-            on_error: OnError::Stop,
-            threads: 1,
-            known_modes: None,
-        }
-    }
-}
-
-/// What was done.
-#[derive(Debug, Default)]
-pub struct Summary {
-    /// Rows written.
-    pub rows: u64,
-    /// Rows among them whose results are empty.
-    pub bad: u64,
-    /// What was wrong with the first of those.
-    pub first: Option<BatchError>,
-}
-
-/// Answers every row of a table; both formats are CSV unless the options say otherwise.
+/// The format of a table: the one that is said, or what the file's extension tells. `option` is the one that says it.
 ///
 /// # Errors
-/// If the table does not have the columns of the problem, or has a result column already; at the first row that makes
-/// no sense, unless [`OnError::Null`]; or if reading or writing fails.
-pub fn run(
-    input: impl Read + Send,
-    output: impl Write + Send,
-    options: &Options,
-) -> Result<Summary, BatchError> {
-    let from = options.from.unwrap_or(TableFormat::Csv);
-    let to = options.to.unwrap_or(TableFormat::Csv);
-    engine::run(Input::Stream(Box::new(input)), from, output, to, options, &Progress::hidden())
+/// If the extension is not known, or this build leaves out the format.
+pub fn format(
+    file: &Path,
+    said: Option<TableFormat>,
+    option: &'static str,
+) -> Result<TableFormat, BatchCommandError> {
+    let format = said.map_or_else(|| TableFormat::of(file, option), Ok)?;
+    if format != TableFormat::Csv {
+        let asked = if said.is_some() { option.to_owned() } else { file.display().to_string() };
+        Feature::Tables.require(&asked, format.name())?;
+    }
+    Ok(format)
+}
+
+/// Answers the table in one file and writes another, which appears only when it is complete; `-` is standard input or
+/// output.
+///
+/// An interrupt (Ctrl-C) ends the program with exit code 130 and says what was done.
+///
+/// # Errors
+/// If the table or a row makes no sense (see [`OnError`](standfast_tables::OnError)), or a file cannot be opened or written.
+pub fn process(input: &Path, output: &Path, options: &TableOptions) -> Result<Summary, BatchCommandError> {
+    let (source, length) = open(input, options)?;
+    let progress = Arc::new(Bar::shown(length));
+
+    if output == Path::new("-") {
+        on_interrupt(progress.clone(), "standard output is not complete".to_owned(), None);
+        let sink = BufWriter::new(io::stdout());
+        let outcome = answer(source, sink, options, &*progress);
+        progress.clear();
+        return match outcome {
+            // The reader of a pipe went away, which is its right.
+            Err(TableError::Write(cause)) if cause.kind() == io::ErrorKind::BrokenPipe => {
+                Ok(Summary::default())
+            }
+            outcome => Ok(outcome?),
+        };
+    }
+    let file = Pending::create(output)?;
+    let temporary = Arc::new(Mutex::new(file.temporary().map(Path::to_owned)));
+    let said = match file.temporary() {
+        Some(_) => format!("{} was not written", output.display()),
+        None => format!("{} is not complete", output.display()),
+    };
+    on_interrupt(progress.clone(), said, Some(temporary.clone()));
+    let mut sink = BufWriter::with_capacity(1 << 18, file);
+    let outcome = answer(source, &mut sink, options, &*progress);
+    progress.clear();
+    let unwritten = |cause| WriteError { path: output.to_owned(), cause };
+    let summary = outcome.map_err(|error| match error {
+        TableError::Write(cause) => BatchCommandError::from(unwritten(cause)),
+        other => other.into(),
+    });
+    let file = match sink.into_inner() {
+        Ok(file) => file,
+        Err(error) => {
+            let (cause, sink) = error.into_parts();
+            // Dropped, it would write once more.
+            drop(sink.into_parts());
+            return Err(summary.err().unwrap_or_else(|| unwritten(cause).into()));
+        }
+    };
+    let summary = summary?;
+    // From here on the file is in its place or not, and an interrupt waits until that is known.
+    let _held = temporary.lock().unwrap_or_else(PoisonError::into_inner);
+    file.finish()?;
+    Ok(summary)
+}
+
+/// The input, and its length if that is known.
+fn open(path: &Path, options: &TableOptions) -> Result<(Input<'static>, Option<u64>), TableError> {
+    if path == Path::new("-") {
+        return Ok((Input::Stream(Box::new(io::stdin())), None));
+    }
+    let unread = |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
+    let file = File::open(path).map_err(unread)?;
+    let metadata = file.metadata().map_err(unread)?;
+    if metadata.is_dir() {
+        return Err(unread(io::ErrorKind::IsADirectory.into()));
+    }
+    // A pipe with a name has no length and cannot be read from any place.
+    Ok(if metadata.is_file() {
+        (Input::File(file), Some(metadata.len()))
+    } else {
+        (Input::Stream(Box::new(file)), None)
+    })
+}
+
+/// Ends the program on an interrupt: removes the temporary file, and says how far it came.
+fn on_interrupt(progress: Arc<Bar>, said: String, temporary: Option<Arc<Mutex<Option<std::path::PathBuf>>>>) {
+    // Without a handler, the whole program works all the same; only the temporary file would stay behind.
+    let _ = ctrlc::set_handler(move || {
+        let path = temporary.as_ref().map(|path| path.lock().unwrap_or_else(PoisonError::into_inner));
+        if let Some(path) = path.as_ref().and_then(|path| path.as_ref()) {
+            let _ = fs::remove_file(path);
+        }
+        progress.clear();
+        let rows = progress.rows();
+        let _ = writeln!(io::stderr(), "interrupted after {} rows; {said}", HumanCount(rows));
+        std::process::exit(130);
+    });
 }

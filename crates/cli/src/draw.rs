@@ -7,9 +7,12 @@ use std::str::FromStr;
 use clap::ValueEnum;
 use miette::Diagnostic;
 use standfast::Diagram;
-use standfast_figures::{DesignPoint, Figure, FigureId, RenderError, diagram, report_figure};
+#[cfg(feature = "pictures")]
+use standfast_figures::RenderError;
+use standfast_figures::{DesignPoint, Figure, FigureId, diagram, report_figure};
 use thiserror::Error;
 
+use crate::features::{Feature, LeftOut};
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a picture is written.
@@ -29,6 +32,15 @@ impl Picture {
             Picture::Svg => "svg",
             Picture::Png => "png",
             Picture::Pdf => "pdf",
+        }
+    }
+
+    /// That this build can write it; `asked` is who asks for it.
+    fn require(self, asked: &str) -> Result<(), LeftOut> {
+        match self {
+            Picture::Svg => Ok(()),
+            Picture::Png => Feature::Pictures.require(asked, "PNG"),
+            Picture::Pdf => Feature::Pictures.require(asked, "PDF"),
         }
     }
 }
@@ -62,7 +74,12 @@ pub struct KMu {
 /// Why a picture was not made.
 #[derive(Debug, Error, Diagnostic)]
 pub enum DrawError {
+    /// This build does not have the format.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    LeftOut(#[from] LeftOut),
     /// The picture cannot be converted.
+    #[cfg(feature = "pictures")]
     #[error("cannot draw {}: {cause}", path.display())]
     Render {
         /// The picture's file.
@@ -76,13 +93,23 @@ pub enum DrawError {
 }
 
 fn save(figure: &Figure, path: &Path, picture: Picture, scale: f32) -> Result<(), DrawError> {
-    let failed = |cause| DrawError::Render { path: path.to_owned(), cause };
     match picture {
         Picture::Svg => write::write_file(path, figure.svg().as_bytes())?,
-        Picture::Png => write::write_file(path, &figure.png(scale).map_err(failed)?)?,
-        Picture::Pdf => write::write_file(path, &figure.pdf().map_err(failed)?)?,
+        Picture::Png | Picture::Pdf => write::write_file(path, &rendered(figure, path, picture, scale)?)?,
     }
     Ok(())
+}
+
+#[cfg(feature = "pictures")]
+fn rendered(figure: &Figure, path: &Path, picture: Picture, scale: f32) -> Result<Vec<u8>, DrawError> {
+    let bytes = if picture == Picture::Png { figure.png(scale) } else { figure.pdf() };
+    bytes.map_err(|cause| DrawError::Render { path: path.to_owned(), cause })
+}
+
+#[cfg(not(feature = "pictures"))]
+fn rendered(_: &Figure, path: &Path, picture: Picture, _: f32) -> Result<Vec<u8>, DrawError> {
+    picture.require(&path.display().to_string())?;
+    Ok(Vec::new())
 }
 
 /// Draws the k–μ plane with points on it.
@@ -115,6 +142,7 @@ pub fn draw_figures(
     picture: Picture,
     scale: f32,
 ) -> Result<Vec<PathBuf>, DrawError> {
+    picture.require(&format!("--as {}", picture.extension()))?;
     write::make_directory(directory)?;
     figures
         .iter()

@@ -3,12 +3,13 @@
 //! | question | start at |
 //! |---|---|
 //! | What does the command line look like? | [`args`] |
-//! | How are tables processed? | [`batch`] |
+//! | From which file to which is a table answered? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`] |
 //! | How does a calculation sheet become a PDF? | [`sheet`], [`browser`] |
+//! | What may a build leave out? | [`features`] |
 //!
 //! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`';
-//! calculation sheets are `standfast-sheet`'s.
+//! calculation sheets are `standfast-sheet`'s, tables `standfast-tables`'. What is left is arguments and files.
 
 #![forbid(unsafe_code)]
 
@@ -16,7 +17,11 @@ pub mod args;
 pub mod assess;
 pub mod batch;
 pub mod browser;
+pub mod case_file;
 pub mod draw;
+pub mod features;
+pub mod format;
+mod progress;
 pub mod sheet;
 pub mod write;
 
@@ -30,8 +35,10 @@ use standfast_cases::design::{Design, Request};
 use standfast_cases::point;
 use standfast_figures::FigureId;
 use standfast_sheet::Options;
+use standfast_tables::{Summary, TableOptions};
 
-use args::{Cli, Command, Format};
+use args::{Cli, Command};
+use format::Format;
 
 /// Does what the command line says.
 ///
@@ -46,7 +53,7 @@ pub fn run(cli: Cli) -> Result<()> {
         }
         Command::Design(args) => {
             let args::DesignArgs { case, vary, target, from, to, format } = args;
-            let text = assess::read(&case)?;
+            let text = case_file::read(&case)?;
             let request = Request { vary, target, from, to };
             let design = Design::of(&case.display().to_string(), &text, request)?;
             print(&match format {
@@ -92,19 +99,19 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         args.input.display().to_string()
     };
     let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    let options = batch::Options {
-        from: args.input_format,
-        to: args.output_format,
+    let options = TableOptions {
+        from: batch::format(&args.input, args.input_format, "--input-format")?,
+        to: batch::format(&args.output, args.output_format, "--output-format")?,
         problem: args.problem,
         map: args.map.clone(),
         columns: args.columns.clone(),
         on_error: args.on_error,
         threads: args.threads.map_or_else(all, NonZeroUsize::get),
-        ..batch::Options::new(&name)
+        ..TableOptions::new(&name)
     };
     let summary = batch::process(&args.input, &args.output, &options)?;
     if let Some(first) = &summary.first {
-        let batch::Summary { bad, rows, .. } = summary;
+        let Summary { bad, rows, .. } = summary;
         complain(&format!("warning: {bad} of {rows} rows without a result; the first: {first}\n"));
     }
     Ok(())

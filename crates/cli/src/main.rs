@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 fn main() -> ExitCode {
-    standfast_cli::batch::silence_caught_panics();
+    standfast_tables::silence_caught_panics();
     match standfast_cli::run(standfast_cli::args::Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

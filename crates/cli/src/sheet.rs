@@ -8,8 +8,8 @@ use miette::Diagnostic;
 use standfast_sheet::{Options, Sheet, SheetError};
 use thiserror::Error;
 
-use crate::assess::{self, ReadError};
 use crate::browser::{self, PrintError};
+use crate::case_file::{self, ReadError};
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a sheet is written.
@@ -82,7 +82,7 @@ pub fn sheet(
     options: &Options,
     paper: Paper,
 ) -> Result<(), SheetCommandError> {
-    let text = assess::read(case)?;
+    let text = case_file::read(case)?;
     let sheet = Sheet::of(&case.display().to_string(), &text, options)?;
     if file.path.canonicalize().is_ok_and(|file| case.canonicalize().is_ok_and(|case| case == file)) {
         return Err(SheetCommandError::Overwrite { path: case.to_owned() });

@@ -1,0 +1,60 @@
+//! What a build of the program may leave out, and the command that adds it.
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// A part of the program that is a feature of its crate, because it takes long to compile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feature {
+    /// Tables in Parquet and Arrow.
+    Tables,
+    /// Figures as PNG and PDF.
+    Pictures,
+}
+
+impl Feature {
+    /// Whether this build has it.
+    pub fn is_built_in(self) -> bool {
+        match self {
+            Feature::Tables => cfg!(feature = "tables"),
+            Feature::Pictures => cfg!(feature = "pictures"),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Feature::Tables => "tables",
+            Feature::Pictures => "pictures",
+        }
+    }
+
+    fn adds(self) -> &'static str {
+        match self {
+            Feature::Tables => "Parquet and Arrow",
+            Feature::Pictures => "PNG and PDF",
+        }
+    }
+
+    /// That this build can do what `asked` (a file or an option) asks for, which is called `what`.
+    ///
+    /// # Errors
+    /// If it leaves that out.
+    pub fn require(self, asked: &str, what: &'static str) -> Result<(), LeftOut> {
+        let left_out = || LeftOut { asked: asked.to_owned(), what, feature: self };
+        if self.is_built_in() { Ok(()) } else { Err(left_out()) }
+    }
+}
+
+/// Something is asked for that this build leaves out.
+#[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[error("{asked}: this build of standfast leaves out {what}")]
+#[diagnostic(help(
+    "`cargo install --path crates/cli --features {}` adds {}; `--features full` adds all there is",
+    feature.name(),
+    feature.adds()
+))]
+pub struct LeftOut {
+    asked: String,
+    what: &'static str,
+    feature: Feature,
+}

@@ -1,0 +1,134 @@
+//! What `standfast batch` leaves behind when something goes wrong, and what it does with files.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn batch(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_standfast"))
+        .arg("batch")
+        .args(arguments)
+        .current_dir(directory)
+        .output()
+        .expect("the program starts")
+}
+
+fn files(directory: &Path) -> Vec<String> {
+    let mut names: Vec<_> = fs::read_dir(directory)
+        .expect("a directory")
+        .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn on_error_the_output_is_untouched_and_nothing_is_left_behind() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path();
+    // Long enough that part of it has been written when the bad row comes.
+    let table = "gamma,k_prime,k,mu\n".to_owned() + &"1,1,2,5\n".repeat(50_000) + "1,1,2,-5\n";
+    fs::write(here.join("points.csv"), table).expect("a file");
+
+    let output = batch(here, &["points.csv", "-o", "out.csv"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("points.csv, line 50002, column mu: \"-5\""));
+    assert_eq!(files(here), ["points.csv"]);
+
+    fs::write(here.join("out.csv"), "what was there").expect("a file");
+    assert_eq!(batch(here, &["points.csv", "-o", "out.csv"]).status.code(), Some(1));
+    assert_eq!(fs::read_to_string(here.join("out.csv")).expect("a file"), "what was there");
+    assert_eq!(files(here), ["out.csv", "points.csv"]);
+
+    let output = batch(here, &["points.csv", "-o", "out.csv", "--on-error", "null"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(String::from_utf8_lossy(&output.stderr).starts_with("warning: 1 of 50001 rows without a result"));
+    assert_eq!(fs::read_to_string(here.join("out.csv")).expect("a file").lines().count(), 50_002);
+    assert_eq!(files(here), ["out.csv", "points.csv"]);
+}
+
+#[cfg(feature = "tables")]
+#[test]
+fn an_error_leaves_no_file_of_any_format() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path();
+    let table = "gamma,k_prime,k,mu\n".to_owned() + &"1,1,2,5\n".repeat(50_000);
+    fs::write(here.join("points.csv"), &table).expect("a file");
+    fs::write(here.join("wrong.csv"), table + "1,1,2,-5\n").expect("a file");
+    for name in ["out.parquet", "out.arrow", "out.arrows"] {
+        assert_eq!(batch(here, &["wrong.csv", "-o", name]).status.code(), Some(1), "{name}");
+        assert_eq!(files(here), ["points.csv", "wrong.csv"], "{name}");
+        assert_eq!(batch(here, &["points.csv", "-o", name]).status.code(), Some(0), "{name}");
+        assert_eq!(files(here), [name, "points.csv", "wrong.csv"]);
+        fs::remove_file(here.join(name)).expect("removed");
+    }
+}
+
+#[cfg(all(target_os = "linux", feature = "tables"))]
+#[test]
+fn a_full_disk_is_reported_in_every_format() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let table = "gamma,k_prime,k,mu\n".to_owned() + &"1,1,2,5\n".repeat(50_000);
+    fs::write(folder.path().join("points.csv"), table).expect("a file");
+    assert!(
+        batch(folder.path(), &["points.csv", "-o", "points.parquet", "--columns", "xi"]).status.success()
+    );
+    for format in ["csv", "parquet", "arrow", "arrows"] {
+        let arguments =
+            ["points.parquet", "-o", "/dev/full", "--output-format", format, "--columns", "mode,f_x"];
+        let output = batch(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(1));
+        let words = String::from_utf8_lossy(&output.stderr);
+        assert!(words.contains("cannot write /dev/full: No space left on device"), "{format}: {words}");
+    }
+}
+
+#[test]
+fn the_table_may_be_replaced_by_its_answer() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path();
+    fs::write(here.join("points.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").expect("a file");
+    assert!(batch(here, &["points.csv", "-o", "points.csv"]).status.success());
+    let text = fs::read_to_string(here.join("points.csv")).expect("a file");
+    assert!(text.ends_with("1,1,2,5,RO,true,,-1.125,1.125,1.125,0.875,2.125,-1.0\n"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path();
+    fs::write(here.join("points.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").expect("a file");
+    let output = batch(here, &["points.csv", "-o", "/dev/full"]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(message.contains("cannot write /dev/full: No space left on device"), "{message}");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing_behind() {
+    use std::io::Write;
+    use std::process::Stdio;
+    use std::time::Duration;
+
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_standfast"))
+        .args(["batch", "-", "-o", "out.csv"])
+        .current_dir(here)
+        .stdin(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // The table never ends, so the run is under way as soon as there is a temporary file.
+    let mut input = child.stdin.take().expect("a pipe");
+    input.write_all(b"gamma,k_prime,k,mu\n1,1,2,5\n").expect("a table");
+    while files(here).is_empty() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    std::thread::sleep(Duration::from_millis(200));
+    let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
+    assert!(interrupt.success());
+    assert_eq!(child.wait().expect("an end").code(), Some(130));
+    assert!(files(here).is_empty());
+}

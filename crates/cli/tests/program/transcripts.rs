@@ -1,0 +1,14 @@
+//! What a user sees, word for word: `cmd/*` are transcripts, those in its folders of what a build may leave out.
+
+use standfast_cli::features::Feature;
+
+#[test]
+fn transcripts() {
+    let cases = trycmd::TestCases::new();
+    cases.case("tests/cmd/*.trycmd").case("tests/cmd/*.toml");
+    for (feature, folder) in [(Feature::Tables, "tables"), (Feature::Pictures, "pictures")] {
+        let built = if feature.is_built_in() { "built-in" } else { "left-out" };
+        cases.case(format!("tests/cmd/{folder}/{built}*.trycmd"));
+        cases.case(format!("tests/cmd/{folder}/{built}*.toml"));
+    }
+}

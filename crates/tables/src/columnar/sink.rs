@@ -1,0 +1,148 @@
+//! Where the pieces of a table go.
+
+use std::io::{self, Write};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use arrow_array::RecordBatch;
+use arrow_ipc::writer::{FileWriter, StreamWriter};
+use arrow_schema::{DataType, SchemaRef};
+
+use super::Reading;
+use super::parquet::{self as pq, Encoder, Group};
+use super::table;
+use crate::answers::Task;
+use crate::{TableError, TableFormat, TableOptions};
+
+/// How pieces are written.
+pub(super) enum Writing {
+    Text,
+    Arrow(SchemaRef),
+    Parquet(SchemaRef, Encoder),
+}
+
+/// What is written of a piece.
+pub(super) enum Output {
+    Text(Vec<u8>),
+    Batches(Vec<RecordBatch>),
+    Group(Group),
+}
+
+/// Where the pieces go.
+pub(super) enum Sink<W: Write + Send> {
+    Text(W),
+    Arrow(Box<FileWriter<W>>),
+    Arrows(Box<StreamWriter<W>>),
+    Parquet(pq::Sink<W>),
+}
+
+impl<W: Write + Send> Sink<W> {
+    pub(super) fn create(
+        mut output: W,
+        reading: &Reading,
+        task: &Task,
+        options: &TableOptions,
+        unwritten: &impl Fn(String) -> TableError,
+    ) -> Result<(Sink<W>, Writing), TableError> {
+        let (schema, fixed) = match reading {
+            Reading::Text(header) => (header.schema(), false),
+            Reading::Batches(_, schema) => (schema.clone(), options.from == TableFormat::Arrow),
+            Reading::Parquet(source, _) => (source.schema(), false),
+        };
+        if options.to == TableFormat::Csv {
+            if let Some((column, found)) = table::nested(&schema) {
+                return Err(TableError::Nested { name: options.name.clone(), column, found });
+            }
+            let line = task.header(&table::header(&schema), b"\n");
+            output.write_all(&line).map_err(|error| unwritten(error.to_string()))?;
+            return Ok((Sink::Text(output), Writing::Text));
+        }
+        let source = if let Reading::Parquet(source, _) = reading { Some(source) } else { None };
+        // The batches of an Arrow file have to share their dictionaries, and Parquet knows only those of text.
+        let schema = match (options.to, reading) {
+            (TableFormat::Arrow, Reading::Batches(..)) if fixed => schema,
+            (TableFormat::Parquet, Reading::Parquet(..)) => schema,
+            (TableFormat::Parquet, _) => table::without_dictionaries(&schema, |values| {
+                !matches!(values, DataType::Utf8 | DataType::LargeUtf8)
+            }),
+            _ => table::without_dictionaries(&schema, |_| true),
+        };
+        let schema = table::extended(&schema, task.fields());
+        let failed = |error: arrow_schema::ArrowError| unwritten(error.to_string());
+        Ok(match options.to {
+            TableFormat::Parquet => {
+                let created = pq::create(output, &schema, &task.results, source);
+                let (sink, encoder) = created.map_err(|error| unwritten(error.to_string()))?;
+                (Sink::Parquet(sink), Writing::Parquet(schema, encoder))
+            }
+            TableFormat::Arrow => {
+                let writer = FileWriter::try_new(output, &schema).map_err(failed)?;
+                (Sink::Arrow(Box::new(writer)), Writing::Arrow(schema))
+            }
+            _ => {
+                let writer = StreamWriter::try_new(output, &schema).map_err(failed)?;
+                (Sink::Arrows(Box::new(writer)), Writing::Arrow(schema))
+            }
+        })
+    }
+
+    pub(super) fn write(&mut self, output: Output, reading: &Reading) -> Result<(), String> {
+        match (self, output) {
+            (Sink::Text(sink), Output::Text(text)) => {
+                sink.write_all(&text).map_err(|error| error.to_string())
+            }
+            (Sink::Arrow(sink), Output::Batches(batches)) => {
+                batches.iter().try_for_each(|batch| sink.write(batch)).map_err(|error| error.to_string())
+            }
+            (Sink::Arrows(sink), Output::Batches(batches)) => {
+                batches.iter().try_for_each(|batch| sink.write(batch)).map_err(|error| error.to_string())
+            }
+            (Sink::Parquet(sink), Output::Group(group)) => {
+                let source = if let Reading::Parquet(source, _) = reading { Some(source) } else { None };
+                sink.write(group, source).map_err(|error| error.to_string())
+            }
+            _ => unreachable!("a piece is made for its sink"),
+        }
+    }
+
+    pub(super) fn finish(self) -> Result<(), String> {
+        let output = match self {
+            Sink::Text(output) => Ok(output),
+            Sink::Arrow(writer) => writer.into_inner().map_err(|error| error.to_string()),
+            Sink::Arrows(writer) => writer.into_inner().map_err(|error| error.to_string()),
+            Sink::Parquet(writer) => writer.finish().map_err(|error| error.to_string()),
+        };
+        output?.flush().map_err(|error| error.to_string())
+    }
+}
+
+/// An output that remembers its first error.
+pub(super) struct Remembering<W> {
+    pub(super) output: W,
+    pub(super) failed: Arc<Mutex<Option<io::Error>>>,
+}
+
+impl<W> Remembering<W> {
+    fn remember<T>(&self, outcome: io::Result<T>) -> io::Result<T> {
+        outcome.map_err(|error| {
+            let kind = error.kind();
+            self.failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+            kind.into()
+        })
+    }
+}
+
+impl<W: Write> Write for Remembering<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let outcome = self.output.write(bytes);
+        // An interrupted call is to be made again, and no error.
+        match outcome {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => Err(error),
+            outcome => self.remember(outcome),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let outcome = self.output.flush();
+        self.remember(outcome)
+    }
+}

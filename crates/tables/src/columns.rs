@@ -1,0 +1,97 @@
+//! The columns a table has to have, and where they are.
+
+use crate::problem::{Column, in_words};
+use crate::{ResultColumn, TableError, TableOptions};
+use standfast_cases::suggest::closest;
+
+/// One of our columns and the name it has in the table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mapping {
+    /// Our name.
+    pub ours: String,
+    /// The table's.
+    pub theirs: String,
+}
+
+impl std::str::FromStr for Mapping {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Mapping, String> {
+        let parts = text.split_once('=').map(|(ours, theirs)| (ours.trim(), theirs.trim()));
+        match parts {
+            Some((ours, theirs)) if !ours.is_empty() && !theirs.is_empty() => {
+                Ok(Mapping { ours: ours.to_owned(), theirs: theirs.to_owned() })
+            }
+            _ => Err("expected our name and the table's, as in mu=friction".to_owned()),
+        }
+    }
+}
+
+impl TableOptions {
+    /// Where in a table with the columns `found` those of the problem are, in the problem's order.
+    pub(crate) fn places(&self, found: &[String]) -> Result<Vec<usize>, TableError> {
+        let name = || self.name.clone();
+        let results = self.results()?;
+        let exists = results.iter().find(|result| found.iter().any(|column| column == result.name()));
+        if let Some(column) = exists {
+            return Err(TableError::ResultExists { name: name(), column: column.name() });
+        }
+        let columns = self.problem.columns();
+        let ours = || columns.iter().map(|column| column.name);
+        for (i, Mapping { ours: our, .. }) in self.map.iter().enumerate() {
+            if !ours().any(|name| name == our) {
+                let suggestion = closest(our, ours()).map(str::to_owned);
+                let needed = self.problem.needed();
+                return Err(TableError::MapUnknown { ours: our.clone(), suggestion, needed });
+            }
+            if self.map[..i].iter().any(|earlier| earlier.ours == *our) {
+                return Err(TableError::MapTwice { ours: our.clone() });
+            }
+        }
+        let place = |column: &Column| {
+            let mapped = self.map.iter().find(|mapping| mapping.ours == column.name);
+            let wanted = mapped.map_or(column.name, |mapping| &mapping.theirs);
+            let mut matches = found.iter().enumerate().filter(|(_, found)| *found == wanted);
+            match (matches.next(), matches.next()) {
+                (Some((place, _)), None) => Ok(place),
+                (Some(_), Some(_)) => Err(TableError::TwoColumns { name: name(), column: wanted.to_owned() }),
+                (None, _) => {
+                    let meant = match mapped {
+                        None => similar(column, found, columns),
+                        Some(_) => closest(wanted, found.iter().map(String::as_str)).map(str::to_owned),
+                    };
+                    let help = meant.map_or_else(
+                        || format!("the columns needed are {}, in any order", self.problem.needed()),
+                        |found| format!("did you mean `{found}`? then say --map \"{}={found}\"", column.name),
+                    );
+                    let column = wanted.to_owned();
+                    Err(TableError::MissingColumn { name: name(), column, found: found.join(", "), help })
+                }
+            }
+        };
+        columns.iter().map(place).collect()
+    }
+
+    /// What is computed: the columns asked for, or all of the problem.
+    pub(crate) fn results(&self) -> Result<Vec<ResultColumn>, TableError> {
+        let all = self.problem.results();
+        for (i, column) in self.columns.iter().enumerate() {
+            if !all.contains(column) {
+                let results = in_words(all.iter().map(|column| column.name()));
+                return Err(TableError::NoSuchResult { column: column.name(), results });
+            }
+            if self.columns[..i].contains(column) {
+                return Err(TableError::ResultTwice { column: column.name() });
+            }
+        }
+        Ok(if self.columns.is_empty() { all.to_vec() } else { self.columns.clone() })
+    }
+}
+
+/// The column that is most likely meant.
+fn similar(column: &Column, found: &[String], columns: &[Column]) -> Option<String> {
+    let needed = |name: &str| columns.iter().any(|column| column.name == name);
+    let free = || found.iter().map(String::as_str).filter(|name| !needed(name));
+    let exact = free().find(|name| column.other_names.contains(&name.to_lowercase().as_str()));
+    exact.or_else(|| column.other_names.iter().find_map(|other| closest(other, free()))).map(str::to_owned)
+}

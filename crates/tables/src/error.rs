@@ -1,0 +1,235 @@
+//! What can be wrong with a table.
+
+use std::fmt;
+use std::io;
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Why a table was not processed.
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum TableError {
+    /// There is not even a header.
+    #[error("{name} is empty")]
+    #[diagnostic(help("a table begins with the names of its columns, among them {needed}"))]
+    Empty {
+        /// The table.
+        name: String,
+        /// The columns needed.
+        needed: String,
+    },
+    /// One of the columns needed is not there.
+    #[error("{name} has no column {column}; its columns are {found}")]
+    #[diagnostic(help("{help}"))]
+    MissingColumn {
+        /// The table.
+        name: String,
+        /// The column looked for.
+        column: String,
+        /// The columns there are.
+        found: String,
+        /// What may be meant, or is needed.
+        help: String,
+    },
+    /// One of the columns needed is there twice.
+    #[error("{name} has two columns {column}")]
+    TwoColumns {
+        /// The table.
+        name: String,
+        /// The column.
+        column: String,
+    },
+    /// A column that is to be appended is there already.
+    #[error("{name} already has a column {column}, which is one of the results")]
+    #[diagnostic(help("rename or remove it"))]
+    ResultExists {
+        /// The table.
+        name: String,
+        /// The column.
+        column: &'static str,
+    },
+    /// `--map` names a column that the problem does not have.
+    #[error("--map {ours}=…: the problem has no column {ours}")]
+    #[diagnostic(help("{}", meant(suggestion.as_deref(), needed)))]
+    MapUnknown {
+        /// The name.
+        ours: String,
+        /// The one that may be meant.
+        suggestion: Option<String>,
+        /// The columns needed.
+        needed: String,
+    },
+    /// `--map` names a column twice.
+    #[error("--map names {ours} twice")]
+    MapTwice {
+        /// The column.
+        ours: String,
+    },
+    /// `--columns` names a result of the other problem.
+    #[error("--columns {column}: this problem has no such result")]
+    #[diagnostic(help("its results are {results}"))]
+    NoSuchResult {
+        /// The column.
+        column: &'static str,
+        /// Those there are.
+        results: String,
+    },
+    /// `--columns` names a result twice.
+    #[error("--columns names {column} twice")]
+    ResultTwice {
+        /// The column.
+        column: &'static str,
+    },
+    /// The name of a file does not tell its format.
+    #[error("cannot tell the format of {name} from its extension")]
+    #[diagnostic(help(
+        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows; or say it: {option} parquet"
+    ))]
+    Format {
+        /// The file.
+        name: String,
+        /// The option that tells it.
+        option: &'static str,
+    },
+    /// This build has no code for a format.
+    #[error("{name}: {format} is left out of this build")]
+    #[diagnostic(help("the feature `columnar` of standfast-tables adds Parquet and Arrow"))]
+    LeftOut {
+        /// The table.
+        name: String,
+        /// The format.
+        format: &'static str,
+    },
+    /// A column does not hold numbers.
+    #[error("{name}, column {column}: holds {found}; expected numbers")]
+    Type {
+        /// The table.
+        name: String,
+        /// The column.
+        column: String,
+        /// What it holds.
+        found: String,
+    },
+    /// A column that has no place in a CSV file.
+    #[error("{name}, column {column}: holds {found}, for which CSV has no place")]
+    #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]
+    Nested {
+        /// The table.
+        name: String,
+        /// The column.
+        column: String,
+        /// What it holds.
+        found: String,
+    },
+    /// A row that makes no sense.
+    #[error("{name}, {place}, {problem}")]
+    #[diagnostic(help("--on-error null leaves the results of such rows empty and goes on"))]
+    Row {
+        /// The table.
+        name: String,
+        /// Where the row is.
+        place: Place,
+        /// What is wrong with it.
+        problem: RowProblem,
+    },
+    /// A quotation mark that swallows the rest of the table.
+    #[error("{name}, line {line}: a quotation mark is opened and never closed")]
+    #[diagnostic(help("a field that begins with \" has to end with \"; inside, it is written twice"))]
+    Quote {
+        /// The table.
+        name: String,
+        /// Where the row begins, counted from one.
+        line: u64,
+    },
+    /// The table cannot be opened or read on.
+    #[error("cannot read {name}: {cause}")]
+    Read {
+        /// The table.
+        name: String,
+        /// What the system says, or the library for the format.
+        cause: String,
+    },
+    /// The file is not what its format asks for.
+    #[error("cannot read {name}: not a whole {format} file, or damaged ({})", without_prefix(cause))]
+    Damaged {
+        /// The table.
+        name: String,
+        /// The format it was taken for.
+        format: &'static str,
+        /// What the library for the format says.
+        cause: String,
+    },
+    /// The result cannot be written.
+    #[error("cannot write the result: {0}")]
+    Write(io::Error),
+}
+
+/// Where a row is, counted from one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The line of a text on which it begins.
+    Line(u64),
+    /// The row of a table that has no lines.
+    Row(u64),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Line(line) => write!(f, "line {line}"),
+            Place::Row(row) => write!(f, "row {row}"),
+        }
+    }
+}
+
+/// What is wrong with a row.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum RowProblem {
+    /// Too few or too many fields.
+    #[error("{found} fields; expected {expected}, as many as the header has")]
+    Length {
+        /// The number of fields.
+        found: usize,
+        /// That of the header.
+        expected: usize,
+    },
+    /// A value that no point can have.
+    #[error("column {column}: \"{value}\"; expected {expected}")]
+    Value {
+        /// The column, as the table calls it.
+        column: String,
+        /// The field as it is.
+        value: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// No value.
+    #[error("column {column}: null; expected {expected}")]
+    Null {
+        /// The column, as the table calls it.
+        column: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// Bytes that are no text.
+    #[error("column {column}: \"{value}\" is not UTF-8 text")]
+    Encoding {
+        /// The column.
+        column: String,
+        /// The field with � for what cannot be read.
+        value: String,
+    },
+}
+
+/// The words of the library for a format, without its name for them (`Parquet error: …`).
+fn without_prefix(cause: &str) -> &str {
+    cause.split_once(" error: ").map_or(cause, |(_, words)| words)
+}
+
+fn meant(suggestion: Option<&str>, needed: &str) -> String {
+    match suggestion {
+        Some(found) => format!("did you mean `{found}`?"),
+        None => format!("its columns are {needed}"),
+    }
+}

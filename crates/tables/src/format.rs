@@ -1,0 +1,51 @@
+//! The formats of tables.
+
+use std::path::Path;
+
+use crate::TableError;
+
+/// The format of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum TableFormat {
+    /// Text with commas (.csv, .txt)
+    Csv,
+    /// Apache Parquet (.parquet, .pq)
+    Parquet,
+    /// Arrow IPC file, also called Feather (.arrow, .ipc, .feather)
+    Arrow,
+    /// Arrow IPC stream (.arrows)
+    Arrows,
+}
+
+impl TableFormat {
+    /// The format of `path` by its extension; without one, and for `-`, CSV. `option` is the one that would tell it.
+    ///
+    /// # Errors
+    /// If the extension is not known.
+    pub fn of(path: &Path, option: &'static str) -> Result<TableFormat, TableError> {
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            None | Some("csv" | "txt") => Ok(TableFormat::Csv),
+            Some("parquet" | "pq") => Ok(TableFormat::Parquet),
+            Some("arrow" | "ipc" | "feather") => Ok(TableFormat::Arrow),
+            Some("arrows") => Ok(TableFormat::Arrows),
+            Some(_) => Err(TableError::Format { name: path.display().to_string(), option }),
+        }
+    }
+
+    /// Whether this build can read and write it: CSV always, the others with the feature `columnar`.
+    pub fn is_built_in(self) -> bool {
+        self == TableFormat::Csv || cfg!(feature = "columnar")
+    }
+
+    /// What errors call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            TableFormat::Csv => "CSV",
+            TableFormat::Parquet => "Parquet",
+            TableFormat::Arrow => "Arrow IPC",
+            TableFormat::Arrows => "Arrow IPC stream",
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Every row of a table of points, answered: columns in, columns out.
+//!
+//! The table is read piece by piece, the pieces are answered on all cores, and written in order: a table of any length
+//! needs the memory of a few pieces, and the result does not depend on the number of threads. CSV always; Parquet, Arrow
+//! IPC files and streams with the feature `columnar`.
+//!
+//! | question | start at |
+//! |---|---|
+//! | How is a table answered? | [`run`], or [`answer()`] for files and progress |
+//! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`] |
+//! | How is a file's format told? | [`TableFormat`] |
+//! | What can be wrong with it? | [`TableError`] |
+//!
+//! ```
+//! use standfast_tables::{TableOptions, run};
+//!
+//! let table = "id,gamma,k_prime,k,mu\na,1,1,2,5\n";
+//! let mut answer = Vec::new();
+//! let summary = run(table.as_bytes(), &mut answer, &TableOptions::new("points.csv"))?;
+//! assert_eq!((summary.rows, summary.bad), (1, 0));
+//! assert_eq!(
+//!     String::from_utf8_lossy(&answer),
+//!     "id,gamma,k_prime,k,mu,mode,unique,also,x_ddot,y_ddot,theta_ddot,f_x,f_y,xi\n\
+//!      a,1,1,2,5,RO,true,,-1.125,1.125,1.125,0.875,2.125,-1.0\n"
+//! );
+//! # Ok::<(), standfast_tables::TableError>(())
+//! ```
+
+#![forbid(unsafe_code)]
+
+mod answers;
+#[cfg(feature = "columnar")]
+mod columnar;
+mod columns;
+mod engine;
+mod error;
+mod format;
+mod guard;
+mod pipeline;
+mod problem;
+mod text;
+
+pub use columns::Mapping;
+pub use engine::{Input, answer};
+pub use error::{Place, RowProblem, TableError};
+pub use format::TableFormat;
+pub use guard::silence_caught_panics;
+pub use problem::{ResultColumn, TableProblem};
+
+use std::io::{Read, Write};
+use std::sync::Arc;
+
+/// Who is told how far a run is; `()` is not interested.
+pub trait Progress: Sync {
+    /// The units to be counted are not bytes of the input: there are `length` of them.
+    fn expect(&self, length: u64) {
+        let _ = length;
+    }
+
+    /// So many more rows have been written, which are so many units of the input.
+    fn advance(&self, rows: u64, units: u64) {
+        let _ = (rows, units);
+    }
+}
+
+impl Progress for () {}
+
+/// What to do with a row that makes no sense.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum OnError {
+    /// Stop; nothing is written
+    #[default]
+    Stop,
+    /// Leave its results empty and go on; a row of the wrong length is filled up or cut to that of the header
+    Null,
+}
+
+/// How to process a table.
+#[derive(Debug, Clone)]
+pub struct TableOptions {
+    /// What errors call the input.
+    pub name: String,
+    /// The format of the input.
+    pub from: TableFormat,
+    /// The format of the output.
+    pub to: TableFormat,
+    /// Which problem the rows are.
+    pub problem: TableProblem,
+    /// The names the problem's columns have in the table, where they are not ours.
+    pub map: Vec<Mapping>,
+    /// What is computed, in this order; all results of the problem if empty.
+    pub columns: Vec<ResultColumn>,
+    /// What to do with a row that makes no sense.
+    pub on_error: OnError,
+    /// How many threads work; the result is the same for any number.
+    pub threads: usize,
+    /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
+    /// and writing. Only from Parquet to Parquet.
+    #[doc(hidden)]
+    pub known_modes: Option<Arc<[u8]>>,
+}
+
+impl TableOptions {
+    /// The report's problem with all its results on one thread, from CSV to CSV; stop at the first row that makes no sense; `name` is
+    /// what errors call the input.
+    pub fn new(name: &str) -> TableOptions {
+        TableOptions {
+            name: name.to_owned(),
+            from: TableFormat::Csv,
+            to: TableFormat::Csv,
+            problem: TableProblem::Force,
+            map: Vec::new(),
+            columns: Vec::new(),
+            on_error: OnError::Stop,
+            threads: 1,
+            known_modes: None,
+        }
+    }
+}
+
+/// What was done.
+#[derive(Debug, Default)]
+pub struct Summary {
+    /// Rows written.
+    pub rows: u64,
+    /// Rows among them whose results are empty.
+    pub bad: u64,
+    /// What was wrong with the first of those.
+    pub first: Option<TableError>,
+}
+
+/// Answers every row of a table.
+///
+/// # Errors
+/// If the table does not have the columns of the problem, or has a result column already; at the first row that makes
+/// no sense, unless [`OnError::Null`]; or if reading or writing fails.
+pub fn run(
+    input: impl Read + Send,
+    output: impl Write + Send,
+    options: &TableOptions,
+) -> Result<Summary, TableError> {
+    answer(Input::Stream(Box::new(input)), output, options, &())
+}

@@ -1,0 +1,202 @@
+//! What a table asks: the report's problem, or the general contact problem.
+
+use standfast::contact::{self, Block, Wrench};
+use standfast::{InputError, Mode, Modes, Motion, Point};
+
+use ResultColumn::{
+    Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
+};
+
+/// Which problem the rows are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum TableProblem {
+    /// The report's: gamma, k_prime, k and mu
+    #[default]
+    Force,
+    /// Any wrench on any block: b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s and mu_k
+    Wrench,
+}
+
+/// A column that a table has to have.
+pub(crate) struct Column {
+    pub(crate) name: &'static str,
+    /// What the library calls it.
+    quantity: &'static str,
+    /// What people call it otherwise, in small letters.
+    pub(crate) other_names: &'static [&'static str],
+}
+
+const fn column(name: &'static str, quantity: &'static str, other_names: &'static [&'static str]) -> Column {
+    Column { name, quantity, other_names }
+}
+
+const FORCE: [Column; 4] = [
+    column("gamma", "slenderness γ", &["gamma", "γ", "slenderness", "h/b"]),
+    column("k_prime", "elevation k'", &["k_prime", "k'", "kprime", "kp", "elevation", "height"]),
+    column("k", "force k", &["k", "force", "f", "load"]),
+    column("mu", "friction μ", &["mu", "μ", "friction", "friction coefficient"]),
+];
+
+const WRENCH: [Column; 11] = [
+    column("b1", "distance b1 of O", &["b1", "b_1", "b₁"]),
+    column("b2", "distance b2 of O'", &["b2", "b_2", "b₂"]),
+    column("d", "depth d of the base", &["d", "depth"]),
+    column("rho2", "square rho2 of the radius of gyration", &["rho2", "rho^2", "ρ²"]),
+    column("m_x", "inertia m_x", &["m_x", "mx"]),
+    column("m_y", "inertia m_y", &["m_y", "my"]),
+    column("x", "horizontal force x", &["x", "f_x", "horizontal"]),
+    column("p", "vertical force p", &["p", "vertical"]),
+    column("m", "moment m", &["m", "moment"]),
+    column("mu_s", "static friction mu_s", &["mu_s", "μ_s", "mus", "static friction"]),
+    column("mu_k", "kinetic friction mu_k", &["mu_k", "μ_k", "muk", "kinetic friction"]),
+];
+
+/// The most columns a problem has.
+pub(crate) const MOST: usize = WRENCH.len();
+
+/// A column that can be computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", value(rename_all = "snake_case"))]
+pub enum ResultColumn {
+    /// All consistent modes (--problem wrench)
+    Modes,
+    /// The mode that begins
+    Mode,
+    /// Whether no other mode is consistent (--problem force)
+    Unique,
+    /// The other consistent modes (--problem force)
+    Also,
+    /// Acceleration of the centre of mass, to the right
+    XDdot,
+    /// The same, upwards
+    YDdot,
+    /// Angular acceleration, counter-clockwise
+    ThetaDdot,
+    /// Reaction on the body, to the right
+    #[cfg_attr(feature = "clap", value(name = "f_x"))]
+    FX,
+    /// The same, upwards
+    #[cfg_attr(feature = "clap", value(name = "f_y"))]
+    FY,
+    /// Where f_y acts, right of the centre of mass
+    Xi,
+}
+
+const FORCE_RESULTS: [ResultColumn; 9] = [ModeColumn, Unique, Also, XDdot, YDdot, ThetaDdot, FX, FY, Xi];
+const WRENCH_RESULTS: [ResultColumn; 8] = [ModesColumn, ModeColumn, XDdot, YDdot, ThetaDdot, FX, FY, Xi];
+
+impl ResultColumn {
+    /// The name of the column.
+    pub fn name(self) -> &'static str {
+        match self {
+            ModesColumn => "modes",
+            ModeColumn => "mode",
+            Unique => "unique",
+            Also => "also",
+            XDdot => "x_ddot",
+            YDdot => "y_ddot",
+            ThetaDdot => "theta_ddot",
+            FX => "f_x",
+            FY => "f_y",
+            Xi => "xi",
+        }
+    }
+
+    /// The number of a motion that the column holds, if it holds numbers.
+    pub(crate) fn number(self) -> Option<fn(&Motion) -> f64> {
+        match self {
+            ModesColumn | ModeColumn | Unique | Also => None,
+            XDdot => Some(|motion| motion.x_ddot),
+            YDdot => Some(|motion| motion.y_ddot),
+            ThetaDdot => Some(|motion| motion.theta_ddot),
+            FX => Some(|motion| motion.f_x),
+            FY => Some(|motion| motion.f_y),
+            Xi => Some(|motion| motion.xi),
+        }
+    }
+}
+
+/// The answer to a row.
+pub(crate) enum Answer {
+    Force(Point),
+    Wrench(contact::Answer),
+}
+
+impl TableProblem {
+    /// The columns needed.
+    pub(crate) fn columns(self) -> &'static [Column] {
+        match self {
+            TableProblem::Force => &FORCE,
+            TableProblem::Wrench => &WRENCH,
+        }
+    }
+
+    /// The columns appended, unless others are asked for.
+    pub fn results(self) -> &'static [ResultColumn] {
+        match self {
+            TableProblem::Force => &FORCE_RESULTS,
+            TableProblem::Wrench => &WRENCH_RESULTS,
+        }
+    }
+
+    /// The names of the columns needed, in words.
+    pub(crate) fn needed(self) -> String {
+        in_words(self.columns().iter().map(|column| column.name))
+    }
+
+    /// The answer to the values of the columns; those that the problem does not have are ignored.
+    pub(crate) fn solve(self, values: [f64; MOST]) -> Result<Answer, InputError> {
+        match self {
+            TableProblem::Force => {
+                let [gamma, k_prime, k, mu, ..] = values;
+                Point::new(gamma, k_prime, k, mu).map(Answer::Force)
+            }
+            TableProblem::Wrench => {
+                let [b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k] = values;
+                let block = Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k };
+                contact::solve(&block, &Wrench { x, p, m }).map(Answer::Wrench)
+            }
+        }
+    }
+
+    /// The place among the columns of the one at fault.
+    pub(crate) fn blame(self, error: &InputError) -> usize {
+        let culprit = self.columns().iter().position(|column| column.quantity == error.quantity);
+        culprit.unwrap_or_default()
+    }
+}
+
+impl Answer {
+    pub(crate) fn mode(&self) -> Option<Mode> {
+        match self {
+            Answer::Force(point) => Some(point.mode()),
+            Answer::Wrench(answer) => answer.mode(),
+        }
+    }
+
+    /// The consistent modes: those beside the one reported for a force, all of them for a wrench.
+    pub(crate) fn modes(&self) -> Modes {
+        match self {
+            Answer::Force(point) => point.others(),
+            Answer::Wrench(answer) => answer.modes,
+        }
+    }
+
+    pub(crate) fn motion(&self) -> Option<Motion> {
+        match self {
+            Answer::Force(point) => Some(point.motion()),
+            Answer::Wrench(answer) => answer.mode().and_then(|mode| answer.motion(mode)),
+        }
+    }
+}
+
+/// `a, b and c`.
+pub(crate) fn in_words(names: impl IntoIterator<Item = &'static str>) -> String {
+    let names: Vec<_> = names.into_iter().collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
+}

@@ -1,0 +1,298 @@
+//! Tables as CSV text.
+
+mod cut;
+
+use std::io::Read;
+use std::ops::Range;
+
+use csv::{ByteRecord, Reader, ReaderBuilder};
+
+use crate::answers::{Fault, Faults, Task, Values};
+use crate::engine::Done;
+use crate::{RowProblem, TableError, TableOptions};
+use cut::{CutError, Pieces};
+
+/// A CSV table, of which the header is read.
+pub(crate) struct Text<R> {
+    pieces: Pieces<R>,
+    first: Option<Vec<u8>>,
+    /// The line on which the next piece begins.
+    line: u64,
+    name: String,
+}
+
+/// What the header says.
+pub(crate) struct Header {
+    /// The columns' names.
+    pub(crate) names: Vec<String>,
+    /// Where those of the problem are.
+    pub(crate) places: Vec<usize>,
+    /// The header as it is in the file, without the end of its line.
+    pub(crate) bytes: Vec<u8>,
+    /// How its line ends.
+    pub(crate) end: &'static [u8],
+}
+
+/// Whole rows of the table.
+pub(crate) struct Piece {
+    bytes: Vec<u8>,
+    /// The line on which they begin.
+    line: u64,
+}
+
+impl<R: Read> Text<R> {
+    /// Reads the header. `size` is that of a piece in bytes.
+    pub(crate) fn open(
+        source: R,
+        size: usize,
+        options: &TableOptions,
+    ) -> Result<(Text<R>, Header), TableError> {
+        let name = options.name.clone();
+        let mut text = Text { pieces: Pieces::new(source, size), first: None, line: 1, name };
+        let Some(bytes) = text.piece()? else {
+            return Err(TableError::Empty { name: options.name.clone(), needed: options.problem.needed() });
+        };
+        let mut rows = Rows::new(&bytes);
+        if !rows.advance() {
+            return Err(TableError::Empty { name: options.name.clone(), needed: options.problem.needed() });
+        }
+        let names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
+        let places = options.places(&names)?;
+        let Range { start, end } = rows.range;
+        let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
+        let header = Header { names, places, bytes: bytes[start..end].to_vec(), end: line_end };
+        text.line = 1 + feeds(&bytes[..end]);
+        text.first = Some(bytes[end..].to_vec());
+        Ok((text, header))
+    }
+
+    /// The next piece.
+    pub(crate) fn next(&mut self) -> Result<Option<Piece>, TableError> {
+        let bytes = match self.first.take() {
+            Some(first) => Some(first),
+            None => self.piece()?,
+        };
+        Ok(bytes.map(|bytes| {
+            let piece = Piece { line: self.line, bytes };
+            self.line += feeds(&piece.bytes);
+            piece
+        }))
+    }
+
+    fn piece(&mut self) -> Result<Option<Vec<u8>>, TableError> {
+        self.pieces.next().map_err(|error| match error {
+            CutError::Read(cause) => TableError::Read { name: self.name.clone(), cause: cause.to_string() },
+            CutError::Quote => TableError::Quote { name: self.name.clone(), line: self.line },
+        })
+    }
+}
+
+fn feeds(text: &[u8]) -> u64 {
+    memchr::memchr_iter(b'\n', text).count() as u64
+}
+
+/// The rows of a piece, one after the other.
+pub(crate) struct Rows<'a> {
+    bytes: &'a [u8],
+    reader: Reader<&'a [u8]>,
+    pub(crate) record: ByteRecord,
+    /// Where the row is in the piece, without the end of its line.
+    range: Range<usize>,
+}
+
+impl<'a> Rows<'a> {
+    pub(crate) fn new(bytes: &'a [u8]) -> Rows<'a> {
+        // A row of the wrong length is for us to report.
+        let reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
+        Rows { bytes, reader, record: ByteRecord::new(), range: 0..0 }
+    }
+
+    pub(crate) fn advance(&mut self) -> bool {
+        // Reading from memory never fails.
+        if !self.reader.read_byte_record(&mut self.record).unwrap_or(false) {
+            return false;
+        }
+        let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+        let read = usize::try_from(self.reader.position().byte()).unwrap_or(self.bytes.len());
+        // The reader takes blank lines with the next row, and of CR LF the LF.
+        let row = &self.bytes[self.range.end..read];
+        let start = self.range.end + row.iter().take_while(|byte| is_end(byte)).count();
+        let end = read - row.iter().rev().take_while(|byte| is_end(byte)).count();
+        self.range = start..end.max(start);
+        true
+    }
+}
+
+/// A piece whose rows are found and whose numbers are read.
+pub(crate) struct Parsed {
+    pub(crate) bytes: Vec<u8>,
+    line: u64,
+    rows: Vec<Range<usize>>,
+    /// The columns of the problem.
+    pub(crate) numbers: Vec<Vec<f64>>,
+    /// The rows that are not to be answered; empty if there are none.
+    skip: Vec<bool>,
+    /// What is wrong with the first of them, and how many they are.
+    wrong: Option<(usize, RowProblem)>,
+    wrongs: u64,
+}
+
+impl Header {
+    fn parse(&self, Piece { bytes, line }: Piece) -> Parsed {
+        let mut found = Rows::new(&bytes);
+        let mut rows = Vec::new();
+        let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); self.places.len()];
+        let mut skip = Vec::new();
+        let mut wrong = None;
+        let mut wrongs = 0;
+        while found.advance() {
+            let row = rows.len();
+            match self.numbers(&found, &mut numbers) {
+                Ok(()) if skip.is_empty() => {}
+                Ok(()) => skip.push(false),
+                Err(problem) => {
+                    numbers.iter_mut().for_each(|column| column.resize(row + 1, f64::NAN));
+                    skip.resize(row, false);
+                    skip.push(true);
+                    wrongs += 1;
+                    wrong.get_or_insert((row, problem));
+                }
+            }
+            rows.push(found.range.clone());
+        }
+        drop(found);
+        Parsed { bytes, line, rows, numbers, skip, wrong, wrongs }
+    }
+
+    /// The rows of a piece with their results.
+    pub(crate) fn answer(&self, piece: Piece, task: &Task) -> Answered {
+        let parsed = self.parse(piece);
+        let mut faults = Faults::default();
+        let results = task.answer(&parsed.columns(), &parsed.skip, &mut faults);
+        let first = parsed.first_problem(self, &faults);
+        let bad = faults.count + parsed.wrongs;
+        Answered { parsed, results, bad, first }
+    }
+
+    /// Appends the numbers of a row to the columns.
+    fn numbers(&self, row: &Rows<'_>, numbers: &mut [Vec<f64>]) -> Result<(), RowProblem> {
+        let record = &row.record;
+        if record.len() != self.names.len() {
+            return Err(RowProblem::Length { found: record.len(), expected: self.names.len() });
+        }
+        if std::str::from_utf8(&row.bytes[row.range.clone()]).is_err() {
+            for (field, column) in record.iter().zip(&self.names) {
+                if std::str::from_utf8(field).is_err() {
+                    return Err(RowProblem::Encoding { column: column.clone(), value: lossy(field) });
+                }
+            }
+        }
+        for (column, &place) in numbers.iter_mut().zip(&self.places) {
+            let field = std::str::from_utf8(&record[place]).unwrap_or_default();
+            column.push(number(field).ok_or_else(|| RowProblem::Value {
+                column: self.names[place].clone(),
+                value: field.to_owned(),
+                expected: "a number",
+            })?);
+        }
+        Ok(())
+    }
+}
+
+/// Rows with their results.
+pub(crate) struct Answered {
+    pub(crate) parsed: Parsed,
+    pub(crate) results: Vec<Values>,
+    bad: u64,
+    /// The first row without result, its line, and what is wrong with it.
+    first: Option<(usize, u64, RowProblem)>,
+}
+
+impl Answered {
+    pub(crate) fn first_row(&self) -> Option<usize> {
+        self.first.as_ref().map(|(row, ..)| *row)
+    }
+
+    pub(crate) fn done<Output>(self, output: Output) -> Done<Output> {
+        let Answered { parsed, bad, first, .. } = self;
+        let first = first.map(|(row, line, problem)| (row, Some(line), problem));
+        Done { rows: parsed.len(), bad, first, units: parsed.bytes.len() as u64, output }
+    }
+}
+
+impl Parsed {
+    pub(crate) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The columns of the problem.
+    fn columns(&self) -> Vec<&[f64]> {
+        self.numbers.iter().map(Vec::as_slice).collect()
+    }
+
+    /// The first row without result, its line, and what is wrong with it.
+    fn first_problem(&self, header: &Header, faults: &Faults) -> Option<(usize, u64, RowProblem)> {
+        let fault = faults.first.map(|fault| (fault.row, Err(fault)));
+        let wrong = self.wrong.as_ref().map(|(row, problem)| (*row, Ok(problem)));
+        let (row, what) = fault.into_iter().chain(wrong).min_by_key(|(row, _)| *row)?;
+        let problem = what.map_or_else(|fault: Fault| self.value(header, fault), RowProblem::clone);
+        Some((row, self.line + feeds(&self.bytes[..self.rows[row].start]), problem))
+    }
+
+    fn value(&self, header: &Header, fault: Fault) -> RowProblem {
+        let place = header.places[fault.column];
+        let mut row = Rows::new(&self.bytes[self.rows[fault.row].clone()]);
+        row.advance();
+        let value = row.record.get(place).map(lossy).unwrap_or_default();
+        RowProblem::Value { column: header.names[place].clone(), value, expected: fault.expected }
+    }
+
+    /// The first `rows` rows as they are, each followed by its results.
+    pub(crate) fn write(&self, header: &Header, results: &[Values], rows: usize) -> Vec<u8> {
+        let mut text = Vec::with_capacity(self.bytes.len() + rows * 24 * results.len());
+        let mut fields = Vec::new();
+        for (row, range) in self.rows[..rows].iter().enumerate() {
+            let bytes = &self.bytes[range.clone()];
+            match self.skip.get(row) {
+                Some(true) => {
+                    fill_up(bytes, header.names.len(), &mut fields);
+                    text.extend_from_slice(&fields);
+                }
+                _ => text.extend_from_slice(bytes),
+            }
+            for values in results {
+                text.push(b',');
+                values.push_text(row, &mut text);
+            }
+            text.extend_from_slice(header.end);
+        }
+        text
+    }
+}
+
+/// A row with as many fields as the header has.
+fn fill_up(row: &[u8], length: usize, text: &mut Vec<u8>) {
+    text.clear();
+    let mut rows = Rows::new(row);
+    rows.advance();
+    if rows.record.len() == length {
+        text.extend_from_slice(row);
+        return;
+    }
+    rows.record.truncate(length);
+    (rows.record.len()..length).for_each(|_| rows.record.push_field(b""));
+    let mut writer = csv::Writer::from_writer(std::mem::take(text));
+    // Writing to memory never fails.
+    let _ = writer.write_byte_record(&rows.record);
+    *text = writer.into_inner().unwrap_or_default();
+    text.truncate(text.len().saturating_sub(1));
+}
+
+/// The number that a field holds.
+pub(crate) fn number(field: &str) -> Option<f64> {
+    field.trim().parse().ok()
+}
+
+pub(crate) fn lossy(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}

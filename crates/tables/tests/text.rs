@@ -1,0 +1,195 @@
+//! Tables of text against scalar calls of the library; whatever a text holds, it is answered or refused.
+
+use proptest::prelude::*;
+use standfast::Point;
+use standfast::contact::{Block, Wrench, solve};
+use standfast_tables::{OnError, Place, TableError, TableOptions, TableProblem, run};
+
+const TABLE: &str = include_str!("../../../examples/points.csv");
+
+/// Numbers from 0 to 1, the same in every run.
+fn random() -> impl FnMut() -> f64 {
+    let mut state: u64 = 2026;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+#[test]
+fn every_row_is_a_scalar_call() {
+    let mut random = random();
+    let mut points = Vec::new();
+    let mut table = String::from("name,mu,k_prime,\"a, b\",gamma,k\n");
+    for i in 0..2000 {
+        let gamma = 10_f64.powf(2.0 * random() - 1.0);
+        let k_prime = 3.0 * random() - 1.8;
+        let k = 6.0 * random();
+        let mu = 4.0 * random();
+        table += &format!("\"row {i}, \"\"so\"\"\",{mu},{k_prime},,{gamma},{k}\n");
+        points.push(Point::new(gamma, k_prime, k, mu).expect("a point"));
+    }
+    let mut answer = Vec::new();
+    let summary = run(table.as_bytes(), &mut answer, &TableOptions::new("table")).expect("a table");
+    assert_eq!((summary.rows, summary.bad), (2000, 0));
+
+    let mut reader = csv::Reader::from_reader(&answer[..]);
+    let header = reader.headers().expect("a header").clone();
+    assert_eq!(
+        header.iter().collect::<Vec<_>>().join("|"),
+        "name|mu|k_prime|a, b|gamma|k|mode|unique|also|x_ddot|y_ddot|theta_ddot|f_x|f_y|xi"
+    );
+    let mut seen = std::collections::BTreeSet::new();
+    let mut rows = 0;
+    for (i, (record, point)) in reader.records().zip(&points).enumerate() {
+        let record = record.expect("a row");
+        assert_eq!(&record[0], format!("row {i}, \"so\""));
+        assert_eq!(record[4].parse(), Ok(point.gamma()));
+        assert_eq!(&record[6], point.mode().symbol());
+        assert_eq!(&record[7], point.is_unique().to_string());
+        assert_eq!(&record[8], point.others().to_string());
+        let motion = point.motion();
+        let expected = [motion.x_ddot, motion.y_ddot, motion.theta_ddot, motion.f_x, motion.f_y, motion.xi];
+        let found: Vec<f64> = record.iter().skip(9).map(|field| field.parse().expect("a number")).collect();
+        assert_eq!(found, expected);
+        seen.insert(point.mode().symbol());
+        rows += 1;
+    }
+    assert_eq!(rows, 2000);
+    assert_eq!(seen.into_iter().collect::<Vec<_>>().join(" "), "RE RO RO' SL SRO'- SRO+ SRO-");
+}
+
+#[test]
+fn every_wrench_is_a_scalar_call() {
+    let mut random = random();
+    let mut table = String::from("m,p,x,id,mu_k,mu_s,m_y,m_x,rho2,d,b2,b1\n");
+    let mut answers = Vec::new();
+    for i in 0..2000 {
+        let mut between = |low: f64, high: f64| low + (high - low) * random();
+        let [b1, b2, d] = [(); 3].map(|()| between(0.3, 2.0));
+        let (rho2, m_x, m_y) = (between(0.2, 2.0), between(1.0, 2.0), between(1.0, 1.5));
+        let mu_s = between(0.0, 3.0);
+        let mu_k = if i % 2 == 0 { mu_s } else { mu_s * between(0.5, 1.0) };
+        let wrench = Wrench { x: between(-3.0, 3.0), p: between(-0.3, 1.5), m: between(-3.0, 3.0) };
+        let Wrench { x, p, m } = wrench;
+        table += &format!("{m},{p},{x},row {i},{mu_k},{mu_s},{m_y},{m_x},{rho2},{d},{b2},{b1}\n");
+        answers.push(solve(&Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k }, &wrench).expect("an answer"));
+    }
+    let options = TableOptions { problem: TableProblem::Wrench, ..TableOptions::new("table") };
+    let mut output = Vec::new();
+    let summary = run(table.as_bytes(), &mut output, &options).expect("a table");
+    assert_eq!((summary.rows, summary.bad), (2000, 0));
+
+    let mut reader = csv::Reader::from_reader(&output[..]);
+    let header = reader.headers().expect("a header").iter().skip(12).collect::<Vec<_>>().join(",");
+    assert_eq!(header, "modes,mode,x_ddot,y_ddot,theta_ddot,f_x,f_y,xi");
+    let mut seen = std::collections::BTreeSet::new();
+    for (record, answer) in reader.records().zip(&answers) {
+        let record = record.expect("a row");
+        assert_eq!(&record[12], answer.modes.to_string());
+        let mode = answer.mode().expect("a mode");
+        assert_eq!(&record[13], mode.symbol());
+        let motion = answer.motion(mode).expect("a motion");
+        let expected = [motion.x_ddot, motion.y_ddot, motion.theta_ddot, motion.f_x, motion.f_y, motion.xi];
+        let found: Vec<f64> = record.iter().skip(14).map(|field| field.parse().expect("a number")).collect();
+        assert_eq!(found, expected);
+        seen.insert(mode.symbol());
+    }
+    assert_eq!(seen.len(), 10, "{seen:?}");
+}
+
+#[test]
+fn lines_are_counted_through_blank_lines_quoted_fields_and_both_line_ends() {
+    for end in ["\n", "\r\n"] {
+        for mark in ["", "\u{feff}"] {
+            let lines =
+                ["k,mu,gamma,k_prime,n", "1,1,1,1,\"a", "b\"", "", "", "1,1,1,1,x", "1,-1,1,1,x", "", "1,1"];
+            for (last, expected) in [(7, 7), (9, 7)] {
+                for tail in ["", end] {
+                    let table = mark.to_owned() + &lines[..last].join(end) + tail;
+                    match run(table.as_bytes(), Vec::new(), &TableOptions::new("t")) {
+                        Err(TableError::Row { place, .. }) => {
+                            assert_eq!(place, Place::Line(expected), "{table:?}")
+                        }
+                        other => panic!("{other:?}"),
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn bad_rows_may_stay_empty() {
+    let table = "gamma,k_prime,k,mu,id\n0,1,1,1,a\n1,1,2,5,b\n1,1\n";
+    let options = TableOptions { on_error: OnError::Null, ..TableOptions::new("points.csv") };
+    let mut answer = Vec::new();
+    let summary = run(table.as_bytes(), &mut answer, &options).expect("a table");
+    assert_eq!((summary.rows, summary.bad), (3, 2));
+    let first = summary.first.expect("a bad row").to_string();
+    assert_eq!(
+        first,
+        "points.csv, line 2, column gamma: \"0\"; expected a number above zero, from 1e-50 to 1e50"
+    );
+    let lines: Vec<_> = std::str::from_utf8(&answer).expect("text").lines().collect();
+    assert_eq!(lines[1], "0,1,1,1,a,,,,,,,,,");
+    assert_eq!(lines[2], "1,1,2,5,b,RO,true,,-1.125,1.125,1.125,0.875,2.125,-1.0");
+    assert_eq!(lines[3], "1,1,,,,,,,,,,,,");
+}
+
+/// A text with a piece cut out and something else put in its place.
+fn mutated(text: &'static str) -> impl Strategy<Value = Vec<u8>> {
+    let bytes = text.as_bytes();
+    let values = prop_oneof![
+        any::<f64>().prop_map(|x| x.to_string()),
+        Just("inf".to_owned()),
+        Just("-1e999".to_owned()),
+        Just(",,,".to_owned()),
+        Just("\"".to_owned()),
+        Just("\r\n\t\u{feff}é🌊".to_owned()),
+        "\\PC{0,12}",
+    ];
+    (0..=bytes.len(), 0..20_usize, values).prop_map(move |(start, length, value)| {
+        let end = (start + length).min(bytes.len());
+        [&bytes[..start], value.as_bytes(), &bytes[end..]].concat()
+    })
+}
+
+/// Numbers of every size the mechanics takes, and some beyond.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => (1.0..10.0, -52..52).prop_map(|(x, n)| x * 10_f64.powi(n)), 1 => 0.0..3.0, 1 => Just(0.0)]
+}
+
+fn try_table(bytes: &[u8]) {
+    for on_error in [OnError::Stop, OnError::Null] {
+        let options = TableOptions { on_error, ..TableOptions::new("t") };
+        if let Err(error) = run(bytes, Vec::new(), &options) {
+            assert!(!standfast_cases::report(&error).is_empty());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn any_bytes_are_no_table(bytes in any::<Vec<u8>>()) {
+        try_table(&bytes);
+    }
+
+    #[test]
+    fn mutated_tables(bytes in mutated(TABLE)) {
+        try_table(&bytes);
+    }
+
+    #[test]
+    fn rows_of_any_bytes(bytes in any::<Vec<u8>>()) {
+        try_table(&[b"gamma,k_prime,k,mu,id\n1,1,1,1,".as_slice(), &bytes].concat());
+    }
+
+    #[test]
+    fn extreme_rows(gamma in number(), k_prime in number(), k in number(), mu in number(), below in any::<bool>()) {
+        let k_prime = if below { -k_prime } else { k_prime };
+        try_table(format!("gamma,k_prime,k,mu\n{gamma},{k_prime},{k},{mu}\n").as_bytes());
+    }
+}
