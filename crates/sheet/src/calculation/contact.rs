@@ -1,12 +1,13 @@
 //! Loads that are no point of the report's diagram: the general contact problem and the conditions of its modes.
 
+use standfast::InputError;
 use standfast::contact::{self, Block};
 use standfast_cases::Assessed;
 
 use crate::quantity::{METRE, NONE, Quantity};
 use crate::steps::{Step, Steps};
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) -> Result<(), InputError> {
     steps.heading("Mode of response: the general contact problem");
     steps.note(
         "The load is no point of the report's diagram, which needs a uniform body with one friction and no added mass, pressed \
@@ -30,10 +31,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
     if m_x != 1.0 {
         add("Inertia against horizontal motion", "m_x", "1 + M_a/m", m_x);
     }
-    let answer = match contact::solve(&block, &wrench) {
-        Ok(answer) => answer,
-        Err(error) => return steps.note(&error.to_string()),
-    };
+    let answer = contact::solve(&block, &wrench)?;
     if answer.modes.is_empty() {
         steps.note("No mode is consistent; that happens only where friction to stick is larger than friction to slip.");
     }
@@ -52,4 +50,5 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
     let body = &situation.body;
     steps.know("b_1", body.heel_distance(), METRE);
     steps.know("b_2", body.toe_distance(), METRE);
+    Ok(())
 }
