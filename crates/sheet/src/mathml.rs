@@ -11,7 +11,7 @@ use crate::quantity::NONE;
 /// What a formula is drawn of, which says how a product is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drawn {
-    /// Symbols: the sign between factors is not seen.
+    /// Symbols: the sign between factors is seen only where a digit follows.
     Symbols,
     /// Numbers with their units: it is seen everywhere.
     Numbers,
@@ -50,9 +50,9 @@ fn term_chunks(term: &Formula, drawn: Drawn, first: bool, chunks: &mut Vec<Strin
         if i == 0 {
             add(chunks, &text);
         } else if drawn == Drawn::Symbols && plain(factor) && plain(&factors[i - 1]) {
-            add(chunks, &(times(drawn) + &text));
+            add(chunks, &(times(&text, drawn) + &text));
         } else {
-            chunks.push(times(drawn) + &text);
+            chunks.push(times(&text, drawn) + &text);
         }
     }
 }
@@ -65,11 +65,14 @@ fn add(chunks: &mut [String], text: &str) {
 
 const INVISIBLE_TIMES: &str = "<mo>\u{2062}</mo>";
 
-/// The sign between a product's factors: not seen between symbols.
-fn times(drawn: Drawn) -> String {
+/// The sign between a product's factors, of which `right` is the right one as drawn. In front of a symbol it is not seen; in
+/// front of a digit it is, or 14·1.2 would read 141.2.
+fn times(right: &str, drawn: Drawn) -> String {
+    // The first character outside of tags.
+    let first = right.split('>').find_map(|part| part.chars().next().filter(|c| *c != '<'));
     match drawn {
-        Drawn::Symbols => INVISIBLE_TIMES.to_owned(),
-        Drawn::Numbers => operator("⋅"),
+        Drawn::Symbols if !first.is_some_and(|first| first.is_ascii_digit()) => INVISIBLE_TIMES.to_owned(),
+        Drawn::Symbols | Drawn::Numbers => operator("⋅"),
     }
 }
 
@@ -99,7 +102,7 @@ pub fn draw(formula: &Formula, drawn: Drawn, first: bool) -> String {
             for (i, factor) in factors.iter().enumerate() {
                 let factor = factor_of(factor, drawn);
                 if i > 0 {
-                    text += &times(drawn);
+                    text += &times(&factor, drawn);
                 }
                 text += &factor;
             }
@@ -243,6 +246,37 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The formula in symbols without tags, an invisible sign as `~`.
+    fn read(formula: &Formula) -> [String; 2] {
+        let bare = |drawn: &str| {
+            let text: String =
+                drawn.split('<').filter_map(|part| part.split_once('>')).map(|(_, text)| text).collect();
+            text.replace('\u{2062}', "~")
+        };
+        [bare(&draw(formula, Drawn::Symbols, true)), bare(&line(formula, "", Drawn::Symbols))]
+    }
+
+    #[test]
+    fn the_sign_in_front_of_a_digit_is_seen() {
+        for (formula, expected) in [
+            ("14 1.2/π^3 ρ", "14⋅1.2π3~ρ"),
+            ("7 π 1.2", "7~π⋅1.2"),
+            ("a 2^3 b", "a⋅23~b"),
+            ("a1 2÷3", "a1⋅2/3"),
+            ("2 (a + 1)", "2~(a+1)"),
+            ("1/2 (2 + a)", "12~(2+a)"),
+            ("2/3 U_w B_c", "23~Uw~Bc"),
+            ("0.6 cos(2 a) |2|", "0.6~cos\u{2061}(2~a)~|2|"),
+        ] {
+            let formula = Formula::parse(formula).unwrap();
+            assert_eq!(read(&formula), [expected, expected]);
+        }
+        // A fraction is never the right factor of a formula that is read, but it could be built.
+        let half = Formula::parse("(2 a)/b").unwrap();
+        let product = Formula::Product(vec![Formula::Name("c".to_owned()), half]);
+        assert_eq!(read(&product), ["c⋅2~ab", "c⋅2~ab"]);
+    }
 
     #[test]
     fn sentences_keep_their_words_around_formulas() {
