@@ -76,7 +76,7 @@ pub fn together(case: &Case, all: &[Assessed]) -> Result<Markup, SheetError> {
                 mode::effective(&mut steps, reduced);
                 mode::decision(&mut steps, reduced);
             }
-            None => contact::steps(&mut steps, assessed)?,
+            None => contact::steps(&mut steps, &assessed.loaded.situation, &assessed.full.wrench)?,
         }
         motion::together(&mut steps, case, assessed);
         path::steps(&mut steps, assessed);
