@@ -38,9 +38,10 @@ pub fn render(
     let sensitivities = sensitivity::table(name, source.text)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
     let calculation = match assessment.situations() {
-        [] => calculation::plain(case),
-        all => calculation::together(case, all),
+        [] => calculation::plain(case)?,
+        all => calculation::together(case, all)?,
     };
+    let inputs = inputs::tables(case, source.text)?;
     let document = html! {
         (DOCTYPE)
         html lang="en" {
@@ -55,7 +56,7 @@ pub fn render(
                 main {
                     (title_block(case, &title, source))
                     (verdict::summary(case, assessment))
-                    section { h2 { "1 Inputs" } (inputs::tables(case, source.text)) }
+                    section { h2 { "1 Inputs" } (inputs) }
                     section { h2 { "2 Assumptions and method" } (method::words(case)) }
                     section {
                         h2 { "3 Calculation" }

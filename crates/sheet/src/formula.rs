@@ -9,6 +9,15 @@
 //! | `cos(x)`, `min(a, b)`, `sqrt(x)` | functions: cos, sinh, cosh, tanh, exp, min, max, sqrt |
 //! | `p_u`, `k'_eff`, `α*`, `λ1` | names with subscripts, primes and stars |
 
+use std::collections::BTreeMap;
+
+use thiserror::Error;
+
+use crate::quantity::Quantity;
+
+/// What names stand for.
+pub type Scope = BTreeMap<String, Quantity>;
+
 /// A formula.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Formula {
@@ -16,6 +25,8 @@ pub enum Formula {
     Number(String),
     /// A quantity, or π.
     Name(String),
+    /// A quantity's number, put in for its name.
+    Value(Quantity),
     /// What follows a minus sign.
     Negative(Box<Formula>),
     /// Terms, each with whether it is subtracted.
@@ -36,15 +47,41 @@ pub enum Formula {
     Absolute(Box<Formula>),
 }
 
+/// A text that is no formula.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("`{text}` is no formula: expected {expected} at {}", place(.text, *.at))]
+pub struct FormulaError {
+    /// The text.
+    pub text: String,
+    /// The byte at which it goes wrong.
+    pub at: usize,
+    /// What could stand there.
+    pub expected: &'static str,
+}
+
+fn place(text: &str, at: usize) -> String {
+    match text.get(at..) {
+        None | Some("") => "its end".to_owned(),
+        Some(rest) => format!("`{rest}`"),
+    }
+}
+
 const FUNCTIONS: [&str; 8] = ["cos", "sinh", "cosh", "tanh", "exp", "min", "max", "sqrt"];
 
 impl Formula {
-    /// Reads a formula; `None` if it is not one.
-    pub fn parse(text: &str) -> Option<Formula> {
-        let tokens = tokens(text)?;
+    /// Reads a formula.
+    ///
+    /// # Errors
+    /// If the text is none.
+    pub fn parse(text: &str) -> Result<Formula, FormulaError> {
+        let error = |at, expected| FormulaError { text: text.to_owned(), at, expected };
+        let tokens = tokens(text).map_err(|(at, expected)| error(at, expected))?;
         let mut reader = Reader { tokens: &tokens, next: 0, bars: 0 };
-        let formula = reader.sum()?;
-        (reader.next == tokens.len()).then_some(formula)
+        let formula = reader.sum().and_then(|formula| match reader.next == tokens.len() {
+            true => Ok(formula),
+            false => Err("a sign, or nothing more"),
+        });
+        formula.map_err(|expected| error(tokens.get(reader.next).map_or(text.len(), |(at, _)| *at), expected))
     }
 
     /// The formula without the parentheses around all of it, where a fraction bar or a root makes them idle.
@@ -53,6 +90,34 @@ impl Formula {
             Formula::Group(inner) => inner,
             other => other,
         }
+    }
+
+    /// The formula with numbers in place of all names but π.
+    ///
+    /// # Errors
+    /// The first name that stands for no number.
+    pub fn with_numbers(&self, scope: &Scope) -> Result<Formula, String> {
+        let one = |part: &Formula| part.with_numbers(scope).map(Box::new);
+        let all =
+            |parts: &[Formula]| parts.iter().map(|part| part.with_numbers(scope)).collect::<Result<_, _>>();
+        Ok(match self {
+            Formula::Name(name) if name == "π" => self.clone(),
+            Formula::Name(name) => Formula::Value(*scope.get(name).ok_or_else(|| name.clone())?),
+            Formula::Number(_) | Formula::Value(_) => self.clone(),
+            Formula::Negative(inner) => Formula::Negative(one(inner)?),
+            Formula::Sum(terms) => {
+                let terms =
+                    terms.iter().map(|(subtracted, term)| Ok((*subtracted, term.with_numbers(scope)?)));
+                Formula::Sum(terms.collect::<Result<_, String>>()?)
+            }
+            Formula::Product(factors) => Formula::Product(all(factors)?),
+            Formula::Fraction(above, below) => Formula::Fraction(one(above)?, one(below)?),
+            Formula::Ratio(above, below) => Formula::Ratio(one(above)?, one(below)?),
+            Formula::Power(base, exponent) => Formula::Power(one(base)?, one(exponent)?),
+            Formula::Call(function, arguments) => Formula::Call(function.clone(), all(arguments)?),
+            Formula::Group(inner) => Formula::Group(one(inner)?),
+            Formula::Absolute(inner) => Formula::Absolute(one(inner)?),
+        })
     }
 }
 
@@ -63,40 +128,51 @@ enum Token {
     Sign(char),
 }
 
-fn tokens(text: &str) -> Option<Vec<Token>> {
+/// The tokens with the byte at which each begins; or the byte at which none does, and what could.
+fn tokens(text: &str) -> Result<Vec<(usize, Token)>, (usize, &'static str)> {
     let mut tokens = Vec::new();
     let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {
+        let at = text.len() - rest.len();
         let taken = |belongs: &dyn Fn(char) -> bool| rest.find(|c| !belongs(c)).unwrap_or(rest.len());
-        let length = if first.is_ascii_digit() {
+        let (length, token) = if first.is_ascii_digit() {
             let length = taken(&|c| c.is_ascii_digit() || c == '.');
-            tokens.push(Token::Number(rest[..length].to_owned()));
-            length
+            let number = &rest[..length];
+            if number.ends_with('.') || number.matches('.').count() > 1 {
+                return Err((at, "a number with digits around one point at most"));
+            }
+            (length, Token::Number(number.to_owned()))
         } else if first.is_alphabetic() {
             let length = taken(&|c| c.is_alphanumeric() || matches!(c, '_' | '\'' | '*' | '\u{308}'));
-            tokens.push(Token::Name(rest[..length].to_owned()));
-            length
+            (length, Token::Name(rest[..length].to_owned()))
         } else if matches!(first, '+' | '-' | '−' | '/' | '÷' | '^' | '(' | ')' | '|' | ',') {
-            tokens.push(Token::Sign(if first == '−' { '-' } else { first }));
-            first.len_utf8()
+            (first.len_utf8(), Token::Sign(if first == '−' { '-' } else { first }))
         } else {
-            return None;
+            return Err((at, "a number, a name or a sign"));
         };
+        tokens.push((at, token));
         rest = rest[length..].trim_start();
     }
-    Some(tokens)
+    Ok(tokens)
 }
 
+/// A part of a formula, or what was expected of the next token.
+type Read = Result<Formula, &'static str>;
+
 struct Reader<'a> {
-    tokens: &'a [Token],
+    tokens: &'a [(usize, Token)],
     next: usize,
     /// How many absolute values are open.
     bars: usize,
 }
 
 impl Reader<'_> {
+    fn token(&self) -> Option<&Token> {
+        self.tokens.get(self.next).map(|(_, token)| token)
+    }
+
     fn is(&self, sign: char) -> bool {
-        self.tokens.get(self.next) == Some(&Token::Sign(sign))
+        self.token() == Some(&Token::Sign(sign))
     }
 
     fn take(&mut self, sign: char) -> bool {
@@ -105,7 +181,12 @@ impl Reader<'_> {
         found
     }
 
-    fn sum(&mut self) -> Option<Formula> {
+    /// Takes a sign that has to stand here.
+    fn need(&mut self, sign: char, expected: &'static str) -> Result<(), &'static str> {
+        if self.take(sign) { Ok(()) } else { Err(expected) }
+    }
+
+    fn sum(&mut self) -> Read {
         let first =
             if self.take('-') { Formula::Negative(Box::new(self.product()?)) } else { self.product()? };
         let mut terms = vec![(false, first)];
@@ -116,10 +197,10 @@ impl Reader<'_> {
             }
             terms.push((subtracted, self.product()?));
         }
-        Some(if terms.len() == 1 { terms.remove(0).1 } else { Formula::Sum(terms) })
+        Ok(if terms.len() == 1 { terms.remove(0).1 } else { Formula::Sum(terms) })
     }
 
-    fn product(&mut self) -> Option<Formula> {
+    fn product(&mut self) -> Read {
         let mut factors = vec![self.power()?];
         loop {
             if self.take('/') {
@@ -133,56 +214,65 @@ impl Reader<'_> {
             } else if self.begins() {
                 factors.push(self.power()?);
             } else {
-                return Some(product_of(factors));
+                return Ok(product_of(factors));
             }
         }
     }
 
     /// Whether a factor begins here.
     fn begins(&self) -> bool {
-        match self.tokens.get(self.next) {
+        match self.token() {
             Some(Token::Number(_) | Token::Name(_) | Token::Sign('(')) => true,
             Some(Token::Sign('|')) => self.bars == 0,
             _ => false,
         }
     }
 
-    fn power(&mut self) -> Option<Formula> {
+    fn power(&mut self) -> Read {
         let base = self.factor()?;
         if !self.take('^') {
-            return Some(base);
+            return Ok(base);
         }
-        Some(Formula::Power(Box::new(base), Box::new(self.factor()?)))
+        Ok(Formula::Power(Box::new(base), Box::new(self.factor()?)))
     }
 
-    fn factor(&mut self) -> Option<Formula> {
-        let token = self.tokens.get(self.next)?.clone();
+    fn factor(&mut self) -> Read {
+        const FACTOR: &str = "a number, a name, `(` or `|`";
+        let token = self.token().ok_or(FACTOR)?.clone();
+        if matches!(token, Token::Sign(sign) if !matches!(sign, '(' | '|')) {
+            return Err(FACTOR);
+        }
         self.next += 1;
         match token {
-            Token::Number(number) => Some(Formula::Number(number)),
-            Token::Name(name) if FUNCTIONS.contains(&name.as_str()) => {
-                self.take('(').then_some(())?;
-                let mut arguments = vec![self.sum()?];
-                while self.take(',') {
-                    arguments.push(self.sum()?);
-                }
-                self.take(')').then_some(Formula::Call(name, arguments))
-            }
-            Token::Name(name) => Some(Formula::Name(name)),
-            Token::Sign('(') => {
-                let bars = std::mem::take(&mut self.bars);
-                let inner = self.sum()?;
-                self.bars = bars;
-                self.take(')').then_some(Formula::Group(Box::new(inner)))
-            }
+            Token::Number(number) => Ok(Formula::Number(number)),
+            Token::Name(name) if FUNCTIONS.contains(&name.as_str()) => self.call(name),
+            Token::Name(name) => Ok(Formula::Name(name)),
             Token::Sign('|') => {
                 self.bars += 1;
                 let inner = self.sum()?;
                 self.bars -= 1;
-                self.take('|').then_some(Formula::Absolute(Box::new(inner)))
+                self.need('|', "`|`")?;
+                Ok(Formula::Absolute(Box::new(inner)))
             }
-            Token::Sign(_) => None,
+            Token::Sign(_) => {
+                let bars = std::mem::take(&mut self.bars);
+                let inner = self.sum()?;
+                self.bars = bars;
+                self.need(')', "`)`")?;
+                Ok(Formula::Group(Box::new(inner)))
+            }
         }
+    }
+
+    /// What follows the name of a function.
+    fn call(&mut self, name: String) -> Read {
+        self.need('(', "`(` behind the name of a function")?;
+        let mut arguments = vec![self.sum()?];
+        while self.take(',') {
+            arguments.push(self.sum()?);
+        }
+        self.need(')', "`,` or `)`")?;
+        Ok(Formula::Call(name, arguments))
     }
 }
 
@@ -193,6 +283,7 @@ fn product_of(mut factors: Vec<Formula>) -> Formula {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::METRE;
 
     fn name(text: &str) -> Formula {
         Formula::Name(text.to_owned())
@@ -202,10 +293,10 @@ mod tests {
     fn products_bind_from_left_to_right() {
         let number = |text: &str| Formula::Number(text.to_owned());
         let half = Formula::Fraction(Box::new(number("1")), Box::new(number("2")));
-        assert_eq!(Formula::parse("1/2 a b"), Some(Formula::Product(vec![half, name("a"), name("b")])));
+        assert_eq!(Formula::parse("1/2 a b"), Ok(Formula::Product(vec![half, name("a"), name("b")])));
         let product = Formula::Product(vec![name("a"), name("b")]);
         let expected = Formula::Fraction(Box::new(product), Box::new(name("c")));
-        assert_eq!(Formula::parse("a b/c"), Some(expected));
+        assert_eq!(Formula::parse("a b/c"), Ok(expected));
     }
 
     #[test]
@@ -225,15 +316,51 @@ mod tests {
             "−b_1",
         ];
         for bound in bounds {
-            assert!(Formula::parse(bound).is_some(), "{bound}");
+            assert!(Formula::parse(bound).is_ok(), "{bound}");
         }
-        assert_eq!(Formula::parse("|f_x|"), Some(Formula::Absolute(Box::new(name("f_x")))));
+        assert_eq!(Formula::parse("|f_x|"), Ok(Formula::Absolute(Box::new(name("f_x")))));
+    }
+
+    /// Each with the byte at which it goes wrong.
+    #[test]
+    fn what_is_no_formula_is_refused_where_it_goes_wrong() {
+        for (text, at) in [
+            ("", 0),
+            ("a +", 3),
+            ("(a", 2),
+            ("|a", 2),
+            ("a)", 1),
+            ("cos β", 4),
+            ("a = b", 2),
+            ("min(a,", 6),
+            ("a ^ / b", 4),
+            ("γ 1.2.3", 3),
+            ("2.", 0),
+        ] {
+            assert_eq!(Formula::parse(text).map_err(|error| error.at), Err(at), "{text}");
+        }
     }
 
     #[test]
-    fn what_is_no_formula_is_refused() {
-        for text in ["", "a +", "(a", "|a", "a)", "cos β", "a = b", "min(a,"] {
-            assert_eq!(Formula::parse(text), None, "{text}");
+    fn an_error_shows_the_text_and_what_could_stand_there() {
+        let error = |text: &str| Formula::parse(text).unwrap_err().to_string();
+        assert_eq!(
+            error("cos β"),
+            "`cos β` is no formula: expected `(` behind the name of a function at `β`"
+        );
+        assert_eq!(error("(a"), "`(a` is no formula: expected `)` at its end");
+    }
+
+    #[test]
+    fn numbers_stand_for_every_name_but_pi() {
+        let two = Quantity::of(2.0, METRE);
+        let scope = Scope::from([("a".to_owned(), two)]);
+        let formula = Formula::parse("π a^2/cos(|a| − (a + 1÷a))").unwrap();
+        let drawn = format!("{:?}", formula.with_numbers(&scope).unwrap());
+        assert_eq!((drawn.matches("Value(").count(), drawn.matches("Name(").count()), (4, 1));
+        for missing in ["b", "−b", "a + b", "a b", "a/b", "a÷b", "a^b", "min(a, b)", "(b)", "|b|"] {
+            let formula = Formula::parse(missing).unwrap();
+            assert_eq!(formula.with_numbers(&scope), Err("b".to_owned()), "{missing}");
         }
     }
 }

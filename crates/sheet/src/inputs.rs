@@ -4,6 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use standfast_cases::Case;
 use standfast_cases::case::{Input, Number, Weight, inputs};
 
+use crate::fault::Fault;
 use crate::mathml::symbol;
 use crate::quantity::{ACCELERATION, DEGREE, METRE, NONE, Quantity, number};
 
@@ -67,10 +68,10 @@ const MEANING: [(&str, &str, &str, &str); 55] = [
     ("default", "lambda", "factors on the pressures", "λ"),
 ];
 
-pub fn tables(case: &Case, text: &str) -> Markup {
+pub fn tables(case: &Case, text: &str) -> Result<Markup, Fault> {
     let inputs = inputs(case, text);
     let defaults = defaults(case, &inputs);
-    html! {
+    Ok(html! {
         p.note {
             "As written in the case file; numbers without a unit are in SI units. A source is the comment behind the number"
             @if case.note.is_some() { "; the note under the title holds for all others" }
@@ -81,20 +82,20 @@ pub fn tables(case: &Case, text: &str) -> Markup {
             @for group in groups(&inputs) {
                 tbody {
                     tr.group { th colspan="5" scope="rowgroup" { (heading(&group[0])) } }
-                    @for input in group { (row(input)) }
+                    @for input in group { (row(input)?) }
                 }
             }
             @if !defaults.is_empty() {
                 tbody {
                     tr.group { th colspan="5" scope="rowgroup" { "Not in the file, taken as" } }
                     @for (key, value) in defaults {
-                        @let (words, name) = meaning("default", key);
+                        @let (words, name) = meaning("default", key)?;
                         tr { td { (words) } td { (sign(name)) } td { (value) } td.n {} td { "default of the program" } }
                     }
                 }
             }
         }
-    }
+    })
 }
 
 /// Entries of one table after another.
@@ -110,20 +111,20 @@ fn heading(first: &Input) -> String {
     }
 }
 
-fn meaning(table: &str, key: &str) -> (&'static str, &'static str) {
+fn meaning(table: &str, key: &str) -> Result<(&'static str, &'static str), Fault> {
     let found = MEANING.iter().find(|(of, name, ..)| (*of, *name) == (table, key));
-    debug_assert!(found.is_some(), "{table} {key} has no meaning");
-    found.map_or(("", ""), |(_, _, words, symbol)| (*words, *symbol))
+    let fault = || Fault::NoMeaning { table: table.to_owned(), key: key.to_owned() };
+    found.map(|(_, _, words, symbol)| (*words, *symbol)).ok_or_else(fault)
 }
 
 fn sign(name: &str) -> Markup {
     html! { @if !name.is_empty() { (PreEscaped(symbol(name))) } }
 }
 
-fn row(input: &Input) -> Markup {
-    let (words, name) = meaning(&input.table, &input.key);
+fn row(input: &Input) -> Result<Markup, Fault> {
+    let (words, name) = meaning(&input.table, &input.key)?;
     let written = input.written.trim_matches('"');
-    html! {
+    Ok(html! {
         tr {
             td { (words) " " code { (input.key) } }
             td { (sign(name)) }
@@ -140,7 +141,7 @@ fn row(input: &Input) -> Markup {
             }
             td.source { (input.comment.as_deref().unwrap_or_default()) }
         }
-    }
+    })
 }
 
 /// What is taken where the file is silent: as a word, or in numbers and their unit.
@@ -185,4 +186,17 @@ fn defaults(case: &Case, inputs: &[Input]) -> Vec<(&'static str, Markup)> {
         }
     }
     defaults
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fault, Input, row};
+
+    #[test]
+    fn an_input_without_words_leaves_no_sheet() {
+        let [table, key, written] = ["[body]", "colour", "3"].map(str::to_owned);
+        let input = Input { table, index: 0, key, written, numbers: Vec::new(), comment: None };
+        let [table, key] = ["[body]", "colour"].map(str::to_owned);
+        assert_eq!(row(&input).map(|row| row.into_string()), Err(Fault::NoMeaning { table, key }));
+    }
 }

@@ -14,7 +14,8 @@
 //! |---|---|
 //! | What stands on the sheet, in which order? | `document` |
 //! | What is computed, step by step? | `calculation` |
-//! | How does a formula become symbols and numbers? | [`formula`], `mathml`, `steps` |
+//! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps` |
+//! | What keeps a sheet from being made with a gap? | `fault` |
 //!
 //! Every number is the library's; formulas stand beside it to be checked by hand. The sheet is one HTML file without scripts
 //! that loads nothing. The same case, options and version of the program give the same bytes.
@@ -24,7 +25,8 @@
 mod calculation;
 mod date;
 mod document;
-pub mod formula;
+mod fault;
+mod formula;
 mod inputs;
 mod limits;
 mod mathml;
@@ -41,6 +43,8 @@ use standfast_cases::{Assessment, Case, CaseError};
 use thiserror::Error;
 
 pub use date::{Date, DateError};
+pub use fault::Fault;
+pub use formula::FormulaError;
 
 /// What the case does not say.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +64,7 @@ impl Default for Options {
 
 /// Why there is no sheet.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum SheetError {
     /// The case file is wrong.
     #[error(transparent)]
@@ -68,6 +73,12 @@ pub enum SheetError {
     /// The case cannot be computed.
     #[error(transparent)]
     Mechanics(#[from] InputError),
+    /// A part of the sheet cannot be drawn.
+    #[error("the sheet cannot be drawn whole: {0}")]
+    #[diagnostic(help(
+        "this is a fault of the program, not of the case; no sheet is made, because one with a gap could be signed"
+    ))]
+    Fault(#[from] Fault),
 }
 
 /// A calculation sheet.
@@ -80,7 +91,7 @@ impl Sheet {
     /// The sheet of the case whose file is `text`. `name` is what errors call the file; the sheet shows the last part of it.
     ///
     /// # Errors
-    /// If the case makes no sense.
+    /// If the case makes no sense, or anything on the sheet cannot be drawn: there is no sheet with a gap.
     pub fn of(name: &str, text: &str, options: &Options) -> Result<Sheet, SheetError> {
         let case = Case::parse(name, text)?;
         let assessment = Assessment::of(&case, options.up_to)?;

@@ -2,27 +2,23 @@
 //!
 //! A long line is cut into several `math` elements, each of which may begin a new line, because browsers do not break one.
 
-use std::collections::BTreeMap;
-
 use maud::{Markup, PreEscaped, html};
 
+use crate::fault::Fault;
 use crate::formula::Formula;
-use crate::quantity::{NONE, Quantity};
+use crate::quantity::NONE;
 
-/// What names stand for.
-pub type Scope = BTreeMap<String, Quantity>;
-
-/// How names are drawn.
-#[derive(Clone, Copy)]
-pub enum Drawn<'a> {
-    /// As symbols.
+/// What a formula is drawn of, which says how a product is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drawn {
+    /// Symbols: the sign between factors is seen only where a digit follows.
     Symbols,
-    /// As numbers with their units.
-    Numbers(&'a Scope),
+    /// Numbers with their units: it is seen everywhere.
+    Numbers,
 }
 
 /// A formula in `math` elements, the first of which begins with `lead`, e.g. an equals sign.
-pub fn line(formula: &Formula, lead: &str, drawn: Drawn<'_>) -> String {
+pub fn line(formula: &Formula, lead: &str, drawn: Drawn) -> String {
     let lead =
         if lead.is_empty() { String::new() } else { format!("<mo form=\"infix\">{}</mo>", escape(lead)) };
     let mut chunks = vec![lead];
@@ -44,24 +40,19 @@ pub fn line(formula: &Formula, lead: &str, drawn: Drawn<'_>) -> String {
 
 /// Adds a term to the last chunk. A product of numbers continues in a further chunk with each factor; one of symbols where a
 /// factor is more than a symbol.
-fn term_chunks(term: &Formula, drawn: Drawn<'_>, first: bool, chunks: &mut Vec<String>) {
+fn term_chunks(term: &Formula, drawn: Drawn, first: bool, chunks: &mut Vec<String>) {
     let Formula::Product(factors) = term else {
         return add(chunks, &draw(term, drawn, first));
     };
     let plain = |factor: &Formula| matches!(factor, Formula::Name(_) | Formula::Number(_));
     for (i, factor) in factors.iter().enumerate() {
         let text = factor_of(factor, drawn);
-        match drawn {
-            _ if i == 0 => add(chunks, &text),
-            Drawn::Numbers(_) => chunks.push(operator("⋅") + &text),
-            Drawn::Symbols => {
-                add(chunks, TIMES);
-                if plain(factor) && plain(&factors[i - 1]) {
-                    add(chunks, &text);
-                } else {
-                    chunks.push(text);
-                }
-            }
+        if i == 0 {
+            add(chunks, &text);
+        } else if drawn == Drawn::Symbols && plain(factor) && plain(&factors[i - 1]) {
+            add(chunks, &(times(&text, drawn) + &text));
+        } else {
+            chunks.push(times(&text, drawn) + &text);
         }
     }
 }
@@ -72,27 +63,29 @@ fn add(chunks: &mut [String], text: &str) {
     }
 }
 
-/// A product's sign between symbols, which is not seen.
-const TIMES: &str = "<mo>\u{2062}</mo>";
+const INVISIBLE_TIMES: &str = "<mo>\u{2062}</mo>";
+
+/// The sign between a product's factors, of which `right` is the right one as drawn. In front of a symbol it is not seen; in
+/// front of a digit it is, or 14·1.2 would read 141.2.
+fn times(right: &str, drawn: Drawn) -> String {
+    // The first character outside of tags.
+    let first = right.split('>').find_map(|part| part.chars().next().filter(|c| *c != '<'));
+    match drawn {
+        Drawn::Symbols if !first.is_some_and(|first| first.is_ascii_digit()) => INVISIBLE_TIMES.to_owned(),
+        Drawn::Symbols | Drawn::Numbers => operator("⋅"),
+    }
+}
 
 fn operator(sign: &str) -> String {
     format!("<mo form=\"infix\">{sign}</mo>")
 }
 
 /// A formula as the content of an `mrow`. `first` says whether a negative number needs no parentheses.
-pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
+pub fn draw(formula: &Formula, drawn: Drawn, first: bool) -> String {
     match formula {
         Formula::Number(number) => format!("<mn>{number}</mn>"),
-        Formula::Name(text) => match drawn {
-            Drawn::Numbers(scope) if text != "π" => match scope.get(text) {
-                Some(quantity) => quantity.mathml(first),
-                None => {
-                    debug_assert!(false, "{text} has no number");
-                    name(text)
-                }
-            },
-            _ => name(text),
-        },
+        Formula::Name(text) => name(text),
+        Formula::Value(quantity) => quantity.mathml(first),
         Formula::Negative(inner) => format!("<mo form=\"prefix\">−</mo>{}", factor_of(inner, drawn)),
         Formula::Sum(terms) => {
             let mut text = String::new();
@@ -105,12 +98,15 @@ pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
             text
         }
         Formula::Product(factors) => {
-            let between = match drawn {
-                Drawn::Symbols => TIMES.to_owned(),
-                Drawn::Numbers(_) => operator("⋅"),
-            };
-            let factors: Vec<_> = factors.iter().map(|factor| factor_of(factor, drawn)).collect();
-            factors.join(&between)
+            let mut text = String::new();
+            for (i, factor) in factors.iter().enumerate() {
+                let factor = factor_of(factor, drawn);
+                if i > 0 {
+                    text += &times(&factor, drawn);
+                }
+                text += &factor;
+            }
+            text
         }
         Formula::Fraction(above, below) => {
             let [above, below] = [above, below].map(|part| row(&draw(part.bare(), drawn, true)));
@@ -123,39 +119,40 @@ pub fn draw(formula: &Formula, drawn: Drawn<'_>, first: bool) -> String {
                 factor_of(below, drawn)
             )
         }
-        Formula::Power(base, exponent) => {
-            let base = match (base.as_ref(), drawn) {
-                (Formula::Name(name), Drawn::Numbers(scope))
-                    if scope
-                        .get(name)
-                        .is_none_or(|quantity| quantity.value < 0.0 || quantity.unit != NONE) =>
-                {
-                    fenced("(", &draw(base, drawn, true), ")")
-                }
-                (Formula::Call(..), _) => fenced("(", &draw(base, drawn, true), ")"),
-                _ => row(&draw(base, drawn, false)),
-            };
-            format!("<msup>{base}{}</msup>", row(&draw(exponent.bare(), drawn, true)))
-        }
-        Formula::Call(function, arguments) => {
-            let arguments: Vec<_> =
-                arguments.iter().map(|argument| row(&draw(argument, drawn, true))).collect();
-            match function.as_str() {
-                "sqrt" => format!("<msqrt>{}</msqrt>", arguments.concat()),
-                "min" | "max" => {
-                    let list = arguments.join("<mo separator=\"true\">,</mo>");
-                    format!("<mi>{function}</mi>{}", fenced("{", &list, "}"))
-                }
-                _ => format!("<mi>{function}</mi><mo>\u{2061}</mo>{}", fenced("(", &arguments.concat(), ")")),
-            }
-        }
+        Formula::Power(base, exponent) => power(base, exponent, drawn),
+        Formula::Call(function, arguments) => call(function, arguments, drawn),
         Formula::Group(inner) => fenced("(", &draw(inner, drawn, true), ")"),
         Formula::Absolute(inner) => fenced("|", &draw(inner, drawn, true), "|"),
     }
 }
 
+fn power(base: &Formula, exponent: &Formula, drawn: Drawn) -> String {
+    let needs_parentheses = match base {
+        Formula::Value(quantity) => quantity.value < 0.0 || quantity.unit != NONE,
+        Formula::Call(..) => true,
+        _ => false,
+    };
+    let base = match needs_parentheses {
+        true => fenced("(", &draw(base, drawn, true), ")"),
+        false => row(&draw(base, drawn, false)),
+    };
+    format!("<msup>{base}{}</msup>", row(&draw(exponent.bare(), drawn, true)))
+}
+
+fn call(function: &str, arguments: &[Formula], drawn: Drawn) -> String {
+    let arguments: Vec<_> = arguments.iter().map(|argument| row(&draw(argument, drawn, true))).collect();
+    match function {
+        "sqrt" => format!("<msqrt>{}</msqrt>", arguments.concat()),
+        "min" | "max" => {
+            let list = arguments.join("<mo separator=\"true\">,</mo>");
+            format!("<mi>{function}</mi>{}", fenced("{", &list, "}"))
+        }
+        _ => format!("<mi>{function}</mi><mo>\u{2061}</mo>{}", fenced("(", &arguments.concat(), ")")),
+    }
+}
+
 /// A factor of a product or what follows a minus sign.
-fn factor_of(formula: &Formula, drawn: Drawn<'_>) -> String {
+fn factor_of(formula: &Formula, drawn: Drawn) -> String {
     match formula {
         Formula::Sum(_) | Formula::Negative(_) => fenced("(", &draw(formula, drawn, true), ")"),
         _ => draw(formula, drawn, false),
@@ -229,17 +226,62 @@ pub fn symbol(text: &str) -> String {
 }
 
 /// A sentence in which formulas stand between backticks.
-pub fn prose(text: &str) -> Markup {
-    html! {
-        @for (i, part) in text.split('`').enumerate() {
-            @match Formula::parse(part).filter(|_| i % 2 == 1) {
-                Some(formula) => (PreEscaped(format!("<math><mrow>{}</mrow></math>", draw(&formula, Drawn::Symbols, true)))),
-                None => (part),
-            }
-        }
+pub fn prose(text: &str) -> Result<Markup, Fault> {
+    let mut parts = text.split('`');
+    let mut sentence = html! { (parts.next().unwrap_or_default()) }.into_string();
+    while let Some(inner) = parts.next() {
+        let Some(behind) = parts.next() else { return Err(Fault::Unpaired { text: text.to_owned() }) };
+        let formula = Formula::parse(inner)
+            .map_err(|source| Fault::Formula { place: format!("the sentence “{text}”"), source })?;
+        sentence += &format!("<math><mrow>{}</mrow></math>", draw(&formula, Drawn::Symbols, true));
+        sentence += &html! { (behind) }.into_string();
     }
+    Ok(PreEscaped(sentence))
 }
 
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The formula in symbols without tags, an invisible sign as `~`.
+    fn read(formula: &Formula) -> [String; 2] {
+        let bare = |drawn: &str| {
+            let text: String =
+                drawn.split('<').filter_map(|part| part.split_once('>')).map(|(_, text)| text).collect();
+            text.replace('\u{2062}', "~")
+        };
+        [bare(&draw(formula, Drawn::Symbols, true)), bare(&line(formula, "", Drawn::Symbols))]
+    }
+
+    #[test]
+    fn the_sign_in_front_of_a_digit_is_seen() {
+        for (formula, expected) in [
+            ("14 1.2/π^3 ρ", "14⋅1.2π3~ρ"),
+            ("7 π 1.2", "7~π⋅1.2"),
+            ("a 2^3 b", "a⋅23~b"),
+            ("a1 2÷3", "a1⋅2/3"),
+            ("2 (a + 1)", "2~(a+1)"),
+            ("1/2 (2 + a)", "12~(2+a)"),
+            ("2/3 U_w B_c", "23~Uw~Bc"),
+            ("0.6 cos(2 a) |2|", "0.6~cos\u{2061}(2~a)~|2|"),
+        ] {
+            let formula = Formula::parse(formula).unwrap();
+            assert_eq!(read(&formula), [expected, expected]);
+        }
+        // A fraction is never the right factor of a formula that is read, but it could be built.
+        let half = Formula::parse("(2 a)/b").unwrap();
+        let product = Formula::Product(vec![Formula::Name("c".to_owned()), half]);
+        assert_eq!(read(&product), ["c⋅2~ab", "c⋅2~ab"]);
+    }
+
+    #[test]
+    fn sentences_keep_their_words_around_formulas() {
+        let drawn = prose("for `a` < \"b\" & `c`").unwrap().into_string();
+        let [a, c] = ["a", "c"].map(|name| format!("<math><mrow><mi>{name}</mi></mrow></math>"));
+        assert_eq!(drawn, format!("for {a} &lt; &quot;b&quot; &amp; {c}"));
+    }
 }

@@ -3,17 +3,44 @@
 use maud::{Markup, PreEscaped, html};
 use standfast::initiation::Relation;
 
-use crate::formula::Formula;
-use crate::mathml::{Drawn, Scope, line, prose, symbol};
+use crate::fault::Fault;
+use crate::formula::{Formula, FormulaError, Scope};
+use crate::mathml::{Drawn, line, prose, symbol};
 use crate::quantity::{NONE, Quantity, Unit, number};
 
-/// Steps written so far, and the quantities that later ones may use.
-#[derive(Default)]
+/// The calculation as far as it is written, and the quantities that later steps may use.
+///
+/// What cannot be drawn is no gap: the first fault is kept, and [`finish`](Steps::finish), the only way to what is written,
+/// gives it instead.
 pub struct Steps {
     scope: Scope,
-    html: Vec<Markup>,
+    done: Vec<Markup>,
+    part: Part,
     /// The reference of the last step: one without words of its own belongs to it.
     reference: String,
+    fault: Option<Fault>,
+}
+
+/// A part of the calculation under a title; `load` says of which load, counted from 0.
+struct Part {
+    title: String,
+    load: Option<usize>,
+    html: Vec<Markup>,
+}
+
+impl Part {
+    fn of(title: &str, load: Option<usize>) -> Part {
+        Part { title: title.to_owned(), load, html: Vec::new() }
+    }
+
+    fn html(&self) -> Markup {
+        html! {
+            section.part data-load=[self.load] {
+                h3.part { (self.title) }
+                @for markup in &self.html { (markup) }
+            }
+        }
+    }
 }
 
 /// A step: what is computed, and from what.
@@ -33,43 +60,83 @@ pub struct Step<'a> {
 }
 
 impl Steps {
+    /// No steps yet, in a part of this title.
+    pub fn new(title: &str) -> Steps {
+        Steps {
+            scope: Scope::new(),
+            done: Vec::new(),
+            part: Part::of(title, None),
+            reference: String::new(),
+            fault: None,
+        }
+    }
+
+    /// Begins the next part. Quantities stay known.
+    pub fn part(&mut self, title: &str, load: Option<usize>) {
+        let part = std::mem::replace(&mut self.part, Part::of(title, load));
+        self.done.push(part.html());
+    }
+
+    /// Everything that was asked for.
+    ///
+    /// # Errors
+    /// If any of it could not be drawn.
+    pub fn finish(self) -> Result<Markup, Fault> {
+        match self.fault {
+            Some(fault) => Err(fault),
+            None => Ok(html! { @for part in self.done { (part) } (self.part.html()) }),
+        }
+    }
+
     /// A quantity that later formulas may use.
     pub fn know(&mut self, name: &str, si: f64, unit: Unit) {
         self.scope.insert(name.to_owned(), Quantity::of(si, unit));
     }
 
-    /// Forgets no quantity, but begins a new list of steps; gives the one written so far.
-    pub fn cut(&mut self) -> Markup {
-        let steps = std::mem::take(&mut self.html);
-        html! { @for step in steps { (step) } }
+    /// Writes what could be drawn, or keeps why it could not.
+    pub fn write(&mut self, drawn: Result<Markup, Fault>) {
+        match drawn {
+            Ok(markup) => self.part.html.push(markup),
+            Err(fault) => {
+                self.fault.get_or_insert(fault);
+            }
+        }
     }
 
     /// Writes a step.
     pub fn step(&mut self, step: &Step<'_>) {
+        let drawn = self.draw(step);
+        self.write(drawn);
+        step.reference.clone_into(&mut self.reference);
+        self.scope.insert(step.name.to_owned(), step.result);
+    }
+
+    fn draw(&self, step: &Step<'_>) -> Result<Markup, Fault> {
         let Step { about, reference, name, formula, result, key } = *step;
-        let Some(formula) = Formula::parse(formula) else {
-            debug_assert!(false, "{formula} is no formula");
-            return;
-        };
+        let place = format!("the step for `{name}`");
         let shown = if about.is_empty() && reference == self.reference { "" } else { reference };
-        reference.clone_into(&mut self.reference);
-        let symbols = line(&formula, "=", Drawn::Symbols);
-        let numbers = line(&formula, "=", Drawn::Numbers(&self.scope));
-        self.html.push(html! {
+        let symbols = read(&place, formula)?;
+        let numbers = self.numbers(&place, formula, &symbols)?;
+        Ok(html! {
             div.step {
-                (head(about, shown))
+                (head(about, shown)?)
                 div.lines {
                     span.left { (PreEscaped(symbol(name))) }
                     div.right {
-                        span.symbols { (PreEscaped(symbols)) }
+                        span.symbols { (PreEscaped(line(&symbols, "=", Drawn::Symbols))) }
                         " "
-                        span.numbers data-step=(name) { (PreEscaped(numbers)) }
+                        span.numbers data-step=(name) { (PreEscaped(line(&numbers, "=", Drawn::Numbers))) }
                     }
                 }
                 p.result { "= " (result.html(key)) }
             }
-        });
-        self.scope.insert(name.to_owned(), result);
+        })
+    }
+
+    /// The formula, written as `text`, with numbers put in.
+    fn numbers(&self, place: &str, text: &str, formula: &Formula) -> Result<Formula, Fault> {
+        let no_number = |name| Fault::NoNumber { place: place.to_owned(), formula: text.to_owned(), name };
+        formula.with_numbers(&self.scope).map_err(no_number)
     }
 
     /// Writes the commonest kind of step.
@@ -88,38 +155,44 @@ impl Steps {
     /// Writes a result that no formula on a line gives, with words in place of it.
     pub fn told(&mut self, about: &str, name: &str, si: f64, unit: Unit, words: &str, key: &str) {
         let result = Quantity::of(si, unit);
-        self.html.push(html! {
-            div.step {
-                (head(about, ""))
-                div.lines {
-                    span.left { (PreEscaped(symbol(name))) }
-                    span.right { (words) }
+        self.write(head(about, "").map(|head| {
+            html! {
+                div.step {
+                    (head)
+                    div.lines {
+                        span.left { (PreEscaped(symbol(name))) }
+                        span.right { (words) }
+                    }
+                    p.result { "= " (result.html(key)) }
                 }
-                p.result { "= " (result.html(key)) }
             }
-        });
+        }));
         self.scope.insert(name.to_owned(), result);
     }
 
     /// Writes an inequality: in symbols, with numbers put in, and both sides as they come out.
     pub fn relation(&mut self, relation: &Relation) {
+        let drawn = self.draw_relation(relation);
+        self.write(drawn);
+    }
+
+    fn draw_relation(&self, relation: &Relation) -> Result<Markup, Fault> {
         let Relation { equation, quantity, left, sign, bound, right, holds } = *relation;
-        let (Some(from), Some(to)) = (Formula::parse(quantity), Formula::parse(bound)) else {
-            debug_assert!(false, "{bound} is no formula");
-            return;
-        };
+        let place = format!("the inequality ({equation})");
+        let (from, to) = (read(&place, quantity)?, read(&place, bound)?);
+        let numbers = self.numbers(&place, bound, &to)?;
         let sign = sign.to_string();
         let one_number = matches!(to, Formula::Number(_));
-        self.html.push(html! {
+        Ok(html! {
             div.step.relation {
-                (head("", equation))
+                (head("", equation)?)
                 div.lines {
                     span.left { (PreEscaped(line(&from, "", Drawn::Symbols))) }
                     div.right {
                         span.symbols { (PreEscaped(line(&to, &sign, Drawn::Symbols))) }
                         @if !one_number {
                             " "
-                            span.numbers data-step=(bound) { (PreEscaped(line(&to, "=", Drawn::Numbers(&self.scope)))) }
+                            span.numbers data-step=(bound) { (PreEscaped(line(&numbers, "=", Drawn::Numbers))) }
                         }
                     }
                     span.left { data value=(left) data-side="left" { (number(left)) } }
@@ -130,23 +203,29 @@ impl Steps {
                     " by " (Quantity::of(relation.margin().abs(), NONE).html("margin"))
                 }
             }
-        });
+        })
     }
 
     /// Writes a sentence.
     pub fn note(&mut self, text: &str) {
-        self.html.push(html! { p.note { (prose(text)) } });
+        self.write(prose(text).map(|text| html! { p.note { (text) } }));
     }
 
     /// Writes a heading.
     pub fn heading(&mut self, text: &str) {
-        self.html.push(html! { h3 { (text) } });
+        self.push(html! { h3 { (text) } });
     }
 
     /// Writes anything else.
     pub fn push(&mut self, markup: Markup) {
-        self.html.push(markup);
+        self.part.html.push(markup);
     }
+}
+
+/// The formula that `place` shows.
+fn read(place: &str, formula: &str) -> Result<Formula, Fault> {
+    let fault = |source: FormulaError| Fault::Formula { place: place.to_owned(), source };
+    Formula::parse(formula).map_err(fault)
 }
 
 /// A sign as the lines around it show it.
@@ -155,14 +234,108 @@ fn line_sign(sign: &str) -> String {
 }
 
 /// What a step is about, and where its formula comes from.
-fn head(about: &str, reference: &str) -> Markup {
-    html! {
+fn head(about: &str, reference: &str) -> Result<Markup, Fault> {
+    let words = prose(about)?;
+    Ok(html! {
         p.about {
-            (prose(about))
+            (words)
             @if !reference.is_empty() {
                 @if !about.is_empty() { " " }
                 span.reference { "(" (reference) ")" }
             }
         }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use standfast::initiation::Sign;
+
+    use super::*;
+    use crate::quantity::METRE;
+
+    /// Steps of which one, in the middle, is `wrong`.
+    fn with(wrong: impl Fn(&mut Steps)) -> Result<String, Fault> {
+        let mut steps = Steps::new("Part");
+        steps.know("a", 3.0, METRE);
+        steps.add("Half of `a`", "", ["b", "a/2"], 1.5, METRE, "");
+        wrong(&mut steps);
+        steps.part("Next part", Some(0));
+        steps.add("", "", ["c", "a + b"], 4.5, METRE, "");
+        steps.finish().map(Markup::into_string)
+    }
+
+    fn relation(quantity: &'static str, bound: &'static str) -> Relation {
+        let sign = Sign::LessOrEqual;
+        Relation { equation: "3.4", quantity, left: 1.0, sign, bound, right: 3.0, holds: true }
+    }
+
+    #[test]
+    fn every_step_asked_for_is_drawn() {
+        let drawn = with(|steps| {
+            steps.told("Told", "d", 2.0, METRE, "as given", "");
+            steps.relation(&relation("μ", "a b"));
+            steps.note("Where `d` is.");
+        });
+        let drawn = drawn.unwrap();
+        let count = |what: &str| drawn.matches(what).count();
+        assert_eq!((count("<div class=\"step"), count("<p class=\"note\">"), count("<h3")), (4, 1, 2));
+    }
+
+    #[test]
+    fn a_step_that_cannot_be_read_leaves_no_sheet() {
+        type Write = fn(&mut Steps);
+        let unreadable: [(Write, &str); 6] = [
+            (
+                |steps| steps.add("", "", ["d", "2 (a"], 1.0, METRE, ""),
+                "the step for `d`: `2 (a` is no formula: expected `)` at its end",
+            ),
+            (
+                |steps| steps.relation(&relation("μ <", "a")),
+                "the inequality (3.4): `μ <` is no formula: expected a number, a name or a sign at `<`",
+            ),
+            (
+                |steps| steps.relation(&relation("μ", "")),
+                "the inequality (3.4): `` is no formula: expected a number, a name, `(` or `|` at its end",
+            ),
+            (
+                |steps| steps.note("For `a = b`."),
+                "the sentence “For `a = b`.”: `a = b` is no formula: expected a number, a name or a sign at `= b`",
+            ),
+            (
+                |steps| steps.told("Of `a", "d", 1.0, METRE, "", ""),
+                "the sentence “Of `a”: expected backticks in pairs around formulas, found one without its partner",
+            ),
+            (
+                |steps| steps.add("Of `a +`", "", ["d", "a"], 3.0, METRE, ""),
+                "the sentence “Of `a +`”: `a +` is no formula: expected a number, a name, `(` or `|` at its end",
+            ),
+        ];
+        for (write, expected) in unreadable {
+            assert_eq!(with(write).map_err(|fault| fault.to_string()), Err(expected.to_owned()));
+        }
+    }
+
+    #[test]
+    fn a_name_without_a_number_leaves_no_sheet() {
+        let no_number = |place: &str, formula: &str| {
+            let [place, formula, name] = [place, formula, "μ"].map(str::to_owned);
+            Err(Fault::NoNumber { place, formula, name })
+        };
+        let step = with(|steps| steps.add("", "", ["d", "a μ^2"], 3.0, METRE, ""));
+        assert_eq!(step, no_number("the step for `d`", "a μ^2"));
+        assert_eq!(
+            with(|steps| steps.relation(&relation("k", "a/μ"))),
+            no_number("the inequality (3.4)", "a/μ")
+        );
+    }
+
+    #[test]
+    fn the_first_fault_is_the_one_that_is_told() {
+        let fault = with(|steps| {
+            steps.add("", "", ["d", "a +"], 3.0, METRE, "");
+            steps.add("", "", ["e", "f"], 3.0, METRE, "");
+        });
+        assert!(matches!(fault, Err(Fault::Formula { place, .. }) if place == "the step for `d`"));
     }
 }

@@ -62,14 +62,18 @@ fn the_sheet_says_what_it_is_of() {
 
 #[test]
 fn a_hostile_title_is_only_text() {
-    let title = r#"</style><script>alert(1)</script>\"}@page{} & <b>"#;
+    let title = r#"</style><script>alert(1)</script>\"}@page{} & <b> `a +` `"#;
     let text = format!(
         "title = '{title}'\nnote = '{title}'\n[body]\nwidth = 6\nheight = 7\nmass = 1e5\nfriction = 0.6 # {title}\n[[load]]\n\
          name = '{title}'\nforce = 1e5\nelevation = 3\n"
     );
-    let document = document("<b>.toml", &text);
-    assert_eq!(document.errors, Vec::<String>::new());
-    assert!(select(&document, "script, b").is_empty());
-    assert_eq!(select(&document, "style").len(), 1);
-    assert_eq!(select(&document, "h1")[0].text().collect::<String>(), title);
+    // Where loads act together their names stand at the steps, too.
+    let together = format!("{text}[water]\nlevel = 1\ndensity = 1000\n");
+    for text in [text, together] {
+        let document = document("<b>.toml", &text);
+        assert_eq!(document.errors, Vec::<String>::new());
+        assert!(select(&document, "script, b").is_empty());
+        assert_eq!(select(&document, "style").len(), 1);
+        assert_eq!(select(&document, "h1")[0].text().collect::<String>(), title);
+    }
 }

@@ -1,20 +1,19 @@
 //! Loads that are no point of the report's diagram: the general contact problem and the conditions of its modes.
 
-use standfast::contact::{self, Block};
-use standfast_cases::Assessed;
+use standfast::contact::{self, Block, Wrench};
+use standfast::{InputError, Situation};
 
 use crate::quantity::{METRE, NONE, Quantity};
 use crate::steps::{Step, Steps};
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) -> Result<(), InputError> {
     steps.heading("Mode of response: the general contact problem");
     steps.note(
         "The load is no point of the report's diagram, which needs a uniform body with one friction and no added mass, pressed \
          on its base and pushed sideways. Every mode is tried: its motion has to satisfy the equations of motion, Coulomb's \
          law and non-penetration at both corners. Forces are in m g, lengths in B, accelerations in g.",
     );
-    let situation = &assessed.loaded.situation;
-    let (block, wrench) = (situation.block(), situation.reduced_wrench(&assessed.full.wrench));
+    let (block, wrench) = (situation.block(), situation.reduced_wrench(total));
     let Block { b1, b2, d, rho2, m_x, .. } = block;
     let mut add = |about: &str, name: &str, formula: &str, value: f64| {
         let result = Quantity::of(value, NONE);
@@ -30,10 +29,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
     if m_x != 1.0 {
         add("Inertia against horizontal motion", "m_x", "1 + M_a/m", m_x);
     }
-    let answer = match contact::solve(&block, &wrench) {
-        Ok(answer) => answer,
-        Err(error) => return steps.note(&error.to_string()),
-    };
+    let answer = contact::solve(&block, &wrench)?;
     if answer.modes.is_empty() {
         steps.note("No mode is consistent; that happens only where friction to stick is larger than friction to slip.");
     }
@@ -52,4 +48,20 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
     let body = &situation.body;
     steps.know("b_1", body.heel_distance(), METRE);
     steps.know("b_2", body.toe_distance(), METRE);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use standfast::Body;
+
+    use super::*;
+
+    #[test]
+    fn a_contact_problem_without_an_answer_leaves_no_sheet() -> Result<(), InputError> {
+        let situation = Situation::new(Body::new(6.0, 7.0, 100e3)?, 0.6, 9.81);
+        let wrench = Wrench { x: f64::NAN, p: 981e3, m: 0.0 };
+        assert!(steps(&mut Steps::new("Loads"), &situation, &wrench).is_err());
+        Ok(())
+    }
 }

@@ -1,6 +1,7 @@
 //! Each load as a wrench at the centre of mass, and their sum.
 
 use maud::{Markup, html};
+use standfast::HorizontalForce;
 use standfast::contact::Wrench;
 use standfast_cases::assess::situation::added_mass_notes;
 use standfast_cases::case::{AddedMass, Component, Origin, Uplift, Water, Weight};
@@ -126,70 +127,13 @@ fn added_mass(steps: &mut Steps, case: &Case) {
 
 /// The wrench of one load.
 fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
-    let Component { name, origin, wrench, .. } = component;
+    let Component { name, wrench, .. } = component;
     let [x, v, m] = parts(i);
+    let load = assessed.loaded.load.map(|load| &case.loads[load].force);
+    given(steps, case, load, component.origin);
+    let [fx, fv, fm] = formulas(component, [&x, &v]);
     // Backticks would begin a formula.
     let about = format!("{}  {}", i + 1, name.replace('`', "'"));
-    // The elevation of a force turns it into a moment.
-    let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
-    let pressure = |left: &str, right: &str, factor: &str| {
-        [
-            format!("−{factor}({left} + {right})/2 B_c"),
-            format!("{factor}({left} + 2 {right})/6 B_c^2 + {v} b_1"),
-        ]
-    };
-    let [fx, fv, fm] = match origin {
-        Origin::Weight => [None, Some("m g".to_owned()), None],
-        Origin::BuoyantWeight => {
-            if let Weight::Buoyant { force, arm } = case.weight {
-                steps.know("W_g", force, KILONEWTON);
-                steps.know("t_g", arm, METRE);
-            }
-            [None, Some("W_g".to_owned()), Some("−W_g (t_g − b_1)".to_owned())]
-        }
-        Origin::Buoyancy | Origin::StillWater => {
-            if let Some(Water { left, right, density }) = case.water {
-                steps.know("h_l", left, METRE);
-                steps.know("h_r", right, METRE);
-                steps.know("ρ_w", density, DENSITY);
-            }
-            if *origin == Origin::Buoyancy {
-                let [v, m] = pressure("h_l", "h_r", "ρ_w g ");
-                [None, Some(v), Some(m)]
-            } else {
-                let moment = "ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C))";
-                [Some("ρ_w g (h_l^2 − h_r^2)/2".to_owned()), None, Some(moment.to_owned())]
-            }
-        }
-        Origin::Uplift => {
-            if let Some(Uplift { left, right, .. }) = case.uplift {
-                steps.know("p_l", left, KILOPASCAL);
-                steps.know("p_r", right, KILOPASCAL);
-            }
-            let [v, m] = pressure("p_l", "p_r", "");
-            [None, Some(v), Some(m)]
-        }
-        Origin::HorizontalInertia | Origin::VerticalInertia | Origin::ShakenWater => {
-            if let Some(earthquake) = &case.earthquake {
-                steps.know("a_h", earthquake.horizontal, ACCELERATION);
-                steps.know("a_v", earthquake.vertical, ACCELERATION);
-            }
-            match origin {
-                Origin::HorizontalInertia => [Some("−m a_h".to_owned()), None, None],
-                Origin::VerticalInertia => [None, Some("m a_v".to_owned()), None],
-                _ => [Some("−M_a a_h".to_owned()), None, Some(moment_of_x("z_a"))],
-            }
-        }
-        Origin::WavePressure => [Some("−P_w".to_owned()), None, Some("M_w − P_w y_C".to_owned())],
-        Origin::WaveUplift => [None, Some("−p_u/2 B_c".to_owned()), Some(format!("p_u/3 B_c^2 + {v} b_1"))],
-        Origin::Force => {
-            let Some(load) = assessed.loaded.load.map(|load| &case.loads[load]) else { return };
-            steps.know("F", load.force.magnitude(), KILONEWTON);
-            steps.know("e", load.force.elevation(), METRE);
-            let sign = if load.force.direction().sign() < 0.0 { "−" } else { "" };
-            [Some(format!("{sign}F")), None, Some(moment_of_x("e"))]
-        }
-    };
     let mut about = about.as_str();
     let parts = [(x, fx, wrench.x, KILONEWTON), (v, fv, wrench.p, KILONEWTON), (m, fm, wrench.m, MOMENT)];
     for (name, formula, value, unit) in parts {
@@ -201,6 +145,74 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
                 about = "";
             }
             _ => steps.know(&name, value, unit),
+        }
+    }
+}
+
+/// The numbers that the formulas of a load's parts need.
+fn given(steps: &mut Steps, case: &Case, load: Option<&HorizontalForce>, origin: Origin) {
+    match origin {
+        Origin::BuoyantWeight => {
+            if let Weight::Buoyant { force, arm } = case.weight {
+                steps.know("W_g", force, KILONEWTON);
+                steps.know("t_g", arm, METRE);
+            }
+        }
+        Origin::Buoyancy | Origin::StillWater => {
+            if let Some(Water { left, right, density }) = case.water {
+                steps.know("h_l", left, METRE);
+                steps.know("h_r", right, METRE);
+                steps.know("ρ_w", density, DENSITY);
+            }
+        }
+        Origin::Uplift => {
+            if let Some(Uplift { left, right, .. }) = case.uplift {
+                steps.know("p_l", left, KILOPASCAL);
+                steps.know("p_r", right, KILOPASCAL);
+            }
+        }
+        Origin::HorizontalInertia | Origin::VerticalInertia | Origin::ShakenWater => {
+            if let Some(earthquake) = &case.earthquake {
+                steps.know("a_h", earthquake.horizontal, ACCELERATION);
+                steps.know("a_v", earthquake.vertical, ACCELERATION);
+            }
+        }
+        Origin::Force => {
+            if let Some(force) = load {
+                steps.know("F", force.magnitude(), KILONEWTON);
+                steps.know("e", force.elevation(), METRE);
+            }
+        }
+        Origin::Weight | Origin::WavePressure | Origin::WaveUplift => {}
+    }
+}
+
+/// X, V and M of a load as formulas; a part that it does not have is none.
+fn formulas(component: &Component, [x, v]: [&str; 2]) -> [Option<String>; 3] {
+    // The elevation of a force turns it into a moment.
+    let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
+    let pressure = |left: &str, right: &str, factor: &str| {
+        let force = format!("−{factor}({left} + {right})/2 B_c");
+        [None, Some(force), Some(format!("{factor}({left} + 2 {right})/6 B_c^2 + {v} b_1"))]
+    };
+    let some = |text: &str| Some(text.to_owned());
+    match component.origin {
+        Origin::Weight => [None, some("m g"), None],
+        Origin::BuoyantWeight => [None, some("W_g"), some("−W_g (t_g − b_1)")],
+        Origin::Buoyancy => pressure("h_l", "h_r", "ρ_w g "),
+        Origin::StillWater => {
+            let moment = "ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C))";
+            [some("ρ_w g (h_l^2 − h_r^2)/2"), None, some(moment)]
+        }
+        Origin::Uplift => pressure("p_l", "p_r", ""),
+        Origin::HorizontalInertia => [some("−m a_h"), None, None],
+        Origin::VerticalInertia => [None, some("m a_v"), None],
+        Origin::ShakenWater => [some("−M_a a_h"), None, Some(moment_of_x("z_a"))],
+        Origin::WavePressure => [some("−P_w"), None, some("M_w − P_w y_C")],
+        Origin::WaveUplift => [None, some("−p_u/2 B_c"), Some(format!("p_u/3 B_c^2 + {v} b_1"))],
+        Origin::Force => {
+            let sign = if component.wrench.x.is_sign_negative() { "−" } else { "" };
+            [Some(format!("{sign}F")), None, Some(moment_of_x("e"))]
         }
     }
 }

@@ -9,24 +9,30 @@ mod motion;
 mod path;
 mod waves;
 
-use maud::{Markup, html};
+use maud::Markup;
 use standfast::Slip;
 use standfast_cases::describe::Scale;
 use standfast_cases::{Assessed, Case, load_name};
 
 pub use classical::TARGET;
 
+use crate::SheetError;
+use crate::fault::Fault;
 use crate::quantity::{KILONEWTON, METRE, NONE};
 use crate::steps::Steps;
 
 /// The calculation of a case whose forces are each the report's problem.
-pub fn plain(case: &Case) -> Markup {
-    let mut steps = Steps::default();
+pub fn plain(case: &Case) -> Result<Markup, Fault> {
+    let mut steps = Steps::new("Body");
     body::steps(&mut steps, case);
-    let body = steps.cut();
     let several = case.loads.len() > 1;
     let scale = Scale::of(&case.body, case.gravity);
-    let loads = case.loads.iter().enumerate().map(|(i, load)| {
+    for (i, load) in case.loads.iter().enumerate() {
+        let title = match several {
+            true => format!("Load {}: {}", i + 1, load_name(case, i)),
+            false => format!("Load: {}", load_name(case, i)),
+        };
+        steps.part(&title, Some(i));
         let point = &load.reduced.point;
         let towards = match load.force.direction() {
             Slip::Left => "left",
@@ -44,57 +50,36 @@ pub fn plain(case: &Case) -> Markup {
         mode::decision(&mut steps, &load.reduced);
         motion::reduced(&mut steps, &load.reduced, &scale);
         mode::changes(&mut steps, &load.reduced, Some(&scale));
-        let title = match several {
-            true => format!("Load {}: {}", i + 1, load_name(case, i)),
-            false => format!("Load: {}", load_name(case, i)),
-        };
-        (title, steps.cut())
-    });
-    let loads: Vec<_> = loads.collect();
-    html! {
-        section.part { h3.part { "Body" } (body) }
-        @for (i, (title, steps)) in loads.into_iter().enumerate() {
-            section.part data-load=(i) { h3.part { (title) } (steps) }
-        }
     }
+    steps.finish()
 }
 
 /// The calculation of a case whose loads act together.
-pub fn together(case: &Case, all: &[Assessed]) -> Markup {
-    let mut steps = Steps::default();
+pub fn together(case: &Case, all: &[Assessed]) -> Result<Markup, SheetError> {
+    let mut steps = Steps::new("Body");
     body::steps(&mut steps, case);
-    let body = steps.cut();
-    let waves = case.wave.as_ref().map(|wave| {
+    if let Some(wave) = &case.wave {
+        steps.part("Waves and pressures (Goda, Takahashi)", None);
         waves::steps(&mut steps, case, wave);
-        steps.cut()
-    });
-    let several = all.len() > 1;
-    let situations: Vec<_> = all
-        .iter()
-        .map(|assessed| {
-            let title = match assessed.loaded.load.filter(|_| several) {
-                Some(load) => format!("With load {}: {}", load + 1, load_name(case, load)),
-                None => "Loads and response".to_owned(),
-            };
-            loads::steps(&mut steps, case, assessed);
-            classical::steps(&mut steps, assessed);
-            match &assessed.full.effective {
-                Some(reduced) => {
-                    mode::effective(&mut steps, reduced);
-                    mode::decision(&mut steps, reduced);
-                }
-                None => contact::steps(&mut steps, assessed),
-            }
-            motion::together(&mut steps, case, assessed);
-            path::steps(&mut steps, assessed);
-            (assessed.loaded.load, title, steps.cut())
-        })
-        .collect();
-    html! {
-        section.part { h3.part { "Body" } (body) }
-        @if let Some(waves) = waves { section.part { h3.part { "Waves and pressures (Goda, Takahashi)" } (waves) } }
-        @for (load, title, steps) in situations {
-            section.part data-load=(load.unwrap_or(0)) { h3.part { (title) } (steps) }
-        }
     }
+    let several = all.len() > 1;
+    for assessed in all {
+        let title = match assessed.loaded.load.filter(|_| several) {
+            Some(load) => format!("With load {}: {}", load + 1, load_name(case, load)),
+            None => "Loads and response".to_owned(),
+        };
+        steps.part(&title, Some(assessed.loaded.load.unwrap_or(0)));
+        loads::steps(&mut steps, case, assessed);
+        classical::steps(&mut steps, assessed);
+        match &assessed.full.effective {
+            Some(reduced) => {
+                mode::effective(&mut steps, reduced);
+                mode::decision(&mut steps, reduced);
+            }
+            None => contact::steps(&mut steps, &assessed.loaded.situation, &assessed.full.wrench)?,
+        }
+        motion::together(&mut steps, case, assessed);
+        path::steps(&mut steps, assessed);
+    }
+    Ok(steps.finish()?)
 }

@@ -1,10 +1,11 @@
 //! The motion and reactions at onset, and the equations of motion with these numbers.
 
-use maud::{PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 use standfast::{Motion, Reduced};
 use standfast_cases::describe::{QUANTITIES, Scale};
 use standfast_cases::{Assessed, Case};
 
+use crate::fault::Fault;
 use crate::mathml::{prose, symbol};
 use crate::quantity::{ACCELERATION, INERTIA, KILONEWTON, METRE, NONE, ROTATION, TONNE, number};
 use crate::steps::Steps;
@@ -13,30 +14,45 @@ use crate::steps::Steps;
 const KEYS: [&str; 9] =
     ["x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi", "slip", "lift_o", "lift_o_prime"];
 
-/// The motion of a point of the report's plane, non-dimensional and of the real body.
-pub(super) fn reduced(steps: &mut Steps, reduced: &Reduced, scale: &Scale) {
-    let motion = reduced.motion();
-    let si = scale.si(&motion);
-    steps.heading("Motion and reactions at onset");
-    steps.push(html! {
+/// The motion of the real body, in SI units, beside the non-dimensional one if there is one.
+fn table(reduced: Option<&Motion>, si: &Motion) -> Result<Markup, Fault> {
+    Ok(html! {
         table.numbers data-table="motion" {
-            thead { tr { th {} th { "Quantity" } th.n { "in" } th {} th.n { "of this body" } th {} } }
+            thead {
+                tr {
+                    th {}
+                    th { "Quantity" }
+                    @if reduced.is_some() { th.n { "in" } th {} }
+                    th.n { "of this body" }
+                    th {}
+                }
+            }
             tbody {
                 @for (quantity, key) in QUANTITIES.iter().zip(KEYS) {
-                    @let value = (quantity.of)(&motion);
-                    @let real = (quantity.of)(&si) / quantity.si_units + 0.0;
+                    @let real = (quantity.of)(si) / quantity.si_units + 0.0;
                     tr {
                         td { (PreEscaped(symbol(quantity.symbol))) }
-                        td { (prose(&quantity.words.replace("f_y", "`f_y`"))) }
-                        td.n { data value=(value) data-quantity={ "motion." (key) } { (number(value)) } }
-                        td { (quantity.unit) }
+                        td { (prose(&quantity.words.replace("f_y", "`f_y`"))?) }
+                        @if let Some(reduced) = reduced {
+                            @let value = (quantity.of)(reduced);
+                            td.n { data value=(value) data-quantity={ "motion." (key) } { (number(value)) } }
+                            td { (quantity.unit) }
+                        }
                         td.n { data value=(real) data-quantity={ "motion_si." (key) } { (number(real)) } }
                         td { (quantity.si_unit) }
                     }
                 }
             }
         }
-    });
+    })
+}
+
+/// The motion of a point of the report's plane, non-dimensional and of the real body.
+pub(super) fn reduced(steps: &mut Steps, reduced: &Reduced, scale: &Scale) {
+    let motion = reduced.motion();
+    let si = scale.si(&motion);
+    steps.heading("Motion and reactions at onset");
+    steps.write(table(Some(&motion), &si));
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = motion;
     steps.know("f_x", f_x, NONE);
     steps.know("f_y", f_y, NONE);
@@ -55,22 +71,7 @@ pub(super) fn reduced(steps: &mut Steps, reduced: &Reduced, scale: &Scale) {
 pub(super) fn together(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     let Some(motion) = &assessed.full.motion else { return };
     steps.heading("Motion and reactions at onset, full load applied at once");
-    steps.push(html! {
-        table.numbers data-table="motion" {
-            thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
-            tbody {
-                @for (quantity, key) in QUANTITIES.iter().zip(KEYS) {
-                    @let real = (quantity.of)(motion) / quantity.si_units + 0.0;
-                    tr {
-                        td { (PreEscaped(symbol(quantity.symbol))) }
-                        td { (prose(&quantity.words.replace("f_y", "`f_y`"))) }
-                        td.n { data value=(real) data-quantity={ "motion_si." (key) } { (number(real)) } }
-                        td { (quantity.si_unit) }
-                    }
-                }
-            }
-        }
-    });
+    steps.write(table(None, motion));
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
     let body = &case.body;
     steps.know("f_x", f_x, KILONEWTON);

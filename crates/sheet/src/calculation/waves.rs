@@ -10,7 +10,25 @@ use crate::quantity::{
 use crate::steps::{Step, Steps};
 
 pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
-    let WaveLoad { sea, section, choices, goda, .. } = wave;
+    let WaveLoad { sea, goda, .. } = wave;
+    given(steps, case, wave);
+    steps.heading("Wavelength and wave heights");
+    let l0 = goda.deep_water_wavelength;
+    steps.add("Wavelength in deep water", "Goda", ["L0", "g T^2/(2 π)"], l0, METRE, "deep_water_wavelength");
+    // The dispersion relation is implicit: the formula is a check of the wavelength found.
+    steps.know("L", goda.wavelength, METRE);
+    let about = "Wavelength at the wall, the root of the dispersion relation, put back into it";
+    steps.add(about, "linear theory", ["L", "L0 tanh(2 π h÷L)"], goda.wavelength, METRE, "wavelength");
+    heights(steps, sea, wave);
+    let about = "Depth five significant heights in front of the wall";
+    steps.add(about, "Goda", ["h_b", "h + 5 H_13 tanθ"], goda.h_b, METRE, "h_b");
+    coefficients(steps, wave);
+    pressures(steps, goda);
+    resultants(steps, goda);
+}
+
+/// The numbers of the sea and of the section.
+fn given(steps: &mut Steps, case: &Case, WaveLoad { sea, section, choices, .. }: &WaveLoad) {
     let Section { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
     for (name, value, unit) in [
         ("h", sea.water_depth, METRE),
@@ -29,17 +47,10 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
     ] {
         steps.know(name, value, unit);
     }
-    steps.heading("Wavelength and wave heights");
-    let l0 = goda.deep_water_wavelength;
-    steps.add("Wavelength in deep water", "Goda", ["L0", "g T^2/(2 π)"], l0, METRE, "deep_water_wavelength");
-    // The dispersion relation is implicit: the formula is a check of the wavelength found.
-    steps.know("L", goda.wavelength, METRE);
-    let about = "Wavelength at the wall, the root of the dispersion relation, put back into it";
-    steps.add(about, "linear theory", ["L", "L0 tanh(2 π h÷L)"], goda.wavelength, METRE, "wavelength");
-    heights(steps, sea, wave);
-    let about = "Depth five significant heights in front of the wall";
-    steps.add(about, "Goda", ["h_b", "h + 5 H_13 tanθ"], goda.h_b, METRE, "h_b");
+}
 
+fn coefficients(steps: &mut Steps, wave: &WaveLoad) {
+    let WaveLoad { choices, goda, .. } = wave;
     steps.heading("Coefficients");
     angle(steps, wave);
     let Goda { eta_star, h_c_star, alpha_1, alpha_2, alpha_3, alpha_4, .. } = *goda;
@@ -55,18 +66,22 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
     steps.add(about, "Goda", ["h_c*", "min(η*, h_c)"], h_c_star, METRE, "h_c_star");
     steps.add("Pressure at its top", "Goda", ["α4", "1 − h_c*/η*"], alpha_4, NONE, "alpha_4");
     impulsive(steps, goda, choices.impulsive);
+}
 
+fn pressures(steps: &mut Steps, goda: &Goda) {
     steps.heading("Pressures");
     let formula = ["p1", "1/2 (1 + cos(β)) (λ1 α1 + λ2 α* cos(β)^2) ρ g H_max"];
     steps.add("At still water", "Goda", formula, goda.p1, KILOPASCAL, "p1");
     // Where α₃ is negative no pressure is taken at the base.
-    let positive = if alpha_3 > 0.0 { "α3" } else { "max(α3, 0)" };
+    let positive = if goda.alpha_3 > 0.0 { "α3" } else { "max(α3, 0)" };
     steps.add("At the base", "Goda", ["p3", &format!("{positive} p1")], goda.p3, KILOPASCAL, "p3");
     steps.add("At the top of the loaded wall", "Goda", ["p4", "α4 p1"], goda.p4, KILOPASCAL, "p4");
     let formula = format!("1/2 (1 + cos(β)) λ3 α1 {positive} ρ g H_max");
     let about = "Uplift at the seaward toe, falling to zero at the heel";
     steps.add(about, "Goda", ["p_u", &formula], goda.pu, KILOPASCAL, "pu");
+}
 
+fn resultants(steps: &mut Steps, goda: &Goda) {
     steps.heading("Resultants of the wave");
     let formula = ["P_w", "1/2 (p1 + p3) h' + 1/2 (p1 + p4) h_c*"];
     steps.add("Horizontal force", "Goda", formula, goda.force, KILONEWTON, "");
