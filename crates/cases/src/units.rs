@@ -92,6 +92,11 @@ impl Dimension {
         }
     }
 
+    /// The same with powers raised, for reading.
+    pub fn symbol(self) -> String {
+        self.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
+    }
+
     /// The units understood, e.g. `mm, cm or m`.
     pub fn understood(self) -> String {
         let names: Vec<_> = self.units().iter().map(|unit| unit.0).collect();

@@ -69,8 +69,7 @@ pub enum Command {
         \u{20} [added_mass]  sides = 1 or 2, or mass\n\
         \u{20} [body]        kinetic_friction, centroid_offset, centroid_height, moment_of_inertia, base_left,\n\
         \u{20}               base_right; buoyant_weight and weight_arm in place of [water]\n\n\
-        With them, --format json names its numbers as Goda does: P, U, M_p, M_U, p1, SF_sliding and so on,\n\
-        in kN, kN m and kPa per metre run; lengths in m; body, gravity and motion_si in SI units.")]
+        --format json prints one document, schema 1, in SI units: docs/answer.schema.json.")]
     Assess(AssessArgs),
 
     /// Find the least value of a quantity of a case that meets a target
@@ -155,6 +154,9 @@ pub struct AssessArgs {
     /// How far to follow the rising load, as a multiple of the full load; for cases whose loads act together
     #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
     pub up_to: f64,
+    /// Show and draw every alternative load one by one; of more than 8, only those that leave rest first are
+    #[arg(long)]
+    pub all: bool,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -5,20 +5,20 @@ use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use standfast::InputError;
-use standfast_cases::{Assessment, Case, CaseError};
+use standfast_cases::{Assessment, CaseError, View};
 use thiserror::Error;
 
-use crate::case_file::{self, ReadError};
+use crate::case_file::{self, CaseFileError};
 use crate::format::Format;
 use crate::write::{self, WriteError};
 
 /// Why a case was not assessed.
 #[derive(Debug, Error, Diagnostic)]
 pub enum AssessError {
-    /// The case file cannot be read.
+    /// The case file cannot be read, or is no case file.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Read(#[from] ReadError),
+    File(#[from] CaseFileError),
     /// The diagram would replace the case file.
     #[error("the diagram would be written over the case file {}", path.display())]
     #[diagnostic(help("rename the case file to end in .toml, or choose another directory with -o DIR"))]
@@ -26,7 +26,7 @@ pub enum AssessError {
         /// The case file.
         path: PathBuf,
     },
-    /// The case file is wrong.
+    /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
@@ -48,25 +48,22 @@ pub struct Answered {
     pub undrawn: Option<AssessError>,
 }
 
-/// Assesses a case file, and writes its diagrams into `directory` or else beside it. The path of a rising load is
-/// followed up to `up_to` times the load.
+/// Assesses a case file, and writes its diagrams into `directory` or else beside it.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense.
 pub fn assess(
     path: &Path,
     directory: Option<&Path>,
-    up_to: f64,
+    view: &View,
     format: Format,
 ) -> Result<Answered, AssessError> {
-    let text = case_file::read(path)?;
-    let case = Case::parse(&path.display().to_string(), &text)?;
-    let assessment = Assessment::of(&case, up_to)?;
+    let assessment = Assessment::of(&case_file::parse(path)?.case()?)?;
     let mut drawn = Vec::new();
-    let undrawn = draw(&assessment, path, directory, &mut drawn).err();
+    let undrawn = draw(&assessment, view, path, directory, &mut drawn).err();
     let answer = match format {
         Format::Text => {
-            let mut answer = assessment.text();
+            let mut answer = assessment.text(view);
             if !drawn.is_empty() || undrawn.is_some() {
                 answer += "\n";
             }
@@ -76,7 +73,7 @@ pub fn assess(
             answer
         }
         Format::Json => {
-            assessment.json(&drawn.into_iter().map(|Drawn { file, .. }| file).collect::<Vec<_>>())
+            assessment.json(view, &drawn.into_iter().map(|Drawn { file, .. }| file).collect::<Vec<_>>())
         }
     };
     Ok(Answered { answer, undrawn })
@@ -90,7 +87,8 @@ struct Drawn {
 
 /// Writes the figures into `directory`, which is made if it is not there, or beside the case file.
 fn draw(
-    assessment: &Assessment<'_>,
+    assessment: &Assessment,
+    view: &View,
     case: &Path,
     directory: Option<&Path>,
     drawn: &mut Vec<Drawn>,
@@ -100,7 +98,7 @@ fn draw(
     }
     let directory = directory.unwrap_or_else(|| case.parent().unwrap_or(Path::new("")));
     let stem = case.file_stem().unwrap_or_default().to_string_lossy();
-    for figure in assessment.figures()? {
+    for figure in assessment.figures(view)? {
         let file = directory.join(format!("{stem}{}.svg", figure.suffix));
         if file.canonicalize().is_ok_and(|file| case.canonicalize().is_ok_and(|case| case == file)) {
             return Err(AssessError::Overwrite { path: case.to_owned() });

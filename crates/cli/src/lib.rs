@@ -32,9 +32,9 @@ use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
 use standfast::{Diagram, Point};
 use standfast_cases::design::{Design, Request};
-use standfast_cases::point;
+use standfast_cases::{View, point};
 use standfast_figures::FigureId;
-use standfast_sheet::Options;
+use standfast_sheet::SheetOptions;
 use standfast_tables::{Summary, TableOptions};
 
 use args::{Cli, Command};
@@ -47,22 +47,22 @@ use format::Format;
 pub fn run(cli: Cli) -> Result<()> {
     match cli.command {
         Command::Assess(args) => {
-            let answered = assess::assess(&args.case, args.output.as_deref(), args.up_to, args.format)?;
+            let view = View { up_to: args.up_to, all: args.all };
+            let answered = assess::assess(&args.case, args.output.as_deref(), &view, args.format)?;
             print(&answered.answer)?;
             Ok(answered.undrawn.map_or(Ok(()), Err)?)
         }
         Command::Design(args) => {
             let args::DesignArgs { case, vary, target, from, to, format } = args;
-            let text = case_file::read(&case)?;
-            let request = Request { vary, target, from, to };
-            let design = Design::of(&case.display().to_string(), &text, request)?;
+            let file = case_file::parse(&case)?;
+            let design = Design::of(&file, Request { vary, target, from, to })?;
             print(&match format {
                 Format::Text => design.text(),
                 Format::Json => design.json(),
             })
         }
         Command::Sheet(args) => {
-            let options = Options { date: args.date, up_to: args.up_to };
+            let options = SheetOptions { date: args.date, up_to: args.up_to };
             sheet::sheet(&args.case, &args.output, &options, args.paper)?;
             print(&format!("Calculation sheet written to {}\n", args.output))
         }

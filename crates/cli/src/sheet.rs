@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use miette::Diagnostic;
-use standfast_sheet::{Options, Sheet, SheetError};
+use standfast_sheet::{Sheet, SheetError, SheetOptions};
 use thiserror::Error;
 
 use crate::browser::{self, PrintError};
-use crate::case_file::{self, ReadError};
+use crate::case_file::{self, CaseFileError};
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a sheet is written.
@@ -48,10 +48,10 @@ impl fmt::Display for SheetFile {
 /// Why a sheet was not made.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SheetCommandError {
-    /// The case file cannot be read.
+    /// The case file cannot be read, or is no case file.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Read(#[from] ReadError),
+    File(#[from] CaseFileError),
     /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -79,11 +79,10 @@ pub enum SheetCommandError {
 pub fn sheet(
     case: &Path,
     file: &SheetFile,
-    options: &Options,
+    options: &SheetOptions,
     paper: Paper,
 ) -> Result<(), SheetCommandError> {
-    let text = case_file::read(case)?;
-    let sheet = Sheet::of(&case.display().to_string(), &text, options)?;
+    let sheet = Sheet::of_file(&case_file::parse(case)?, options)?;
     if file.path.canonicalize().is_ok_and(|file| case.canonicalize().is_ok_and(|case| case == file)) {
         return Err(SheetCommandError::Overwrite { path: case.to_owned() });
     }

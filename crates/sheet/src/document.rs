@@ -3,7 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use standfast_cases::{Assessment, Case, CaseFigure};
+use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, View};
 
 use crate::{Date, SheetError, calculation, inputs, limits, method, sensitivity, verdict};
 
@@ -11,7 +11,7 @@ use crate::{Date, SheetError, calculation, inputs, limits, method, sensitivity, 
 pub struct Source<'a> {
     /// The file's name without folders.
     pub file: &'a str,
-    pub text: &'a str,
+    pub case_file: &'a CaseFile,
     /// SHA-256 of the text.
     pub hash: String,
     pub date: Option<Date>,
@@ -28,20 +28,13 @@ const FACES: [(&str, &str, &[u8]); 3] = [
     ("Sheet Math", "400", include_bytes!("../fonts/math.woff2")),
 ];
 
-pub fn render(
-    case: &Case,
-    assessment: &Assessment<'_>,
-    name: &str,
-    source: &Source<'_>,
-) -> Result<String, SheetError> {
-    let figures = assessment.figures()?;
-    let sensitivities = sensitivity::table(name, source.text)?;
+pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Result<String, SheetError> {
+    let case = &assessment.case;
+    let figures = assessment.figures(view)?;
+    let sensitivities = sensitivity::table(source.case_file)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
-    let calculation = match assessment.situations() {
-        [] => calculation::plain(case)?,
-        all => calculation::together(case, all)?,
-    };
-    let inputs = inputs::tables(case, source.text)?;
+    let calculation = calculation::steps(assessment, source.case_file.inputs(), view)?;
+    let inputs = inputs::tables(case, source.case_file);
     let document = html! {
         (DOCTYPE)
         html lang="en" {
@@ -55,9 +48,9 @@ pub fn render(
             body {
                 main {
                     (title_block(case, &title, source))
-                    (verdict::summary(case, assessment))
+                    (verdict::summary(assessment))
                     section { h2 { "1 Inputs" } (inputs) }
-                    section { h2 { "2 Assumptions and method" } (method::words(case)) }
+                    section { h2 { "2 Assumptions and method" } (method::words(assessment)) }
                     section {
                         h2 { "3 Calculation" }
                         p.note {
@@ -67,7 +60,7 @@ pub fn render(
                         }
                         (calculation)
                     }
-                    section { h2 { "4 Verdict" } (verdict::full(case, assessment)) }
+                    section { h2 { "4 Verdict" } (verdict::full(assessment, view)) }
                     section {
                         h2 { "5 Figures" }
                         @for (i, figure) in figures.iter().enumerate() { (drawing(i, figure)) }

@@ -37,12 +37,4 @@ pub enum Fault {
         /// The sentence.
         text: String,
     },
-    /// A key of the case file without words.
-    #[error("the input `{key}` of `{table}`: expected words for it among the sheet's, found none")]
-    NoMeaning {
-        /// The key's table.
-        table: String,
-        /// The key.
-        key: String,
-    },
 }

@@ -13,10 +13,10 @@ use std::collections::BTreeMap;
 
 use thiserror::Error;
 
-use crate::quantity::Quantity;
+use crate::measured::Measured;
 
 /// What names stand for.
-pub type Scope = BTreeMap<String, Quantity>;
+pub type Scope = BTreeMap<String, Measured>;
 
 /// A formula.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +26,7 @@ pub enum Formula {
     /// A quantity, or π.
     Name(String),
     /// A quantity's number, put in for its name.
-    Value(Quantity),
+    Value(Measured),
     /// What follows a minus sign.
     Negative(Box<Formula>),
     /// Terms, each with whether it is subtracted.
@@ -283,7 +283,7 @@ fn product_of(mut factors: Vec<Formula>) -> Formula {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::METRE;
+    use crate::measured::METRE;
 
     fn name(text: &str) -> Formula {
         Formula::Name(text.to_owned())
@@ -353,7 +353,7 @@ mod tests {
 
     #[test]
     fn numbers_stand_for_every_name_but_pi() {
-        let two = Quantity::of(2.0, METRE);
+        let two = Measured::of(2.0, METRE);
         let scope = Scope::from([("a".to_owned(), two)]);
         let formula = Formula::parse("π a^2/cos(|a| − (a + 1÷a))").unwrap();
         let drawn = format!("{:?}", formula.with_numbers(&scope).unwrap());

@@ -1,12 +1,12 @@
 //! The calculation sheet of a case: what an engineer files and a checker signs.
 //!
 //! ```
-//! use standfast_sheet::{Date, Options, Sheet};
+//! use standfast_sheet::{Date, Sheet, SheetOptions};
 //!
 //! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
 //! let date: Date = "2026-11-21".parse()?;
-//! let sheet = Sheet::of("case.toml", text, &Options { date: Some(date), ..Options::default() })?;
-//! assert!(sheet.html().contains("The body stays at rest (RE)."));
+//! let sheet = Sheet::of("case.toml", text, &SheetOptions { date: Some(date), ..SheetOptions::default() })?;
+//! assert!(sheet.html().contains("the body stays at rest (RE)."));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -30,8 +30,8 @@ mod formula;
 mod inputs;
 mod limits;
 mod mathml;
+mod measured;
 mod method;
-mod quantity;
 mod sensitivity;
 mod steps;
 mod verdict;
@@ -39,7 +39,7 @@ mod verdict;
 use miette::Diagnostic;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
-use standfast_cases::{Assessment, Case, CaseError};
+use standfast_cases::{Assessment, CaseError, CaseFile, View};
 use thiserror::Error;
 
 pub use date::{Date, DateError};
@@ -48,17 +48,17 @@ pub use formula::FormulaError;
 
 /// What the case does not say.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Options {
+pub struct SheetOptions {
     /// The day the sheet bears; without it the sheet says that it is undated.
     pub date: Option<Date>,
     /// How far a rising load is followed, as a multiple of the full load.
     pub up_to: f64,
 }
 
-impl Default for Options {
+impl Default for SheetOptions {
     /// Undated, loads followed up to twice their value.
-    fn default() -> Options {
-        Options { date: None, up_to: 2.0 }
+    fn default() -> SheetOptions {
+        SheetOptions { date: None, up_to: 2.0 }
     }
 }
 
@@ -92,17 +92,25 @@ impl Sheet {
     ///
     /// # Errors
     /// If the case makes no sense, or anything on the sheet cannot be drawn: there is no sheet with a gap.
-    pub fn of(name: &str, text: &str, options: &Options) -> Result<Sheet, SheetError> {
-        let case = Case::parse(name, text)?;
-        let assessment = Assessment::of(&case, options.up_to)?;
+    pub fn of(name: &str, text: &str, options: &SheetOptions) -> Result<Sheet, SheetError> {
+        Sheet::of_file(&CaseFile::parse(name, text)?, options)
+    }
+
+    /// The sheet of a case file.
+    ///
+    /// # Errors
+    /// As [`of`](Sheet::of).
+    pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
+        let assessment = Assessment::of(&case_file.case()?)?;
+        let name = case_file.name();
         let source = document::Source {
             file: name.rsplit(['/', '\\']).next().unwrap_or(name),
-            text,
-            hash: hash(text),
+            case_file,
+            hash: hash(case_file.text()),
             date: options.date,
         };
-        let html = document::render(&case, &assessment, name, &source)?;
-        Ok(Sheet { html })
+        let view = View { up_to: options.up_to, all: false };
+        Ok(Sheet { html: document::render(&assessment, &source, &view)? })
     }
 
     /// The sheet as an HTML document.

@@ -6,7 +6,7 @@ use maud::{Markup, PreEscaped, html};
 
 use crate::fault::Fault;
 use crate::formula::Formula;
-use crate::quantity::NONE;
+use crate::measured::NONE;
 
 /// What a formula is drawn of, which says how a product is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,10 +1,10 @@
 //! Assumptions and method, in words.
 
 use maud::{Markup, html};
-use standfast_cases::Case;
+use standfast_cases::Assessment;
 
-pub fn words(case: &Case) -> Markup {
-    let plain = case.is_plain();
+pub fn words(assessment: &Assessment) -> Markup {
+    let case = &assessment.case;
     html! {
         ul {
             li { "Body and base are rigid. Friction is dry (Coulomb). Forces act in the plane of the cross-section." }
@@ -18,16 +18,10 @@ pub fn words(case: &Case) -> Markup {
                 @if case.wave.is_some() { " The sea is at the right; waves push to the left, and O is the heel." }
             }
             li { "Weight: " (case.weight_words()) "." }
-            @if plain {
-                li {
-                    "Each load is the report’s problem: one horizontal force on a uniform rectangular body in air, at once and \
-                     alone."
-                }
-            } @else {
-                li {
-                    "Permanent and variable loads act together. Variable ones (waves with their uplift, earthquakes, forces) are \
-                     applied at once for the mode of response, and raised in proportion for the load path."
-                }
+            li {
+                "Permanent and variable loads act together. Variable ones (waves with their uplift, earthquakes, forces) are \
+                 applied at once for the mode of response, and raised in proportion for the load path."
+                @if case.forces.len() > 1 { " Each [[load]] is an alternative to the others." }
             }
             @if let Some(wave) = &case.wave {
                 li {
@@ -41,17 +35,15 @@ pub fn words(case: &Case) -> Markup {
             @if case.water.is_some() {
                 li { "Still water presses on the sides and under the whole base, linearly from one edge of the base to the other." }
             }
-            @if case.added_mass.mass > 0.0 {
+            @if case.added_mass.mass() > 0.0 {
                 li { "Water that moves with the body adds to its inertia against horizontal acceleration." }
             }
             @if case.earthquake.is_some() {
                 li { "An acceleration of the base acts as a force of inertia; the motion is relative to the base." }
             }
-            @if !plain {
-                li {
-                    "Classical factors look at the heel; " span.sym { "W′" } ", t, U, " span.sym { "M" sub { "U" } } ", P, "
-                    span.sym { "M" sub { "p" } } " are a designer’s symbols."
-                }
+            li {
+                "Classical factors are taken about both edges of the base; " span.sym { "W′" } ", t, U, "
+                span.sym { "M" sub { "U" } } ", P, " span.sym { "M" sub { "p" } } " are a designer’s symbols."
             }
         }
         p.note { "References" }

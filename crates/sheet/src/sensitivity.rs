@@ -1,13 +1,13 @@
 //! What a small change of every number does to the safety.
 
 use maud::{Markup, html};
-use standfast_cases::CaseError;
 use standfast_cases::design::{Sensitivity, sensitivities};
+use standfast_cases::{CaseError, CaseFile};
 
-use crate::quantity::number;
+use crate::measured::number;
 
-pub fn table(name: &str, text: &str) -> Result<Markup, CaseError> {
-    let rows = sensitivities(name, text)?;
+pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
+    let rows = sensitivities(file)?;
     Ok(html! {
         p.note {
             "Change of the safety factors and of the load factor at which the body first leaves rest, if one input grows by 1 %, \
@@ -21,15 +21,15 @@ pub fn table(name: &str, text: &str) -> Result<Markup, CaseError> {
                     th.n { "Value" }
                     th.n { "Safety against sliding" }
                     th.n { "Safety against overturning" }
-                    th.n { "First load factor" }
+                    th.n { "Load factor" }
                 }
             }
             tbody {
                 @for row in &rows {
                     tr {
-                        td { code { (row.name()) } }
+                        td { code { (row.variable.name()) } }
                         td.n { (value(row)) }
-                        @for change in [row.sliding, row.overturning, row.first_load_factor] {
+                        @for change in [row.sliding, row.overturning, row.load_factor] {
                             td.n { (signed(change)) }
                         }
                     }
@@ -41,9 +41,9 @@ pub fn table(name: &str, text: &str) -> Result<Markup, CaseError> {
 
 fn value(row: &Sensitivity) -> Markup {
     html! {
-        data value=(row.value()) { (number(row.value())) }
-        @if let Some(quantity) = row.quantity() {
-            "\u{a0}" span.unit { (quantity.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")) }
+        data value=(row.value) { (number(row.value)) }
+        @if let Some(dimension) = row.variable.dimension() {
+            "\u{a0}" span.unit { (dimension.symbol()) }
         }
     }
 }

@@ -1,12 +1,12 @@
 //! The steps of a calculation: a formula, the same with numbers put in, and the result, which is the library's.
 
 use maud::{Markup, PreEscaped, html};
-use standfast::initiation::Relation;
+use standfast::relation::Relation;
 
 use crate::fault::Fault;
 use crate::formula::{Formula, FormulaError, Scope};
 use crate::mathml::{Drawn, line, prose, symbol};
-use crate::quantity::{NONE, Quantity, Unit, number};
+use crate::measured::{Measured, NONE, Unit, number};
 
 /// The calculation as far as it is written, and the quantities that later steps may use.
 ///
@@ -54,7 +54,7 @@ pub struct Step<'a> {
     /// The formula.
     pub formula: &'a str,
     /// The result, from the library.
-    pub result: Quantity,
+    pub result: Measured,
     /// What the program's JSON calls the result; empty if it does not.
     pub key: &'a str,
 }
@@ -90,7 +90,7 @@ impl Steps {
 
     /// A quantity that later formulas may use.
     pub fn know(&mut self, name: &str, si: f64, unit: Unit) {
-        self.scope.insert(name.to_owned(), Quantity::of(si, unit));
+        self.scope.insert(name.to_owned(), Measured::of(si, unit));
     }
 
     /// Writes what could be drawn, or keeps why it could not.
@@ -149,12 +149,12 @@ impl Steps {
         unit: Unit,
         key: &str,
     ) {
-        self.step(&Step { about, reference, name, formula, result: Quantity::of(si, unit), key });
+        self.step(&Step { about, reference, name, formula, result: Measured::of(si, unit), key });
     }
 
     /// Writes a result that no formula on a line gives, with words in place of it.
     pub fn told(&mut self, about: &str, name: &str, si: f64, unit: Unit, words: &str, key: &str) {
-        let result = Quantity::of(si, unit);
+        let result = Measured::of(si, unit);
         self.write(head(about, "").map(|head| {
             html! {
                 div.step {
@@ -200,7 +200,7 @@ impl Steps {
                 }
                 p.result {
                     @if holds { span.yes { "holds" } } @else { span.no { "fails" } }
-                    " by " (Quantity::of(relation.margin().abs(), NONE).html("margin"))
+                    " by " (Measured::of(relation.margin().abs(), NONE).html("margin"))
                 }
             }
         })
@@ -249,10 +249,10 @@ fn head(about: &str, reference: &str) -> Result<Markup, Fault> {
 
 #[cfg(test)]
 mod tests {
-    use standfast::initiation::Sign;
+    use standfast::relation::Sign;
 
     use super::*;
-    use crate::quantity::METRE;
+    use crate::measured::METRE;
 
     /// Steps of which one, in the middle, is `wrong`.
     fn with(wrong: impl Fn(&mut Steps)) -> Result<String, Fault> {

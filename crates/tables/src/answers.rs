@@ -107,10 +107,9 @@ impl Task {
         for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
             let start = block * BLOCK;
             let rows = start..start + codes.len();
-            let [slenderness, elevation, force, friction] =
-                std::array::from_fn(|column| &columns[column][rows.clone()]);
+            let [gamma, k_prime, k, mu] = std::array::from_fn(|column| &columns[column][rows.clone()]);
             let whole = !skip.get(rows.clone()).is_some_and(|skip| skip.contains(&true));
-            let block = Columns { slenderness, elevation, force, friction };
+            let block = Columns { gamma, k_prime, k, mu };
             if !whole || classify(block, codes).is_err() {
                 for (code_, row) in codes.iter_mut().zip(rows) {
                     *code_ = code(self.row(columns, skip, row, faults).as_ref());
@@ -129,7 +128,7 @@ impl Task {
             *value = column[row];
         }
         let blame = |error: InputError| {
-            faults.add(Fault { row, column: self.problem.blame(&error), expected: error.expected });
+            faults.add(Fault { row, column: self.problem.blame(&error), expected: error.expected.words() });
         };
         self.problem.solve(values).map_err(blame).ok()
     }

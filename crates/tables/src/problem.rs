@@ -1,7 +1,7 @@
 //! What a table asks: the report's problem, or the general contact problem.
 
-use standfast::contact::{self, Block, Wrench};
-use standfast::{InputError, Mode, Modes, Motion, Point};
+use standfast::contact::{self, Block};
+use standfast::{InputError, Mode, Modes, Motion, Point, Quantity, Wrench};
 
 use ResultColumn::{
     Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
@@ -21,35 +21,35 @@ pub enum TableProblem {
 /// A column that a table has to have.
 pub(crate) struct Column {
     pub(crate) name: &'static str,
-    /// What the library calls it.
-    quantity: &'static str,
+    /// Which quantity of the library it is.
+    quantity: Quantity,
     /// What people call it otherwise, in small letters.
     pub(crate) other_names: &'static [&'static str],
 }
 
-const fn column(name: &'static str, quantity: &'static str, other_names: &'static [&'static str]) -> Column {
+const fn column(name: &'static str, quantity: Quantity, other_names: &'static [&'static str]) -> Column {
     Column { name, quantity, other_names }
 }
 
 const FORCE: [Column; 4] = [
-    column("gamma", "slenderness γ", &["gamma", "γ", "slenderness", "h/b"]),
-    column("k_prime", "elevation k'", &["k_prime", "k'", "kprime", "kp", "elevation", "height"]),
-    column("k", "force k", &["k", "force", "f", "load"]),
-    column("mu", "friction μ", &["mu", "μ", "friction", "friction coefficient"]),
+    column("gamma", Quantity::Slenderness, &["gamma", "γ", "slenderness", "h/b"]),
+    column("k_prime", Quantity::KPrime, &["k_prime", "k'", "kprime", "kp", "elevation", "height"]),
+    column("k", Quantity::K, &["k", "force", "f", "load"]),
+    column("mu", Quantity::Friction, &["mu", "μ", "friction", "friction coefficient"]),
 ];
 
 const WRENCH: [Column; 11] = [
-    column("b1", "distance b1 of O", &["b1", "b_1", "b₁"]),
-    column("b2", "distance b2 of O'", &["b2", "b_2", "b₂"]),
-    column("d", "depth d of the base", &["d", "depth"]),
-    column("rho2", "square rho2 of the radius of gyration", &["rho2", "rho^2", "ρ²"]),
-    column("m_x", "inertia m_x", &["m_x", "mx"]),
-    column("m_y", "inertia m_y", &["m_y", "my"]),
-    column("x", "horizontal force x", &["x", "f_x", "horizontal"]),
-    column("p", "vertical force p", &["p", "vertical"]),
-    column("m", "moment m", &["m", "moment"]),
-    column("mu_s", "static friction mu_s", &["mu_s", "μ_s", "mus", "static friction"]),
-    column("mu_k", "kinetic friction mu_k", &["mu_k", "μ_k", "muk", "kinetic friction"]),
+    column("b1", Quantity::B1, &["b1", "b_1", "b₁"]),
+    column("b2", Quantity::B2, &["b2", "b_2", "b₂"]),
+    column("d", Quantity::D, &["d", "depth"]),
+    column("rho2", Quantity::Rho2, &["rho2", "rho^2", "ρ²"]),
+    column("m_x", Quantity::InertiaX, &["m_x", "mx"]),
+    column("m_y", Quantity::InertiaY, &["m_y", "my"]),
+    column("x", Quantity::WrenchX, &["x", "f_x", "horizontal"]),
+    column("p", Quantity::WrenchP, &["p", "vertical"]),
+    column("m", Quantity::WrenchM, &["m", "moment"]),
+    column("mu_s", Quantity::MuS, &["mu_s", "μ_s", "mus", "static friction"]),
+    column("mu_k", Quantity::MuK, &["mu_k", "μ_k", "muk", "kinetic friction"]),
 ];
 
 /// The most columns a problem has.
@@ -121,7 +121,7 @@ impl ResultColumn {
 /// The answer to a row.
 pub(crate) enum Answer {
     Force(Point),
-    Wrench(contact::Answer),
+    Wrench(contact::Solution),
 }
 
 impl TableProblem {

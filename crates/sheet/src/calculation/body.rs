@@ -1,12 +1,12 @@
 //! The body: what follows from its dimensions.
 
-use standfast::Body;
-use standfast_cases::Case;
+use standfast::{BaseEdges, Body};
+use standfast_cases::{Case, Inputs, Key};
 
-use crate::quantity::{ACCELERATION, DENSITY, INERTIA, KILONEWTON, METRE, NONE, TONNE};
+use crate::measured::{ACCELERATION, DENSITY, INERTIA, KILONEWTON, METRE, NONE, TONNE};
 use crate::steps::Steps;
 
-pub(super) fn steps(steps: &mut Steps, case: &Case) {
+pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     let body = &case.body;
     steps.know("g", case.gravity, ACCELERATION);
     steps.know("w", body.width(), METRE);
@@ -16,8 +16,8 @@ pub(super) fn steps(steps: &mut Steps, case: &Case) {
     steps.know("μ_k", case.kinetic_friction, NONE);
     steps.add("Half width", "", ["B", "w/2"], body.width() / 2.0, METRE, "");
     steps.add("Half height", "", ["H", "h_w/2"], body.height() / 2.0, METRE, "");
-    steps.add("Slenderness", "", ["γ", "H/B"], body.slenderness(), NONE, "gamma");
-    if let Some(density) = given(case, "density") {
+    steps.add("Slenderness", "", ["γ", "H/B"], body.slenderness(), NONE, "slenderness");
+    if let Some(density) = inputs.number(Key::Density) {
         steps.know("ρ_b", density, DENSITY);
         steps.add("Mass, per metre run", "", ["m", "ρ_b w h_w"], body.mass(), TONNE, "mass");
     } else {
@@ -25,31 +25,17 @@ pub(super) fn steps(steps: &mut Steps, case: &Case) {
     }
     steps.add("Weight", "", ["G", "m g"], body.mass() * case.gravity, KILONEWTON, "weight");
     if body.is_uniform() {
-        steps.know("b_1", body.heel_distance(), METRE);
-        steps.know("b_2", body.toe_distance(), METRE);
-        steps.know("y_C", body.centroid_height(), METRE);
-        steps.know("B_c", body.base_width(), METRE);
-        if case.is_plain() {
-            return;
-        }
         uniform(steps, body);
     } else {
-        of_any_shape(steps, case);
+        of_any_shape(steps, body);
     }
-    if given(case, "moment_of_inertia").is_some() {
+    if inputs.number(Key::MomentOfInertia).is_some() {
         steps.know("I", body.moment_of_inertia(), INERTIA);
     } else {
         let about = "Moment of inertia about the centre of mass, of a uniform rectangle";
         let formula = ["I", "m (w^2 + h_w^2)/12"];
         steps.add(about, "", formula, body.moment_of_inertia(), INERTIA, "moment_of_inertia");
     }
-}
-
-/// A number of the file's table `[body]`.
-fn given(case: &Case, key: &str) -> Option<f64> {
-    let mut numbers = case.numbers.iter();
-    let found = numbers.find(|number| number.id.table == "[body]" && number.id.key == key);
-    found.map(|number| number.value)
 }
 
 const CORNERS: &str = "Centre of mass from the corners O (left) and O′ (right)";
@@ -64,12 +50,11 @@ fn uniform(steps: &mut Steps, body: &Body) {
 }
 
 /// Base and centre of mass where the file says where they are.
-fn of_any_shape(steps: &mut Steps, case: &Case) {
-    let body = &case.body;
-    let (left, right) = body.base_edges();
+fn of_any_shape(steps: &mut Steps, body: &Body) {
+    let BaseEdges { left, right } = body.base_edges();
     steps.know("e_l", left, METRE);
     steps.know("e_r", right, METRE);
-    steps.know("x_C", given(case, "centroid_offset").unwrap_or(0.0), METRE);
+    steps.know("x_C", body.centroid_offset(), METRE);
     steps.know("y_C", body.centroid_height(), METRE);
     let about = "Width of the base, from its edges left and right of mid-width";
     steps.add(about, "", ["B_c", "e_l + e_r"], body.base_width(), METRE, "");

@@ -1,49 +1,55 @@
-//! The classical checks: actions, both safety factors, heel pressure.
+//! The classical checks: actions, safety factors, bearing pressure at both edges of the base.
 
-use standfast::contact::Wrench;
-use standfast::{Actions, Corner, HeelPressure, LoadKind, Stability};
+use standfast::loads::LoadKind;
+use standfast::{Bearing, ClassicalActions, Corner, Stability, Wrench};
 use standfast_cases::Assessed;
-use standfast_cases::assess::situation::heel_pressure;
+use standfast_cases::assess::{Component, checks};
 
 use super::loads::{grouped, parts, sum};
-use crate::quantity::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
+use crate::measured::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::Steps;
 
 /// What common practice asks of both safety factors.
 pub const TARGET: f64 = 1.2;
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
-    let heel = assessed.loaded.situation.heel(1.0);
-    let corner = if heel == Corner::O { "O" } else { "O′" };
+pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
     steps.heading("Classical checks");
-    actions(steps, assessed, heel, corner);
+    actions(steps, &assessed.outcome.actions, components);
     factors(steps, assessed);
     pressure(steps, assessed);
 }
 
 /// The sum of a part of the loads of some kinds, as a formula.
-fn sum_of(assessed: &Assessed, kinds: &[LoadKind], which: usize, part: fn(&Wrench) -> f64) -> Option<String> {
-    let components = assessed.loaded.components.iter().enumerate();
+fn sum_of(
+    components: &[Component],
+    kinds: &[LoadKind],
+    which: usize,
+    part: fn(&Wrench) -> f64,
+) -> Option<String> {
     let parts = components
-        .filter(|(_, component)| kinds.contains(&component.kind))
+        .iter()
+        .enumerate()
+        .filter(|(_, component)| kinds.contains(&component.load.kind))
         .map(|(i, component)| (parts(i)[which].clone(), part(&component.wrench)));
     sum(parts)
 }
 
-fn actions(steps: &mut Steps, assessed: &Assessed, heel: Corner, corner: &str) {
+fn actions(steps: &mut Steps, actions: &ClassicalActions, components: &[Component]) {
     use LoadKind::{Horizontal, Uplift, Weight};
-    let Actions { buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } = assessed.actions;
+    let ClassicalActions { heel, buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } =
+        *actions;
+    let corner = checks::corner(heel).replace('\'', "′");
     // The heel's distance from C, and the sign of a moment at C that turns the body about it.
     let (arm, sign, against) = if heel == Corner::O { ("b_1", "+", "−") } else { ("b_2", "−", "+") };
     let all = [Weight, Uplift, Horizontal];
 
     let about = "Weight less buoyancy";
-    match sum_of(assessed, &[Weight, Horizontal], 1, |wrench| wrench.p) {
+    match sum_of(components, &[Weight, Horizontal], 1, |wrench| wrench.p) {
         Some(formula) => steps.add(about, "", ["W'", &formula], buoyant_weight, KILONEWTON, "buoyant_weight"),
         None => steps.told(about, "W'", buoyant_weight, KILONEWTON, "none", "buoyant_weight"),
     }
     let about = format!("Its arm to the heel, {corner}");
-    match sum_of(assessed, &[Weight], 2, |wrench| wrench.m) {
+    match sum_of(components, &[Weight], 2, |wrench| wrench.m) {
         _ if buoyant_weight == 0.0 => steps.told(&about, "t", 0.0, METRE, "no weight left", "weight_arm"),
         Some(moments) => {
             let formula = format!("{arm} {against} {}/W'", grouped(&moments));
@@ -51,10 +57,10 @@ fn actions(steps: &mut Steps, assessed: &Assessed, heel: Corner, corner: &str) {
         }
         None => steps.add(&about, "", ["t", arm], weight_arm, METRE, "weight_arm"),
     }
-    match sum_of(assessed, &[Uplift], 1, |wrench| wrench.p) {
+    match sum_of(components, &[Uplift], 1, |wrench| wrench.p) {
         Some(formula) => {
             steps.add("Uplift", "", ["U", &format!("−{}", grouped(&formula))], uplift, KILONEWTON, "U");
-            let moments = sum_of(assessed, &[Uplift], 2, |wrench| wrench.m);
+            let moments = sum_of(components, &[Uplift], 2, |wrench| wrench.m);
             let moments = moments.map_or(String::new(), |moments| format!(" {sign} {}", grouped(&moments)));
             let formula = format!("U {arm}{moments}");
             steps.add("Its moment about the heel", "", ["M_U", &formula], uplift_moment, MOMENT, "M_U");
@@ -65,12 +71,12 @@ fn actions(steps: &mut Steps, assessed: &Assessed, heel: Corner, corner: &str) {
         }
     }
     let about = "Horizontal force";
-    match sum_of(assessed, &all, 0, |wrench| wrench.x) {
+    match sum_of(components, &all, 0, |wrench| wrench.x) {
         Some(formula) => steps.add(about, "", ["P", &format!("|{formula}|")], force, KILONEWTON, "P"),
         None => steps.told(about, "P", force, KILONEWTON, "none", "P"),
     }
     let about = "Its moment about the base, towards the heel";
-    let moments = sum_of(assessed, &[Horizontal], 2, |wrench| wrench.m);
+    let moments = sum_of(components, &[Horizontal], 2, |wrench| wrench.m);
     let lever = (force != 0.0).then(|| "X y_C".to_owned());
     let formula = match (heel, moments, lever) {
         (Corner::O, Some(moments), Some(lever)) => format!("{moments} − {lever}"),
@@ -85,73 +91,79 @@ fn actions(steps: &mut Steps, assessed: &Assessed, heel: Corner, corner: &str) {
 }
 
 fn factors(steps: &mut Steps, assessed: &Assessed) {
-    if assessed.full.is_lifted() {
+    if assessed.outcome.full.is_lifted() {
         return steps.note("Nothing presses the body on its base: safety factors mean nothing.");
     }
-    let Stability { sliding, overturning, overturning_about_toe, .. } = assessed.stability;
-    let Actions { force, force_moment, .. } = assessed.actions;
+    let stability = &assessed.outcome.stability;
+    let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
+    let ClassicalActions { force, force_moment, .. } = assessed.outcome.actions;
     let about = "Safety against sliding";
     if force > 0.0 {
         steps.add(about, "", ["SF_sliding", "μ (W' − U)/P"], sliding, NONE, "SF_sliding");
     } else {
         steps.told(about, "SF_sliding", sliding, NONE, "no horizontal force acts", "SF_sliding");
     }
+    let heel = ["SF_heel", "(W' t − M_U)/M_p"];
     let about = "Safety against overturning, about the heel";
-    let formula = ["SF_overturning", "(W' t − M_U)/M_p"];
-    if force_moment > 0.0 {
-        steps.add(about, "", formula, overturning, NONE, "SF_overturning");
-    } else if overturning == 0.0 {
-        let words = "uplift or eccentric weight turn the body without any horizontal force";
-        steps.told(about, "SF_overturning", overturning, NONE, words, "SF_overturning");
-    } else {
-        steps.told(
-            about,
-            "SF_overturning",
-            overturning,
-            NONE,
-            "no force turns the body that way",
-            "SF_overturning",
-        );
-    }
-    if overturning_about_toe.is_finite() {
-        let about = "Safety against overturning, about the other corner, the toe";
-        let key = "SF_overturning_about_toe";
-        if force_moment < 0.0 {
-            let formula = ["SF_toe", "(W' (B_c − t) − U B_c + M_U)/(−M_p)"];
-            steps.add(about, "", formula, overturning_about_toe, NONE, key);
-        } else {
-            let words = "uplift or eccentric weight turn the body without any horizontal force";
-            steps.told(about, "SF_toe", overturning_about_toe, NONE, words, key);
-        }
+    overturning(steps, about, heel, overturning_about_heel, force_moment > 0.0, "SF_overturning_heel");
+    let toe = ["SF_toe", "(W' (B_c − t) − U B_c + M_U)/(−M_p)"];
+    let about = "The same about the other corner, the toe";
+    overturning(steps, about, toe, overturning_about_toe, force_moment < 0.0, "SF_overturning_toe");
+    let about = "The lesser of both";
+    let lesser = match (overturning_about_heel.is_finite(), overturning_about_toe.is_finite()) {
+        (true, true) => "min(SF_heel, SF_toe)",
+        (true, false) => "SF_heel",
+        (false, true) => "SF_toe",
+        (false, false) => "",
+    };
+    let key = "SF_overturning";
+    match lesser {
+        "" => steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key),
+        formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
     }
     let met = |factor: f64| if factor >= TARGET { "met" } else { "not met" };
     steps.note(&format!(
         "Common practice asks for {TARGET} at least: against sliding {}, against overturning {}.",
         met(sliding),
-        met(assessed.stability.least_overturning())
+        met(stability.overturning())
     ));
 }
 
+/// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.
+fn overturning(steps: &mut Steps, about: &str, formula: [&str; 2], factor: f64, pushed: bool, key: &str) {
+    let words = match factor {
+        _ if pushed => return steps.add(about, "", formula, factor, NONE, key),
+        0.0 => "uplift or eccentric weight turn the body without any horizontal force",
+        _ => "no force turns the body that way",
+    };
+    steps.told(about, formula[0], factor, NONE, words, key);
+}
+
 fn pressure(steps: &mut Steps, assessed: &Assessed) {
-    let Stability { resultant_arm, heel_pressure: heel, .. } = assessed.stability;
+    let Stability { resultant_arm, bearing, .. } = assessed.outcome.stability;
     if let Some(arm) = resultant_arm {
         let formula = ["t_e", "(W' t − M_U − M_p)/(W' − U)"];
         steps.add("Resultant of all loads, from the heel", "", formula, arm, METRE, "resultant_arm");
     }
-    match (heel, resultant_arm) {
-        (HeelPressure::Pressed(pressure), Some(arm)) => {
-            let third = arm <= assessed.loaded.situation.body.base_width() / 3.0;
-            let (about, formula) = match third {
-                true => {
-                    ("Heel pressure, for `t_e` ≤ `B_c÷3`: pressed near the heel only", "2 (W' − U)/(3 t_e)")
-                }
-                false => (
-                    "Heel pressure, for `t_e` > `B_c÷3`: the whole base is pressed",
-                    "2 (W' − U)/B_c (2 − 3 t_e/B_c)",
-                ),
-            };
-            steps.add(about, "", ["p_e", formula], pressure, KILOPASCAL, "heel_pressure");
-        }
-        _ => steps.note(&format!("Heel pressure: none; {}.", heel_pressure(heel).1)),
-    }
+    let Bearing::Pressed { heel, toe, contact } = bearing else {
+        let words = checks::no_bearing(bearing).unwrap_or_default();
+        return steps.note(&format!("Bearing pressure: none; {words}."));
+    };
+    let base = assessed.situation.body().base_width();
+    let (about, [of_heel, of_toe, of_contact]) = if toe == 0.0 && contact < base {
+        ("for `t_e` < `B_c÷3`: pressed near the heel only", ["2 (W' − U)/(3 t_e)", "0", "3 t_e"])
+    } else if heel == 0.0 && contact < base {
+        let formulas = ["0", "2 (W' − U)/(3 (B_c − t_e))", "3 (B_c − t_e)"];
+        ("for `t_e` > `2 B_c÷3`: pressed near the toe only", formulas)
+    } else {
+        let formulas = ["(W' − U)/B_c (4 − 6 t_e/B_c)", "(W' − U)/B_c (6 t_e/B_c − 2)", "B_c"];
+        ("for `t_e` from `B_c÷3` to `2 B_c÷3`: the whole base is pressed", formulas)
+    };
+    let about = format!("Bearing pressure at the heel, {about}");
+    steps.add(&about, "", ["p_heel", of_heel], heel, KILOPASCAL, "heel_pressure");
+    steps.add("At the toe", "", ["p_toe", of_toe], toe, KILOPASCAL, "toe_pressure");
+    let largest = bearing.largest().unwrap_or(0.0);
+    steps.add("The larger", "", ["p_max", "max(p_heel, p_toe)"], largest, KILOPASCAL, "bearing_max");
+    steps.add("Length of the contact", "", ["l_c", of_contact], contact, METRE, "contact_length");
+    steps.add("Share of the base", "", ["ψ", "l_c/B_c"], contact / base, NONE, "contact_share");
 }

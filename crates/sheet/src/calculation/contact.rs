@@ -1,9 +1,9 @@
 //! Loads that are no point of the report's diagram: the general contact problem and the conditions of its modes.
 
-use standfast::contact::{self, Block, Wrench};
-use standfast::{InputError, Situation};
+use standfast::contact::Block;
+use standfast::{InputError, Situation, Wrench};
 
-use crate::quantity::{METRE, NONE, Quantity};
+use crate::measured::{METRE, Measured, NONE};
 use crate::steps::{Step, Steps};
 
 pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) -> Result<(), InputError> {
@@ -16,7 +16,7 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
     let (block, wrench) = (situation.block(), situation.reduced_wrench(total));
     let Block { b1, b2, d, rho2, m_x, .. } = block;
     let mut add = |about: &str, name: &str, formula: &str, value: f64| {
-        let result = Quantity::of(value, NONE);
+        let result = Measured::of(value, NONE);
         steps.step(&Step { about, reference: "", name, formula, result, key: "" });
     };
     add("The wrench in these units", "x", "X/(m g)", wrench.x);
@@ -29,7 +29,7 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
     if m_x != 1.0 {
         add("Inertia against horizontal motion", "m_x", "1 + M_a/m", m_x);
     }
-    let answer = contact::solve(&block, &wrench)?;
+    let answer = situation.solve(total)?;
     if answer.modes.is_empty() {
         steps.note("No mode is consistent; that happens only where friction to stick is larger than friction to slip.");
     }
@@ -45,7 +45,7 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
             steps.relation(&relation);
         }
     }
-    let body = &situation.body;
+    let body = situation.body();
     steps.know("b_1", body.heel_distance(), METRE);
     steps.know("b_2", body.toe_distance(), METRE);
     Ok(())
@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn a_contact_problem_without_an_answer_leaves_no_sheet() -> Result<(), InputError> {
-        let situation = Situation::new(Body::new(6.0, 7.0, 100e3)?, 0.6, 9.81);
+        let situation = Situation::new(Body::new(6.0, 7.0, 100e3)?, 0.6, 9.81)?;
         let wrench = Wrench { x: f64::NAN, p: 981e3, m: 0.0 };
         assert!(steps(&mut Steps::new("Loads"), &situation, &wrench).is_err());
         Ok(())

@@ -1,14 +1,14 @@
 //! Each load as a wrench at the centre of mass, and their sum.
 
 use maud::{Markup, html};
-use standfast::HorizontalForce;
-use standfast::contact::Wrench;
-use standfast_cases::assess::situation::added_mass_notes;
-use standfast_cases::case::{AddedMass, Component, Origin, Uplift, Water, Weight};
+use standfast::Wrench;
+use standfast::loads::{HorizontalForce, LoadSource};
+use standfast_cases::assess::{Component, added_mass_notes};
+use standfast_cases::case::Weight;
 use standfast_cases::{Assessed, Case};
 
-use crate::quantity::{
-    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Quantity, TONNE, number,
+use crate::measured::{
+    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, TONNE, number,
 };
 use crate::steps::{Step, Steps};
 
@@ -28,18 +28,17 @@ pub(super) fn grouped(formula: &str) -> String {
     if formula.contains(' ') { format!("({formula})") } else { formula.to_owned() }
 }
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Loads, at the centre of mass");
     steps.note(
         "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force, which the \
          theory pages call P.",
     );
     added_mass(steps, case);
-    for (i, component) in assessed.loaded.components.iter().enumerate() {
+    for (i, component) in components.iter().enumerate() {
         one(steps, case, assessed, i, component);
     }
-    let components = &assessed.loaded.components;
-    let total = &assessed.full.wrench;
+    let total = &assessed.outcome.full.wrench;
     let of = |part: fn(&Wrench) -> f64, which: usize| {
         sum(components
             .iter()
@@ -51,7 +50,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
         ("V", "downwards", total.p, KILONEWTON, of(|wrench| wrench.p, 1)),
         ("M", "moment at C", total.m, MOMENT, of(|wrench| wrench.m, 2)),
     ];
-    table(steps, assessed);
+    table(steps, components, total);
     for (name, words, value, unit, formula) in sums {
         let about = format!("Sum under the full load, {words}");
         match formula {
@@ -65,19 +64,19 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
 }
 
 /// The loads one by one, in a table.
-fn table(steps: &mut Steps, assessed: &Assessed) {
+fn table(steps: &mut Steps, components: &[Component], total: &Wrench) {
     steps.push(html! {
         table.numbers data-table="components" {
             thead { tr { th { "Load" } th { "Share" } th.n { "X" br; "kN/m" } th.n { "V" br; "kN/m" } th.n { "M" br; "kN m/m" } } }
             tbody {
-                @for (i, Component { name, permanent, wrench, .. }) in assessed.loaded.components.iter().enumerate() {
+                @for (i, Component { name, load, wrench }) in components.iter().enumerate() {
                     tr {
                         td { (i + 1) " " (name) }
-                        td { @if *permanent { "permanent" } @else { "variable" } }
+                        td { @if load.permanent { "permanent" } @else { "variable" } }
                         (cells(wrench))
                     }
                 }
-                tr.sum { td { "Sum" } td {} (cells(&assessed.full.wrench)) }
+                tr.sum { td { "Sum" } td {} (cells(total)) }
             }
         }
     });
@@ -92,12 +91,12 @@ fn cells(wrench: &Wrench) -> Markup {
 }
 
 fn added_mass(steps: &mut Steps, case: &Case) {
-    let AddedMass { mass, height } = case.added_mass;
+    let (mass, height) = (case.added_mass.mass(), case.added_mass.height());
     if mass == 0.0 {
         return;
     }
     let from_water = match (&case.water, &case.wave) {
-        (Some(water), _) => Some((water.density, water.right, water.left)),
+        (Some(water), _) => Some((water.density(), water.right(), water.left())),
         (None, Some(wave)) => {
             Some((wave.sea.water_density, wave.section.base_depth, wave.section.base_depth))
         }
@@ -129,8 +128,8 @@ fn added_mass(steps: &mut Steps, case: &Case) {
 fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
     let Component { name, wrench, .. } = component;
     let [x, v, m] = parts(i);
-    let load = assessed.loaded.load.map(|load| &case.loads[load].force);
-    given(steps, case, load, component.origin);
+    let force = assessed.force.map(|force| &case.forces[force].force);
+    given(steps, case, force, component.load.source);
     let [fx, fv, fm] = formulas(component, [&x, &v]);
     // Backticks would begin a formula.
     let about = format!("{}  {}", i + 1, name.replace('`', "'"));
@@ -140,7 +139,7 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
         match formula {
             // A moment that is zero because the load acts at C needs no line.
             Some(formula) if value != 0.0 || unit != MOMENT => {
-                let result = Quantity::of(value, unit);
+                let result = Measured::of(value, unit);
                 steps.step(&Step { about, reference: "", name: &name, formula: &formula, result, key: "" });
                 about = "";
             }
@@ -150,40 +149,40 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
 }
 
 /// The numbers that the formulas of a load's parts need.
-fn given(steps: &mut Steps, case: &Case, load: Option<&HorizontalForce>, origin: Origin) {
-    match origin {
-        Origin::BuoyantWeight => {
+fn given(steps: &mut Steps, case: &Case, force: Option<&HorizontalForce>, source: LoadSource) {
+    match source {
+        LoadSource::BuoyantWeight => {
             if let Weight::Buoyant { force, arm } = case.weight {
                 steps.know("W_g", force, KILONEWTON);
                 steps.know("t_g", arm, METRE);
             }
         }
-        Origin::Buoyancy | Origin::StillWater => {
-            if let Some(Water { left, right, density }) = case.water {
-                steps.know("h_l", left, METRE);
-                steps.know("h_r", right, METRE);
-                steps.know("ρ_w", density, DENSITY);
+        LoadSource::Buoyancy | LoadSource::StillWater => {
+            if let Some(water) = &case.water {
+                steps.know("h_l", water.left(), METRE);
+                steps.know("h_r", water.right(), METRE);
+                steps.know("ρ_w", water.density(), DENSITY);
             }
         }
-        Origin::Uplift => {
-            if let Some(Uplift { left, right, .. }) = case.uplift {
-                steps.know("p_l", left, KILOPASCAL);
-                steps.know("p_r", right, KILOPASCAL);
+        LoadSource::Uplift => {
+            if let Some(uplift) = &case.uplift {
+                steps.know("p_l", uplift.left(), KILOPASCAL);
+                steps.know("p_r", uplift.right(), KILOPASCAL);
             }
         }
-        Origin::HorizontalInertia | Origin::VerticalInertia | Origin::ShakenWater => {
+        LoadSource::HorizontalInertia | LoadSource::VerticalInertia | LoadSource::ShakenWater => {
             if let Some(earthquake) = &case.earthquake {
-                steps.know("a_h", earthquake.horizontal, ACCELERATION);
-                steps.know("a_v", earthquake.vertical, ACCELERATION);
+                steps.know("a_h", earthquake.horizontal(), ACCELERATION);
+                steps.know("a_v", earthquake.vertical(), ACCELERATION);
             }
         }
-        Origin::Force => {
-            if let Some(force) = load {
+        LoadSource::Force => {
+            if let Some(force) = force {
                 steps.know("F", force.magnitude(), KILONEWTON);
                 steps.know("e", force.elevation(), METRE);
             }
         }
-        Origin::Weight | Origin::WavePressure | Origin::WaveUplift => {}
+        _ => {}
     }
 }
 
@@ -196,23 +195,24 @@ fn formulas(component: &Component, [x, v]: [&str; 2]) -> [Option<String>; 3] {
         [None, Some(force), Some(format!("{factor}({left} + 2 {right})/6 B_c^2 + {v} b_1"))]
     };
     let some = |text: &str| Some(text.to_owned());
-    match component.origin {
-        Origin::Weight => [None, some("m g"), None],
-        Origin::BuoyantWeight => [None, some("W_g"), some("−W_g (t_g − b_1)")],
-        Origin::Buoyancy => pressure("h_l", "h_r", "ρ_w g "),
-        Origin::StillWater => {
+    match component.load.source {
+        LoadSource::Weight => [None, some("m g"), None],
+        LoadSource::BuoyantWeight => [None, some("W_g"), some("−W_g (t_g − b_1)")],
+        LoadSource::Buoyancy => pressure("h_l", "h_r", "ρ_w g "),
+        LoadSource::StillWater => {
             let moment = "ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C))";
             [some("ρ_w g (h_l^2 − h_r^2)/2"), None, some(moment)]
         }
-        Origin::Uplift => pressure("p_l", "p_r", ""),
-        Origin::HorizontalInertia => [some("−m a_h"), None, None],
-        Origin::VerticalInertia => [None, some("m a_v"), None],
-        Origin::ShakenWater => [some("−M_a a_h"), None, Some(moment_of_x("z_a"))],
-        Origin::WavePressure => [some("−P_w"), None, some("M_w − P_w y_C")],
-        Origin::WaveUplift => [None, some("−p_u/2 B_c"), Some(format!("p_u/3 B_c^2 + {v} b_1"))],
-        Origin::Force => {
+        LoadSource::Uplift => pressure("p_l", "p_r", ""),
+        LoadSource::HorizontalInertia => [some("−m a_h"), None, None],
+        LoadSource::VerticalInertia => [None, some("m a_v"), None],
+        LoadSource::ShakenWater => [some("−M_a a_h"), None, Some(moment_of_x("z_a"))],
+        LoadSource::WavePressure => [some("−P_w"), None, some("M_w − P_w y_C")],
+        LoadSource::WaveUplift => [None, some("−p_u/2 B_c"), Some(format!("p_u/3 B_c^2 + {v} b_1"))],
+        LoadSource::Force => {
             let sign = if component.wrench.x.is_sign_negative() { "−" } else { "" };
             [Some(format!("{sign}F")), None, Some(moment_of_x("e"))]
         }
+        _ => [None, None, None],
     }
 }

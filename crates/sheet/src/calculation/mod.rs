@@ -10,76 +10,66 @@ mod path;
 mod waves;
 
 use maud::Markup;
-use standfast::Slip;
-use standfast_cases::describe::Scale;
-use standfast_cases::{Assessed, Case, load_name};
+use standfast_cases::{Assessed, Assessment, Inputs, View};
 
 pub use classical::TARGET;
 
 use crate::SheetError;
-use crate::fault::Fault;
-use crate::quantity::{KILONEWTON, METRE, NONE};
 use crate::steps::Steps;
 
-/// The calculation of a case whose forces are each the report's problem.
-pub fn plain(case: &Case) -> Result<Markup, Fault> {
+/// The calculation of the situations shown.
+pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Markup, SheetError> {
+    let case = &assessment.case;
     let mut steps = Steps::new("Body");
-    body::steps(&mut steps, case);
-    let several = case.loads.len() > 1;
-    let scale = Scale::of(&case.body, case.gravity);
-    for (i, load) in case.loads.iter().enumerate() {
-        let title = match several {
-            true => format!("Load {}: {}", i + 1, load_name(case, i)),
-            false => format!("Load: {}", load_name(case, i)),
-        };
-        steps.part(&title, Some(i));
-        let point = &load.reduced.point;
-        let towards = match load.force.direction() {
-            Slip::Left => "left",
-            Slip::Right => "right",
-        };
-        steps.know("F", load.force.magnitude(), KILONEWTON);
-        steps.know("e", load.force.elevation(), METRE);
-        steps.know("μ", point.mu(), NONE);
-        steps.heading("Reduction to the report's plane");
-        let about = format!("Force, to the {towards}, in weights of the body");
-        steps.add(&about, "", ["k", "F/(m g)"], point.k(), NONE, "k");
-        let about = "Height of the force above the centre of mass, in half-heights";
-        steps.add(about, "", ["k'", "(e − H)/H"], point.k_prime(), NONE, "k_prime");
-        mode::safety_factors(&mut steps, point);
-        mode::decision(&mut steps, &load.reduced);
-        motion::reduced(&mut steps, &load.reduced, &scale);
-        mode::changes(&mut steps, &load.reduced, Some(&scale));
-    }
-    steps.finish()
-}
-
-/// The calculation of a case whose loads act together.
-pub fn together(case: &Case, all: &[Assessed]) -> Result<Markup, SheetError> {
-    let mut steps = Steps::new("Body");
-    body::steps(&mut steps, case);
+    body::steps(&mut steps, case, inputs);
     if let Some(wave) = &case.wave {
         steps.part("Waves and pressures (Goda, Takahashi)", None);
         waves::steps(&mut steps, case, wave);
     }
-    let several = all.len() > 1;
-    for assessed in all {
-        let title = match assessed.loaded.load.filter(|_| several) {
-            Some(load) => format!("With load {}: {}", load + 1, load_name(case, load)),
+    let shown = assessment.shown(view);
+    for assessed in &shown {
+        let title = match assessed.force {
+            Some(force) => format!("Load {}: {}", force + 1, case.force_name(force)),
             None => "Loads and response".to_owned(),
         };
-        steps.part(&title, Some(assessed.loaded.load.unwrap_or(0)));
-        loads::steps(&mut steps, case, assessed);
-        classical::steps(&mut steps, assessed);
-        match &assessed.full.effective {
-            Some(reduced) => {
-                mode::effective(&mut steps, reduced);
-                mode::decision(&mut steps, reduced);
-            }
-            None => contact::steps(&mut steps, &assessed.loaded.situation, &assessed.full.wrench)?,
-        }
-        motion::together(&mut steps, case, assessed);
-        path::steps(&mut steps, assessed);
+        steps.part(&title, Some(assessed.force.unwrap_or(0)));
+        situation(&mut steps, assessment, assessed, view)?;
+    }
+    if shown.len() < assessment.all.len() {
+        steps.part("Other loads", None);
+        steps.note(&format!(
+            "Of {} loads the {} that leave rest first are calculated here; all stand in the table of the summary.",
+            assessment.all.len(),
+            shown.len()
+        ));
     }
     Ok(steps.finish()?)
+}
+
+fn situation(
+    steps: &mut Steps,
+    assessment: &Assessment,
+    assessed: &Assessed,
+    view: &View,
+) -> Result<(), SheetError> {
+    let case = &assessment.case;
+    let components = assessed.components(case);
+    loads::steps(steps, case, assessed, &components);
+    classical::steps(steps, assessed, &components);
+    let full = &assessed.outcome.full;
+    let in_air = assessed.situation.in_air().is_some();
+    match &full.effective {
+        Some(reduced) => {
+            let reduction = if in_air { mode::in_air } else { mode::effective };
+            reduction(steps, reduced);
+            mode::decision(steps, reduced);
+        }
+        None => contact::steps(steps, &assessed.situation, &full.wrench)?,
+    }
+    motion::steps(steps, case, assessed);
+    path::steps(steps, assessed, view);
+    if let Some(reduced) = &full.effective {
+        mode::changes(steps, reduced, in_air.then_some(case.body.mass() * case.gravity));
+    }
+    Ok(())
 }

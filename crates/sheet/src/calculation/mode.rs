@@ -1,14 +1,27 @@
 //! The mode of response in the report's plane: coordinates, inequalities, changes of mode.
 
 use maud::{Markup, PreEscaped, html};
+use standfast::Mode;
 use standfast::initiation::Crossing;
-use standfast::{Mode, Point, Reduced};
-use standfast_cases::describe::{self, Scale};
+use standfast::loads::Reduced;
+use standfast_cases::describe;
 use standfast_cases::layout::apart;
 
 use crate::mathml::symbol;
-use crate::quantity::{KILONEWTON, NONE, Quantity};
+use crate::measured::{KILONEWTON, Measured, NONE};
 use crate::steps::Steps;
+
+/// k and k' of a lone force in air.
+pub(super) fn in_air(steps: &mut Steps, reduced: &Reduced) {
+    let point = &reduced.point;
+    steps.heading("Reduction to the report's plane");
+    steps.add("Force, in weights of the body", "", ["k", "F/(m g)"], point.k(), NONE, "k_eff");
+    let about = "Height of the force above the centre of mass, in half-heights";
+    steps.add(about, "", ["k'", "(e − H)/H"], point.k_prime(), NONE, "k_prime_eff");
+    if reduced.mirrored {
+        steps.note(describe::MIRRORED);
+    }
+}
 
 /// k_eff and k'_eff of loads that act together.
 pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
@@ -32,33 +45,6 @@ pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
              which they pass together. From here on `k` and `k'` are the effective ones.",
         );
     }
-}
-
-/// Both factors of a force alone, in air.
-pub(super) fn safety_factors(steps: &mut Steps, point: &Point) {
-    steps.heading("Safety factors");
-    let (sliding, overturning) = (point.safety_against_sliding(), point.safety_against_overturning());
-    let about = "Safety against sliding";
-    if sliding.is_finite() {
-        steps.add(about, "", ["SF_sliding", "μ/k"], sliding, NONE, "sliding");
-    } else {
-        steps.told(about, "SF_sliding", sliding, NONE, "no force acts", "sliding");
-    }
-    let about = "Safety against overturning";
-    if overturning.is_finite() {
-        let formula = ["SF_overturning", "1/(k γ |1 + k'|)"];
-        steps.add(about, "", formula, overturning, NONE, "overturning");
-    } else {
-        let words = "the force has no moment about the corner";
-        steps.told(about, "SF_overturning", overturning, NONE, words, "overturning");
-    }
-    let met = |factor: f64| if factor >= super::classical::TARGET { "met" } else { "not met" };
-    steps.note(&format!(
-        "Common practice asks for {} at least: against sliding {}, against overturning {}.",
-        super::classical::TARGET,
-        met(sliding),
-        met(overturning)
-    ));
 }
 
 /// The inequalities in the order they are tried.
@@ -102,33 +88,17 @@ pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
     steps.note(&describe::uniqueness(reduced));
 }
 
-/// Where the mode changes as force or friction vary.
-pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, scale: Option<&Scale>) {
+/// Where the mode changes as the friction varies and, of a lone force in air, as the force does; `weight` is then m g.
+pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, weight: Option<f64>) {
     let margins = reduced.point.margins();
     steps.heading("Changes of mode");
-    let sentence = match margins.leaves_rest() {
-        Some(Crossing { at, to, .. }) => {
-            let to = reduced.orient(to);
-            html! {
-                p.note {
-                    "The body leaves rest at " (PreEscaped(symbol("k"))) " = " (Quantity::of(at, NONE).html(""))
-                    @if let Some(scale) = scale {
-                        ", " (PreEscaped(symbol("F"))) " = "
-                        (Quantity::of(at * scale.weight, KILONEWTON).html("leaves_rest_force"))
-                    }
-                    ": beyond, it " (to.words()) " (" (to) ")."
-                }
-            }
-        }
-        None => html! { p.note { "No force up to k = 10" sup { "50" } " moves the body." } },
-    };
-    steps.push(sentence);
-    let force = |k: f64| scale.map(|scale| Quantity::of(k * scale.weight, KILONEWTON).html(""));
+    let force = |k: f64| weight.map(|weight| Measured::of(k * weight, KILONEWTON).html(""));
+    let along_k = if weight.is_some() { &margins.along_k[..] } else { &[] };
     steps.push(html! {
         table.numbers data-table="changes" {
             thead { tr { th { "Varied" } th.n { "Value" } th.n { "F" } th { "Change of mode" } } }
             tbody {
-                @for (text, crossing) in shown(&margins.along_k) {
+                @for (text, crossing) in shown(along_k) {
                     tr {
                         td { "force, " (PreEscaped(symbol("k"))) }
                         td.n { data value=(crossing.at) { (text) } }
@@ -148,7 +118,7 @@ pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, scale: Option<&Scale
         }
     });
     if margins.along_mu.last().is_some_and(|crossing| crossing.to != Mode::Rest) {
-        steps.note("No friction keeps the body at rest under this force.");
+        steps.note("No friction keeps the body at rest under this load.");
     }
 }
 

@@ -2,32 +2,34 @@
 
 use maud::html;
 use standfast::Mode;
-use standfast_cases::Assessed;
+use standfast::contact::path;
+use standfast_cases::assess::verdict;
+use standfast_cases::{Assessed, View};
 
-use crate::quantity::number;
+use crate::measured::number;
 use crate::steps::Steps;
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, view: &View) {
+    let stages = path::up_to(&assessed.outcome.path, view.up_to);
     steps.heading("Load path: the variable loads rise by a factor, the permanent ones stay");
-    if !assessed.path.is_empty() {
+    if !stages.is_empty() {
         steps.push(html! {
             table.numbers data-table="path" {
                 thead { tr { th.n { "from" } th.n { "to" } th { "Mode" } th { "Also consistent" } } }
                 tbody {
-                    @for stage in &assessed.path {
-                        @let others = stage.modes.iter().filter(|mode| Some(*mode) != stage.mode);
+                    @for stage in &stages {
                         tr {
                             td.n { data value=(stage.from) { (number(stage.from)) } }
                             td.n { data value=(stage.to) { (number(stage.to)) } }
                             td { (stage.mode.map_or("none", Mode::symbol)) }
-                            td { (others.map(Mode::symbol).collect::<Vec<_>>().join(" ")) }
+                            td { (stage.others()) }
                         }
                     }
                 }
             }
         });
     }
-    for sentence in assessed.path_words() {
+    for sentence in verdict::path(assessed) {
         steps.note(&sentence);
     }
 }

@@ -2,15 +2,15 @@
 
 use standfast::wave::{BreakingTerms, Goda, Heights, Impulsive, Sea, Section};
 use standfast_cases::Case;
-use standfast_cases::case::WaveLoad;
+use standfast_cases::case::Waves;
 
-use crate::quantity::{
-    ACCELERATION, DEGREE, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE, Quantity, SECOND,
+use crate::measured::{
+    ACCELERATION, DEGREE, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, SECOND,
 };
 use crate::steps::{Step, Steps};
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
-    let WaveLoad { sea, goda, .. } = wave;
+pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
+    let Waves { sea, goda, .. } = wave;
     given(steps, case, wave);
     steps.heading("Wavelength and wave heights");
     let l0 = goda.deep_water_wavelength;
@@ -28,7 +28,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &WaveLoad) {
 }
 
 /// The numbers of the sea and of the section.
-fn given(steps: &mut Steps, case: &Case, WaveLoad { sea, section, choices, .. }: &WaveLoad) {
+fn given(steps: &mut Steps, case: &Case, Waves { sea, section, choices, .. }: &Waves) {
     let Section { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
     for (name, value, unit) in [
         ("h", sea.water_depth, METRE),
@@ -49,8 +49,8 @@ fn given(steps: &mut Steps, case: &Case, WaveLoad { sea, section, choices, .. }:
     }
 }
 
-fn coefficients(steps: &mut Steps, wave: &WaveLoad) {
-    let WaveLoad { choices, goda, .. } = wave;
+fn coefficients(steps: &mut Steps, wave: &Waves) {
+    let Waves { choices, goda, .. } = wave;
     steps.heading("Coefficients");
     angle(steps, wave);
     let Goda { eta_star, h_c_star, alpha_1, alpha_2, alpha_3, alpha_4, .. } = *goda;
@@ -92,7 +92,7 @@ fn resultants(steps: &mut Steps, goda: &Goda) {
     steps.add("Its moment about the heel", "Goda", formula, goda.uplift_moment, MOMENT, "");
 }
 
-fn heights(steps: &mut Steps, sea: &Sea, WaveLoad { heights, goda, .. }: &WaveLoad) {
+fn heights(steps: &mut Steps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
     let deep = match (heights, &goda.heights) {
         (Heights::DeepWater(height), Some(computed)) => Some((*height, computed)),
         _ => None,
@@ -140,13 +140,13 @@ fn terms(steps: &mut Steps, of: &str, [c0, c1, s1, least, c_max]: [&str; 5], ter
     steps.add("", "Goda", ["β_max", &formula], beta_max, NONE, "");
 }
 
-fn angle(steps: &mut Steps, WaveLoad { sea, choices, goda, .. }: &WaveLoad) {
+fn angle(steps: &mut Steps, Waves { sea, choices, goda, .. }: &Waves) {
     let about = "Angle of the waves from the wall's normal";
     if choices.turn_deg > 0.0 {
         steps.know("β_0", sea.angle_deg, DEGREE);
         steps.know("Δβ", choices.turn_deg, DEGREE);
         let about = format!("{about}, turned towards it");
-        let result = Quantity::of(goda.angle_deg, DEGREE);
+        let result = Measured::of(goda.angle_deg, DEGREE);
         let formula = "max(β_0 − Δβ, 0)";
         steps.step(&Step { about: &about, reference: "", name: "β", formula, result, key: "angle_deg" });
     } else {

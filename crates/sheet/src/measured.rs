@@ -1,7 +1,7 @@
 //! Numbers with their units, and how they are shown.
 
 use maud::{Markup, PreEscaped, html};
-use standfast_cases::layout::significant;
+use standfast::number::{Significant, significant};
 
 /// Significant digits in the calculation, enough to follow it by hand.
 const DIGITS: usize = 5;
@@ -38,18 +38,18 @@ units! {
 
 /// A number in the unit it is shown in.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quantity {
+pub struct Measured {
     /// In `unit`.
     pub value: f64,
     /// What it is shown in.
     pub unit: Unit,
 }
 
-impl Quantity {
+impl Measured {
     /// A value of the library, in SI units; an angle in degrees.
-    pub fn of(si: f64, unit: Unit) -> Quantity {
+    pub fn of(si: f64, unit: Unit) -> Measured {
         // `+ 0.0` turns −0 into 0.
-        Quantity { value: si / unit.si + 0.0, unit }
+        Measured { value: si / unit.si + 0.0, unit }
     }
 
     /// The number at full precision for machines, rounded for people, with its unit. `name` says which number of the case it
@@ -72,13 +72,13 @@ impl Quantity {
     /// The number and its unit in MathML; negative numbers in parentheses unless they stand alone.
     pub fn mathml(&self, alone: bool) -> String {
         let value = self.value;
-        let magnitude = significant(value.abs(), DIGITS);
-        let digits = match magnitude.split_once('e') {
-            None => format!("<mn data-value=\"{}\">{magnitude}</mn>", value.abs()),
-            Some((mantissa, exponent)) => format!(
+        let Significant { mantissa, exponent } = significant(value.abs(), DIGITS);
+        let digits = match exponent {
+            None => format!("<mn data-value=\"{}\">{mantissa}</mn>", value.abs()),
+            Some(exponent) => format!(
                 "<mrow data-value=\"{}\"><mn>{mantissa}</mn><mo>⋅</mo><msup><mn>10</mn><mn>{}</mn></msup></mrow>",
                 value.abs(),
-                exponent.replace('-', "−"),
+                exponent.to_string().replace('-', "−"),
             ),
         };
         let unit = match self.unit.text {
@@ -102,9 +102,13 @@ fn no_break(text: &str) -> String {
 
 /// A number as text: a true minus sign, powers of ten written out.
 pub fn number(x: f64) -> Markup {
-    let text = significant(x, DIGITS).replace('-', "−");
-    PreEscaped(match text.split_once('e') {
-        Some((mantissa, exponent)) => format!("{mantissa}·10<sup>{exponent}</sup>"),
-        None => text,
-    })
+    if x == f64::INFINITY {
+        return html! { "unlimited" };
+    }
+    let Significant { mantissa, exponent } = significant(x, DIGITS);
+    let text = match exponent {
+        None => mantissa,
+        Some(exponent) => format!("{mantissa}·10<sup>{exponent}</sup>"),
+    };
+    PreEscaped(text.replace('-', "−"))
 }
