@@ -3,8 +3,9 @@
 use standfast::{Body, HorizontalForce, Point, Slip};
 use standfast_figures::{Axis, View};
 
+use crate::number;
 use crate::state::{GRAVITY, State, round_digits, rounded};
-use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES};
+use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES, Unit};
 
 /// A number that a person can type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,16 +58,22 @@ impl Field {
         Field::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, field)| field)
     }
 
-    /// How many SI units the field's unit is.
-    fn scale(self, state: &State) -> f64 {
+    /// The units that the field takes, and the place of the one chosen; none of a number without unit.
+    fn units(self, state: &State) -> (&'static [Unit], usize) {
         let units = &state.units;
         match self {
-            Field::Slenderness | Field::Elevation | Field::Force | Field::Friction => 1.0,
-            Field::Width | Field::Height | Field::Level | Field::Sea | Field::Lee => LENGTHS[units.length].1,
-            Field::Mass => MASSES[units.mass].1,
-            Field::Thrust => FORCES[units.force].1,
-            Field::Uplift => PRESSURES[units.pressure].1,
+            Field::Slenderness | Field::Elevation | Field::Force | Field::Friction => (&[], 0),
+            Field::Width | Field::Height | Field::Level | Field::Sea | Field::Lee => (&LENGTHS, units.length),
+            Field::Mass => (&MASSES, units.mass),
+            Field::Thrust => (&FORCES, units.force),
+            Field::Uplift => (&PRESSURES, units.pressure),
         }
+    }
+
+    /// How many SI units the field's unit is.
+    fn scale(self, state: &State) -> f64 {
+        let (units, chosen) = self.units(state);
+        units.get(chosen).map_or(1.0, |(_, scale)| *scale)
     }
 
     /// The field's value in SI.
@@ -99,7 +106,8 @@ impl Field {
     /// # Errors
     /// What is wrong with it, in a sentence for the person who typed it.
     pub fn set(self, state: &mut State, typed: &str) -> Result<(), String> {
-        let value = number(typed)? * self.scale(state);
+        let (number, scale) = number::read(typed, self.units(state).0)?;
+        let value = number * scale.unwrap_or_else(|| self.scale(state));
         let before = state.clone();
         let taken = self.take(state, value);
         if taken.is_err() {
@@ -183,18 +191,6 @@ impl Field {
     }
 }
 
-/// The number that was typed, with either minus sign.
-fn number(typed: &str) -> Result<f64, String> {
-    let text = typed.trim().replace('−', "-");
-    let plain = text.chars().all(|c| matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E'));
-    match text.parse::<f64>() {
-        _ if text.contains(',') => Err("Decimals take a point, and thousands nothing.".to_owned()),
-        Ok(value) if plain => Ok(value),
-        _ if text.is_empty() => Err("A number is missing.".to_owned()),
-        _ => Err(format!("“{}” is not a number.", typed.trim())),
-    }
-}
-
 /// An error message as a sentence of the page.
 pub fn sentence(message: &str) -> String {
     let mut letters = message.chars();
@@ -233,7 +229,7 @@ mod tests {
             (Field::Force, "abc", "“abc” is not a number."),
             (Field::Force, "inf", "“inf” is not a number."),
             (Field::Force, "", "A number is missing."),
-            (Field::Elevation, "0,5", "Decimals take a point, and thousands nothing."),
+            (Field::Thrust, "2,700", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
             (Field::Width, "-3", "Width is −3; expected a number above zero, from 1e-50 to 1e50."),
             (
                 Field::Sea,
@@ -257,6 +253,8 @@ mod tests {
         assert_eq!(Field::Width.text(&state), "1200");
         unit::choose(&mut state.units, "length", "mm");
         assert_eq!(Field::Width.text(&state), "12000");
+        Field::Width.set(&mut state, "1,5 m").unwrap();
+        assert_eq!((state.width, Field::Width.text(&state)), (1.5, "1500".to_owned()));
     }
 
     #[test]

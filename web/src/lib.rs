@@ -6,7 +6,7 @@
 //! | question | module |
 //! |---|---|
 //! | What is shown, and how is it shared as a link? | `state`, `fragment` |
-//! | What does a person type, in which unit? | `field`, `unit` |
+//! | What does a person type, in which unit? | `field`, `number`, `unit` |
 //! | What does the panel say? | `reading`, `text` |
 //! | What about water and uplift? | `loads` |
 //!
@@ -17,6 +17,7 @@
 mod field;
 mod fragment;
 mod loads;
+mod number;
 mod reading;
 mod state;
 mod text;

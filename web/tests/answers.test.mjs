@@ -59,13 +59,14 @@ test("500 random readings are those of the native program", async () => {
   const modes = new Set();
   let notUnique = 0;
   for (const [i, point] of points.entries()) {
-    // Typed into the fields as a person would, and read from the page.
+    // Put into the fields, and read from the page.
     const said = await page.evaluate(
       async ([ids, values]) => {
         ids.forEach((id, i) => {
           const field = document.getElementById(id);
           field.value = String(values[i]);
           field.dispatchEvent(new Event("input", { bubbles: true }));
+          field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
         });
         await new Promise(requestAnimationFrame);
         return {
@@ -104,26 +105,6 @@ test("a published point: γ = 1, k' = 1, k = 2, μ = 5 rocks with θ̈ = 1.125 g
   assert.equal(await page.textContent("#symbol"), "RO");
   assert.match(await page.textContent("#motion tbody tr:nth-child(3)"), /1\.125 g\/B/);
   assert.match(await page.textContent("#factors"), /overturning.*0\.25 < 1/);
-  await page.close();
-});
-
-test("what is typed wrong is said at its field and changes nothing", async () => {
-  const page = await open(browser);
-  const before = (await reading(page)).numbers;
-  for (const [id, text, message] of [
-    ["slenderness", "0", /expected a number above zero/],
-    ["friction", "0,6", /Decimals take a point/],
-    ["force", "two", /“two” is not a number/],
-    ["mass", "-1", /expected a number above zero/],
-  ]) {
-    await type(page, id, text);
-    assert.match(await page.textContent(`#${id}-error`), message);
-    assert.equal(await page.getAttribute(`#${id}`, "aria-invalid"), "true");
-    assert.deepEqual((await reading(page)).numbers, before);
-    await page.locator("h1").click();
-    await page.evaluate((field) => document.getElementById(field).blur(), id);
-    assert.equal(await page.textContent(`#${id}-error`), "");
-  }
   await page.close();
 });
 
