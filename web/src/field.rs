@@ -122,9 +122,15 @@ impl Field {
             Field::Elevation => state.set_body(state.slenderness, value),
             Field::Force => state.force = value,
             Field::Friction => state.friction = value,
-            Field::Sea => state.waters.sea = value,
-            Field::Lee => state.waters.lee = value,
-            Field::Uplift => state.waters.uplift = value,
+            Field::Sea | Field::Lee | Field::Uplift => {
+                // A figure of the report knows no water.
+                state.figure = None;
+                match self {
+                    Field::Sea => state.waters.sea = value,
+                    Field::Lee => state.waters.lee = value,
+                    _ => state.waters.uplift = value,
+                }
+            }
             Field::Width | Field::Height | Field::Mass | Field::Thrust | Field::Level => {
                 return self.resize(state, value);
             }
@@ -158,10 +164,9 @@ impl Field {
 
     /// What a slider from 0 to 1 stands for, if the field has one.
     pub fn axis(self, state: &State) -> Option<Axis> {
-        // Those of k and μ cover what the diagram shows.
+        // Those of k and μ cover what the diagram of the force shows.
         let shown = |largest: fn(&View) -> f64| {
-            let view = state.view(&state.diagram());
-            Some(Axis { from: 0.0, to: largest(&view), logarithmic: false })
+            Some(Axis { from: 0.0, to: largest(&state.force_view()), logarithmic: false })
         };
         match self {
             Field::Slenderness => Some(Axis { from: 0.1, to: 10.0, logarithmic: true }),
