@@ -37,17 +37,20 @@ export function connectBody(app) {
   });
 
   const label = (reading) => {
-    const rests = reading.mode === "RE";
-    play.disabled = rests;
-    play.textContent = running && !rests ? "Pause" : "Play";
-    play.setAttribute("aria-pressed", String(running && !rests));
-    note.textContent = rests
-      ? "To scale, at rest. Solid arrows: forces."
-      : "To scale; the motion is exaggerated. Solid arrows: forces; dashed: accelerations of the corners.";
+    const still = reading.mode === "RE" || !picture.firstChild;
+    play.disabled = still;
+    play.textContent = running && !still ? "Pause" : "Play";
+    play.setAttribute("aria-pressed", String(running && !still));
+    const forces = reading.with_water ? "Solid arrows: the loads as the one force F that they amount to, and the reactions" : "Solid arrows: forces";
+    note.textContent = !picture.firstChild
+      ? "No picture: these loads do not amount to one horizontal force on a pressed base."
+      : still
+        ? `To scale, at rest. ${forces}.`
+        : `To scale; the motion is exaggerated. ${forces}; dashed: accelerations of the corners.`;
   };
 
   return (reading) => {
-    const key = `${reading.numbers.given} ${reading.mirrored}`;
+    const key = `${reading.numbers.given} ${reading.numbers.all_loads} ${reading.mirrored}`;
     if (key !== drawn) {
       drawn = key;
       animation?.cancel();

@@ -9,6 +9,7 @@ export function connectCases(app) {
   const cases = document.getElementById("cases");
   const picture = cases.querySelector(".picture");
   const point = document.getElementById("case-point");
+  const note = document.getElementById("cases-note");
   let scale = 1;
   let drawn = "";
   const pick = (event) => {
@@ -40,12 +41,14 @@ export function connectCases(app) {
     scale = drawingSize(pixels, 0).scale * (pixels > 500 ? pixels / 500 : 1);
     const [width, height] = [pixels / scale, Math.min(290, (pixels / scale) * 0.78)];
     const [gamma, kPrime] = reading.numbers.given;
-    const key = `${width} ${height} ${gamma} ${kPrime}`;
+    const key = `${width} ${height} ${gamma} ${kPrime} ${reading.numbers.all_loads} ${reading.with_water}`;
     if (key === drawn) return;
     drawn = key;
     picture.innerHTML = app.explorer.cases(width, height);
     const [x, y] = app.explorer.point_in_cases();
     point.style.translate = `${x * scale}px ${y * scale}px`;
-    point.setAttribute("aria-label", `Body: slenderness γ ${gamma}, elevation k′ ${kPrime}`);
+    point.setAttribute("aria-label", `Body: slenderness γ ${gamma}, elevation k′ ${kPrime}${reading.with_water ? " of the force alone" : ""}`);
+    const all = reading.numbers.all_loads ? `; all loads together have k′ = ${Number(reading.numbers.all_loads[1].toPrecision(4))}` : "";
+    note.textContent = reading.with_water ? ` The mark is the body under the force alone, without water and uplift${all}.` : "";
   };
 }

@@ -14,6 +14,7 @@ export function connectMap(app) {
   const map = document.getElementById("map");
   const picture = map.querySelector(".picture");
   const point = document.getElementById("point");
+  const hint = document.getElementById("point-help").parentElement;
   let size = drawingSize(800, 600);
   const place = (event) => {
     const box = picture.getBoundingClientRect();
@@ -133,10 +134,12 @@ export function connectMap(app) {
     if (x !== undefined) {
       point.style.translate = `${x * size.scale}px ${y * size.scale}px`;
       point.classList.toggle("outside", shown === 0);
-      const [, , k, mu] = reading.numbers.given;
+      const [, , k, mu] = reading.numbers.all_loads;
+      const loads = reading.with_water ? " of all loads" : "";
       const where = shown ? "" : ", outside the view";
-      point.setAttribute("aria-label", `Design point: k ${k}, μ ${mu}${where}`);
+      point.setAttribute("aria-label", `Design point: k${loads} ${Number(k.toPrecision(7))}, μ ${mu}${where}`);
     }
+    hint.hidden = !reading.is_drawn;
     for (const id of ["closer", "farther", "reset"]) document.getElementById(id).disabled = !reading.is_map;
   };
 }

@@ -25,6 +25,7 @@ export function connectPanel() {
     symbol.dataset.mode = reading.mode;
     html("symbol", reading.symbol);
     html("sentence", reading.sentence);
+    html("scope", reading.scope);
     html("uniqueness", reading.uniqueness);
     rows("relations", reading.relations.map(relation));
     html("factors", reading.factors.map(({ name, formula, value, holds }) =>
@@ -34,17 +35,18 @@ export function connectPanel() {
       cell(quantity), cell(words, "words"), cell(`${value} ${unit}`, "number"), cell(real, "number"),
     ]));
     const change = (from, to) => cell(`${from} → ${to}`);
-    const none = [[cell("It does not.", "words")]];
-    rows("along-force", reading.along_force.length === 0 ? none
-      : reading.along_force.map(({ at, force, from, to }) => [cell(`<i>k</i> = ${at}`), cell(force ?? ""), change(from, to)]));
-    rows("along-friction", reading.along_friction.length === 0 ? none
-      : reading.along_friction.map(({ at, from, to }) => [cell(`<i>μ</i> = ${at}`), change(from, to)]));
-    rows("failed", reading.failed.length === 0 ? [[cell("None: rest is tried first, and holds.", "words")]]
+    const changes = ({ rows: list, none }, row) => (list.length === 0 ? [[cell(none, "words")]] : list.map(row));
+    html("along-force-heading", reading.along_k.heading);
+    rows("along-force", changes(reading.along_k, ({ at, force, from, to }) => [cell(at), cell(force ?? ""), change(from, to)]));
+    rows("along-friction", changes(reading.along_mu, ({ at, from, to }) => [cell(at), change(from, to)]));
+    const untried = reading.mode === "RE" ? "None: rest is tried first, and holds." : "Not listed for these loads.";
+    rows("failed", reading.failed.length === 0 ? [[cell(untried, "words")]]
       : reading.failed.flatMap(({ symbol: mode, rows: failing }) => failing.map(({ equation, statement, values }) => [
         cell(mode), cell(`(${equation})`, "equation"), cell(`${statement}<br><span class="quiet">but not ${values}</span>`),
       ])));
     rows("points", reading.points.map(([letter, k, mu]) => [cell(letter), cell(`<i>k</i> = ${k}`), cell(`<i>μ</i> = ${mu}`)]));
     html("case", reading.case);
+    html("map-note", reading.map_note);
     // Read aloud when the hand rests.
     clearTimeout(timer);
     timer = setTimeout(() => {

@@ -4,14 +4,13 @@ export function connectPath(app) {
   const details = document.getElementById("path");
   const picture = document.getElementById("path-picture");
   const words = document.getElementById("path-words");
-  const take = document.getElementById("take");
   details.addEventListener("toggle", app.changed);
-  take.addEventListener("click", () => {
-    app.explorer.take_effective();
-    app.changed();
-  });
   let drawn = "";
-  return () => {
+  let wet = false;
+  return (reading) => {
+    // Loads that count are not to be hidden.
+    if (reading.with_water && !wet) details.open = true;
+    wet = reading.with_water;
     if (!details.open) return;
     const across = Math.max(200, Math.min(520, picture.clientWidth - 110));
     const key = `${app.explorer.fragment()} ${across}`;
@@ -20,6 +19,5 @@ export function connectPath(app) {
     const path = JSON.parse(app.explorer.load_path(across));
     picture.innerHTML = path.svg;
     words.innerHTML = path.words.map((sentence) => `<p>${sentence}</p>`).join("");
-    take.disabled = !path.effective;
   };
 }

@@ -18,7 +18,7 @@ export function connectShare(app) {
   };
   const name = (extension) => {
     const { figure, numbers } = app.reading;
-    const [gamma, kPrime] = numbers.given;
+    const [gamma, kPrime] = numbers.diagram;
     return figure ? `standfast-fig-${figure}.${extension}` : `standfast-gamma-${gamma}-k-prime-${kPrime}.${extension}`;
   };
   const paper = () => {
@@ -53,7 +53,8 @@ export function connectShare(app) {
   });
 
   let write = 0;
-  return () => {
+  return (reading) => {
+    for (const id of ["save-svg", "save-png", "save-csv"]) document.getElementById(id).disabled = !reading.is_drawn;
     // Browsers limit how often an address may change.
     clearTimeout(write);
     write = setTimeout(() => history.replaceState(null, "", `#${app.explorer.fragment()}`), 350);

@@ -1,10 +1,12 @@
 //! The page's number fields and sliders: what they mean, and what they take.
 
-use standfast::{Body, HorizontalForce, Point, Slip};
+use standfast::loads::HorizontalForce;
+use standfast::{Body, Point, Slip};
 use standfast_figures::{Axis, View};
 
+use crate::number;
 use crate::state::{GRAVITY, State, round_digits, rounded};
-use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES};
+use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES, Unit};
 
 /// A number that a person can type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,16 +59,22 @@ impl Field {
         Field::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, field)| field)
     }
 
-    /// How many SI units the field's unit is.
-    fn scale(self, state: &State) -> f64 {
+    /// The units that the field takes, and the place of the one chosen; none of a number without unit.
+    fn units(self, state: &State) -> (&'static [Unit], usize) {
         let units = &state.units;
         match self {
-            Field::Slenderness | Field::Elevation | Field::Force | Field::Friction => 1.0,
-            Field::Width | Field::Height | Field::Level | Field::Sea | Field::Lee => LENGTHS[units.length].1,
-            Field::Mass => MASSES[units.mass].1,
-            Field::Thrust => FORCES[units.force].1,
-            Field::Uplift => PRESSURES[units.pressure].1,
+            Field::Slenderness | Field::Elevation | Field::Force | Field::Friction => (&[], 0),
+            Field::Width | Field::Height | Field::Level | Field::Sea | Field::Lee => (&LENGTHS, units.length),
+            Field::Mass => (&MASSES, units.mass),
+            Field::Thrust => (&FORCES, units.force),
+            Field::Uplift => (&PRESSURES, units.pressure),
         }
+    }
+
+    /// How many SI units the field's unit is.
+    fn scale(self, state: &State) -> f64 {
+        let (units, chosen) = self.units(state);
+        units.get(chosen).map_or(1.0, |(_, scale)| *scale)
     }
 
     /// The field's value in SI.
@@ -99,7 +107,8 @@ impl Field {
     /// # Errors
     /// What is wrong with it, in a sentence for the person who typed it.
     pub fn set(self, state: &mut State, typed: &str) -> Result<(), String> {
-        let value = number(typed)? * self.scale(state);
+        let (number, scale) = number::read(typed, self.units(state).0)?;
+        let value = number * scale.unwrap_or_else(|| self.scale(state));
         let before = state.clone();
         let taken = self.take(state, value);
         if taken.is_err() {
@@ -114,9 +123,15 @@ impl Field {
             Field::Elevation => state.set_body(state.slenderness, value),
             Field::Force => state.force = value,
             Field::Friction => state.friction = value,
-            Field::Sea => state.waters.sea = value,
-            Field::Lee => state.waters.lee = value,
-            Field::Uplift => state.waters.uplift = value,
+            Field::Sea | Field::Lee | Field::Uplift => {
+                // A figure of the report knows no water.
+                state.figure = None;
+                match self {
+                    Field::Sea => state.waters.sea = value,
+                    Field::Lee => state.waters.lee = value,
+                    _ => state.waters.uplift = value,
+                }
+            }
             Field::Width | Field::Height | Field::Mass | Field::Thrust | Field::Level => {
                 return self.resize(state, value);
             }
@@ -150,10 +165,9 @@ impl Field {
 
     /// What a slider from 0 to 1 stands for, if the field has one.
     pub fn axis(self, state: &State) -> Option<Axis> {
-        // Those of k and μ cover what the diagram shows.
+        // Those of k and μ cover what the diagram of the force shows.
         let shown = |largest: fn(&View) -> f64| {
-            let view = state.view(&state.diagram());
-            Some(Axis { from: 0.0, to: largest(&view), logarithmic: false })
+            Some(Axis { from: 0.0, to: largest(&state.force_view()), logarithmic: false })
         };
         match self {
             Field::Slenderness => Some(Axis { from: 0.1, to: 10.0, logarithmic: true }),
@@ -180,18 +194,6 @@ impl Field {
         };
         // A slider's values are all valid.
         let _ = self.take(state, value);
-    }
-}
-
-/// The number that was typed, with either minus sign.
-fn number(typed: &str) -> Result<f64, String> {
-    let text = typed.trim().replace('−', "-");
-    let plain = text.chars().all(|c| matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E'));
-    match text.parse::<f64>() {
-        _ if text.contains(',') => Err("Decimals take a point, and thousands nothing.".to_owned()),
-        Ok(value) if plain => Ok(value),
-        _ if text.is_empty() => Err("A number is missing.".to_owned()),
-        _ => Err(format!("“{}” is not a number.", typed.trim())),
     }
 }
 
@@ -233,7 +235,7 @@ mod tests {
             (Field::Force, "abc", "“abc” is not a number."),
             (Field::Force, "inf", "“inf” is not a number."),
             (Field::Force, "", "A number is missing."),
-            (Field::Elevation, "0,5", "Decimals take a point, and thousands nothing."),
+            (Field::Thrust, "2,700", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
             (Field::Width, "-3", "Width is −3; expected a number above zero, from 1e-50 to 1e50."),
             (
                 Field::Sea,
@@ -257,6 +259,8 @@ mod tests {
         assert_eq!(Field::Width.text(&state), "1200");
         unit::choose(&mut state.units, "length", "mm");
         assert_eq!(Field::Width.text(&state), "12000");
+        Field::Width.set(&mut state, "1,5 m").unwrap();
+        assert_eq!((state.width, Field::Width.text(&state)), (1.5, "1500".to_owned()));
     }
 
     #[test]

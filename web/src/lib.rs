@@ -6,21 +6,25 @@
 //! | question | module |
 //! |---|---|
 //! | What is shown, and how is it shared as a link? | `state`, `fragment` |
-//! | What does a person type, in which unit? | `field`, `unit` |
-//! | What does the panel say? | `reading`, `text` |
-//! | What about water and uplift? | `loads` |
+//! | What does a person type, in which unit? | `field`, `number`, `unit` |
+//! | What loads are there, and when does the body first leave rest? | `loads` |
+//! | What does the body do under all of them? | `answer` |
+//! | What does the page say? | `reading`, `verdict`, `text` |
 //!
 //! Everything but this file runs, and is tested, without wasm.
 
 #![forbid(unsafe_code)]
 
+mod answer;
 mod field;
 mod fragment;
 mod loads;
+mod number;
 mod reading;
 mod state;
 mod text;
 mod unit;
+mod verdict;
 
 use standfast_figures as figures;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -51,20 +55,15 @@ impl Explorer {
         fragment::write(&self.state)
     }
 
-    /// The k–μ diagram, `width` by `height` units; a sketch of the report if one is chosen.
+    /// The k–μ diagram, `width` by `height` units; a sketch of the report if one is chosen. Empty where the loads are no
+    /// point of the plane.
     pub fn map(&mut self, width: f64, height: f64) -> String {
         if let Some(sketch) = self.state.figure.and_then(figures::sketch_on_screen) {
             self.map = None;
             return sketch.svg().to_owned();
         }
-        let diagram = self.state.diagram();
-        let view = self.state.view(&diagram);
-        let map =
-            figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size: (width, height) };
-        let picture = map.on_screen();
-        let svg = picture.figure.svg().to_owned();
-        self.map = Some(picture);
-        svg
+        self.map = self.with_map((width, height), |map| map.on_screen());
+        self.map.as_ref().map_or(String::new(), |picture| picture.figure.svg().to_owned())
     }
 
     /// The same picture in fixed colours with the design point, for a file.
@@ -72,72 +71,66 @@ impl Explorer {
         if let Some(id) = self.state.figure.filter(|id| id.body().is_none()) {
             return figures::report_figure(id).svg().to_owned();
         }
-        let diagram = self.state.diagram();
-        let view = self.state.view(&diagram);
-        let map =
-            figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size: (width, height) };
-        let (k, mu) = (self.state.force, self.state.friction);
-        let point = figures::DesignPoint { k, mu, label: String::new(), mirrored: self.state.mirrored };
-        map.on_paper(&point).svg().to_owned()
+        // Outside every view where the loads have no place in a figure of the report.
+        let (k, mu, mirrored) = self
+            .state
+            .design_point()
+            .map_or((-1.0, -1.0, false), |reduced| (reduced.point.k(), reduced.point.mu(), reduced.mirrored));
+        // The axis has the words of a force alone.
+        let label = if self.state.waters.are_none() { "" } else { "all loads, effective k" }.to_owned();
+        let point = figures::DesignPoint { k, mu, label, mirrored };
+        self.with_map((width, height), |map| map.on_paper(&point).svg().to_owned()).unwrap_or_default()
     }
 
     /// The curves and named points of the diagram as CSV.
     pub fn curves_csv(&self) -> String {
-        let diagram = self.state.diagram();
-        let view = self.state.view(&diagram);
-        let map =
-            figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size: (600.0, 450.0) };
-        text::curves_csv(&map)
+        self.with_map((600.0, 450.0), text::curves_csv).unwrap_or_default()
     }
 
-    /// Where the design point lies in the diagram last drawn, as [x, y, 1 if in the plot]; empty without a diagram.
+    /// Where the design point lies in the diagram last drawn, as [x, y, 1 if in the plot]; empty without one.
     pub fn point_in_map(&self) -> Vec<f64> {
-        self.map.as_ref().map_or(Vec::new(), |map| {
-            let (x, y) = map.place(self.state.force, self.state.friction);
-            let (x, y) = (x.clamp(map.plot.x0, map.plot.x1), y.clamp(map.plot.y0, map.plot.y1));
-            let shown = map.place(self.state.force, self.state.friction) == (x, y);
-            vec![x, y, f64::from(u8::from(shown))]
+        let shown = self.map.as_ref().zip(self.state.design_point());
+        shown.map_or(Vec::new(), |(map, reduced)| {
+            let place = map.place(reduced.point.k(), reduced.point.mu());
+            let (x, y) = (place.0.clamp(map.plot.x0, map.plot.x1), place.1.clamp(map.plot.y0, map.plot.y1));
+            vec![x, y, f64::from(u8::from(place == (x, y)))]
         })
     }
 
-    /// Moves the design point to a place in the diagram last drawn.
+    /// Moves the design point to a place in the diagram last drawn, by another force and friction.
     pub fn move_point(&mut self, x: f64, y: f64) {
         if let Some(map) = &self.map {
             let Some(inside) = inside(map, x, y) else { return };
             let (k, mu) = map.values(inside.0, inside.1);
             let step = |axis: figures::Axis, length: f64| (axis.to - axis.from) / length;
             let plot = map.plot;
-            self.state.force = state::rounded(k, step(map.across, plot.x1 - plot.x0));
-            self.state.friction = state::rounded(mu, step(map.up, plot.y1 - plot.y0));
+            let steps = (step(map.across, plot.x1 - plot.x0), step(map.up, plot.y1 - plot.y0));
+            self.state.place((k, mu), steps);
         }
     }
 
     /// Moves the design point by shares of the diagram's width and height.
     pub fn nudge_point(&mut self, right: f64, up: f64) {
-        let diagram = self.state.diagram();
-        let view = self.state.view(&diagram);
+        let Some(((_, view), reduced)) = self.shown().zip(self.state.design_point()) else { return };
         let (across, along) = (view.k_max - view.k_min, view.mu_max - view.mu_min);
-        let moved =
-            |value: f64, step: f64, range: f64| state::rounded((value + step).max(0.0), range / 500.0);
-        self.state.force = moved(self.state.force, right * across, across);
-        self.state.friction = moved(self.state.friction, up * along, along);
+        let k = (reduced.point.k() + right * across).max(0.0);
+        let mu = (self.state.friction + up * along).max(0.0);
+        self.state.place((k, mu), (across / 500.0, along / 500.0));
     }
 
     /// Zooms the diagram about a place in it, or about the middle of the plot without one.
     pub fn zoom(&mut self, factor: f64, x: Option<f64>, y: Option<f64>) {
-        if let Some(map) = &self.map {
+        if let (Some(map), Some((_, view))) = (&self.map, self.shown()) {
             let middle = ((map.plot.x0 + map.plot.x1) / 2.0, (map.plot.y0 + map.plot.y1) / 2.0);
             let (k, mu) = map.values(x.unwrap_or(middle.0), y.unwrap_or(middle.1));
-            let view = self.state.view(&self.state.diagram());
             self.state.view = Some(view.zoomed(factor, k, mu));
         }
     }
 
     /// Moves the view by units of the diagram, to the right and downwards.
     pub fn pan(&mut self, right: f64, down: f64) {
-        if let Some(map) = &self.map {
+        if let (Some(map), Some((_, view))) = (&self.map, self.shown()) {
             let (width, height) = (map.plot.x1 - map.plot.x0, map.plot.y1 - map.plot.y0);
-            let view = self.state.view(&self.state.diagram());
             self.state.view = Some(view.moved(-right / width, down / height));
         }
     }
@@ -145,7 +138,7 @@ impl Explorer {
     /// Keeps the view as it is while the design point is dragged. Says whether it was free to change.
     pub fn hold_view(&mut self) -> bool {
         let free = self.state.view.is_none();
-        self.state.view = Some(self.state.view(&self.state.diagram()));
+        self.state.view = self.shown().map(|(_, view)| view);
         free
     }
 
@@ -156,7 +149,8 @@ impl Explorer {
 
     /// The γ–k' map of cases.
     pub fn cases(&mut self, width: f64, height: f64) -> String {
-        let picture = figures::cases_on_screen(self.state.diagram().chart(), (width, height));
+        let diagram = standfast::Diagram::of(self.state.point().chart());
+        let picture = figures::cases_on_screen(diagram.chart(), (width, height));
         let svg = picture.figure.svg().to_owned();
         self.cases = Some(picture);
         svg
@@ -179,17 +173,15 @@ impl Explorer {
         }
     }
 
-    /// The body with its forces and accelerations.
+    /// The body with its forces and accelerations; empty where the loads are not one horizontal force.
     pub fn free_body(&self, width: f64, height: f64) -> String {
-        let body = figures::FreeBody { point: self.state.point(), mirrored: self.state.mirrored };
-        figures::free_body(&body, (width, height)).0.svg().to_owned()
+        self.body((width, height)).map_or(String::new(), |(figure, _)| figure.svg().to_owned())
     }
 
-    /// Where its motion leads, exaggerated: pivot x, y, shift and turn in degrees.
+    /// Where its motion leads, exaggerated: pivot x, y, shift and turn in degrees; empty without a drawing.
     pub fn pose(&self, width: f64, height: f64) -> Vec<f64> {
-        let body = figures::FreeBody { point: self.state.point(), mirrored: self.state.mirrored };
-        let pose = figures::free_body(&body, (width, height)).1;
-        vec![pose.pivot.0, pose.pivot.1, pose.shift, pose.turn]
+        self.body((width, height))
+            .map_or(Vec::new(), |(_, pose)| vec![pose.pivot.0, pose.pivot.1, pose.shift, pose.turn])
     }
 
     /// Everything the panel says, as JSON.
@@ -200,11 +192,6 @@ impl Explorer {
     /// The load path with water and uplift, as JSON with its drawing; `across` is the width of the plot.
     pub fn load_path(&self, across: f64) -> String {
         serde_json::to_string(&loads::LoadPath::of(&self.state, across)).unwrap_or_default()
-    }
-
-    /// Takes the load path's effective point as the design point, and says whether there is one.
-    pub fn take_effective(&mut self) -> bool {
-        loads::take_effective(&mut self.state)
     }
 
     /// Takes what was typed into a field. Returns what is wrong with it, if anything is.
@@ -246,6 +233,27 @@ impl Explorer {
     /// The type that the figures are set in, as a TrueType font.
     pub fn font(italic: bool) -> Vec<u8> {
         if italic { figures::ITALIC_FONT } else { figures::UPRIGHT_FONT }.to_vec()
+    }
+}
+
+impl Explorer {
+    /// The diagram shown, and the part of it that is seen.
+    fn shown(&self) -> Option<(standfast::Diagram, figures::View)> {
+        let diagram = self.state.diagram()?;
+        let view = self.state.view(&diagram);
+        Some((diagram, view))
+    }
+
+    fn with_map<T>(&self, size: (f64, f64), draw: impl FnOnce(&figures::Map<'_>) -> T) -> Option<T> {
+        let (diagram, view) = self.shown()?;
+        Some(draw(&figures::Map { diagram: &diagram, figure: self.state.figure, view: &view, size }))
+    }
+
+    /// The body under all loads.
+    fn body(&self, size: (f64, f64)) -> Option<(figures::Figure, figures::Pose)> {
+        let reduced = self.state.all_loads()?;
+        let body = figures::FreeBody { point: reduced.point, mirrored: reduced.mirrored };
+        Some(figures::free_body(&body, size))
     }
 }
 

@@ -1,9 +1,10 @@
-//! What the explorer shows: a point of the report's problem, the size of the real body, a view, a figure.
+//! What the explorer shows: a body, a force, water and uplift beside it, a view, a figure.
 
-use standfast::{Body, Diagram, HorizontalForce, Point, Reduced};
+use standfast::loads::{HorizontalForce, Reduced};
+use standfast::{Body, Diagram, Point};
 use standfast_figures::{FigureId, View};
 
-use crate::loads::Waters;
+use crate::loads::{self, Waters};
 use crate::unit::Units;
 
 /// g, m/s².
@@ -30,7 +31,7 @@ pub struct State {
     pub view: Option<View>,
     /// The figure of the report shown in place of the map of all modes.
     pub figure: Option<FigureId>,
-    /// Water and uplift of the load path.
+    /// Water and uplift beside the force.
     pub waters: Waters,
     /// The units of the fields.
     pub units: Units,
@@ -62,14 +63,40 @@ impl State {
             .unwrap_or_else(|_| State::default().point())
     }
 
-    /// The diagram of the body.
-    pub fn diagram(&self) -> Diagram {
-        Diagram::of(self.point().chart())
-    }
-
-    /// The point with its direction.
+    /// The point of the force alone, with its direction.
     pub fn reduced(&self) -> Reduced {
         Reduced { point: self.point(), mirrored: self.mirrored }
+    }
+
+    /// The point of all loads: of the force, or in effective coordinates where water or uplift act as well; `None` where
+    /// these have no point.
+    pub fn all_loads(&self) -> Option<Reduced> {
+        if self.waters.are_none() { Some(self.reduced()) } else { loads::effective(self) }
+    }
+
+    /// The diagram shown: that of all loads, or of the body of the report's figure chosen.
+    pub fn diagram(&self) -> Option<Diagram> {
+        let shown = if self.figure.is_some() { Some(self.reduced()) } else { self.all_loads() };
+        shown.map(|reduced| Diagram::of(reduced.point.chart()))
+    }
+
+    /// The point in the diagram shown. A figure of the report is of a force alone, so with water it has none.
+    pub fn design_point(&self) -> Option<Reduced> {
+        self.all_loads().filter(|_| self.figure.is_none() || self.waters.are_none())
+    }
+
+    /// Changes force and friction so that the point in the diagram shown comes to (k, μ), to the precision of a step of
+    /// either; as near as a force that keeps its direction brings it.
+    pub fn place(&mut self, (k, mu): (f64, f64), (k_step, mu_step): (f64, f64)) {
+        if self.design_point().is_none() {
+            return;
+        }
+        let (k, k_step) = match self.waters.are_none() {
+            true => (k, k_step),
+            false => loads::force_for(self, k, k_step).unwrap_or((self.force, k_step)),
+        };
+        self.force = rounded(k, k_step);
+        self.friction = rounded(mu, mu_step);
     }
 
     /// The real body and the force on it, if its dimensions are within range.
@@ -82,9 +109,18 @@ impl State {
         self.view.filter(View::is_drawable).unwrap_or_else(|| {
             let of_figure = self.figure.filter(|id| id.body() == Some((self.slenderness, self.elevation)));
             let view = of_figure.and_then(View::of_figure);
-            let view = view.unwrap_or_else(|| View::of(diagram, self.force, self.friction));
-            if view.is_drawable() { view } else { View { k_min: 0.0, k_max: 1.0, mu_min: 0.0, mu_max: 1.0 } }
+            let k = self.design_point().map_or(self.force, |reduced| reduced.point.k());
+            drawable(view.unwrap_or_else(|| View::of(diagram, k, self.friction)))
         })
+    }
+
+    /// The view that the diagram of the force alone would have.
+    pub fn force_view(&self) -> View {
+        let diagram = Diagram::of(self.point().chart());
+        match self.waters.are_none() {
+            true => self.view(&diagram),
+            false => drawable(View::of(&diagram, self.force, self.friction)),
+        }
     }
 
     /// Takes another γ and k'. A figure of the report shows its own body only.
@@ -105,6 +141,11 @@ impl State {
             self.friction = round_digits(0.35 * view.mu_max, 2);
         }
     }
+}
+
+/// The view, or a plain one in its place.
+fn drawable(view: View) -> View {
+    if view.is_drawable() { view } else { View { k_min: 0.0, k_max: 1.0, mu_min: 0.0, mu_max: 1.0 } }
 }
 
 /// A number rounded to some significant digits.

@@ -36,11 +36,33 @@ export async function open(browser, { url = onDisk, fragment = "", ...options } 
 export const drawn = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Types into a number field. */
-export async function type(page, id, text) {
-  await page.fill(`#${id}`, text);
+/** Types into a number field in place of its text, key by key, and ends with a key; without one the field is still being typed in. */
+export async function type(page, id, text, end = "Enter") {
+  await page.focus(`#${id}`);
+  await page.keyboard.press("Control+A");
+  await page.keyboard.press("Delete");
+  for (const letter of text) {
+    // Keys that no keyboard has, such as the true minus sign, are put in as by a method of input.
+    if (/[!-~]/.test(letter)) await page.keyboard.press(letter);
+    else if (letter === " ") await page.keyboard.press("Space");
+    else await page.keyboard.insertText(letter);
+  }
+  if (end) await page.keyboard.press(end);
   await drawn(page);
 }
+
+/** What stands in a field and what is said about it. */
+export const field = (page, id) =>
+  page.evaluate((name) => {
+    const input = document.getElementById(name);
+    const message = document.getElementById(input.getAttribute("aria-describedby"));
+    return {
+      text: input.value,
+      invalid: input.getAttribute("aria-invalid") === "true",
+      message: message.textContent,
+      announced: message.querySelector('[role="alert"]').textContent,
+    };
+  }, id);
 
 export const reading = (page) => page.evaluate(() => window.standfast.reading);
 export const mode = (page) => page.getAttribute("#symbol", "data-mode");

@@ -1,0 +1,243 @@
+//! What a typed text means as a number, and when it could mean two.
+//!
+//! | in the text | meaning |
+//! |---|---|
+//! | one point or one comma | the decimal sign |
+//! | spaces of any width, apostrophes | between groups of three digits before the decimal sign |
+//! | `-` or `−`, `+`; `e3` | a sign; a power of ten |
+//! | a unit behind the number | that unit, in place of the one chosen |
+//!
+//! Nothing is guessed. `2,700` may be meant as 2.7 or as 2700, and `1.234,5` mixes two habits: both are refused, and the
+//! message shows what to type instead. The point is always decimal, as in what the fields show: `2.700` is 2.7.
+
+use crate::unit::Unit;
+
+/// The number in a text, and how many SI units its unit is where it names one of `units`.
+///
+/// # Errors
+/// Why it is no number, or not one number only, in a sentence for the person who typed it.
+pub fn read(typed: &str, units: &[Unit]) -> Result<(f64, Option<f64>), String> {
+    let text = typed.trim();
+    if text.is_empty() {
+        return Err("A number is missing.".to_owned());
+    }
+    let (number, unit) = text.split_at(end_of_number(text));
+    let value = value(number.trim()).map_err(|fault| fault.sentence(number.trim(), text))?;
+    Ok((value, scale(unit, units)?))
+}
+
+/// Why a text is not one number.
+enum Fault {
+    NotANumber,
+    TooLarge,
+    /// The readings of a comma before three digits: as the decimal sign, and between thousands.
+    Ambiguous(f64, f64),
+    /// Points and commas that look like thousands, and the number then meant.
+    Mixed(f64),
+}
+
+impl Fault {
+    fn sentence(&self, number: &str, text: &str) -> String {
+        match self {
+            Fault::NotANumber => format!("“{text}” is not a number."),
+            Fault::TooLarge => format!("“{number}” is too large a number."),
+            Fault::Ambiguous(decimal, thousands) => {
+                let (decimal, thousands) = (exact(*decimal), exact(*thousands));
+                format!("“{number}” could be {decimal} or {thousands}: type {decimal} or {thousands}.")
+            }
+            Fault::Mixed(meant) => format!(
+                "“{number}” has more than one point or comma: type {} if that is meant. One of them is the decimal sign; \
+                 spaces may stand between thousands.",
+                exact(*meant)
+            ),
+        }
+    }
+}
+
+/// With all its digits, so that it is the number meant if it is typed.
+fn exact(value: f64) -> String {
+    value.to_string().replace('-', "−")
+}
+
+fn is_gap(letter: char) -> bool {
+    letter.is_whitespace() || matches!(letter, '\'' | '’')
+}
+
+fn is_sign(letter: char) -> bool {
+    matches!(letter, '+' | '-' | '−')
+}
+
+/// Where the number ends and its unit begins.
+fn end_of_number(text: &str) -> usize {
+    let rest = |at: usize| text[at..].chars().skip(1);
+    let is_power = |at: usize| {
+        let after_digit =
+            text[..at].ends_with(|letter: char| letter.is_ascii_digit() || ".,".contains(letter));
+        after_digit && rest(at).find(|letter| !is_sign(*letter)).is_some_and(|letter| letter.is_ascii_digit())
+    };
+    let belongs = |(at, letter): (usize, char)| match letter {
+        'e' | 'E' => is_power(at),
+        _ => letter.is_ascii_digit() || matches!(letter, '.' | ',') || is_gap(letter) || is_sign(letter),
+    };
+    text.char_indices().find(|found| !belongs(*found)).map_or(text.len(), |(at, _)| at)
+}
+
+fn value(number: &str) -> Result<f64, Fault> {
+    let (mantissa, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let (sign, digits) = match mantissa.strip_prefix(is_sign) {
+        Some(rest) => (if mantissa.starts_with('+') { "" } else { "-" }, rest),
+        None => ("", mantissa),
+    };
+    let power = power.replace('−', "-");
+    let number = |whole: &str, part: &str| -> Result<f64, Fault> {
+        let digits = grouped(whole).ok_or(Fault::NotANumber)?;
+        let text = format!("{sign}{digits}.{part}e{power}");
+        let plain =
+            part.chars().all(|letter| letter.is_ascii_digit()) && !(digits.is_empty() && part.is_empty());
+        let value = text.parse::<f64>().ok().filter(|_| plain).ok_or(Fault::NotANumber)?;
+        if value.is_finite() { Ok(value) } else { Err(Fault::TooLarge) }
+    };
+
+    let marks: Vec<char> = digits.chars().filter(|letter| matches!(letter, '.' | ',')).collect();
+    match marks[..] {
+        [] => number(digits, ""),
+        [mark] => {
+            let (whole, part) = digits.split_once(mark).unwrap_or((digits, ""));
+            let decimal = number(whole, part)?;
+            let like_thousands = (1..=3).contains(&whole.len()) && part.len() == 3 && !whole.starts_with('0');
+            if mark == ',' && like_thousands {
+                return Err(Fault::Ambiguous(decimal, number(&format!("{whole}{part}"), "")?));
+            }
+            Ok(decimal)
+        }
+        [.., last] => {
+            // Marks of one kind stand between thousands; one of another kind behind them is decimal.
+            let (whole, part) = match marks.iter().all(|mark| *mark == last) {
+                true => (digits, ""),
+                false => digits.rsplit_once(last).unwrap_or((digits, "")),
+            };
+            let meant = number(&whole.replace(marks[0], " "), part)?;
+            Err(Fault::Mixed(meant))
+        }
+    }
+}
+
+/// The digits of a whole number without what stands between thousands; `None` if that stands elsewhere.
+fn grouped(whole: &str) -> Option<String> {
+    let groups: Vec<&str> = whole.split(is_gap).collect();
+    let digits = groups.iter().all(|group| group.chars().all(|letter| letter.is_ascii_digit()));
+    let [first, others @ ..] = &groups[..] else { return None };
+    let thousands =
+        others.is_empty() || (1..=3).contains(&first.len()) && others.iter().all(|group| group.len() == 3);
+    (digits && thousands).then(|| groups.concat())
+}
+
+fn scale(unit: &str, units: &[Unit]) -> Result<Option<f64>, String> {
+    let unit: String = unit.split_whitespace().collect();
+    if unit.is_empty() {
+        return Ok(None);
+    }
+    let names: Vec<_> = units.iter().map(|(name, _)| *name).collect();
+    match units.iter().find(|(name, _)| *name == unit) {
+        Some((_, scale)) => Ok(Some(*scale)),
+        None if units.is_empty() => {
+            Err(format!("“{unit}” is no part of a number, and this one has no unit."))
+        }
+        None => Err(format!("“{unit}” is not a unit of this field, which takes {}.", names.join(", "))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::{FORCES, LENGTHS};
+
+    #[test]
+    fn either_decimal_sign_and_gaps_between_thousands_are_read() {
+        let cases = [
+            ("0,6", 0.6),
+            ("0.6", 0.6),
+            ("10,5", 10.5),
+            (",5", 0.5),
+            ("5.", 5.0),
+            ("2.700", 2.7),
+            ("0,600", 0.6),
+            ("1234,567", 1234.567),
+            ("1 234,5", 1234.5),
+            ("1\u{202f}234\u{a0}567", 1_234_567.0),
+            ("1\u{2009}234.5", 1234.5),
+            ("12’345", 12345.0),
+            ("1'234,567", 1234.567),
+            (" −0,55 ", -0.55),
+            ("-3", -3.0),
+            ("+3", 3.0),
+            ("1e−9", 1e-9),
+            ("2,5E3", 2500.0),
+        ];
+        for (typed, expected) in cases {
+            assert_eq!(read(typed, &[]), Ok((expected, None)), "{typed}");
+        }
+    }
+
+    #[test]
+    fn a_unit_behind_the_number_counts() {
+        let cases = [
+            ("12 m", 12.0, 1.0),
+            ("12m", 12.0, 1.0),
+            ("150 cm", 150.0, 0.01),
+            ("1 500\u{a0}mm", 1500.0, 0.001),
+            ("1e3 cm", 1000.0, 0.01),
+        ];
+        for (typed, value, scale) in cases {
+            assert_eq!(read(typed, &LENGTHS), Ok((value, Some(scale))), "{typed}");
+        }
+        assert_eq!(read("2700 kN / m", &FORCES), Ok((2700.0, Some(1e3))));
+        // Milli is not mega.
+        for (typed, units, message) in [
+            ("3 mN/m", &FORCES[..], "“mN/m” is not a unit of this field, which takes kN/m, MN/m, N/m."),
+            ("3 ft", &LENGTHS[..], "“ft” is not a unit of this field, which takes m, cm, mm."),
+            ("0.6 m", &[], "“m” is no part of a number, and this one has no unit."),
+        ] {
+            assert_eq!(read(typed, units), Err(message.to_owned()));
+        }
+    }
+
+    #[test]
+    fn what_could_be_two_numbers_is_refused_with_both() {
+        let cases = [
+            ("2,700", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
+            ("−12,345", "“−12,345” could be −12.345 or −12345: type −12.345 or −12345."),
+            ("2,700 kN/m", "“2,700” could be 2.7 or 2700: type 2.7 or 2700."),
+        ];
+        for (typed, message) in cases {
+            assert_eq!(read(typed, &FORCES), Err(message.to_owned()));
+        }
+        for (typed, meant) in [
+            ("1.234,5", "1234.5"),
+            ("1,234.5", "1234.5"),
+            ("1,234,567", "1234567"),
+            ("1.234.567,8", "1234567.8"),
+        ] {
+            let message = read(typed, &[]).unwrap_err();
+            assert!(
+                message.starts_with(&format!("“{typed}” has more than one point or comma: type {meant} "))
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_said() {
+        for typed in [
+            "abc", "inf", "NaN", ".", ",", "-", "1-2", "--1", "12 34", "1 2345", "1.5 000", "1,2,3", "1..2",
+            "1.2,3,4", "' 5", "1e2e3", "x5",
+        ] {
+            let message = read(typed, &[]).unwrap_err();
+            assert!(
+                message.contains("is not a number") || message.contains("no part of a number"),
+                "{typed}: {message}"
+            );
+        }
+        assert_eq!(read(" \u{a0} ", &[]), Err("A number is missing.".to_owned()));
+        assert_eq!(read("1e999", &[]), Err("“1e999” is too large a number.".to_owned()));
+    }
+}
