@@ -3,10 +3,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use standfast_cases::{Case, report};
+use standfast_cases::{CaseFile, report};
 
 fuzz_target!(|text: &str| {
-    if let Err(error) = Case::parse("case.toml", text) {
+    if let Err(error) = CaseFile::parse("case.toml", text).and_then(|file| file.case()) {
         assert!(!report(&error).is_empty());
     }
 });

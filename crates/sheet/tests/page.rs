@@ -5,7 +5,7 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{cases, document, html, select};
-use standfast_sheet::{Options, Sheet};
+use standfast_sheet::{Sheet, SheetOptions};
 
 #[test]
 fn the_page_is_valid_and_loads_nothing() {
@@ -41,7 +41,7 @@ fn a_sheet_is_small_and_the_same_each_time() {
         assert_eq!(first, html(&name, &text));
         assert!(first.len() < 600_000, "{name}: {}", first.len());
         // No folder of the file's is on the sheet.
-        let elsewhere = Sheet::of(&format!("some/where/{name}"), &text, &Options::default()).unwrap();
+        let elsewhere = Sheet::of(&format!("some/where/{name}"), &text, &SheetOptions::default()).unwrap();
         assert_eq!(first, elsewhere.html());
     }
 }
@@ -55,7 +55,7 @@ fn the_sheet_says_what_it_is_of() {
     assert!(undated.contains(hash) && undated.contains("undated") && undated.contains("wall.toml"));
     assert!(undated.contains("test 12"));
     assert!(undated.contains(concat!("standfast ", env!("CARGO_PKG_VERSION"))));
-    let options = Options { date: Some("2026-11-21".parse().unwrap()), ..Options::default() };
+    let options = SheetOptions { date: Some("2026-11-21".parse().unwrap()), ..SheetOptions::default() };
     let dated = Sheet::of("wall.toml", text, &options).unwrap();
     assert!(dated.html().contains("2026-11-21") && !dated.html().contains("undated"));
 }

@@ -1,7 +1,7 @@
 //! Whatever a case file contains, it is answered or refused: no panic, and every refusal can be shown.
 
 use proptest::prelude::*;
-use standfast_cases::{Case, point};
+use standfast_cases::{Assessment, CaseFile, View, point};
 
 const CASE: &str = include_str!("../../../../examples/caisson-in-air.toml");
 const CASES: [&str; 4] = [
@@ -35,12 +35,13 @@ fn number() -> impl Strategy<Value = f64> {
 }
 
 fn try_case(text: &str) {
-    match Case::parse("case.toml", text) {
+    match CaseFile::parse("case.toml", text).and_then(|file| file.case()) {
         // Answered, or refused by the mechanics as out of range.
-        Ok(case) => case.situations().iter().for_each(|loaded| {
-            let _ = loaded.situation.at(1.0);
-            let _ = loaded.situation.path(2.0);
-        }),
+        Ok(case) => {
+            if let Ok(assessment) = Assessment::of(&case) {
+                assert!(!assessment.json(&View::default(), &[]).is_empty());
+            }
+        }
         Err(error) => assert!(!standfast_cases::report(&error).is_empty()),
     }
 }
@@ -74,13 +75,12 @@ proptest! {
             "[body]\nwidth={width:e}\nheight={height:e}\nmass={mass:e}\nfriction={friction:e}\n\
              [[load]]\nforce={force:e}\nelevation={:e}\n", share * height,
         );
-        match Case::parse("case.toml", &text) {
-            Ok(case) => {
-                let point = case.loads[0].reduced.point;
-                assert!(!point::text(point, true).is_empty());
-                assert!(!point::json(point).is_empty());
-            }
-            Err(error) => assert!(!standfast_cases::report(&error).is_empty()),
+        try_case(&text);
+        let case = CaseFile::parse("case.toml", &text).and_then(|file| file.case());
+        let reduced = case.ok().and_then(|case| case.situation(Some(0)).ok()?.in_air());
+        if let Some(reduced) = reduced {
+            assert!(!point::text(reduced.point, true).is_empty());
+            assert!(!point::json(reduced.point).is_empty());
         }
     }
 }

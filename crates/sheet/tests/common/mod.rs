@@ -6,7 +6,7 @@ use std::path::Path;
 
 use scraper::node::Node;
 use scraper::{ElementRef, Html, Selector};
-use standfast_sheet::{Options, Sheet};
+use standfast_sheet::{Sheet, SheetOptions};
 
 /// Every example, the cases of validation/goda.toml, and a few that reach what these do not: name and text.
 pub fn cases() -> Vec<(String, String)> {
@@ -123,7 +123,7 @@ fn more() -> Vec<(String, String)> {
 }
 
 pub fn html(name: &str, text: &str) -> String {
-    let sheet = Sheet::of(name, text, &Options::default());
+    let sheet = Sheet::of(name, text, &SheetOptions::default());
     sheet.unwrap_or_else(|error| panic!("{name}: {error}")).html().to_owned()
 }
 
@@ -190,7 +190,7 @@ pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
 /// Whether the number is a force of the table of motions, whose unit stands in the next column.
 fn common_column(element: ElementRef<'_>) -> bool {
     let name = element.attr("data-quantity").unwrap_or_default();
-    matches!(name, "motion_si.f_x" | "motion_si.f_y")
+    matches!(name, "motion.f_x" | "motion.f_y")
 }
 
 pub fn within(element: ElementRef<'_>, class: &str) -> bool {
