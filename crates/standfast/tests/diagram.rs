@@ -4,7 +4,7 @@ mod common;
 
 use std::ops::Range;
 
-use common::{Boundary, Random};
+use common::{Boundary, Random, tries};
 use standfast::initiation::{Bounds, Chart, ChartCase, PointName, enumerate};
 use standfast::{Diagram, Mode, Modes, Point};
 
@@ -103,7 +103,7 @@ fn unresolved_parts_are_where_several_modes_are_consistent() {
     let mut hits = 0;
     for chart in charts().into_iter().filter(|chart| (-1.0..0.0).contains(&chart.k_prime())) {
         let parts = Diagram::of(chart).unresolved();
-        for _ in 0..2000 {
+        for _ in 0..tries(2000) {
             let k = random.uniform(0.0, 8.0 * chart.k_a().max(chart.k_b_prime()).min(1e3));
             let mu = random.uniform(0.0, 1.5 * (chart.upper_line().at(k) + 1.0));
             let point = Point::new(chart.gamma(), chart.k_prime(), k, mu).unwrap();
@@ -118,7 +118,7 @@ fn unresolved_parts_are_where_several_modes_are_consistent() {
             }
         }
     }
-    assert!(hits > 1000, "{hits}");
+    assert!(hits > tries(1000), "{hits}");
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn a_curve_s_slope_and_inverse_agree_with_its_values() {
 #[test]
 fn modes_change_at_the_crossings_and_nowhere_else() {
     let mut random = Random(34);
-    for _ in 0..20_000 {
+    for _ in 0..tries(20_000) {
         let [gamma, k_prime, k, mu] = random.point();
         let margins = Point::new(gamma, k_prime, k, mu).unwrap().margins();
         for (crossings, along_k) in [(&margins.along_k, true), (&margins.along_mu, false)] {
@@ -302,7 +302,7 @@ fn modes_change_at_the_crossings_and_nowhere_else() {
 #[test]
 fn safety_factors_are_one_where_rest_ends() {
     let mut random = Random(35);
-    for _ in 0..100_000 {
+    for _ in 0..tries(100_000) {
         let [gamma, k_prime, k, mu] = random.point();
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
         let least = point.safety_against_sliding().min(point.safety_against_overturning());
@@ -319,7 +319,7 @@ fn safety_factors_are_one_where_rest_ends() {
 #[test]
 fn a_point_lies_between_its_bounds() {
     let mut random = Random(37);
-    for i in 0..60_000 {
+    for i in 0..tries(60_000) {
         let [gamma, k_prime, k, mu] = match i % 3 {
             0 => random.point(),
             1 => random.pick(&Boundary::ALL).point(&mut random),
@@ -424,7 +424,7 @@ fn the_trace_in_words() {
 #[test]
 fn the_trace_explains_the_mode() {
     let mut random = Random(36);
-    for i in 0..60_000 {
+    for i in 0..tries(60_000) {
         let [gamma, k_prime, k, mu] = match i % 4 {
             0 | 1 => random.point(),
             2 => random.pick(&Boundary::ALL).point(&mut random),

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Boundary, Random};
+use common::{Boundary, Random, tries};
 use standfast::contact::{Block, solve};
 use standfast::initiation::enumerate;
 use standfast::{InputError, Mode, Modes, Point, Wrench};
@@ -18,14 +18,14 @@ fn check([gamma, k_prime, k, mu]: [f64; 4]) {
 #[test]
 fn closed_form_is_the_enumeration_of_contact_modes() {
     let mut random = Random(1);
-    (0..300_000).for_each(|_| check(random.point()));
+    (0..tries(300_000)).for_each(|_| check(random.point()));
 }
 
 #[test]
 fn closed_form_is_the_enumeration_on_boundaries() {
     for boundary in Boundary::ALL {
         let mut random = Random(100 + boundary as u64);
-        (0..20_000).for_each(|_| check(boundary.point(&mut random)));
+        (0..tries(20_000)).for_each(|_| check(boundary.point(&mut random)));
     }
 }
 
@@ -35,7 +35,7 @@ fn all_modes_and_both_parts_of_n_occur() {
     let mut random = Random(2);
     let mut seen = Modes::NONE;
     let mut triples = Modes::NONE;
-    for _ in 0..200_000 {
+    for _ in 0..tries(200_000) {
         let [gamma, k_prime, k, mu] = random.point();
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
         seen.insert(point.mode());
@@ -108,7 +108,7 @@ fn assert_lawful(block: &Block, wrench: &Wrench, mode: Mode) {
 #[test]
 fn every_consistent_motion_of_the_general_problem_obeys_the_laws() {
     let mut random = Random(3);
-    for _ in 0..100_000 {
+    for _ in 0..tries(100_000) {
         let (mut block, wrench) = random_case(&mut random);
         if random.coin() {
             block.mu_s += random.uniform(0.0, 1.0);
@@ -124,7 +124,7 @@ fn every_consistent_motion_of_the_general_problem_obeys_the_laws() {
 #[test]
 fn the_general_problem_has_an_answer_and_it_is_unique_below_painleves_bound() {
     let mut random = Random(4);
-    for _ in 0..200_000 {
+    for _ in 0..tries(200_000) {
         let (block, wrench) = random_case(&mut random);
         let answer = solve(&block, &wrench).unwrap();
         let reported = answer.mode().unwrap_or_else(|| panic!("no mode: {block:?} {wrench:?}"));
@@ -145,7 +145,7 @@ fn the_general_problem_has_an_answer_and_it_is_unique_below_painleves_bound() {
 #[test]
 fn static_friction_above_kinetic_leaves_no_gap() {
     let mut random = Random(5);
-    for _ in 0..200_000 {
+    for _ in 0..tries(200_000) {
         let (mut block, wrench) = random_case(&mut random);
         block.mu_s += random.uniform(0.0, 2.0);
         let answer = solve(&block, &wrench).unwrap();
@@ -156,7 +156,7 @@ fn static_friction_above_kinetic_leaves_no_gap() {
 #[test]
 fn the_general_problem_is_symmetric() {
     let mut random = Random(6);
-    for _ in 0..50_000 {
+    for _ in 0..tries(50_000) {
         let (block, wrench) = random_case(&mut random);
         let mirror = Block { b1: block.b2, b2: block.b1, ..block };
         let here = solve(&block, &wrench).unwrap().modes;
@@ -222,7 +222,7 @@ fn bad_blocks_and_wrenches_are_refused() {
 fn a_rotation_next_to_its_edge_keeps_its_sign() {
     let mut random = Random(8);
     let mut rocked = 0;
-    for _ in 0..50_000 {
+    for _ in 0..tries(50_000) {
         let block = Block { mu_s: 5.0, mu_k: 5.0, b1: random.uniform(0.5, 2.0), ..Block::uniform(2.0, 5.0) };
         let x = random.uniform(-1.0, 0.0);
         let wrench = Wrench { x, p: 1.0, m: random.nudge(block.b1 + x * block.d) };
@@ -232,5 +232,5 @@ fn a_rotation_next_to_its_edge_keeps_its_sign() {
             rocked += 1;
         }
     }
-    assert!(rocked > 5_000);
+    assert!(rocked > tries(5_000));
 }
