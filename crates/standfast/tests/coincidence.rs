@@ -95,7 +95,7 @@ fn a_strip_is_joined_below_a_billionth_of_the_range() {
 #[test]
 fn no_sliver_is_left() {
     let mut random = Random(52);
-    for _ in 0..tries(400).max(20) {
+    for _ in 0..tries(400).max(5) {
         let mut block = Block::uniform(random.uniform(0.3, 4.0), 1.0);
         if random.coin() {
             block.b1 *= random.uniform(0.5, 1.5);
@@ -141,7 +141,7 @@ fn boundaries_close_to_each_other_are_two() {
 #[test]
 fn the_plane_has_as_many_strips_as_the_report_s_diagram() {
     let mut random = Random(53);
-    for _ in 0..tries(400).max(20) {
+    for _ in 0..tries(400).max(5) {
         let (gamma, k_prime) = (random.uniform(0.3, 4.0), random.uniform(0.05, 1.0));
         let diagram = Diagram::of(Chart::new(gamma, k_prime).unwrap());
         let up_to = 2.0 * diagram.window().k;

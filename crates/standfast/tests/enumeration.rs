@@ -196,6 +196,79 @@ fn a_lifted_block_flies_and_a_weightless_one_floats() {
     assert_eq!(modes(0.3, 0.0, 0.0), "SL+"); // as flight: along the base
 }
 
+/// Loads chosen so that the block, in flight, would not leave the base at one corner or at both: the motion is then that of a
+/// mode which touches without pressing, and counts once, as that mode. The motion is chosen first and the wrench follows,
+/// X = m_x ẍ, P = −m_y ÿ, M = ρ² α, in numbers that are exact.
+#[test]
+fn a_motion_without_reaction_counts_once_as_the_mode_that_touches() {
+    let mut seen = Modes::NONE;
+    // μ = 4 is beyond Painlevé's bound for all of these blocks, ¼ below it.
+    for mu in [0.25, 4.0] {
+        for (b1, b2, d, rho2) in
+            [(1.0, 1.0, 1.0, 1.0), (0.5, 2.0, 1.5, 0.75), (2.0, 1.0, 2.0, 1.0), (1.0, 1.0, 4.0, 0.5)]
+        {
+            for (m_x, m_y) in [(1.0, 1.0), (1.5, 1.0), (2.0, 0.5)] {
+                let block = Block { b1, b2, d, rho2, m_x, m_y, mu_s: mu, mu_k: mu };
+                for α in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+                    for slip in [-1.0, -0.25, 0.0, 0.25, 1.0] {
+                        for lift in [0.0, 0.5] {
+                            // The lower corner lifts off at `lift`.
+                            let y_ddot = lift + if α > 0.0 { b1 * α } else { -b2 * α };
+                            let x_ddot = slip - d * α;
+                            let wrench = Wrench { x: m_x * x_ddot, p: -m_y * y_ddot, m: rho2 * α };
+                            let left = slip < 0.0;
+                            let expected = match (lift > 0.0, α, slip) {
+                                (true, ..) => Mode::Flight,
+                                (_, 0.0, 0.0) => Mode::Rest,
+                                (_, 0.0, _) => {
+                                    if left {
+                                        Mode::SlideLeft
+                                    } else {
+                                        Mode::SlideRight
+                                    }
+                                }
+                                (_, 0.0.., 0.0) => Mode::RockO,
+                                (_, 0.0.., _) => {
+                                    if left {
+                                        Mode::SlideRockOLeft
+                                    } else {
+                                        Mode::SlideRockORight
+                                    }
+                                }
+                                (.., 0.0) => Mode::RockOPrime,
+                                _ => {
+                                    if left {
+                                        Mode::SlideRockOPrimeLeft
+                                    } else {
+                                        Mode::SlideRockOPrimeRight
+                                    }
+                                }
+                            };
+                            let answer = solve(&block, &wrench).unwrap();
+                            let others = answer.modes.without(Some(expected));
+                            assert!(
+                                answer.modes.contains(expected),
+                                "{block:?} {wrench:?}: {}",
+                                answer.modes
+                            );
+                            assert!(!others.contains(Mode::Flight), "{block:?} {wrench:?}: {}", answer.modes);
+                            if mu < 1.0 {
+                                assert!(others.is_empty(), "{block:?} {wrench:?}: {}", answer.modes);
+                            }
+                            let motion = answer.motion(expected).unwrap();
+                            assert_eq!((motion.x_ddot, motion.y_ddot), (x_ddot, y_ddot));
+                            assert_eq!((motion.theta_ddot, motion.slip), (α, slip));
+                            assert_eq!((motion.f_x, motion.f_y, motion.xi), (0.0, 0.0, 0.0));
+                            seen.insert(expected);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen.len(), 10);
+}
+
 #[test]
 fn bad_blocks_and_wrenches_are_refused() {
     let block = Block::uniform(1.0, 0.5);
