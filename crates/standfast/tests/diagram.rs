@@ -515,3 +515,41 @@ fn the_k_primes_of_the_cases_tile_the_axis_as_the_chart_decides() {
     }
     assert!(ChartCase::OneA.k_primes(0.0).is_err());
 }
+
+/// The report's words for the cases and letters for the points, each once; what a chart does not have is at infinity.
+#[test]
+fn cases_and_points_have_names() {
+    let names = ChartCase::ALL.map(ChartCase::name);
+    assert_eq!(names, ["k' < −1", "Δ ≤ 0", "Δ > 0", "1a", "1b", "2–3"]);
+    // Each says its own condition on k' last.
+    let conditions = ChartCase::ALL.map(|case| case.words().split(": ").nth(1).unwrap());
+    assert_eq!(
+        conditions,
+        [
+            "k' < −1",
+            "|k'| ≥ (1+γ²)/(4+γ²)",
+            "|k'| < (1+γ²)/(4+γ²)",
+            "k' ≤ (1+γ²)/(3γ²)",
+            "(1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²)",
+            "k' > (4+γ²)/(3γ²)"
+        ]
+    );
+    use PointName::{A, BPrime, C, CPrime, D, E, F};
+    assert_eq!([A, BPrime, C, CPrime, D, E, F].map(PointName::letter), ["A", "B'", "C", "C'", "D", "E", "F"]);
+
+    let inf = f64::INFINITY;
+    let chart = |gamma, k_prime| Chart::new(gamma, k_prime).unwrap();
+    assert_eq!((chart(2.0, 0.3).gamma(), chart(2.0, 0.3).k_prime()), (2.0, 0.3));
+    assert_eq!((chart(1.0, 0.4).k_e(), chart(1.0, -0.6).k_e()), (inf, inf));
+    assert_eq!((chart(1.0, 0.0).k_b_prime(), chart(1.0, 0.4).k_b_prime()), (inf, inf));
+    for k_prime in [-1.5, -1.0, 0.0, 0.4] {
+        assert_eq!(chart(1.0, k_prime).k_c_prime(), inf);
+    }
+    assert_eq!((chart(1.0, -1.0).k_a(), chart(1.0, 0.0).k_d()), (inf, inf));
+    // 6.8/1.2, from the published coefficients.
+    assert!((chart(1.0, -0.6).mu_star_limit() - 6.8 / 1.2).abs() < 1e-14);
+    assert_eq!(chart(1.0, -1.0).mu_star_limit(), inf);
+    // A point farther than 1e100 counts as none.
+    assert!(chart(1.0, 1e-99).point(D).is_some() && chart(1.0, 1e-101).point(D).is_none());
+    assert_eq!(chart(1.0, 0.4).upper_line().pole(), None);
+}

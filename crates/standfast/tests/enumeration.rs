@@ -5,7 +5,7 @@ mod common;
 use common::{Boundary, Random, tries};
 use standfast::contact::{Block, solve};
 use standfast::initiation::enumerate;
-use standfast::{InputError, Mode, Modes, Point, Wrench};
+use standfast::{Corner, InputError, Mode, Modes, Motion, Point, Slip, Wrench};
 
 fn check([gamma, k_prime, k, mu]: [f64; 4]) {
     let point = Point::new(gamma, k_prime, k, mu).unwrap();
@@ -117,6 +117,58 @@ fn every_consistent_motion_of_the_general_problem_obeys_the_laws() {
             assert_lawful(&block, &wrench, mode);
         }
     }
+}
+
+/// The explanation of a mode: one relation for each of its conditions, between numbers of its motion, each of which holds.
+#[test]
+fn a_mode_is_explained_by_the_conditions_it_meets() {
+    let mut random = Random(9);
+    let mut seen = Modes::NONE;
+    for _ in 0..tries(20_000).max(2_000) {
+        let (mut block, wrench) = random_case(&mut random);
+        if random.coin() {
+            block.mu_s += random.uniform(0.0, 1.0);
+        }
+        let answer = solve(&block, &wrench).unwrap();
+        for mode in Mode::ALL {
+            let relations = answer.explain(mode);
+            let Some(Motion { theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime, .. }) =
+                answer.motion(mode)
+            else {
+                assert!(relations.is_empty(), "{mode}");
+                continue;
+            };
+            seen.insert(mode);
+            let pressed = ("f_y ≥ 0", f_y, 0.0);
+            let friction = ("|f_x| ≤ μ_s f_y", f_x.abs(), block.mu_s * f_y);
+            let base = [("ξ ≥ −b_1", xi, -block.b1), ("ξ ≤ b_2", xi, block.b2)];
+            let slipping = match mode.slip() {
+                Some(Slip::Left) => ("ẍ_O < 0", slip, 0.0),
+                _ => ("ẍ_O > 0", slip, 0.0),
+            };
+            let turning = match mode.corner() {
+                Some(Corner::O) => ("θ̈ > 0", theta_ddot, 0.0),
+                _ => ("θ̈ < 0", theta_ddot, 0.0),
+            };
+            let expected = match mode {
+                Mode::Rest => vec![friction, pressed, base[0], base[1]],
+                Mode::SlideLeft | Mode::SlideRight => vec![slipping, pressed, base[0], base[1]],
+                Mode::RockO | Mode::RockOPrime => vec![turning, pressed, friction],
+                Mode::Flight => vec![("ÿ_O ≥ 0", lift_o, 0.0), ("ÿ_O' ≥ 0", lift_o_prime, 0.0)],
+                _ => vec![turning, pressed, slipping],
+            };
+            let size = 1.0 + f_x.abs() + f_y.abs() + theta_ddot.abs();
+            for (relation, &(statement, left, right)) in relations.iter().zip(&expected) {
+                assert_eq!((&*relation.statement(), relation.left, relation.right), (statement, left, right));
+                assert!(
+                    relation.holds && relation.margin() >= -1e-9 * size,
+                    "{block:?} {wrench:?}: {relation}"
+                );
+            }
+            assert_eq!(relations.len(), expected.len());
+        }
+    }
+    assert_eq!(seen.len(), 10);
 }
 
 /// Some mode always holds; more than one only at or beyond Painlevé's bound, or where two modes are one motion on a

@@ -4,6 +4,7 @@
 mod common;
 
 use common::{Random, tries};
+use standfast::contact::path::up_to;
 use standfast::loads::LoadKind::{Horizontal, Weight};
 use standfast::loads::{
     Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, Place, Pose, StillWater, Uplift,
@@ -68,7 +69,7 @@ fn reaction_at(body: &Body, wrench: &Wrench) -> f64 {
 fn the_classical_checks_are_those_of_the_contact_problem() {
     let mut random = Random(61);
     let mut seen = [0; 4];
-    for _ in 0..tries(50_000) {
+    for _ in 0..tries(50_000).max(2_000) {
         let situation = random_situation(&mut random);
         let outcome = situation.outcome().unwrap();
         let (body, wrench) = (situation.body(), outcome.full.wrench);
@@ -133,7 +134,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
 fn a_departure_is_where_rest_ends() {
     let mut random = Random(62);
     let mut seen = [0; 3];
-    for _ in 0..tries(20_000) {
+    for _ in 0..tries(20_000).max(500) {
         let situation = random_situation(&mut random);
         let mode = |factor: f64| situation.at(factor).unwrap().mode;
         let departure = situation.outcome().unwrap().departure;
@@ -185,7 +186,7 @@ fn what_moves_at_once_moves_as_the_load_begins() {
 fn a_rise_keeps_what_began() {
     let mut random = Random(63);
     let mut kept = 0;
-    for _ in 0..tries(3_000).max(300) {
+    for _ in 0..tries(3_000).max(100) {
         // Strong friction on a squat body under a low force: where several modes are consistent.
         let body = Body::new(random.uniform(1.0, 4.0), 2.0, 1000.0).unwrap();
         let k = random.uniform(1.0, 12.0);
@@ -304,4 +305,109 @@ fn a_moment_is_the_rate_of_work() {
         assert!((m - 2.0 * rate).abs() < 1e-8, "{at:?} {theta}: {m} {rate}");
         assert!((x - 2.0 * right).abs() < 1e-12 && (p - (1e5 * G - 2.0 * up)).abs() < 1e-9);
     }
+}
+
+/// A situation keeps what it is given; a response and a stage tell the other consistent modes from the one reported.
+#[test]
+fn a_situation_keeps_what_it_is_given() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-10_000.0, 0.5));
+    let plain = Situation::new(body, 3.0, 10.0).unwrap().with_weight().with(push.clone());
+    let situation = plain.clone().with_kinetic_friction(2.5).unwrap().with_added_mass(200.0).unwrap();
+    assert_eq!((situation.body(), situation.gravity()), (&body, 10.0));
+    assert_eq!((situation.static_friction(), situation.kinetic_friction()), (3.0, 2.5));
+    assert_eq!((plain.kinetic_friction(), situation.added_mass()), (3.0, 200.0));
+    assert_eq!((situation.loads().len(), &situation.loads()[1]), (2, &push));
+    assert!(plain.clone().with_kinetic_friction(3.0).is_ok());
+    // γ = 1, k' = −½, k = 5, μ = 3.
+    let full = plain.at(5.0).unwrap();
+    assert_eq!(
+        (full.modes.len(), full.others().to_string().as_str(), full.is_unique()),
+        (3, "RO SRO-", false)
+    );
+    let rests = plain.at(1.0).unwrap();
+    assert_eq!((rests.others().len(), rests.is_unique(), rests.is_lifted()), (0, true, false));
+    let stage = plain.path().unwrap().into_iter().find(|stage| stage.from < 5.0 && stage.to > 5.0).unwrap();
+    assert_eq!((stage.mode, stage.others()), (full.mode, full.others()));
+    // Nothing presses a body without weight.
+    let weightless = Situation::new(body, 0.5, 10.0).unwrap();
+    assert!(weightless.at(1.0).unwrap().is_lifted());
+    assert_eq!(weightless.at(1.0).unwrap().mode, Some(Mode::Rest));
+}
+
+/// Only the report's own situation is the report's point: one horizontal force beside the weight of a uniform body, with one
+/// friction and no added mass.
+#[test]
+fn the_report_s_problem_is_told_from_others() {
+    let body = Body::new(2.0, 4.0, 1000.0).unwrap();
+    let push = |right: f64, up: f64| {
+        let action = Action::Force { at: Place { x: 0.3, y: 3.0 }, right, up };
+        Load::variable(LoadSource::Force, Horizontal, action)
+    };
+    let on = |body: Body| Situation::new(body, 0.6, 10.0).unwrap().with_weight();
+    let in_air = on(body).with(push(-5000.0, 0.0));
+    let point = in_air.in_air().unwrap().point;
+    assert_eq!((point.gamma(), point.k_prime(), point.k(), point.mu()), (2.0, 0.5, 0.5, 0.6));
+    assert!(on(body).with(push(5000.0, 0.0)).in_air().unwrap().mirrored);
+    assert_eq!(on(body).with(push(0.0, 0.0)).in_air().map(|reduced| reduced.mirrored), Some(false));
+    let others = [
+        on(body),
+        on(body).with(push(-5000.0, 1.0)),
+        on(body).with(push(-5000.0, 0.0)).with(push(-1.0, 0.0)),
+        on(body).with(Load { permanent: true, ..push(-5000.0, 0.0) }),
+        Situation::new(body, 0.6, 10.0).unwrap().with(push(-5000.0, 0.0)),
+        on(body.with_centroid(0.1, 2.0).unwrap()).with(push(-5000.0, 0.0)),
+        in_air.clone().with_kinetic_friction(0.5).unwrap(),
+        in_air.clone().with_added_mass(1.0).unwrap(),
+    ];
+    for other in &others {
+        assert!(other.in_air().is_none(), "{other:?}");
+    }
+    // Any wrench that presses and pushes is a point still, of an ordinary body.
+    let wrench = Wrench { x: -5000.0, p: 8000.0, m: 0.0 };
+    assert!(others[..5].iter().all(|other| other.effective(&wrench).is_some()));
+    assert!(others[5..].iter().all(|other| other.effective(&wrench).is_none()));
+    for wrench in [Wrench { x: 0.0, ..wrench }, Wrench { p: 0.0, ..wrench }, Wrench { p: -1.0, ..wrench }] {
+        assert!(in_air.effective(&wrench).is_none());
+    }
+    // At another factor, by the wrench: the same to rounding.
+    let twice = in_air.at(2.0).unwrap().effective.unwrap().point;
+    assert_eq!((twice.k(), twice.k_prime()), (1.0, 0.5));
+}
+
+/// The plane of a situation holds, at its own friction, the modes of its path, and at any other those of the same body there.
+#[test]
+fn the_plane_of_a_situation_is_the_plane_of_its_loads() {
+    let mut random = Random(65);
+    for _ in 0..tries(60).max(6) {
+        let situation = random_situation(&mut random);
+        let up_to = random.uniform(0.5, 3.0);
+        let regions = situation.plane(up_to).unwrap();
+        let ratio = situation.kinetic_friction() / situation.static_friction();
+        for _ in 0..100 {
+            let (λ, μ) = (random.uniform(0.0, up_to), random.uniform(0.0, 2.0));
+            let at = Situation::new(*situation.body(), μ, G).unwrap().with_all(situation.loads().to_vec());
+            let at = at.with_kinetic_friction(μ * ratio).unwrap();
+            let at = at.with_added_mass(situation.added_mass()).unwrap();
+            let holders =
+                regions.iter().filter(|region| region.contains(λ, μ)).map(|region| Some(region.mode));
+            assert_eq!(holders.collect::<Vec<_>>(), [at.at(λ).unwrap().mode], "{situation:?} {λ} {μ}");
+        }
+    }
+}
+
+/// The stages up to a load factor are cut there, and none begins beyond.
+#[test]
+fn a_path_is_cut_at_a_load_factor() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-10_000.0, 0.5));
+    // RE to λ = 2, RO to 4, then SL: three stages.
+    let path = Situation::new(body, 3.0, 10.0).unwrap().with_weight().with(push).path().unwrap();
+    let ends = |largest| -> Vec<(f64, f64)> {
+        up_to(&path, largest).iter().map(|stage| (stage.from, stage.to)).collect()
+    };
+    assert_eq!(ends(1.5), [(0.0, 1.5)]);
+    assert_eq!(ends(2.0), [(0.0, 2.0)]);
+    assert_eq!(ends(2.5), [(0.0, 2.0), (2.0, 2.5)]);
+    assert_eq!(up_to(&path, 2.5)[1].mode, Some(Mode::RockO));
 }

@@ -3,8 +3,8 @@
 
 use serde::Deserialize;
 use standfast::loads::Pose;
-use standfast::wave::{Choices, Heights, Sea, Section, Warning, goda, shoaling, wavelength};
-use standfast::{Bearing, Body, ClassicalActions, Corner, Wrench};
+use standfast::wave::{BreakingTerms, Choices, Heights, Sea, Section, Warning, goda, shoaling, wavelength};
+use standfast::{Bearing, Body, ClassicalActions, Corner, Quantity, Wrench};
 
 /// A case of the file; keys that a case lacks are those of its base.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -640,5 +640,94 @@ fn a_steep_bed_without_a_berm_warns() {
         let g = goda(&sea, &heights, &section, &Choices::default()).unwrap();
         let Warning::ImpulsiveBreaking { bed_slope, steepness, .. } = g.warnings[0] else { panic!() };
         assert!(bed_slope == 0.05 && steepness < 0.03);
+    }
+}
+
+/// Every number of a sea, its heights, a section and the choices is checked, and named where it makes no sense.
+#[test]
+fn every_number_is_checked() {
+    let (sea, heights, section) = example();
+    let default = Choices::default();
+    let refused = |sea: Sea, heights: Heights, section: Section, choices: Choices| {
+        goda(&sea, &heights, &section, &choices).unwrap_err().quantity
+    };
+    let nan = f64::NAN;
+    for (sea, quantity) in [
+        (Sea { water_depth: 0.0, ..sea }, Quantity::WaterDepth),
+        (Sea { sea_bottom_slope: -0.01, ..sea }, Quantity::SeaBottomSlope),
+        (Sea { period: 0.0, ..sea }, Quantity::WavePeriod),
+        (Sea { angle_deg: -1.0, ..sea }, Quantity::WaveAngle),
+        (Sea { angle_deg: 90.1, ..sea }, Quantity::WaveAngle),
+        (Sea { water_density: nan, ..sea }, Quantity::WaterDensity),
+        (Sea { gravity: 0.0, ..sea }, Quantity::Gravity),
+    ] {
+        assert_eq!(refused(sea, heights, section, default), quantity);
+    }
+    let local = |significant, maximum| Heights::Local { significant, maximum };
+    for (heights, quantity) in [
+        (Heights::DeepWater(0.0), Quantity::DeepWaterHeight),
+        (local(0.0, 1.0), Quantity::SignificantHeight),
+        (local(1.0, nan), Quantity::MaximumHeight),
+        (local(1.0, 0.99), Quantity::MaximumHeight),
+    ] {
+        assert_eq!(refused(sea, heights, section, default), quantity);
+    }
+    for (section, quantity) in [
+        (Section { base_depth: 0.0, ..section }, Quantity::BaseDepth),
+        (Section { depth_above_berm: 0.0, ..section }, Quantity::BermDepth),
+        (Section { depth_above_berm: sea.water_depth * 1.001, ..section }, Quantity::BermDepth),
+        (Section { crest_height: 0.0, ..section }, Quantity::CrestHeight),
+        (Section { crest_height: nan, ..section }, Quantity::CrestHeight),
+        (Section { berm_width: -0.1, ..section }, Quantity::BermWidth),
+        (Section { caisson_width: 0.0, ..section }, Quantity::CaissonWidth),
+    ] {
+        assert_eq!(refused(sea, heights, section, default), quantity);
+    }
+    for (lambda, quantity) in [
+        ([0.0, 1.0, 1.0], Quantity::Lambda1),
+        ([-1.0, 1.0, 1.0], Quantity::Lambda1),
+        ([1.0, -1.0, 1.0], Quantity::Lambda2),
+        ([1.0, 1.0, nan], Quantity::Lambda3),
+    ] {
+        assert_eq!(refused(sea, heights, section, Choices { lambda, ..default }), quantity);
+    }
+    for turn_deg in [-0.1, 15.1] {
+        assert_eq!(refused(sea, heights, section, Choices { turn_deg, ..default }), Quantity::WaveTurn);
+    }
+    // At the ends of the ranges all is well.
+    let level = Section { depth_above_berm: sea.water_depth, berm_width: 0.0, ..section };
+    let flat = Sea { sea_bottom_slope: 0.0, angle_deg: 90.0, ..sea };
+    let choices = Choices { lambda: [1.0, 0.0, 0.0], turn_deg: 15.0, ..default };
+    assert!(goda(&flat, &local(2.0, 2.0), &level, &choices).is_ok());
+}
+
+/// The terms that a design height was computed from give it again: min{β₀H₀' + β₁h, β_max H₀', K_s H₀'}, or by shoaling alone
+/// where the water is not shallow.
+#[test]
+fn a_design_height_follows_from_its_terms() {
+    let (sea, _, section) = example();
+    for (period, deep) in [(12.0, 2.0), (12.0, 6.0), (12.0, 12.0), (5.0, 2.0), (5.6, 2.0), (5.7, 2.0)] {
+        let sea = Sea { period, ..sea };
+        let goda = goda(&sea, &Heights::DeepWater(deep), &section, &Choices::default()).unwrap();
+        let heights = goda.heights.unwrap();
+        let h = sea.water_depth;
+        assert_eq!(heights.may_break, h / goda.deep_water_wavelength < 0.2, "{period}");
+        assert_eq!(heights.shoaling, shoaling(period, h, sea.gravity));
+        assert!(
+            (heights.breaking_depth - (h + 5.0 * heights.significant * sea.sea_bottom_slope)).abs() < 1e-12
+        );
+        let limited = |terms: BreakingTerms, depth: f64, shoaled: f64| {
+            let breaking = (terms.beta_0 * deep + terms.beta_1 * depth).min(terms.beta_max * deep);
+            if heights.may_break { breaking.min(shoaled) } else { shoaled }
+        };
+        let shoaled = heights.shoaling * deep;
+        let significant = limited(heights.significant_terms, h, shoaled);
+        let maximum = limited(heights.maximum_terms, heights.breaking_depth, 1.8 * shoaled);
+        assert!((heights.significant - significant).abs() < 1e-12, "{period} {deep}");
+        assert!((heights.maximum - maximum).abs() < 1e-12, "{period} {deep}");
+        assert_eq!(
+            (goda.h_13, goda.h_max, goda.h_b),
+            (heights.significant, heights.maximum, heights.breaking_depth)
+        );
     }
 }
