@@ -163,6 +163,24 @@ fn a_departure_is_where_rest_ends() {
     assert!(seen.iter().all(|&count| count > tries(500)), "{seen:?}");
 }
 
+/// A part of the load that is nothing beside the rest does not lead the path out of the range of numbers.
+#[test]
+fn a_part_that_is_next_to_nothing_changes_nothing() {
+    let body = Body::new(2.0, 2.0, 1000.0).unwrap();
+    for tiny in [0.0, 1e-30, 1e-45, 1e-60, 1e-200, 5e-324] {
+        let push = Wrench { x: -5000.0, p: -tiny, m: 0.0 };
+        let push = Load::variable(LoadSource::Force, Horizontal, push);
+        let situation = Situation::new(body, 0.6, 10.0).unwrap().with_weight().with(push);
+        let outcome = situation.outcome().unwrap();
+        assert_eq!(outcome.departure, Departure::At { factor: 1.2, mode: Some(Mode::SlideLeft) }, "{tiny:e}");
+        assert_eq!(outcome.path.last().unwrap().to, f64::INFINITY);
+    }
+    // A load that small, alone, is a load still: 10⁻⁴⁰ N against μ m g of 6 kN.
+    let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-1e-40, 1.0));
+    let situation = Situation::new(body, 0.6, 10.0).unwrap().with_weight().with(push);
+    assert!((situation.outcome().unwrap().departure.load_factor() / 6e43 - 1.0).abs() < 1e-12);
+}
+
 /// At the edge between sliding and turning the permanent loads alone make the body slide; with any share of a load that turns
 /// it, it turns at once, and that is how it departs.
 #[test]
