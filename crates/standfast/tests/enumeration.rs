@@ -261,15 +261,15 @@ fn a_motion_without_reaction_counts_once_as_the_mode_that_touches() {
         {
             for (m_x, m_y) in [(1.0, 1.0), (1.5, 1.0), (2.0, 0.5)] {
                 let block = Block { b1, b2, d, rho2, m_x, m_y, mu_s: mu, mu_k: mu };
-                for α in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+                for turn in [-1.0, -0.5, 0.0, 0.5, 1.0] {
                     for slip in [-1.0, -0.25, 0.0, 0.25, 1.0] {
                         for lift in [0.0, 0.5] {
                             // The lower corner lifts off at `lift`.
-                            let y_ddot = lift + if α > 0.0 { b1 * α } else { -b2 * α };
-                            let x_ddot = slip - d * α;
-                            let wrench = Wrench { x: m_x * x_ddot, p: -m_y * y_ddot, m: rho2 * α };
+                            let y_ddot = lift + if turn > 0.0 { b1 * turn } else { -b2 * turn };
+                            let x_ddot = slip - d * turn;
+                            let wrench = Wrench { x: m_x * x_ddot, p: -m_y * y_ddot, m: rho2 * turn };
                             let left = slip < 0.0;
-                            let expected = match (lift > 0.0, α, slip) {
+                            let expected = match (lift > 0.0, turn, slip) {
                                 (true, ..) => Mode::Flight,
                                 (_, 0.0, 0.0) => Mode::Rest,
                                 (_, 0.0, _) => {
@@ -309,7 +309,7 @@ fn a_motion_without_reaction_counts_once_as_the_mode_that_touches() {
                             }
                             let motion = answer.motion(expected).unwrap();
                             assert_eq!((motion.x_ddot, motion.y_ddot), (x_ddot, y_ddot));
-                            assert_eq!((motion.theta_ddot, motion.slip), (α, slip));
+                            assert_eq!((motion.theta_ddot, motion.slip), (turn, slip));
                             assert_eq!((motion.f_x, motion.f_y, motion.xi), (0.0, 0.0, 0.0));
                             seen.insert(expected);
                         }

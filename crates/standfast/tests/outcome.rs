@@ -69,7 +69,7 @@ fn reaction_at(body: &Body, wrench: &Wrench) -> f64 {
 fn the_classical_checks_are_those_of_the_contact_problem() {
     let mut random = Random(61);
     let mut seen = [0; 4];
-    for _ in 0..tries(50_000).max(2_000) {
+    for _ in 0..tries(20_000).max(2_000) {
         let situation = random_situation(&mut random);
         let outcome = situation.outcome().unwrap();
         let (body, wrench) = (situation.body(), outcome.full.wrench);
@@ -126,7 +126,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
             seen[3] += u32::from(rests);
         }
     }
-    assert!(seen.iter().all(|&count| count > tries(200)), "{seen:?}");
+    assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
 }
 
 /// Up to its departure the body rests, and beyond it does not, as the response at single load factors says.
@@ -134,7 +134,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
 fn a_departure_is_where_rest_ends() {
     let mut random = Random(62);
     let mut seen = [0; 3];
-    for _ in 0..tries(20_000).max(500) {
+    for _ in 0..tries(5_000).max(500) {
         let situation = random_situation(&mut random);
         let mode = |factor: f64| situation.at(factor).unwrap().mode;
         let departure = situation.outcome().unwrap().departure;
@@ -160,7 +160,7 @@ fn a_departure_is_where_rest_ends() {
         }
         assert!(departure.mode() != Some(Mode::Rest));
     }
-    assert!(seen.iter().all(|&count| count > tries(500)), "{seen:?}");
+    assert!(seen.iter().all(|&count| count > tries(125)), "{seen:?}");
 }
 
 /// A part of the load that is nothing beside the rest does not lead the path out of the range of numbers.
@@ -258,7 +258,7 @@ fn loads_say_what_they_are() {
         let uplift = Uplift::new(2e4, 3e4, grows).unwrap();
         assert_eq!((uplift.left(), uplift.right(), uplift.grows()), (2e4, 3e4, grows));
         let load = uplift.load(&body);
-        assert_eq!(told(&[load.clone()]), [(LoadSource::Uplift, LoadKind::Uplift, !grows)]);
+        assert_eq!(told(std::slice::from_ref(&load)), [(LoadSource::Uplift, LoadKind::Uplift, !grows)]);
         let Wrench { x, p, m } = load.action.wrench(&body, G, Pose::UPRIGHT);
         // 20 kPa all over, and 10 kPa at O' falling to nothing at O: 50 kN at 20/3 m from O.
         assert_eq!((x, p), (0.0, -2.5e5));
