@@ -69,7 +69,7 @@ fn reaction_at(body: &Body, wrench: &Wrench) -> f64 {
 fn the_classical_checks_are_those_of_the_contact_problem() {
     let mut random = Random(61);
     let mut seen = [0; 4];
-    for _ in 0..tries(20_000).max(2_000) {
+    for _ in 0..tries(20_000).max(500) {
         let situation = random_situation(&mut random);
         let outcome = situation.outcome().unwrap();
         let (body, wrench) = (situation.body(), outcome.full.wrench);
@@ -134,7 +134,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
 fn a_departure_is_where_rest_ends() {
     let mut random = Random(62);
     let mut seen = [0; 3];
-    for _ in 0..tries(5_000).max(500) {
+    for _ in 0..tries(5_000).max(200) {
         let situation = random_situation(&mut random);
         let mode = |factor: f64| situation.at(factor).unwrap().mode;
         let departure = situation.outcome().unwrap().departure;
@@ -204,7 +204,7 @@ fn what_moves_at_once_moves_as_the_load_begins() {
 fn a_rise_keeps_what_began() {
     let mut random = Random(63);
     let mut kept = 0;
-    for _ in 0..tries(3_000).max(100) {
+    for _ in 0..tries(3_000).max(30) {
         // Strong friction on a squat body under a low force: where several modes are consistent.
         let body = Body::new(random.uniform(1.0, 4.0), 2.0, 1000.0).unwrap();
         let k = random.uniform(1.0, 12.0);
