@@ -21,14 +21,17 @@ pub struct Significant {
 /// assert_eq!(significant(1.23456e12, 4).to_string(), "1.235e12");
 /// ```
 pub fn significant(x: f64, count: usize) -> Significant {
-    // `+ 0.0` turns −0 into 0.
-    let rounded: f64 = format!("{x:.*e}", count.max(1) - 1).parse().unwrap_or(x) + 0.0;
-    if rounded == 0.0 || !rounded.is_finite() || (1e-4..1e7).contains(&rounded.abs()) {
-        return Significant { mantissa: rounded.to_string(), exponent: None };
+    let scientific = format!("{x:.*e}", count.max(1) - 1);
+    // `+ 0.0` turns −0 into 0. The largest numbers may round to more than there are, but keep their digits below.
+    let rounded: f64 = scientific.parse().unwrap_or(x) + 0.0;
+    let plain = rounded == 0.0 || !x.is_finite() || (1e-4..1e7).contains(&rounded.abs());
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) if !plain => {
+            let short = mantissa.contains('.').then(|| mantissa.trim_end_matches('0').trim_end_matches('.'));
+            Significant { mantissa: short.unwrap_or(mantissa).to_owned(), exponent: exponent.parse().ok() }
+        }
+        _ => Significant { mantissa: rounded.to_string(), exponent: None },
     }
-    let scientific = format!("{rounded:e}");
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    Significant { mantissa: mantissa.to_owned(), exponent: exponent.parse().ok() }
 }
 
 impl fmt::Display for Significant {

@@ -288,3 +288,40 @@ pub(crate) fn code(gamma: f64, k_prime: f64, k: f64, mu: f64) -> u8 {
         code => code,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The operations of [`Fused`] are those of f64, but for the product and sum that round once.
+    #[test]
+    fn a_fused_number_is_an_f64() {
+        let numbers = [0.1, -3.0, 1.0 + f64::EPSILON, 1e200, -7e-9];
+        for a in numbers {
+            assert_eq!((-Fused(a)).value(), -a);
+            for b in numbers {
+                let [sum, difference, product] =
+                    [Fused(a) + Fused(b), Fused(a) - Fused(b), Fused(a) * Fused(b)];
+                assert_eq!([sum, difference, product].map(Fused::value), [a + b, a - b, a * b]);
+                for c in numbers {
+                    assert_eq!(Real::mul_add(Fused(a), Fused(b), Fused(c)).value(), a.mul_add(b, c));
+                }
+            }
+        }
+        // (1 + ε)² − (1 + 2ε) = ε², which two roundings lose.
+        let [x, c] = [1.0 + f64::EPSILON, -1.0 - 2.0 * f64::EPSILON].map(Fused::of);
+        assert_eq!(x.mul_add(x, c).value(), f64::EPSILON * f64::EPSILON);
+    }
+
+    /// A value that is asked for is worth its digits where floating point would have lost them: tip = −2⁻⁶⁰ exactly, of which
+    /// γ k (1+k') − 1 would leave nothing.
+    #[test]
+    fn a_value_that_cancels_is_exact() {
+        let (gamma, k_prime) = (1.0 - 2f64.powi(-30), 0.0);
+        let k = 1.0 + 2f64.powi(-30);
+        let known = Polynomials::known(gamma, [gamma, k_prime, k, 1.0], Need::Value, |p| [p.tip]);
+        assert_eq!(known.tip, -2f64.powi(-60));
+        let sign = Polynomials::known(gamma, [gamma, k_prime, k, 1.0], Need::Sign, |p| [p.tip]);
+        assert_eq!(sign.tip, -2f64.powi(-60));
+    }
+}

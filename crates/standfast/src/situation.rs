@@ -147,7 +147,7 @@ impl Outcome {
     pub fn risen(&self) -> Option<Mode> {
         let stages = self.path.iter().filter(|stage| stage.from < 1.0);
         stages.fold(None, |mode: Option<Mode>, stage| match mode {
-            Some(mode) if mode != Mode::Rest && stage.modes.contains(mode) => Some(mode),
+            Some(mode) if stage.modes.contains(mode) => Some(mode),
             _ => stage.mode,
         })
     }

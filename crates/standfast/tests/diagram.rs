@@ -4,7 +4,7 @@ mod common;
 
 use std::ops::Range;
 
-use common::{Boundary, Random};
+use common::{Boundary, Random, tries};
 use standfast::initiation::{Bounds, Chart, ChartCase, PointName, enumerate};
 use standfast::{Diagram, Mode, Modes, Point};
 
@@ -103,7 +103,7 @@ fn unresolved_parts_are_where_several_modes_are_consistent() {
     let mut hits = 0;
     for chart in charts().into_iter().filter(|chart| (-1.0..0.0).contains(&chart.k_prime())) {
         let parts = Diagram::of(chart).unresolved();
-        for _ in 0..2000 {
+        for _ in 0..tries(2000) {
             let k = random.uniform(0.0, 8.0 * chart.k_a().max(chart.k_b_prime()).min(1e3));
             let mu = random.uniform(0.0, 1.5 * (chart.upper_line().at(k) + 1.0));
             let point = Point::new(chart.gamma(), chart.k_prime(), k, mu).unwrap();
@@ -118,7 +118,7 @@ fn unresolved_parts_are_where_several_modes_are_consistent() {
             }
         }
     }
-    assert!(hits > 1000, "{hits}");
+    assert!(hits > tries(1000), "{hits}");
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn a_curve_s_slope_and_inverse_agree_with_its_values() {
 #[test]
 fn modes_change_at_the_crossings_and_nowhere_else() {
     let mut random = Random(34);
-    for _ in 0..20_000 {
+    for _ in 0..tries(20_000) {
         let [gamma, k_prime, k, mu] = random.point();
         let margins = Point::new(gamma, k_prime, k, mu).unwrap().margins();
         for (crossings, along_k) in [(&margins.along_k, true), (&margins.along_mu, false)] {
@@ -302,7 +302,7 @@ fn modes_change_at_the_crossings_and_nowhere_else() {
 #[test]
 fn safety_factors_are_one_where_rest_ends() {
     let mut random = Random(35);
-    for _ in 0..100_000 {
+    for _ in 0..tries(100_000) {
         let [gamma, k_prime, k, mu] = random.point();
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
         let least = point.safety_against_sliding().min(point.safety_against_overturning());
@@ -319,7 +319,7 @@ fn safety_factors_are_one_where_rest_ends() {
 #[test]
 fn a_point_lies_between_its_bounds() {
     let mut random = Random(37);
-    for i in 0..60_000 {
+    for i in 0..tries(60_000) {
         let [gamma, k_prime, k, mu] = match i % 3 {
             0 => random.point(),
             1 => random.pick(&Boundary::ALL).point(&mut random),
@@ -424,7 +424,7 @@ fn the_trace_in_words() {
 #[test]
 fn the_trace_explains_the_mode() {
     let mut random = Random(36);
-    for i in 0..60_000 {
+    for i in 0..tries(60_000) {
         let [gamma, k_prime, k, mu] = match i % 4 {
             0 | 1 => random.point(),
             2 => random.pick(&Boundary::ALL).point(&mut random),
@@ -514,4 +514,42 @@ fn the_k_primes_of_the_cases_tile_the_axis_as_the_chart_decides() {
         }
     }
     assert!(ChartCase::OneA.k_primes(0.0).is_err());
+}
+
+/// The report's words for the cases and letters for the points, each once; what a chart does not have is at infinity.
+#[test]
+fn cases_and_points_have_names() {
+    let names = ChartCase::ALL.map(ChartCase::name);
+    assert_eq!(names, ["k' < −1", "Δ ≤ 0", "Δ > 0", "1a", "1b", "2–3"]);
+    // Each says its own condition on k' last.
+    let conditions = ChartCase::ALL.map(|case| case.words().split(": ").nth(1).unwrap());
+    assert_eq!(
+        conditions,
+        [
+            "k' < −1",
+            "|k'| ≥ (1+γ²)/(4+γ²)",
+            "|k'| < (1+γ²)/(4+γ²)",
+            "k' ≤ (1+γ²)/(3γ²)",
+            "(1+γ²)/(3γ²) < k' ≤ (4+γ²)/(3γ²)",
+            "k' > (4+γ²)/(3γ²)"
+        ]
+    );
+    use PointName::{A, BPrime, C, CPrime, D, E, F};
+    assert_eq!([A, BPrime, C, CPrime, D, E, F].map(PointName::letter), ["A", "B'", "C", "C'", "D", "E", "F"]);
+
+    let inf = f64::INFINITY;
+    let chart = |gamma, k_prime| Chart::new(gamma, k_prime).unwrap();
+    assert_eq!((chart(2.0, 0.3).gamma(), chart(2.0, 0.3).k_prime()), (2.0, 0.3));
+    assert_eq!((chart(1.0, 0.4).k_e(), chart(1.0, -0.6).k_e()), (inf, inf));
+    assert_eq!((chart(1.0, 0.0).k_b_prime(), chart(1.0, 0.4).k_b_prime()), (inf, inf));
+    for k_prime in [-1.5, -1.0, 0.0, 0.4] {
+        assert_eq!(chart(1.0, k_prime).k_c_prime(), inf);
+    }
+    assert_eq!((chart(1.0, -1.0).k_a(), chart(1.0, 0.0).k_d()), (inf, inf));
+    // 6.8/1.2, from the published coefficients.
+    assert!((chart(1.0, -0.6).mu_star_limit() - 6.8 / 1.2).abs() < 1e-14);
+    assert_eq!(chart(1.0, -1.0).mu_star_limit(), inf);
+    // A point farther than 1e100 counts as none.
+    assert!(chart(1.0, 1e-99).point(D).is_some() && chart(1.0, 1e-101).point(D).is_none());
+    assert_eq!(chart(1.0, 0.4).upper_line().pole(), None);
 }

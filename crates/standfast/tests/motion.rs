@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Boundary, Random};
+use common::{Boundary, Random, tries};
 use dashu_ratio::Relaxed as Rational;
 use standfast::contact::{Block, solve};
 use standfast::initiation::Bounds;
@@ -66,14 +66,14 @@ fn check([gamma, k_prime, k, mu]: [f64; 4]) {
 #[test]
 fn every_motion_obeys_newton_coulomb_and_non_penetration() {
     let mut random = Random(21);
-    (0..500_000).for_each(|_| check(random.point()));
+    (0..tries(500_000)).for_each(|_| check(random.point()));
 }
 
 #[test]
 fn so_does_every_motion_within_three_ulps_of_a_boundary() {
     for boundary in Boundary::ALL {
         let mut random = Random(200 + boundary as u64);
-        (0..20_000).for_each(|_| check(boundary.point(&mut random)));
+        (0..tries(20_000)).for_each(|_| check(boundary.point(&mut random)));
     }
 }
 
@@ -82,7 +82,7 @@ fn so_does_every_motion_within_three_ulps_of_a_boundary() {
 fn the_general_problem_has_the_same_motion() {
     let mut random = Random(22);
     let mut compared = 0;
-    while compared < 100_000 {
+    while compared < tries(100_000) {
         let [gamma, k_prime, k, mu] = [
             random.uniform(0.3, 5.0),
             random.uniform(-2.0, 2.0),
@@ -126,7 +126,7 @@ fn the_general_problem_has_the_same_motion() {
 fn the_rotation_keeps_its_digits_next_to_the_boundary() {
     let rational = |x: f64| Rational::try_from(x).unwrap();
     let mut random = Random(23);
-    for _ in 0..20_000 {
+    for _ in 0..tries(20_000) {
         let (gamma, k_prime) = (random.uniform(0.3, 5.0), random.uniform(-0.9, 1.0));
         let excess = random.log(1e-17, 1.0);
         let k = (1.0 + excess) / (gamma * (1.0 + k_prime));
@@ -161,7 +161,7 @@ fn worked_points() {
 #[test]
 fn a_force_through_the_centre_is_the_limit_of_both_chapters() {
     let mut random = Random(24);
-    for _ in 0..20_000 {
+    for _ in 0..tries(20_000) {
         // Reals, not fractions: on a boundary the limits are two.
         let [gamma, k, mu] = [random.uniform(0.3, 5.0), random.uniform(0.0, 4.0), random.uniform(0.0, 3.0)];
         let at = |k_prime: f64| Point::new(gamma, k_prime, k, mu).unwrap();
@@ -204,7 +204,7 @@ fn onset_columns_agree_with_the_single_call() {
     use standfast::batch::{self, BatchError, Columns, OnsetColumns};
 
     let mut random = Random(23);
-    let mut points: Vec<[f64; 4]> = (0..3_000).map(|_| random.point()).collect();
+    let mut points: Vec<[f64; 4]> = (0..tries(3_000)).map(|_| random.point()).collect();
     for boundary in Boundary::ALL {
         points.extend((0..100).map(|_| boundary.point(&mut random)));
     }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::Random;
+use common::{Random, tries};
 use standfast::contact::path::stages;
 use standfast::contact::plane::regions;
 use standfast::contact::{Block, solve};
@@ -50,7 +50,7 @@ fn all_modes(point: &Point) -> Modes {
 fn a_force_in_air_is_the_report_s_problem() {
     let mut random = Random(41);
     let mut compared = 0;
-    while compared < 100_000 {
+    while compared < tries(100_000) {
         let [gamma, k_prime, k, mu] = random.point();
         let point = Point::new(gamma, k_prime, k, mu).unwrap();
         if near_boundary(&point) {
@@ -70,7 +70,7 @@ fn a_force_in_air_is_the_report_s_problem() {
 fn any_wrench_on_a_uniform_block_is_a_point_of_the_report_s_plane() {
     let mut random = Random(42);
     let mut compared = 0;
-    while compared < 100_000 {
+    while compared < tries(100_000) {
         let (width, height) = (random.uniform(1.0, 20.0), random.uniform(1.0, 20.0));
         let body = Body::new(width, height, random.log(1e2, 1e6)).unwrap();
         let weight = body.mass() * G;
@@ -116,7 +116,7 @@ fn any_wrench_on_a_uniform_block_is_a_point_of_the_report_s_plane() {
 #[test]
 fn buoyancy_and_uplift_lower_p_and_turn() {
     let mut random = Random(43);
-    for _ in 0..100_000 {
+    for _ in 0..tries(100_000) {
         let body =
             Body::new(random.uniform(1.0, 20.0), random.uniform(1.0, 20.0), random.log(1e3, 1e6)).unwrap();
         let (half_width, weight) = (body.width() / 2.0, body.mass() * G);
@@ -136,7 +136,7 @@ fn buoyancy_and_uplift_lower_p_and_turn() {
 fn base_excitation_has_its_regions() {
     let mut random = Random(44);
     let mut compared = 0;
-    while compared < 100_000 {
+    while compared < tries(100_000) {
         let body = Body::new(2.0, 2.0 * random.uniform(0.2, 6.0), random.log(1e2, 1e5)).unwrap();
         let γ = body.slenderness();
         let (a_h, a_v, μ) = (random.uniform(0.01, 3.0), random.uniform(-0.9, 1.0), random.uniform(0.0, 3.0));
@@ -191,7 +191,7 @@ fn added_mass_enters_the_inertia() {
 fn added_mass_obeys_the_equations_of_motion() {
     let mut random = Random(48);
     let mut seen = Modes::NONE;
-    for _ in 0..100_000 {
+    for _ in 0..tries(100_000) {
         let (width, height) = (random.uniform(1.0, 20.0), random.uniform(1.0, 20.0));
         let body = Body::new(width, height, random.log(1e3, 1e6)).unwrap();
         let (mass, weight) = (body.mass(), body.mass() * G);
@@ -342,7 +342,7 @@ fn random_path(random: &mut Random) -> (Block, Wrench, Wrench) {
 #[test]
 fn a_path_has_every_crossing() {
     let mut random = Random(45);
-    for _ in 0..5_000 {
+    for _ in 0..tries(5_000) {
         let (block, permanent, variable) = random_path(&mut random);
         let stages = stages(&block, &permanent, &variable).unwrap();
         assert_eq!((stages[0].from, stages.last().unwrap().to), (0.0, f64::INFINITY));
@@ -369,7 +369,7 @@ fn a_path_has_every_crossing() {
 #[test]
 fn a_path_in_air_crosses_where_the_margins_say() {
     let mut random = Random(46);
-    for _ in 0..5_000 {
+    for _ in 0..tries(5_000) {
         let (gamma, k_prime, mu) =
             (random.uniform(0.3, 4.0), random.uniform(-1.5, 1.5), random.uniform(0.05, 2.0));
         let margins = Point::new(gamma, k_prime, 1.0, mu).unwrap().margins();
@@ -404,7 +404,7 @@ fn a_rising_load_enters_n_from_rocking() {
 #[test]
 fn the_plane_of_any_block_has_its_regions() {
     let mut random = Random(47);
-    for case in 0..60 {
+    for case in 0..tries(60).max(6) {
         let (mut block, permanent, variable) = if case % 3 == 0 {
             let (gamma, k_prime) = (random.uniform(0.3, 4.0), random.uniform(-1.0, 1.0));
             let unit = Wrench { x: -1.0, p: 0.0, m: k_prime * gamma };
@@ -577,7 +577,7 @@ fn a_departure_is_one_of_four() {
 #[test]
 fn a_force_in_air_keeps_its_numbers() {
     let mut random = Random(49);
-    for _ in 0..20_000 {
+    for _ in 0..tries(20_000) {
         let body =
             Body::new(random.uniform(1.0, 20.0), random.uniform(1.0, 20.0), random.log(1e3, 1e6)).unwrap();
         let elevation = random.uniform(0.0, body.height());

@@ -93,3 +93,28 @@ fn a_point_with_a_size_is_the_body_and_force_it_came_from() {
     let reduced = HorizontalForce::new(1e6, 9.0, Slip::Left).unwrap().reduce(&caisson(), 0.6, 9.81).unwrap();
     assert!(reduced.with_size(0.0, 1.0, 9.81).is_err() && reduced.with_size(1.0, 1.0, f64::NAN).is_err());
 }
+
+/// What a body is told it keeps; its centre of mass lies strictly between its corners.
+#[test]
+fn a_body_keeps_what_it_is_told() {
+    let body = Body::new(10.0, 8.0, 1e5).unwrap();
+    assert!(body.is_uniform());
+    assert_eq!((body.width(), body.height(), body.mass()), (10.0, 8.0, 1e5));
+    assert_eq!((body.centroid_offset(), body.centroid_height(), body.base_width()), (0.0, 4.0, 10.0));
+    let turned = body.with_moment_of_inertia(7e5).unwrap();
+    assert_eq!((turned.moment_of_inertia(), turned.is_uniform()), (7e5, false));
+    let odd = body.with_base(4.0, 5.0).unwrap().with_centroid(0.5, 3.0).unwrap();
+    assert_eq!((odd.base_edges().left, odd.base_edges().right), (4.0, 5.0));
+    assert_eq!((odd.centroid_offset(), odd.centroid_height()), (0.5, 3.0));
+    assert!(!odd.is_uniform() && !body.with_centroid(0.0, 3.9).unwrap().is_uniform());
+    for (offset, fits) in [(-5.0, false), (-4.999, true), (4.999, true), (5.0, false)] {
+        assert_eq!(body.with_centroid(offset, 4.0).is_ok(), fits, "{offset}");
+    }
+    for (left, right, fits) in
+        [(0.0, 5.0, false), (0.001, 0.001, true), (5.0, 0.0, false), (-1.0, 5.0, false)]
+    {
+        assert_eq!(body.with_base(left, right).is_ok(), fits, "{left} {right}");
+    }
+    assert!(body.with_centroid(0.0, 0.0).is_err() && body.with_centroid(f64::NAN, 4.0).is_err());
+    assert!(body.with_base(f64::NAN, 5.0).is_err() && body.with_moment_of_inertia(-1.0).is_err());
+}

@@ -3,8 +3,8 @@
 
 use serde::Deserialize;
 use standfast::loads::Pose;
-use standfast::wave::{Choices, Heights, Sea, Section, Warning, goda};
-use standfast::{Bearing, Body, ClassicalActions, Corner, Wrench};
+use standfast::wave::{BreakingTerms, Choices, Heights, Sea, Section, Warning, goda, shoaling, wavelength};
+use standfast::{Bearing, Body, ClassicalActions, Corner, Quantity, Wrench};
 
 /// A case of the file; keys that a case lacks are those of its base.
 #[derive(Debug, Clone, Default, Deserialize)]
@@ -468,6 +468,168 @@ fn a_base_beyond_the_formula_has_no_suction() {
     assert!(g.warnings.iter().any(|warning| matches!(warning, Warning::NoPressureAtBase { .. })));
 }
 
+/// What the criteria of impulsive breaking are about.
+#[derive(Clone, Copy)]
+struct Front {
+    berm_width_ratio: f64,
+    berm_depth_ratio: f64,
+    bed_slope: f64,
+    steepness: f64,
+    angle_deg: f64,
+    turn_deg: f64,
+    /// h_c/H_1/3.
+    crest_ratio: f64,
+}
+
+impl Front {
+    /// Whether a sea and a section with these numbers get the warning, and with what numbers.
+    fn warned(self) -> Option<[f64; 4]> {
+        let (period, water_depth, gravity) = (12.0, 10.0, 9.81);
+        let sea = Sea {
+            water_depth,
+            sea_bottom_slope: self.bed_slope,
+            period,
+            angle_deg: self.angle_deg,
+            water_density: 1030.0,
+            gravity,
+        };
+        // H₀'/L₀ with L₀ = gT²/2π; the height at the wall is what shoals to it.
+        let deep = self.steepness * gravity * period * period / std::f64::consts::TAU;
+        let significant = deep * shoaling(period, water_depth, gravity);
+        let section = Section {
+            base_depth: 7.0,
+            depth_above_berm: self.berm_depth_ratio * water_depth,
+            crest_height: self.crest_ratio * significant,
+            berm_width: self.berm_width_ratio * wavelength(period, water_depth, gravity),
+            caisson_width: 15.0,
+        };
+        let heights = Heights::Local { significant, maximum: 1.8 * significant };
+        let choices = Choices { turn_deg: self.turn_deg, ..Choices::default() };
+        let warnings = goda(&sea, &heights, &section, &choices).unwrap().warnings;
+        warnings.into_iter().find_map(|warning| match warning {
+            Warning::ImpulsiveBreaking { berm_width_ratio, berm_depth_ratio, bed_slope, steepness } => {
+                Some([berm_width_ratio, berm_depth_ratio, bed_slope, steepness])
+            }
+            _ => None,
+        })
+    }
+}
+
+/// Impulsive breaking: β < 20°, h_c/H_1/3 > 0.3, and either B_M/L < 0.02, tanθ > 1/50, H₀'/L₀ < 0.03, or
+/// 0.02 < B_M/L < 0.3 and d/h < 0.6. Each limit is met from either side, one at a time, a thousandth off.
+#[test]
+fn every_limit_of_impulsive_breaking_is_where_it_is() {
+    let berm = Front {
+        berm_width_ratio: 0.1,
+        berm_depth_ratio: 0.5,
+        bed_slope: 0.01,
+        steepness: 0.04,
+        angle_deg: 10.0,
+        turn_deg: 0.0,
+        crest_ratio: 1.0,
+    };
+    let bed =
+        Front { berm_width_ratio: 0.01, berm_depth_ratio: 0.65, bed_slope: 0.05, steepness: 0.02, ..berm };
+    let (below, above) = (0.999, 1.001);
+    for (front, warns) in [
+        (berm, true),
+        (Front { berm_width_ratio: 0.02 * below, ..berm }, false),
+        (Front { berm_width_ratio: 0.02 * above, ..berm }, true),
+        (Front { berm_width_ratio: 0.3 * below, ..berm }, true),
+        (Front { berm_width_ratio: 0.3 * above, ..berm }, false),
+        (Front { berm_depth_ratio: 0.6 * below, ..berm }, true),
+        (Front { berm_depth_ratio: 0.6, ..berm }, false),
+        (bed, true),
+        (Front { berm_width_ratio: 0.02 * below, ..bed }, true),
+        (Front { berm_width_ratio: 0.02 * above, ..bed }, false),
+        (Front { bed_slope: 0.02, ..bed }, false),
+        (Front { bed_slope: 0.02 * above, ..bed }, true),
+        (Front { steepness: 0.03 * below, ..bed }, true),
+        (Front { steepness: 0.03 * above, ..bed }, false),
+    ] {
+        let found = front.warned();
+        let Front { berm_width_ratio, berm_depth_ratio, bed_slope, steepness, .. } = front;
+        let numbers = [berm_width_ratio, berm_depth_ratio, bed_slope, steepness];
+        assert_eq!(found.is_some(), warns, "{numbers:?}");
+        for (found, expected) in found.into_iter().flatten().zip(numbers) {
+            assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+        }
+    }
+    for front in [berm, bed] {
+        for (angle_deg, turn_deg, warns) in [
+            (0.0, 0.0, true),
+            (20.0 * below, 0.0, true),
+            (20.0, 0.0, false),
+            (20.0 * above, 0.0, false),
+            (34.9, 15.0, true), // turned to the normal first
+            (35.0, 15.0, false),
+        ] {
+            assert_eq!(Front { angle_deg, turn_deg, ..front }.warned().is_some(), warns, "{angle_deg}°");
+        }
+        for (crest_ratio, warns) in [(0.3 * below, false), (0.3 * above, true)] {
+            assert_eq!(Front { crest_ratio, ..front }.warned().is_some(), warns, "{crest_ratio}");
+        }
+    }
+}
+
+/// The other warnings, on either side of their limits.
+#[test]
+fn every_other_warning_has_its_limit() {
+    let (sea, _, section) = example();
+    // A berm so low that no impulsive breaking is warned of.
+    let section = Section { depth_above_berm: 6.5, ..section };
+    let low = Heights::Local { significant: 1.0, maximum: 1.8 };
+    let deep = Heights::DeepWater(1.0);
+    let warnings = |sea: Sea, heights: Heights, section: Section| {
+        goda(&sea, &heights, &section, &Choices::default()).unwrap().warnings
+    };
+    assert!(warnings(sea, low, section).is_empty());
+    // h/L₀ = 0.2: T² = 2πh/(0.2 g). For waves given at the wall it does not matter.
+    let at_ratio = |ratio: f64| Sea {
+        period: (std::f64::consts::TAU * sea.water_depth / (ratio * sea.gravity)).sqrt(),
+        ..sea
+    };
+    assert!(warnings(at_ratio(0.1999), deep, section).is_empty());
+    assert!(matches!(
+        warnings(at_ratio(0.2001), deep, section)[..],
+        [Warning::DeepWater { ratio }] if (ratio - 0.2001).abs() < 1e-12
+    ));
+    assert!(warnings(at_ratio(0.2001), low, section).is_empty());
+    // Miche's limit, 0.142 L tanh(2πh/L).
+    let length = wavelength(sea.period, sea.water_depth, sea.gravity);
+    let limit = 0.142 * length * (std::f64::consts::TAU * sea.water_depth / length).tanh();
+    let at_height = |maximum| warnings(sea, Heights::Local { significant: 1.0, maximum }, section);
+    assert!(at_height(limit * 0.999).is_empty());
+    assert_eq!(at_height(limit * 1.001), [Warning::HigherThanBreaking { height: limit * 1.001, limit }]);
+    // α₃ = 0 at h' = h/(1 − 1/cosh(2πh/L)), below the bed.
+    let h = sea.water_depth;
+    let deepest = h / (1.0 - 1.0 / (std::f64::consts::TAU * h / length).cosh());
+    for (base_depth, warns) in [(deepest * 0.999, false), (deepest * 1.001, true)] {
+        let warnings = warnings(sea, low, Section { base_depth, ..section });
+        let no_pressure = |warning: &Warning| matches!(warning, Warning::NoPressureAtBase { .. });
+        assert_eq!(warnings.iter().any(no_pressure), warns, "{base_depth}");
+    }
+    // The bed and the berm: level is not below.
+    assert!(warnings(sea, low, Section { base_depth: h, ..section }).is_empty());
+    assert_eq!(
+        warnings(sea, low, Section { base_depth: h * 1.001, ..section }),
+        [Warning::BaseBelowBed { base_depth: h * 1.001, water_depth: h }]
+    );
+    let level = Section { depth_above_berm: section.base_depth, ..section };
+    assert!(warnings(sea, low, level).is_empty());
+    let depth_above_berm = section.base_depth * 1.001;
+    assert_eq!(
+        warnings(sea, low, Section { depth_above_berm, ..section }),
+        [Warning::BermBelowBase { depth_above_berm, base_depth: section.base_depth }]
+    );
+    let at_period = |period| warnings(Sea { period, ..sea }, low, section);
+    assert!(at_period(30.0).is_empty());
+    assert_eq!(at_period(30.03), [Warning::LongPeriod { period: 30.03 }]);
+    let at_slope = |sea_bottom_slope| warnings(Sea { sea_bottom_slope, ..sea }, low, section);
+    assert!(at_slope(0.1).is_empty());
+    assert_eq!(at_slope(0.1001), [Warning::SteepBed { bed_slope: 0.1001 }]);
+}
+
 /// The steep bed's branch of the impulsive warning, for heights given either way.
 #[test]
 fn a_steep_bed_without_a_berm_warns() {
@@ -478,5 +640,94 @@ fn a_steep_bed_without_a_berm_warns() {
         let g = goda(&sea, &heights, &section, &Choices::default()).unwrap();
         let Warning::ImpulsiveBreaking { bed_slope, steepness, .. } = g.warnings[0] else { panic!() };
         assert!(bed_slope == 0.05 && steepness < 0.03);
+    }
+}
+
+/// Every number of a sea, its heights, a section and the choices is checked, and named where it makes no sense.
+#[test]
+fn every_number_is_checked() {
+    let (sea, heights, section) = example();
+    let default = Choices::default();
+    let refused = |sea: Sea, heights: Heights, section: Section, choices: Choices| {
+        goda(&sea, &heights, &section, &choices).unwrap_err().quantity
+    };
+    let nan = f64::NAN;
+    for (sea, quantity) in [
+        (Sea { water_depth: 0.0, ..sea }, Quantity::WaterDepth),
+        (Sea { sea_bottom_slope: -0.01, ..sea }, Quantity::SeaBottomSlope),
+        (Sea { period: 0.0, ..sea }, Quantity::WavePeriod),
+        (Sea { angle_deg: -1.0, ..sea }, Quantity::WaveAngle),
+        (Sea { angle_deg: 90.1, ..sea }, Quantity::WaveAngle),
+        (Sea { water_density: nan, ..sea }, Quantity::WaterDensity),
+        (Sea { gravity: 0.0, ..sea }, Quantity::Gravity),
+    ] {
+        assert_eq!(refused(sea, heights, section, default), quantity);
+    }
+    let local = |significant, maximum| Heights::Local { significant, maximum };
+    for (heights, quantity) in [
+        (Heights::DeepWater(0.0), Quantity::DeepWaterHeight),
+        (local(0.0, 1.0), Quantity::SignificantHeight),
+        (local(1.0, nan), Quantity::MaximumHeight),
+        (local(1.0, 0.99), Quantity::MaximumHeight),
+    ] {
+        assert_eq!(refused(sea, heights, section, default), quantity);
+    }
+    for (section, quantity) in [
+        (Section { base_depth: 0.0, ..section }, Quantity::BaseDepth),
+        (Section { depth_above_berm: 0.0, ..section }, Quantity::BermDepth),
+        (Section { depth_above_berm: sea.water_depth * 1.001, ..section }, Quantity::BermDepth),
+        (Section { crest_height: 0.0, ..section }, Quantity::CrestHeight),
+        (Section { crest_height: nan, ..section }, Quantity::CrestHeight),
+        (Section { berm_width: -0.1, ..section }, Quantity::BermWidth),
+        (Section { caisson_width: 0.0, ..section }, Quantity::CaissonWidth),
+    ] {
+        assert_eq!(refused(sea, heights, section, default), quantity);
+    }
+    for (lambda, quantity) in [
+        ([0.0, 1.0, 1.0], Quantity::Lambda1),
+        ([-1.0, 1.0, 1.0], Quantity::Lambda1),
+        ([1.0, -1.0, 1.0], Quantity::Lambda2),
+        ([1.0, 1.0, nan], Quantity::Lambda3),
+    ] {
+        assert_eq!(refused(sea, heights, section, Choices { lambda, ..default }), quantity);
+    }
+    for turn_deg in [-0.1, 15.1] {
+        assert_eq!(refused(sea, heights, section, Choices { turn_deg, ..default }), Quantity::WaveTurn);
+    }
+    // At the ends of the ranges all is well.
+    let level = Section { depth_above_berm: sea.water_depth, berm_width: 0.0, ..section };
+    let flat = Sea { sea_bottom_slope: 0.0, angle_deg: 90.0, ..sea };
+    let choices = Choices { lambda: [1.0, 0.0, 0.0], turn_deg: 15.0, ..default };
+    assert!(goda(&flat, &local(2.0, 2.0), &level, &choices).is_ok());
+}
+
+/// The terms that a design height was computed from give it again: min{β₀H₀' + β₁h, β_max H₀', K_s H₀'}, or by shoaling alone
+/// where the water is not shallow.
+#[test]
+fn a_design_height_follows_from_its_terms() {
+    let (sea, _, section) = example();
+    for (period, deep) in [(12.0, 2.0), (12.0, 6.0), (12.0, 12.0), (5.0, 2.0), (5.6, 2.0), (5.7, 2.0)] {
+        let sea = Sea { period, ..sea };
+        let goda = goda(&sea, &Heights::DeepWater(deep), &section, &Choices::default()).unwrap();
+        let heights = goda.heights.unwrap();
+        let h = sea.water_depth;
+        assert_eq!(heights.may_break, h / goda.deep_water_wavelength < 0.2, "{period}");
+        assert_eq!(heights.shoaling, shoaling(period, h, sea.gravity));
+        assert!(
+            (heights.breaking_depth - (h + 5.0 * heights.significant * sea.sea_bottom_slope)).abs() < 1e-12
+        );
+        let limited = |terms: BreakingTerms, depth: f64, shoaled: f64| {
+            let breaking = (terms.beta_0 * deep + terms.beta_1 * depth).min(terms.beta_max * deep);
+            if heights.may_break { breaking.min(shoaled) } else { shoaled }
+        };
+        let shoaled = heights.shoaling * deep;
+        let significant = limited(heights.significant_terms, h, shoaled);
+        let maximum = limited(heights.maximum_terms, heights.breaking_depth, 1.8 * shoaled);
+        assert!((heights.significant - significant).abs() < 1e-12, "{period} {deep}");
+        assert!((heights.maximum - maximum).abs() < 1e-12, "{period} {deep}");
+        assert_eq!(
+            (goda.h_13, goda.h_max, goda.h_b),
+            (heights.significant, heights.maximum, heights.breaking_depth)
+        );
     }
 }

@@ -6,7 +6,7 @@
 
 use super::conditions::{COUNT, conditions};
 use super::{Block, numbers, solve};
-use crate::error::InputError;
+use crate::error::{InputError, LARGEST};
 use crate::mode::{Mode, Modes};
 use crate::wrench::Wrench;
 
@@ -67,9 +67,12 @@ pub fn up_to(stages: &[Stage], largest: f64) -> Vec<Stage> {
     within.map(|stage| Stage { to: stage.to.min(largest), ..*stage }).collect()
 }
 
-/// The load factors above zero at which a condition changes its sign.
+/// The load factors above zero at which a condition changes its sign. One so large that the load leaves the range of
+/// [`InputError`] is none: it comes from a part of the load that is nothing beside the rest.
 fn crossings(block: &Block, permanent: &Wrench, variable: &Wrench) -> impl Iterator<Item = f64> {
     let at = |wrench| -> [f64; COUNT] { conditions(&numbers(block, wrench)) };
     let (start, slope) = (at(permanent), at(variable));
-    start.into_iter().zip(slope).map(|(start, slope)| -start / slope).filter(|λ| *λ > 0.0 && λ.is_finite())
+    let largest = variable.x.abs().max(variable.p.abs()).max(variable.m.abs());
+    let in_range = move |λ: &f64| *λ > 0.0 && *λ * largest < LARGEST / 4.0;
+    start.into_iter().zip(slope).map(|(start, slope)| -start / slope).filter(in_range)
 }

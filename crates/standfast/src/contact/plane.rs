@@ -10,7 +10,8 @@
 //!
 //! or a vertical. Their crossings cut the plane into strips; between neighbouring curves of a strip the mode is constant
 //! and is decided exactly, at one point. A strip narrower than 1e-9 of the range, where crossings coincide up to rounding,
-//! is joined to its neighbour: this is a picture's precision, not that of a mode.
+//! is joined to its neighbour, and boundaries whose coefficients differ by less than 3e-7 of their size are taken as one: this
+//! is a picture's precision, not that of a mode.
 
 use super::conditions::{COUNT, conditions};
 use super::{Block, numbers, solve};

@@ -130,9 +130,10 @@ impl Point {
             return others;
         }
         if matches!(self.mode(), Mode::SlideLeft | Mode::SlideRockOPrimeLeft) {
-            let signs = self.polynomials(Need::Sign, |p| [p.tip, p.turn, p.slip_left]);
-            let Polynomials { tip, turn, slip_left, .. } = signs;
-            if tip > 0.0 && slip_left >= 0.0 {
+            let signs = self.polynomials(Need::Sign, |p| [p.turn, p.slip_left]);
+            let Polynomials { turn, slip_left, .. } = signs;
+            // That k > k_A follows: slip_left = 4(1+γ²)(μ − k) + 3 tip (μ + γ), and μ < k in both modes.
+            if slip_left >= 0.0 {
                 others.insert(Mode::RockO);
                 if turn < 0.0 && slip_left > 0.0 {
                     others.insert(Mode::SlideRockOLeft);

@@ -2,7 +2,22 @@
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
 
+use std::sync::LazyLock;
+
 use standfast::initiation::{Chart, PointName};
+
+/// The share of its random points that a test takes: all, or what `STANDFAST_TRIES` says (0.01: one in a hundred), for runs that
+/// test the tests by breaking the library again and again.
+static SHARE: LazyLock<f64> = LazyLock::new(|| {
+    let share = std::env::var("STANDFAST_TRIES").map_or(1.0, |share| share.parse().unwrap());
+    assert!(0.0 < share && share <= 1.0, "STANDFAST_TRIES is a share, above 0 and at most 1");
+    share
+});
+
+/// How many of `full` random points a test takes.
+pub fn tries(full: u32) -> u32 {
+    (f64::from(full) * *SHARE).ceil() as u32
+}
 
 /// SplitMix64: a repeatable source of random numbers.
 pub struct Random(pub u64);

@@ -1,0 +1,157 @@
+//! The path and the plane of a rising load where boundaries come close to one another: what is real is kept, what is one
+//! crossing computed twice is not shown as two.
+
+mod common;
+
+use common::{Random, tries};
+use standfast::contact::path::{Stage, stages};
+use standfast::contact::plane::regions;
+use standfast::contact::{Block, solve};
+use standfast::initiation::Chart;
+use standfast::region::Region;
+use standfast::{Diagram, Mode, Wrench};
+
+const WEIGHT: Wrench = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+
+/// The report's force at λ = 1: k = 1 at k'.
+fn unit_force(gamma: f64, k_prime: f64) -> Wrench {
+    Wrench { x: -1.0, p: 0.0, m: k_prime * gamma }
+}
+
+fn modes(stages: &[Stage]) -> Vec<Mode> {
+    stages.iter().map(|stage| stage.mode.unwrap()).collect()
+}
+
+/// A little below A, μ = (1 − δ)/(γ(1+k')), the body slides between k = μ and the line CD, k = (1/γ − μ)/k', before it begins to
+/// turn: a stage δ(1 + 1/k') wide beside 1, which is there however narrow.
+#[test]
+fn a_narrow_stage_is_a_stage() {
+    let (gamma, k_prime) = (1.0, 0.5);
+    let k_a = 1.0 / (gamma * (1.0 + k_prime));
+    for δ in [1e-3, 1e-6, 1e-9, 1e-12, 1e-13, 2e-14] {
+        let mu = k_a * (1.0 - δ);
+        let block = Block::uniform(gamma, mu);
+        let path = stages(&block, &WEIGHT, &unit_force(gamma, k_prime)).unwrap();
+        assert_eq!(modes(&path)[..3], [Mode::Rest, Mode::SlideLeft, Mode::SlideRockOLeft], "{δ}");
+        let Stage { from, to, mode, .. } = path[1];
+        let (first, last) = (mu, (1.0 / gamma - mu) / k_prime);
+        let near = |one: f64, two: f64| (one - two).abs() <= 4.0 * f64::EPSILON;
+        assert!(near(from, first) && near(to, last), "{δ}: {from} {to}");
+        let between = solve(&block, &(WEIGHT + unit_force(gamma, k_prime) * ((first + last) / 2.0))).unwrap();
+        assert_eq!(between.mode(), mode, "{δ}");
+    }
+}
+
+/// Through A, where four boundaries meet, the body goes from rest to what lies right of A at μ = k_A: RO where μ* falls from A
+/// (cases 1b and 2), SRO- where it rises (case 1a). Nothing is in between, though the crossings differ in their last digits.
+#[test]
+fn crossings_that_coincide_are_one() {
+    let mut random = Random(51);
+    let mut seen = [0, 0];
+    while seen.iter().sum::<u32>() < tries(5_000) {
+        let (gamma, k_prime) = (random.uniform(0.3, 3.0), random.uniform(0.3, 1.0));
+        let chart = Chart::new(gamma, k_prime).unwrap();
+        let slope = chart.mu_star().slope(chart.k_a());
+        // Where a curve is nearly level the last digit of μ moves its crossing far.
+        if slope.abs() < 0.2 {
+            continue;
+        }
+        let mu = 1.0 / (gamma * (1.0 + k_prime));
+        let path = stages(&Block::uniform(gamma, mu), &WEIGHT, &unit_force(gamma, k_prime)).unwrap();
+        let falls = slope < 0.0;
+        let expected = if falls { Mode::RockO } else { Mode::SlideRockOLeft };
+        assert_eq!(modes(&path)[..2], [Mode::Rest, expected], "γ = {gamma}, k' = {k_prime}: {path:?}");
+        assert!((path[0].to - mu).abs() <= 1e-14 * mu);
+        seen[usize::from(falls)] += 1;
+    }
+    assert!(seen.iter().all(|&count| count > tries(250)), "{seen:?}");
+}
+
+fn holders(regions: &[Region], λ: f64, μ: f64) -> Vec<Mode> {
+    regions.iter().filter(|region| region.contains(λ, μ)).map(|region| region.mode).collect()
+}
+
+/// Rest ends at k_A. Where that is a little more than 1e-9 of the range, the region of rest is there; a little less, and it
+/// is joined to its neighbour. So is the last strip, and the plane still reaches its end.
+#[test]
+fn a_strip_is_joined_below_a_billionth_of_the_range() {
+    let (gamma, k_prime) = (1.0, 0.5);
+    let k_a = 1.0 / (gamma * (1.0 + k_prime));
+    let plane = |up_to| regions(&Block::uniform(gamma, 1.0), &WEIGHT, &unit_force(gamma, k_prime), up_to);
+    let at = |up_to: f64, λ: f64, μ: f64| holders(&plane(up_to).unwrap(), λ, μ);
+    let (less, more) = (0.9e-9, 1.1e-9);
+    // At the left end, far above every curve: RE, then RO.
+    assert_eq!(at(k_a / more, k_a / 2.0, 1e12), [Mode::Rest]);
+    assert_eq!(at(k_a / less, k_a / 2.0, 1e12), [Mode::RockO]);
+    // At the right end.
+    let (narrow, wide) = (k_a / (1.0 - less), k_a / (1.0 - more));
+    assert_eq!(at(wide, (k_a + wide) / 2.0, 5.0), [Mode::RockO]);
+    assert_eq!(at(wide, wide, 5.0), [Mode::RockO]);
+    assert_eq!(at(narrow, narrow, 5.0), [Mode::Rest]);
+    assert_eq!(at(narrow, narrow, 0.1), [Mode::SlideLeft]);
+}
+
+/// No strip is narrower than that, whatever coincides; strips follow one another from 0 to the end of the range.
+#[test]
+fn no_sliver_is_left() {
+    let mut random = Random(52);
+    for _ in 0..tries(400).max(5) {
+        let mut block = Block::uniform(random.uniform(0.3, 4.0), 1.0);
+        if random.coin() {
+            block.b1 *= random.uniform(0.5, 1.5);
+            block.m_x += random.uniform(0.0, 1.0);
+            block.mu_k = random.uniform(0.3, 1.0);
+        }
+        let k_prime = random.uniform(-1.0, 1.0);
+        let up_to = random.log(0.1, 100.0);
+        let regions = regions(&block, &WEIGHT, &unit_force(block.d, k_prime), up_to).unwrap();
+        let mut ends = [0.0, 0.0];
+        for region in &regions {
+            for strip in &region.strips {
+                assert!(strip.to - strip.from > 0.999e-9 * up_to, "{block:?} {k_prime} {strip:?}");
+                ends[1] = strip.to.max(ends[1]);
+            }
+            for pair in region.strips.windows(2) {
+                assert_eq!(pair[0].to, pair[1].from);
+            }
+        }
+        assert_eq!(ends, [0.0, up_to], "{block:?} {k_prime}");
+    }
+}
+
+/// Two boundaries an angle of 4.5·10⁻⁷ apart: a light load that pulls to the left before λ = ½ and to the right after. Sliding
+/// either way has its own region, as `solve` says.
+#[test]
+fn boundaries_close_to_each_other_are_two() {
+    let ε = 1e-7;
+    let block = Block::uniform(1.0, 1.0);
+    let (permanent, variable) = (Wrench { x: -ε, p: 1.0, m: 0.0 }, Wrench { x: 2.0 * ε, p: 0.0, m: 0.0 });
+    let regions = regions(&block, &permanent, &variable, 1.0).unwrap();
+    for (λ, slides) in [(0.1, Mode::SlideLeft), (0.9, Mode::SlideRight)] {
+        for (μ, mode) in [(0.4 * ε, slides), (1.2 * ε, Mode::Rest)] {
+            let at = Block { mu_s: μ, mu_k: μ, ..block };
+            assert_eq!(solve(&at, &(permanent + variable * λ)).unwrap().mode(), Some(mode));
+            assert_eq!(holders(&regions, λ, μ), [mode], "{λ} {μ}");
+        }
+    }
+}
+
+/// In air the plane has the report's regions strip by strip: a boundary found twice, by two conditions that differ in their
+/// last digits, would cut them into more.
+#[test]
+fn the_plane_has_as_many_strips_as_the_report_s_diagram() {
+    let mut random = Random(53);
+    for _ in 0..tries(400).max(5) {
+        let (gamma, k_prime) = (random.uniform(0.3, 4.0), random.uniform(0.05, 1.0));
+        let diagram = Diagram::of(Chart::new(gamma, k_prime).unwrap());
+        let up_to = 2.0 * diagram.window().k;
+        let regions =
+            regions(&Block::uniform(gamma, 1.0), &WEIGHT, &unit_force(gamma, k_prime), up_to).unwrap();
+        let strips = |regions: &[Region]| {
+            let mut all: Vec<_> = regions.iter().map(|region| (region.mode, region.strips.len())).collect();
+            all.sort();
+            all
+        };
+        assert_eq!(strips(&regions), strips(diagram.regions()), "γ = {gamma}, k' = {k_prime}");
+    }
+}

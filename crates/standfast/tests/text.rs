@@ -1,0 +1,51 @@
+//! Modes and numbers as text, and back.
+
+use standfast::Mode;
+use standfast::number::significant;
+
+mod common;
+
+use common::{Random, tries};
+
+#[test]
+fn every_mode_is_read_back_from_its_symbol() {
+    for mode in Mode::ALL {
+        assert_eq!(mode.symbol().parse(), Ok(mode));
+        assert_eq!(mode.to_string().parse(), Ok(mode));
+        let typeset = format!(" {} ", mode.symbol().replace('-', "−").replace('\'', "′"));
+        assert_eq!(typeset.parse(), Ok(mode), "{typeset}");
+        assert_eq!(format!("{mode:>6}").trim_start(), mode.symbol());
+        for wrong in [mode.symbol().to_lowercase(), format!("{mode}x"), format!("x{mode}"), String::new()] {
+            let error = wrong.parse::<Mode>().unwrap_err().to_string();
+            assert!(error.starts_with(&format!("\"{wrong}\" is no mode; expected one of")), "{error}");
+        }
+    }
+    let error = "".parse::<Mode>().unwrap_err().to_string();
+    let listed = error.split("one of ").nth(1).unwrap().split(", ");
+    assert_eq!(listed.collect::<Vec<_>>(), Mode::ALL.map(Mode::symbol));
+}
+
+/// Read back, the text is the number rounded as Rust rounds it; it is as short as can be, and has a power of ten below 10⁻⁴ and
+/// from 10⁷ on only.
+#[test]
+fn a_rounded_number_reads_back() {
+    let mut random = Random(71);
+    for _ in 0..tries(20_000) {
+        let size = if random.coin() { random.log(1e-300, 1e300) } else { random.log(1e-6, 1e9) };
+        let x = size * random.pick(&[-1.0, 1.0]);
+        let count = random.pick(&[1, 2, 3, 4, 6, 9, 17]);
+        let expected: f64 = format!("{x:.*e}", count - 1).parse().unwrap();
+        let text = significant(x, count).to_string();
+        assert_eq!(text.parse(), Ok(expected), "{x:e} {count}: {text}");
+        let (mantissa, exponent) = text.split_once('e').map_or((&*text, None), |(m, e)| (m, Some(e)));
+        assert!(!mantissa.contains('.') || !mantissa.ends_with(['0', '.']), "{text}");
+        assert_eq!(exponent.is_none(), (1e-4..1e7).contains(&expected.abs()), "{text}");
+        if exponent.is_some() {
+            assert!(mantissa.trim_start_matches('-').find('.').is_none_or(|at| at == 1), "{text}");
+        }
+    }
+    assert_eq!(significant(f64::MAX, 17).to_string(), "1.7976931348623157e308");
+    assert_eq!(significant(f64::MAX, 4).to_string(), "1.798e308");
+    assert_eq!(significant(5e-324, 4).to_string(), "4.941e-324");
+    assert_eq!(significant(1234.5, 0).to_string(), "1000");
+}
