@@ -199,3 +199,8 @@ pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
 pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
     plane::figure_on_screen(plane, across)
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -142,3 +142,8 @@ pub fn run(
 ) -> Result<Summary, TableError> {
     answer(Input::Stream(Box::new(input)), output, options, &())
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
