@@ -36,15 +36,17 @@ mod engine;
 mod error;
 mod format;
 mod guard;
+mod pieces;
 mod pipeline;
 mod problem;
 mod text;
 
 pub use columns::Mapping;
-pub use engine::{Input, answer};
+pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};
 pub use format::TableFormat;
 pub use guard::silence_caught_panics;
+pub use pieces::Input;
 pub use problem::{ResultColumn, TableProblem};
 
 use std::io::{Read, Write};
