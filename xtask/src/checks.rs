@@ -5,7 +5,8 @@ use std::process::ExitCode;
 use crate::tally::{Tally, cargo};
 use crate::{explorer, manifests, programs, python};
 
-/// All crates with all they can do, under one selection of features, so that a dependency is compiled once for all steps.
+/// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what
+/// they need of them: a dependency whose features differ from step to step would be compiled again and again.
 const EVERYTHING: [&str; 3] = ["--workspace", "--features", "standfast-cli/full"];
 
 /// Runs all steps, also after one has failed, and ends with the count.
@@ -16,7 +17,7 @@ pub fn run() -> ExitCode {
     let mut clippy = cargo(&["clippy", "--all-targets", "--quiet"]);
     tally.record("lints", clippy.args(EVERYTHING).args(["--", "--deny", "warnings"]));
     // What a first command compiles, and what it says of all that it leaves out.
-    let small = ["test", "--quiet", "--package", "standfast-cli", "--test", "program", "transcripts"];
+    let small = ["test", "--quiet", "--workspace", "--test", "program", "transcripts"];
     tally.count("program without features", &mut cargo(&small), result_line);
     let mut doc = cargo(&["doc", "--no-deps", "--quiet"]);
     tally.record("documentation", doc.args(EVERYTHING).env("RUSTDOCFLAGS", "--deny warnings"));
@@ -33,6 +34,8 @@ pub fn run() -> ExitCode {
     tally.record("fuzz targets", &mut cargo(&fuzz));
     pdf_programs(&mut tally);
     // The extension module has its tests in Python.
+    let mut build = cargo(&["build", "--quiet", "--tests", "--bins"]);
+    tally.record("programs and tests", build.args(EVERYTHING));
     let mut tests = cargo(&["test", "--no-fail-fast"]);
     tests.args(EVERYTHING);
     tally.count("unit, integration and documentation tests", &mut tests, result_line);

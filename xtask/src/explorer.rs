@@ -12,8 +12,9 @@ use crate::{programs, root, target};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Builds `target/explorer/standfast-explorer.html`, and the same file as the site `target/explorer/site`.
-pub fn build() -> Result<PathBuf, String> {
+/// Builds `target/explorer/standfast-explorer.html`, and the same file as the site `target/explorer/site`; `bundler` makes
+/// one file of many.
+fn build(mut bundler: Command) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
     // Apart from other builds: its compiler may be another one.
     let wasm = target().join("wasm");
@@ -26,10 +27,7 @@ pub fn build() -> Result<PathBuf, String> {
     fs::create_dir_all(&site).map_err(|error| format!("{}: {error}", site.display()))?;
     let page = folder.join("standfast-explorer.html");
     let library = wasm.join(TARGET).join("wasm").join("standfast_web.wasm");
-    run(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"])
-        .arg(library)
-        .arg(root().join("web").join("page"))
-        .arg(&page))?;
+    run(bundler.arg(library).arg(root().join("web").join("page")).arg(&page))?;
     fs::copy(&page, site.join("index.html")).map_err(|error| format!("{}: {error}", site.display()))?;
     Ok(page)
 }
@@ -88,7 +86,7 @@ fn run(command: &mut Command) -> Result<(), String> {
 
 /// Builds the explorer and serves it on this machine until interrupted; opens it in the browser if asked.
 pub fn serve(open: bool) -> Result<(), String> {
-    let page = build()?;
+    let page = build(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"]))?;
     let (address, server) = server(&page, 8420)?;
     println!("{}\n{address}  (Ctrl+C ends it)", page.display());
     if open {
@@ -149,7 +147,7 @@ pub fn check(tally: &mut Tally) {
         Ok(chromium) => chromium,
         Err(missing) => return tally.missing("explorer", missing),
     };
-    let page = match timed("explorer built", build) {
+    let page = match timed("explorer built", || build(Command::new(built("standfast-web-bundle")))) {
         Ok(page) => page,
         Err(error) => return tally.fail("explorer", error),
     };
@@ -176,17 +174,12 @@ fn prerequisites() -> Result<PathBuf, String> {
     Ok(chromium)
 }
 
-/// The program, as the tests before have left it; compiled only if they have not.
-fn program() -> Result<PathBuf, String> {
-    let program = target().join("debug").join(format!("standfast{}", std::env::consts::EXE_SUFFIX));
-    if !program.is_file() {
-        run(&mut cargo(&["build", "--quiet", "--package", "standfast-cli"]))?;
-    }
-    Ok(program)
+/// A program of the workspace, as an earlier step has built it.
+fn built(name: &str) -> PathBuf {
+    target().join("debug").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
 fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {
-    let program = program()?;
     let (address, _) = server(page, 0)?;
     let artefacts = target().join("explorer").join("screenshots");
     let tests = root().join("web").join("tests");
@@ -196,7 +189,7 @@ fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), 
         .env("EXPLORER_HTML", page)
         .env("EXPLORER_SITE", address)
         .env("EXPLORER_ARTEFACTS", &artefacts)
-        .env("STANDFAST", program)
+        .env("STANDFAST", built("standfast"))
         .env("CHROMIUM", chromium);
     tally.count("explorer in a browser", &mut node, node_line);
     println!("screenshots: {}", artefacts.display());
