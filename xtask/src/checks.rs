@@ -1,27 +1,26 @@
 //! The gate: each step is a command; tests are counted one by one, every other step as one.
 
-use std::io::{BufRead, BufReader};
-use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::ExitCode;
 
-use crate::{explorer, programs, python, root};
+use crate::tally::{Tally, cargo};
+use crate::{explorer, manifests, programs, python};
 
-/// How many checks passed, failed and were skipped.
-#[derive(Default)]
-pub struct Tally {
-    pub passed: usize,
-    pub failed: usize,
-    pub skipped: usize,
-}
+/// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what
+/// they need of them: a dependency whose features differ from step to step would be compiled again and again.
+const EVERYTHING: [&str; 3] = ["--workspace", "--features", "standfast-cli/full"];
 
 /// Runs all steps, also after one has failed, and ends with the count.
 pub fn run() -> ExitCode {
     let mut tally = Tally::default();
-    step(&mut tally, "format", &["fmt", "--all", "--check"], &[]);
-    let clippy = ["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"];
-    step(&mut tally, "lints", &clippy, &[]);
-    let doc = ["doc", "--workspace", "--no-deps", "--quiet"];
-    step(&mut tally, "documentation", &doc, &[("RUSTDOCFLAGS", "--deny warnings")]);
+    tally.record("format", &mut cargo(&["fmt", "--all", "--check"]));
+    manifests::check(&mut tally);
+    let mut clippy = cargo(&["clippy", "--all-targets", "--quiet"]);
+    tally.record("lints", clippy.args(EVERYTHING).args(["--", "--deny", "warnings"]));
+    // What a first command compiles, and what it says of all that it leaves out.
+    let small = ["test", "--quiet", "--workspace", "--test", "program", "transcripts"];
+    tally.count("program without features", &mut cargo(&small), result_line);
+    let mut doc = cargo(&["doc", "--no-deps", "--quiet"]);
+    tally.record("documentation", doc.args(EVERYTHING).env("RUSTDOCFLAGS", "--deny warnings"));
     // Without libFuzzer itself, which wants a C++ compiler: the targets are to keep compiling.
     let fuzz = [
         "check",
@@ -32,11 +31,14 @@ pub fn run() -> ExitCode {
         "target/fuzz",
         "--quiet",
     ];
-    step(&mut tally, "fuzz targets", &fuzz, &[]);
+    tally.record("fuzz targets", &mut cargo(&fuzz));
     pdf_programs(&mut tally);
     // The extension module has its tests in Python.
-    let tests = ["test", "--workspace", "--exclude", "standfast-python", "--no-fail-fast"];
-    tally.count("unit, integration and documentation tests", &mut cargo(&tests), result_line);
+    let mut build = cargo(&["build", "--quiet", "--tests", "--bins"]);
+    tally.record("programs and tests", build.args(EVERYTHING));
+    let mut tests = cargo(&["test", "--no-fail-fast"]);
+    tests.args(EVERYTHING);
+    tally.count("unit, integration and documentation tests", &mut tests, result_line);
     python::run(&mut tally);
     explorer::check(&mut tally);
 
@@ -45,80 +47,12 @@ pub fn run() -> ExitCode {
 }
 
 /// Sees that the programs which print a calculation sheet and read it back are there. Without them the tests of the PDF do
-/// nothing: counted as skipped, and in CI as failed.
+/// nothing.
 fn pdf_programs(tally: &mut Tally) {
     println!("── programs for PDFs");
     match programs::for_pdfs() {
         Ok(browser) => println!("{}", browser.display()),
-        Err(missing) => {
-            println!("── {missing}: the tests of printed sheets are skipped");
-            if std::env::var_os("CI").is_some_and(|ci| ci == "true") {
-                tally.failed += 1;
-            } else {
-                tally.skipped += 1;
-            }
-        }
-    }
-}
-
-pub fn cargo(arguments: &[&str]) -> Command {
-    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(arguments).current_dir(root());
-    command
-}
-
-fn step(tally: &mut Tally, name: &str, arguments: &[&str], environment: &[(&str, &str)]) {
-    tally.record(name, cargo(arguments).envs(environment.iter().copied()));
-}
-
-/// A command as one would type it.
-fn line(command: &Command) -> String {
-    let program = Path::new(command.get_program()).file_name().unwrap_or(command.get_program());
-    let words = std::iter::once(program).chain(command.get_args());
-    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
-}
-
-impl Tally {
-    /// Runs a command that passes or fails as a whole; says which.
-    pub fn record(&mut self, name: &str, command: &mut Command) -> bool {
-        println!("── {name}: {}", line(command));
-        match command.status() {
-            Ok(status) if status.success() => {
-                self.passed += 1;
-                true
-            }
-            outcome => {
-                println!("── {name} failed: {outcome:?}");
-                self.failed += 1;
-                false
-            }
-        }
-    }
-
-    /// Runs a command that counts its tests: `counts` reads how many passed, failed and were skipped from a line.
-    pub fn count(&mut self, name: &str, command: &mut Command, counts: impl Fn(&str) -> Option<[usize; 3]>) {
-        println!("── {name}: {}", line(command));
-        let mut child = match command.stdout(Stdio::piped()).spawn() {
-            Ok(child) => child,
-            Err(error) => {
-                println!("── {name} failed: {error}");
-                self.failed += 1;
-                return;
-            }
-        };
-        let mut all_failed = 0;
-        let output = BufReader::new(child.stdout.take().expect("standard output is piped"));
-        for line in output.lines().map_while(Result::ok) {
-            println!("{line}");
-            if let Some([passed, failed, skipped]) = counts(&line) {
-                self.passed += passed;
-                all_failed += failed;
-                self.skipped += skipped;
-            }
-        }
-        // A test that does not compile or a crash fails without a count.
-        let success = child.wait().is_ok_and(|status| status.success());
-        self.failed += if success { all_failed } else { all_failed.max(1) };
+        Err(missing) => tally.missing("tests of printed sheets", missing),
     }
 }
 

@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, thread};
 
-use crate::checks::{Tally, cargo};
-use crate::programs;
-use crate::{root, target};
+use crate::tally::{Tally, cargo, in_ci, timed};
+use crate::{programs, root, target};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Builds `target/explorer/standfast-explorer.html`, and the same file as the site `target/explorer/site`.
-pub fn build() -> Result<PathBuf, String> {
+/// Builds `target/explorer/standfast-explorer.html`, and the same file as the site `target/explorer/site`; `bundler` makes
+/// one file of many.
+fn build(mut bundler: Command) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
     // Apart from other builds: its compiler may be another one.
     let wasm = target().join("wasm");
@@ -27,10 +27,7 @@ pub fn build() -> Result<PathBuf, String> {
     fs::create_dir_all(&site).map_err(|error| format!("{}: {error}", site.display()))?;
     let page = folder.join("standfast-explorer.html");
     let library = wasm.join(TARGET).join("wasm").join("standfast_web.wasm");
-    run(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"])
-        .arg(library)
-        .arg(root().join("web").join("page"))
-        .arg(&page))?;
+    run(bundler.arg(library).arg(root().join("web").join("page")).arg(&page))?;
     fs::copy(&page, site.join("index.html")).map_err(|error| format!("{}: {error}", site.display()))?;
     Ok(page)
 }
@@ -61,6 +58,11 @@ fn toolchain() -> Result<Vec<(String, OsString)>, String> {
     Ok(names.zip(values.lines().map(OsString::from)).collect())
 }
 
+/// Whether the explorer can be compiled without fetching anything.
+fn has_toolchain() -> bool {
+    has_target() || target().join("wasm-toolchain").join("env").is_file()
+}
+
 /// Whether rustc has the standard library for wasm.
 fn has_target() -> bool {
     let output = Command::new("rustc")
@@ -84,7 +86,7 @@ fn run(command: &mut Command) -> Result<(), String> {
 
 /// Builds the explorer and serves it on this machine until interrupted; opens it in the browser if asked.
 pub fn serve(open: bool) -> Result<(), String> {
-    let page = build()?;
+    let page = build(cargo(&["run", "--quiet", "--package", "standfast-web-bundle", "--"]))?;
     let (address, server) = server(&page, 8420)?;
     println!("{}\n{address}  (Ctrl+C ends it)", page.display());
     if open {
@@ -138,67 +140,56 @@ fn answer(mut stream: TcpStream, page: &[u8]) -> std::io::Result<()> {
     stream.write_all(content)
 }
 
-/// Builds the explorer and tries it in a browser. What is missing is installed where that can be done, and skipped
-/// where it cannot; in CI that fails.
+/// Builds the explorer and tries it in a browser, where everything for that is there; see [`Tally::missing`].
 pub fn check(tally: &mut Tally) {
     println!("── explorer");
-    match prepared() {
-        Ok((page, chromium)) => {
-            tally.passed += 1;
-            if let Err(error) = browser_tests(tally, &page, &chromium) {
-                println!("── explorer failed: {error}");
-                tally.failed += 1;
-            }
-        }
-        Err(Missing::Build(error)) => {
-            println!("── explorer failed: {error}");
-            tally.failed += 1;
-        }
-        Err(Missing::Part(error)) if std::env::var_os("CI").is_some_and(|ci| ci == "true") => {
-            println!("── explorer failed: {error}");
-            tally.failed += 1;
-        }
-        Err(Missing::Part(error)) => {
-            println!("── explorer SKIPPED: {error}");
-            tally.skipped += 1;
-        }
+    let chromium = match prerequisites() {
+        Ok(chromium) => chromium,
+        Err(missing) => return tally.missing("explorer", missing),
+    };
+    let page = match timed("explorer built", || build(Command::new(built("standfast-web-bundle")))) {
+        Ok(page) => page,
+        Err(error) => return tally.fail("explorer", error),
+    };
+    tally.passed += 1;
+    if let Err(error) = browser_tests(tally, &page, &chromium) {
+        tally.fail("explorer", error);
     }
 }
 
-/// Why there is nothing to test, or nothing to test with.
-enum Missing {
-    Part(String),
-    Build(String),
-}
-
-fn prepared() -> Result<(PathBuf, PathBuf), Missing> {
-    toolchain().map_err(Missing::Part)?;
-    let page = build().map_err(Missing::Build)?;
-    let chromium = programs::chromium().map_err(|missing| Missing::Part(missing.to_string()))?;
-    if (programs::found("node").is_none() || programs::found("npm").is_none())
-        && !programs::install(&["nodejs", "npm"])
-    {
-        return Err(Missing::Part("there is no Node.js with npm, and it could not be installed".to_owned()));
+/// The browser; that the compiler and what the tests are written in are there too.
+fn prerequisites() -> Result<PathBuf, String> {
+    if !in_ci() && !has_toolchain() {
+        return Err(format!(
+            "there is no compiler for {TARGET}: `rustup target add {TARGET}` adds it, and so does `cargo xtask explorer`"
+        ));
     }
+    let chromium = programs::chromium().map_err(|missing| missing.to_string())?;
+    programs::needed("Node.js with npm", &["nodejs", "npm"], || {
+        programs::found("node").and(programs::found("npm"))
+    })
+    .map_err(|missing| missing.to_string())?;
     let tests = root().join("web").join("tests");
-    run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))
-        .map_err(Missing::Part)?;
-    Ok((page, chromium))
+    run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))?;
+    Ok(chromium)
+}
+
+/// A program of the workspace, as an earlier step has built it.
+fn built(name: &str) -> PathBuf {
+    target().join("debug").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
 fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {
-    run(&mut cargo(&["build", "--quiet", "--package", "standfast-cli"]))?;
     let (address, _) = server(page, 0)?;
     let artefacts = target().join("explorer").join("screenshots");
     let tests = root().join("web").join("tests");
-    let program = target().join("debug").join(format!("standfast{}", std::env::consts::EXE_SUFFIX));
     let mut node = Command::new("node");
     node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"])
         .current_dir(tests)
         .env("EXPLORER_HTML", page)
         .env("EXPLORER_SITE", address)
         .env("EXPLORER_ARTEFACTS", &artefacts)
-        .env("STANDFAST", program)
+        .env("STANDFAST", built("standfast"))
         .env("CHROMIUM", chromium);
     tally.count("explorer in a browser", &mut node, node_line);
     println!("screenshots: {}", artefacts.display());

@@ -16,7 +16,7 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
         "# Gallery\n\n\
          The report's 26 figures, drawn to true scale from the library's curves and regions for the body that each\n\
          caption names, and the diagrams of the worked cases in `examples`. `standfast figures -o DIR` draws the figures\n\
-         as SVG, PNG or PDF, `standfast assess CASE.toml` those of a case. This page is written by `cargo xtask gallery`,\n\
+         as SVG, and with the feature `pictures` as PNG or PDF, `standfast assess CASE.toml` those of a case. This page is written by `cargo xtask gallery`,\n\
          and a test fails when a figure in it is stale.\n",
     );
     let mut files = Vec::new();

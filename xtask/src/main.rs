@@ -5,8 +5,10 @@
 mod checks;
 mod explorer;
 mod gallery;
+mod manifests;
 mod programs;
 mod python;
+mod tally;
 #[cfg(test)]
 mod traceability;
 
@@ -17,6 +19,7 @@ const HELP: &str = "\
 Usage: cargo xtask COMMAND
 
   test      format, lints, documentation, all tests: everything CI does
+  deny      licences, advisories, sources and duplicates of all dependencies, by cargo-deny
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   help      this text
@@ -26,6 +29,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => checks::run(),
+        ["deny"] => ended(manifests::deny()),
         ["gallery"] => match gallery::write(&root()) {
             Ok(count) => {
                 println!("{count} files written");

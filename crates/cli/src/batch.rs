@@ -73,10 +73,8 @@ pub fn process(input: &Path, output: &Path, options: &TableOptions) -> Result<Su
     }
     let file = Pending::create(output)?;
     let temporary = Arc::new(Mutex::new(file.temporary().map(Path::to_owned)));
-    let said = match file.temporary() {
-        Some(_) => format!("{} was not written", output.display()),
-        None => format!("{} is not complete", output.display()),
-    };
+    let said = if file.is_unseen() { "was not written" } else { "is not complete" };
+    let said = format!("{} {said}", output.display());
     on_interrupt(progress.clone(), said, Some(temporary.clone()));
     let mut sink = BufWriter::with_capacity(1 << 18, file);
     let outcome = answer(source, &mut sink, options, &*progress);

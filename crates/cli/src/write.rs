@@ -1,11 +1,14 @@
 //! Files that are either written whole or left as they were.
 
+mod unfinished;
+
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
 use thiserror::Error;
+
+use unfinished::Unfinished;
 
 /// Why a file was not written.
 #[derive(Debug, Error)]
@@ -55,8 +58,8 @@ pub struct Pending {
 
 #[derive(Debug)]
 enum Target {
-    /// A temporary file beside the place it will be moved to, and that place.
-    Beside(NamedTempFile, PathBuf),
+    /// A file that will be put into a place.
+    Place(Unfinished, PathBuf),
     /// A device or pipe, which cannot be replaced but only written to.
     Device(fs::File),
 }
@@ -77,20 +80,21 @@ impl Pending {
                 }
                 _ => {}
             }
-            let directory = match place.parent() {
-                Some(parent) if !parent.as_os_str().is_empty() => parent,
-                _ => Path::new("."),
-            };
-            Ok(Target::Beside(temporary(directory)?, place))
+            Ok(Target::Place(Unfinished::beside(&place)?, place))
         };
         let target = open().map_err(|cause| WriteError { path: path.to_owned(), cause })?;
         Ok(Pending { path: path.to_owned(), target })
     }
 
-    /// The temporary file, if there is one.
+    /// Whether nothing of the file can be seen before it is finished; a device gets what is written at once.
+    pub fn is_unseen(&self) -> bool {
+        matches!(self.target, Target::Place(..))
+    }
+
+    /// The name of the unfinished file, if it has one: to be removed if it is never finished nor dropped.
     pub fn temporary(&self) -> Option<&Path> {
         match &self.target {
-            Target::Beside(file, _) => Some(file.path()),
+            Target::Place(file, _) => file.name(),
             Target::Device(_) => None,
         }
     }
@@ -112,12 +116,9 @@ impl Pending {
     /// If it cannot be moved there.
     pub fn finish(self) -> Result<(), WriteError> {
         match self.target {
-            Target::Beside(file, place) => match keep_permissions(&file, &place)
-                .and_then(|()| file.persist(place).map_err(|error| error.error))
-            {
-                Ok(_) => Ok(()),
-                Err(cause) => Err(WriteError { path: self.path, cause }),
-            },
+            Target::Place(file, place) => {
+                file.put(&place).map_err(|cause| WriteError { path: self.path, cause })
+            }
             Target::Device(_) => Ok(()),
         }
     }
@@ -126,39 +127,17 @@ impl Pending {
 impl Write for Pending {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.target {
-            Target::Beside(file, _) => file.write(bytes),
+            Target::Place(file, _) => file.write(bytes),
             Target::Device(file) => file.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match &mut self.target {
-            Target::Beside(file, _) => file.flush(),
+            Target::Place(file, _) => file.flush(),
             Target::Device(file) => file.flush(),
         }
     }
-}
-
-/// Gives the new file the permissions of the one it replaces, if there is one.
-fn keep_permissions(file: &NamedTempFile, place: &Path) -> io::Result<()> {
-    match fs::metadata(place) {
-        Ok(found) => file.as_file().set_permissions(found.permissions()),
-        Err(_) => Ok(()),
-    }
-}
-
-/// A temporary file with the permissions of an ordinary new file, which it is going to be.
-fn temporary(directory: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".standfast-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(directory).map_err(|error| {
-        // The name of the temporary file would only puzzle.
-        let message = error.to_string();
-        let cause = message.split(" at path ").next().unwrap_or_default();
-        io::Error::new(error.kind(), cause)
-    })
 }
 
 /// Writes the file `path`, whole or not at all.

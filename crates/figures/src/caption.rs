@@ -3,7 +3,7 @@
 use standfast::diagram::Unresolved;
 use standfast::{Modes, Point};
 
-use crate::chart::Drawing;
+use crate::drawing::Drawing;
 use crate::margins;
 use crate::number::digits;
 use crate::palette::symbol;

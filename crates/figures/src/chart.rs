@@ -1,21 +1,21 @@
-//! One chart of the k–μ plane, from a [`Sheet`] to a [`Figure`].
+//! One chart of the k–μ plane, from a [`Drawing`] to a [`Figure`].
 //!
 //! Drawing order: tints, hatching, drop lines, curves, axes, points, then labels: letters of points, design points,
 //! the lens, names of regions, formulas. What finds no free place goes to the plot's edge, and then to the caption.
 
-use standfast::diagram::Unresolved;
+use standfast::Mode;
 use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
-use standfast::{Diagram, Mode};
 
 use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL};
+use crate::drawing::Drawing;
 use crate::labels::Lines;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, MARK, PAPER, symbol, tint};
-use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip, clip_strips, hatch, level, outline};
+use crate::plot::{Arc, Frame, Piece, arcs_path, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
-use crate::sheet::{Line, Mark, Naming, Part, Sheet, Style, Trace, k_markup, letter_markup};
+use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
 use crate::{DesignPoint, Figure, caption, inset};
 
@@ -24,22 +24,6 @@ const TOP: f64 = 42.0;
 const LETTER: f64 = 14.5;
 const FORMULA: f64 = 13.0;
 pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" };
-
-/// What one chart is drawn from.
-pub(crate) struct Drawing<'a> {
-    pub diagram: &'a Diagram,
-    pub sheet: &'a Sheet,
-    pub window: View,
-    /// Opens the caption and the title; a space at its end parts it from the caption on the page.
-    pub heading: &'a str,
-    /// The caption in markup.
-    pub caption: &'a str,
-    /// Opens the list of coordinates, in markup; may be empty.
-    pub preface: &'a str,
-    pub points: &'a [DesignPoint],
-    /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
-    pub hatched: &'a [Unresolved],
-}
 
 /// A shaded area as the window shows it.
 struct Area {

@@ -18,7 +18,7 @@
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
-//! | Where does it lie on the page? | `plot`, `canvas`, `chart`, `inset` |
+//! | Where does it lie on the page? | `plot`, `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render` |
 //! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
@@ -33,6 +33,7 @@ mod canvas;
 mod caption;
 mod cases;
 mod chart;
+mod drawing;
 mod font;
 mod free_body;
 mod inset;
@@ -137,7 +138,7 @@ pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
     let unresolved = diagram.unresolved();
     let within = |point: &DesignPoint| unresolved.iter().any(|part| part.contains(point.k, point.mu));
     let undecided = points.iter().any(|point| point.is_drawable() && within(point));
-    chart::Drawing {
+    drawing::Drawing {
         diagram,
         sheet,
         window: map::window(diagram, points),
@@ -196,3 +197,8 @@ pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
 pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
     plane::figure_on_screen(plane, across)
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -8,7 +8,8 @@ use standfast::diagram::{Unresolved, Window};
 use standfast::{Diagram, Mode};
 
 use crate::canvas::Canvas;
-use crate::chart::{Draft, Drawing};
+use crate::chart::Draft;
+use crate::drawing::Drawing;
 use crate::margins::{self, Axes, Tab};
 use crate::number;
 use crate::palette::INK;

@@ -47,6 +47,10 @@ fn in_si(element: ElementRef<'_>) -> f64 {
     if degrees { value.to_degrees() } else { value }
 }
 
+fn attribute(element: ElementRef<'_>) -> f64 {
+    element.attr("value").unwrap().parse().unwrap()
+}
+
 fn same(shown: f64, json: f64) -> bool {
     // What is shown in kN went through a division and a multiplication.
     shown == json || (shown - json).abs() <= 4.0 * f64::EPSILON * json.abs()

@@ -36,15 +36,17 @@ mod engine;
 mod error;
 mod format;
 mod guard;
+mod pieces;
 mod pipeline;
 mod problem;
 mod text;
 
 pub use columns::Mapping;
-pub use engine::{Input, answer};
+pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};
 pub use format::TableFormat;
 pub use guard::silence_caught_panics;
+pub use pieces::Input;
 pub use problem::{ResultColumn, TableProblem};
 
 use std::io::{Read, Write};
@@ -142,3 +144,8 @@ pub fn run(
 ) -> Result<Summary, TableError> {
     answer(Input::Stream(Box::new(input)), output, options, &())
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

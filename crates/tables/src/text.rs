@@ -8,7 +8,7 @@ use std::ops::Range;
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use crate::answers::{Fault, Faults, Task, Values};
-use crate::engine::Done;
+use crate::pieces::Done;
 use crate::{RowProblem, TableError, TableOptions};
 use cut::{CutError, Pieces};
 

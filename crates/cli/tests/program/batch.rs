@@ -105,30 +105,80 @@ fn a_full_disk_is_reported() {
     assert!(message.contains("cannot write /dev/full: No space left on device"), "{message}");
 }
 
+/// A run that does not end, because its table does not, and has begun to write.
 #[cfg(unix)]
-#[test]
-fn an_interrupted_run_leaves_nothing_behind() {
+fn endless(directory: &Path) -> (std::process::Child, std::process::ChildStdin) {
     use std::io::Write;
     use std::process::Stdio;
     use std::time::Duration;
 
-    let directory = tempfile::tempdir().expect("a directory");
-    let here = directory.path();
     let mut child = Command::new(env!("CARGO_BIN_EXE_standfast"))
         .args(["batch", "-", "-o", "out.csv"])
-        .current_dir(here)
+        .current_dir(directory)
         .stdin(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    // The table never ends, so the run is under way as soon as there is a temporary file.
     let mut input = child.stdin.take().expect("a pipe");
     input.write_all(b"gamma,k_prime,k,mu\n1,1,2,5\n").expect("a table");
-    while files(here).is_empty() {
+    // An unfinished file may have no name, but is open.
+    let open = |id: u32| {
+        let files = fs::read_dir(format!("/proc/{id}/fd")).into_iter().flatten().flatten();
+        files.filter_map(|file| fs::read_link(file.path()).ok()).any(|file| file.starts_with(directory))
+    };
+    while files(directory).is_empty() && !open(child.id()) {
         std::thread::sleep(Duration::from_millis(5));
     }
     std::thread::sleep(Duration::from_millis(200));
+    (child, input)
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing_behind() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path().canonicalize().expect("a directory");
+    let (mut child, _input) = endless(&here);
     let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
     assert!(interrupt.success());
     assert_eq!(child.wait().expect("an end").code(), Some(130));
-    assert!(files(here).is_empty());
+    assert!(files(&here).is_empty());
+}
+
+/// Where the system has files without a name.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_killed_run_leaves_nothing_behind() {
+    use std::os::unix::fs::OpenOptionsExt;
+
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path().canonicalize().expect("a directory");
+    // O_TMPFILE: O_DIRECTORY, whose number differs, with a bit of its own.
+    let flag =
+        if cfg!(any(target_arch = "aarch64", target_arch = "arm")) { 0o20_040_000 } else { 0o20_200_000 };
+    if fs::OpenOptions::new().write(true).custom_flags(flag).open(&here).is_err() {
+        eprintln!("skipped: {} has no files without a name", here.display());
+        return;
+    }
+    let (mut child, _input) = endless(&here);
+    child.kill().expect("killed");
+    child.wait().expect("an end");
+    assert_eq!(files(&here), [""; 0]);
+}
+
+/// A new file is an ordinary one, and a replaced one keeps its permissions.
+#[cfg(unix)]
+#[test]
+fn permissions_are_those_of_ordinary_files() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let directory = tempfile::tempdir().expect("a directory");
+    let here = directory.path();
+    fs::write(here.join("points.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").expect("a file");
+    let mode = |name: &str| fs::metadata(here.join(name)).expect("a file").permissions().mode() & 0o777;
+    assert!(batch(here, &["points.csv", "-o", "out.csv"]).status.success());
+    assert_eq!(mode("out.csv"), mode("points.csv"));
+    fs::set_permissions(here.join("out.csv"), fs::Permissions::from_mode(0o604)).expect("permissions");
+    assert!(batch(here, &["points.csv", "-o", "out.csv"]).status.success());
+    assert_eq!(mode("out.csv"), 0o604);
+    assert_eq!(files(here), ["out.csv", "points.csv"]);
 }

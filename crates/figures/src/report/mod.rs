@@ -11,7 +11,7 @@ use standfast::Diagram;
 use standfast::diagram::Window;
 
 use crate::Figure;
-use crate::chart::Drawing;
+use crate::drawing::Drawing;
 use crate::number;
 use crate::plot::View;
 use crate::scene::Scene;

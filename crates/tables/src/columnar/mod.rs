@@ -5,46 +5,26 @@ mod csv;
 mod ipc;
 mod parquet;
 mod sink;
+mod source;
 mod table;
 mod text;
 
-use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::sync::{Arc, PoisonError};
 
 use arrow_array::{ArrayRef, RecordBatch};
-use arrow_ipc::reader::StreamReader;
-use arrow_schema::SchemaRef;
 
 use crate::answers::{Task, Values};
-use crate::engine::{Done, Input, answer_pieces};
 use crate::guard::guarded;
-use crate::text::{self as rows, Header, Text};
-use crate::{Progress, RowProblem, Summary, TableError, TableFormat, TableOptions};
+use crate::pieces::{Done, Input, answer_pieces};
+use crate::text::{self as rows, Header};
+use crate::{Progress, RowProblem, Summary, TableError, TableOptions};
 use arrays::symbols;
 use csv::write_batch;
-use ipc::{ArrowFile, Batches};
 use parquet::{self as pq, Encoder, Group, Part};
 use sink::{Output, Remembering, Sink, Writing};
+use source::{Piece, Reading, Source};
 use table::{Inputs, Numbers};
-
-/// The most rows of a batch, and of a row group of Parquet that is not copied.
-const ROWS: usize = 1 << 17;
-
-/// How much text is read at once: about a row group for Parquet.
-const TEXT_OF_GROUP: usize = 1 << 23;
-
-/// A file that can be read from any place: a stream is copied into a temporary one.
-fn seekable(input: Input<'_>) -> io::Result<File> {
-    match input {
-        Input::File(file) => Ok(file),
-        Input::Stream(mut stream) => {
-            let mut file = tempfile::tempfile()?;
-            io::copy(&mut stream, &mut file)?;
-            Ok(file)
-        }
-    }
-}
 
 /// Answers a whole table.
 pub(crate) fn answer<W: Write + Send>(
@@ -69,115 +49,6 @@ pub(crate) fn answer<W: Write + Send>(
     let summary = answer_pieces(options, progress, || source.next(), |piece| worker.work(piece), write)?;
     guarded(|panic| panic, || sink.finish()).map_err(unwritten)?;
     Ok(summary)
-}
-
-/// Where the pieces come from.
-struct Source<'a> {
-    options: &'a TableOptions,
-    kind: SourceKind<'a>,
-}
-
-enum SourceKind<'a> {
-    Text(Text<Box<dyn Read + Send + 'a>>),
-    Batches {
-        batches: Batches<'a>,
-        /// What is left of a batch that was too long.
-        rest: Option<RecordBatch>,
-        /// Whether short batches are to be gathered.
-        gather: bool,
-    },
-    Parquet(Box<dyn Iterator<Item = Part> + Send>),
-}
-
-/// A part of a table that is worked on as one.
-enum Piece {
-    Text(rows::Piece),
-    /// Batches, and how many of the file end with them.
-    Batches(Vec<RecordBatch>, u64),
-    Part(Part),
-}
-
-/// How a piece is read.
-pub(super) enum Reading {
-    Text(Header),
-    Batches(Inputs, SchemaRef),
-    Parquet(pq::Source, Inputs),
-}
-
-impl<'a> Source<'a> {
-    fn open(
-        input: Input<'a>,
-        options: &'a TableOptions,
-        progress: &dyn Progress,
-    ) -> Result<(Source<'a>, Reading), TableError> {
-        let name = || options.name.clone();
-        let unread = |cause: io::Error| TableError::Read { name: name(), cause: cause.to_string() };
-        let damaged = |cause: String| options.damaged(cause);
-        let (kind, reading) = match options.from {
-            TableFormat::Csv => {
-                let (text, header) = Text::open(input.stream(), TEXT_OF_GROUP, options)?;
-                (SourceKind::Text(text), Reading::Text(header))
-            }
-            TableFormat::Parquet => {
-                let source = pq::Source::open(seekable(input).map_err(unread)?);
-                let source = source.map_err(|error| damaged(error.to_string()))?;
-                let inputs = Inputs::find(&source.schema(), options)?;
-                if let Some(codec) = inputs.places.iter().find_map(|&place| source.unreadable(place)) {
-                    let cause =
-                        format!("it is compressed by {codec}; expected Snappy, Zstandard, LZ4, gzip or none");
-                    return Err(TableError::Read { name: name(), cause });
-                }
-                progress.expect(source.rows());
-                let parts = source.parts(options.to == TableFormat::Parquet, ROWS);
-                (SourceKind::Parquet(Box::new(parts)), Reading::Parquet(source, inputs))
-            }
-            TableFormat::Arrow | TableFormat::Arrows => {
-                let batches = match options.from {
-                    TableFormat::Arrow => ArrowFile::open(seekable(input).map_err(unread)?)
-                        .inspect(|file| progress.expect(file.left()))
-                        .map(|file| Batches::File(Box::new(file))),
-                    _ => StreamReader::try_new(input.stream(), None)
-                        .map(|stream| Batches::Stream(Box::new(stream))),
-                };
-                let batches = batches.map_err(|error| damaged(error.to_string()))?;
-                let schema = batches.schema();
-                let inputs = Inputs::find(&schema, options)?;
-                let gather = options.to == TableFormat::Parquet;
-                (SourceKind::Batches { batches, rest: None, gather }, Reading::Batches(inputs, schema))
-            }
-        };
-        Ok((Source { options, kind }, reading))
-    }
-
-    fn next(&mut self) -> Result<Option<Piece>, TableError> {
-        match &mut self.kind {
-            SourceKind::Text(text) => Ok(text.next()?.map(Piece::Text)),
-            SourceKind::Parquet(parts) => Ok(parts.next().map(Piece::Part)),
-            SourceKind::Batches { batches, rest, gather } => {
-                let mut gathered = Vec::new();
-                let mut room = ROWS;
-                let mut ended = 0;
-                loop {
-                    let next = rest.take().map_or_else(|| batches.next(), |rest| Ok(Some(rest)));
-                    let Some(batch) = next.map_err(|error| self.options.damaged(error.to_string()))? else {
-                        break;
-                    };
-                    if batch.num_rows() > room {
-                        gathered.push(batch.slice(0, room));
-                        *rest = Some(batch.slice(room, batch.num_rows() - room));
-                        break;
-                    }
-                    ended += 1;
-                    room -= batch.num_rows();
-                    gathered.push(batch);
-                    if !*gather || room == 0 {
-                        break;
-                    }
-                }
-                Ok((!gathered.is_empty()).then_some(Piece::Batches(gathered, ended)))
-            }
-        }
-    }
 }
 
 /// What makes a [`Done`] of a [`Piece`], on any thread.

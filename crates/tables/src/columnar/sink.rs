@@ -7,8 +7,8 @@ use arrow_array::RecordBatch;
 use arrow_ipc::writer::{FileWriter, StreamWriter};
 use arrow_schema::{DataType, SchemaRef};
 
-use super::Reading;
 use super::parquet::{self as pq, Encoder, Group};
+use super::source::Reading;
 use super::table;
 use crate::answers::Task;
 use crate::{TableError, TableFormat, TableOptions};

@@ -1,0 +1,24 @@
+//! What a chart is drawn from, for the chart itself and for the words about it.
+
+use standfast::Diagram;
+use standfast::diagram::Unresolved;
+
+use crate::DesignPoint;
+use crate::plot::View;
+use crate::sheet::Sheet;
+
+/// What one chart is drawn from.
+pub(crate) struct Drawing<'a> {
+    pub diagram: &'a Diagram,
+    pub sheet: &'a Sheet,
+    pub window: View,
+    /// Opens the caption and the title; a space at its end parts it from the caption on the page.
+    pub heading: &'a str,
+    /// The caption in markup.
+    pub caption: &'a str,
+    /// Opens the list of coordinates, in markup; may be empty.
+    pub preface: &'a str,
+    pub points: &'a [DesignPoint],
+    /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
+    pub hatched: &'a [Unresolved],
+}

@@ -1,0 +1,142 @@
+//! Where the pieces of a table come from.
+
+use std::fs::File;
+use std::io::{self, Read};
+
+use arrow_array::RecordBatch;
+use arrow_ipc::reader::StreamReader;
+use arrow_schema::SchemaRef;
+
+use super::ipc::{ArrowFile, Batches};
+use super::parquet::{self as pq, Part};
+use super::table::Inputs;
+use crate::pieces::Input;
+use crate::text::{self as rows, Header, Text};
+use crate::{Progress, TableError, TableFormat, TableOptions};
+
+/// The most rows of a batch, and of a row group of Parquet that is not copied.
+const ROWS: usize = 1 << 17;
+
+/// How much text is read at once: about a row group for Parquet.
+const TEXT_OF_GROUP: usize = 1 << 23;
+
+/// A file that can be read from any place: a stream is copied into a temporary one.
+fn seekable(input: Input<'_>) -> io::Result<File> {
+    match input {
+        Input::File(file) => Ok(file),
+        Input::Stream(mut stream) => {
+            let mut file = tempfile::tempfile()?;
+            io::copy(&mut stream, &mut file)?;
+            Ok(file)
+        }
+    }
+}
+
+/// Where the pieces come from.
+pub(super) struct Source<'a> {
+    options: &'a TableOptions,
+    kind: SourceKind<'a>,
+}
+
+enum SourceKind<'a> {
+    Text(Text<Box<dyn Read + Send + 'a>>),
+    Batches {
+        batches: Batches<'a>,
+        /// What is left of a batch that was too long.
+        rest: Option<RecordBatch>,
+        /// Whether short batches are to be gathered.
+        gather: bool,
+    },
+    Parquet(Box<dyn Iterator<Item = Part> + Send>),
+}
+
+/// A part of a table that is worked on as one.
+pub(super) enum Piece {
+    Text(rows::Piece),
+    /// Batches, and how many of the file end with them.
+    Batches(Vec<RecordBatch>, u64),
+    Part(Part),
+}
+
+/// How a piece is read.
+pub(super) enum Reading {
+    Text(Header),
+    Batches(Inputs, SchemaRef),
+    Parquet(pq::Source, Inputs),
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn open(
+        input: Input<'a>,
+        options: &'a TableOptions,
+        progress: &dyn Progress,
+    ) -> Result<(Source<'a>, Reading), TableError> {
+        let name = || options.name.clone();
+        let unread = |cause: io::Error| TableError::Read { name: name(), cause: cause.to_string() };
+        let damaged = |cause: String| options.damaged(cause);
+        let (kind, reading) = match options.from {
+            TableFormat::Csv => {
+                let (text, header) = Text::open(input.stream(), TEXT_OF_GROUP, options)?;
+                (SourceKind::Text(text), Reading::Text(header))
+            }
+            TableFormat::Parquet => {
+                let source = pq::Source::open(seekable(input).map_err(unread)?);
+                let source = source.map_err(|error| damaged(error.to_string()))?;
+                let inputs = Inputs::find(&source.schema(), options)?;
+                if let Some(codec) = inputs.places.iter().find_map(|&place| source.unreadable(place)) {
+                    let cause =
+                        format!("it is compressed by {codec}; expected Snappy, Zstandard, LZ4, gzip or none");
+                    return Err(TableError::Read { name: name(), cause });
+                }
+                progress.expect(source.rows());
+                let parts = source.parts(options.to == TableFormat::Parquet, ROWS);
+                (SourceKind::Parquet(Box::new(parts)), Reading::Parquet(source, inputs))
+            }
+            TableFormat::Arrow | TableFormat::Arrows => {
+                let batches = match options.from {
+                    TableFormat::Arrow => ArrowFile::open(seekable(input).map_err(unread)?)
+                        .inspect(|file| progress.expect(file.left()))
+                        .map(|file| Batches::File(Box::new(file))),
+                    _ => StreamReader::try_new(input.stream(), None)
+                        .map(|stream| Batches::Stream(Box::new(stream))),
+                };
+                let batches = batches.map_err(|error| damaged(error.to_string()))?;
+                let schema = batches.schema();
+                let inputs = Inputs::find(&schema, options)?;
+                let gather = options.to == TableFormat::Parquet;
+                (SourceKind::Batches { batches, rest: None, gather }, Reading::Batches(inputs, schema))
+            }
+        };
+        Ok((Source { options, kind }, reading))
+    }
+
+    pub(super) fn next(&mut self) -> Result<Option<Piece>, TableError> {
+        match &mut self.kind {
+            SourceKind::Text(text) => Ok(text.next()?.map(Piece::Text)),
+            SourceKind::Parquet(parts) => Ok(parts.next().map(Piece::Part)),
+            SourceKind::Batches { batches, rest, gather } => {
+                let mut gathered = Vec::new();
+                let mut room = ROWS;
+                let mut ended = 0;
+                loop {
+                    let next = rest.take().map_or_else(|| batches.next(), |rest| Ok(Some(rest)));
+                    let Some(batch) = next.map_err(|error| self.options.damaged(error.to_string()))? else {
+                        break;
+                    };
+                    if batch.num_rows() > room {
+                        gathered.push(batch.slice(0, room));
+                        *rest = Some(batch.slice(room, batch.num_rows() - room));
+                        break;
+                    }
+                    ended += 1;
+                    room -= batch.num_rows();
+                    gathered.push(batch);
+                    if !*gather || room == 0 {
+                        break;
+                    }
+                }
+                Ok((!gathered.is_empty()).then_some(Piece::Batches(gathered, ended)))
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Reads a table piece by piece, answers the pieces on all cores, and writes them in order.
+
+use std::fs::File;
+use std::io::Read;
+
+use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, pipeline};
+
+/// Where a table comes from.
+pub enum Input<'a> {
+    /// Something that is read from its beginning to its end.
+    Stream(Box<dyn Read + Send + 'a>),
+    /// A file, which can be read at any place.
+    File(File),
+}
+
+impl<'a> Input<'a> {
+    pub(crate) fn stream(self) -> Box<dyn Read + Send + 'a> {
+        match self {
+            Input::Stream(stream) => stream,
+            Input::File(file) => Box::new(file),
+        }
+    }
+}
+
+/// A piece of a table that is ready to be written.
+pub(crate) struct Done<Output> {
+    pub(crate) rows: usize,
+    pub(crate) bad: u64,
+    /// The first row without result, counted from zero, and its line in a text.
+    pub(crate) first: Option<(usize, Option<u64>, RowProblem)>,
+    /// What the piece is of the whole, in the unit of the [`Progress`].
+    pub(crate) units: u64,
+    pub(crate) output: Output,
+}
+
+/// Answers the pieces of a table on all threads and writes them in order, until they end or a row stops the run.
+pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
+    options: &TableOptions,
+    progress: &dyn Progress,
+    next: impl FnMut() -> Result<Option<Piece>, TableError> + Send,
+    work: impl Fn(Piece) -> Result<Done<Output>, TableError> + Sync,
+    mut write: impl FnMut(Output) -> Result<(), TableError>,
+) -> Result<Summary, TableError> {
+    let mut summary = Summary::default();
+    let take = |done: Done<Output>| {
+        let error = done.first.map(|(row, line, problem)| TableError::Row {
+            name: options.name.clone(),
+            place: line.map_or(Place::Row(summary.rows + row as u64 + 1), Place::Line),
+            problem,
+        });
+        let stop = error.is_some() && options.on_error == OnError::Stop;
+        // Of text, what stands before the row is written all the same: a pipe may have a use for it.
+        if !stop || options.to == TableFormat::Csv {
+            write(done.output)?;
+        }
+        match error {
+            Some(error) if stop => return Err(error),
+            Some(error) => drop(summary.first.get_or_insert(error)),
+            None => {}
+        }
+        summary.rows += done.rows as u64;
+        summary.bad += done.bad;
+        progress.advance(done.rows as u64, done.units);
+        Ok(())
+    };
+    pipeline::run(options.threads, next, work, take, |cause| options.damaged(cause))?;
+    Ok(summary)
+}
+
+impl TableOptions {
+    /// How many of some rows are written as text, the `first` of which has no result: none from one that stops everything.
+    pub(crate) fn rows_to_write(&self, rows: usize, first: Option<usize>) -> usize {
+        first.filter(|_| self.on_error == OnError::Stop).unwrap_or(rows)
+    }
+
+    /// What the library for the input's format says of a file that is not whole.
+    pub(crate) fn damaged(&self, cause: String) -> TableError {
+        TableError::Damaged { name: self.name.clone(), format: self.from.name(), cause }
+    }
+}
