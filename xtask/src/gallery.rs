@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::{fs, io};
 
-use standfast_cases::{Assessment, Case, CaseFigure};
+use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{FigureId, report_figure};
-use standfast_sheet::{Options, Sheet};
+use standfast_sheet::{Sheet, SheetOptions};
 
 /// A file of the gallery: its path in docs, and its content.
 type File = (String, String);
@@ -47,9 +47,10 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
     let mut cases = Vec::new();
     for path in sorted(&root.join("examples"), "toml")? {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let case = Case::parse(&name, &fs::read_to_string(&path)?).map_err(io::Error::other)?;
-        let assessment = Assessment::of(&case, 2.0).map_err(io::Error::other)?;
-        let figures = assessment.figures().map_err(io::Error::other)?;
+        let text = fs::read_to_string(&path)?;
+        let case = CaseFile::parse(&name, &text).and_then(|file| file.case()).map_err(io::Error::other)?;
+        let assessment = Assessment::of(&case).map_err(io::Error::other)?;
+        let figures = assessment.figures(&View::default()).map_err(io::Error::other)?;
         let files = figures.into_iter().map(|CaseFigure { suffix, figure, .. }| {
             (format!("gallery/case-{name}{suffix}.svg"), figure.svg().to_owned())
         });
@@ -63,7 +64,7 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
 fn sheet(root: &Path, example: &str) -> io::Result<String> {
     let file = format!("{example}.toml");
     let text = fs::read_to_string(root.join("examples").join(&file))?;
-    let sheet = Sheet::of(&file, &text, &Options::default()).map_err(io::Error::other)?;
+    let sheet = Sheet::of(&file, &text, &SheetOptions::default()).map_err(io::Error::other)?;
     Ok(sheet.html().to_owned())
 }
 

@@ -160,25 +160,25 @@ pub fn along_k(reduced: &Reduced) -> String {
     let mut text = paragraph(&leaves_rest, 2);
     if !margins.along_k.is_empty() {
         text += &format!("  as the force grows, at μ = {}:\n", digits(point.mu()));
-        text += &crossings(reduced, "k", &margins.along_k);
+        text += &crossings(reduced, "k", &margins.along_k, 4);
     }
     text
 }
 
 /// Where the mode changes as the friction grows.
-pub fn along_mu(reduced: &Reduced) -> String {
+pub fn along_mu(reduced: &Reduced, indent: usize) -> String {
     let margins = reduced.point.margins();
     if margins.along_mu.is_empty() {
-        return "    Friction makes no difference.\n".to_owned();
+        return paragraph("Friction makes no difference.", indent);
     }
-    let mut text = crossings(reduced, "μ", &margins.along_mu);
+    let mut text = crossings(reduced, "μ", &margins.along_mu, indent);
     if margins.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
-        text += "    No friction keeps the body at rest under this load.\n";
+        text += &paragraph("No friction keeps the body at rest under this load.", indent);
     }
     text
 }
 
-fn crossings(reduced: &Reduced, symbol: &str, crossings: &[Crossing]) -> String {
+fn crossings(reduced: &Reduced, symbol: &str, crossings: &[Crossing], indent: usize) -> String {
     let values: Vec<f64> = crossings.iter().map(|crossing| crossing.at).collect();
     let rows: Vec<_> = apart(&values)
         .into_iter()
@@ -188,7 +188,7 @@ fn crossings(reduced: &Reduced, symbol: &str, crossings: &[Crossing]) -> String 
             row![format!("{symbol} = {value}"), change]
         })
         .collect();
-    columns(&rows, 4, &[])
+    columns(&rows, indent, &[])
 }
 
 /// Why the answer to a force that points right speaks of mirrored modes.

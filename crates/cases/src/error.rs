@@ -4,6 +4,7 @@ use std::ops::Range as Span;
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use standfast::InputError;
+use standfast::number::exact;
 use thiserror::Error;
 
 use crate::key::{Id, Key, Kind, Range, Table};
@@ -189,7 +190,7 @@ pub enum Problem {
         missing: Key,
     },
     /// A value that does not go with the others.
-    #[error("`{}` is {}; expected {}", key.entry(), .error.value, .error.expected)]
+    #[error("`{}` is {}; expected {}", key.entry(), exact(.error.value), .error.expected)]
     Impossible {
         /// The key.
         key: Key,
@@ -197,7 +198,7 @@ pub enum Problem {
         error: InputError,
     },
     /// Numbers beyond what can be computed, by themselves or together.
-    #[error("these numbers are too large or too small to be computed with: {} is {:e}; expected {}", .0.quantity, .0.value, .0.expected)]
+    #[error("these numbers are too large or too small to be computed with: {} is {}; expected {}", .0.quantity, exact(.0.value), .0.expected)]
     Mechanics(InputError),
 }
 
@@ -208,7 +209,7 @@ fn expected(key: Key) -> &'static str {
 
 /// A value in the unit of plain numbers.
 fn with_unit(key: Key, value: f64) -> String {
-    key.info().dimension().map_or(value.to_string(), |dimension| format!("{value} {}", dimension.si()))
+    key.info().dimension().map_or(exact(value), |dimension| format!("{} {}", exact(value), dimension.si()))
 }
 
 impl std::fmt::Display for Key {

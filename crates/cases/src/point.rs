@@ -66,7 +66,7 @@ fn explanation(reduced: &Reduced) -> String {
     text += "\nChanges of mode\n";
     text += &describe::along_k(reduced);
     text += &format!("  as the friction grows, at k = {}:\n", digits(point.k()));
-    text += &describe::along_mu(reduced);
+    text += &describe::along_mu(reduced, 4);
     text
 }
 

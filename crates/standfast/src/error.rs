@@ -1,5 +1,6 @@
 //! The one error of the mechanics: a quantity whose value makes no sense.
 
+use crate::number::exact;
 use crate::quantity::{Expected, Quantity};
 
 /// A value that no body, load or friction can have.
@@ -17,7 +18,7 @@ use crate::quantity::{Expected, Quantity};
 ///
 /// The limits 1e50 and 1e-50 are far outside any use; within them no formula of this library overflows.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{quantity} is {}; expected {expected}", readable(*.value))]
+#[error("{quantity} is {}; expected {expected}", exact(*.value))]
 #[non_exhaustive]
 pub struct InputError {
     /// The quantity.
@@ -26,12 +27,6 @@ pub struct InputError {
     pub value: f64,
     /// What the quantity has to be.
     pub expected: Expected,
-}
-
-/// The value as a person would write it: `1e300`, not three hundred digits.
-fn readable(value: f64) -> String {
-    let plain = value == 0.0 || !value.is_finite() || (1e-6..1e15).contains(&value.abs());
-    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The largest magnitude of an input.

@@ -34,6 +34,12 @@ pub fn significant(x: f64, count: usize) -> Significant {
     }
 }
 
+/// `x` with all its digits, as a person would write it: `1e300`, not three hundred digits.
+pub fn exact(x: f64) -> String {
+    let plain = x == 0.0 || !x.is_finite() || (1e-6..1e15).contains(&x.abs());
+    if plain { x.to_string() } else { format!("{x:e}") }
+}
+
 impl fmt::Display for Significant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.exponent {

@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use standfast::Point;
-use standfast::contact::{Block, Wrench, solve};
+use standfast::Wrench;
+use standfast::contact::{Block, solve};
 use standfast_tables::{OnError, Place, TableError, TableOptions, TableProblem, run};
 
 const TABLE: &str = include_str!("../../../examples/points.csv");

@@ -147,7 +147,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     text += &path(assessed, view);
     if let Some(reduced) = &full.effective {
         text += "\nChanges of mode as the friction grows, at this load\n";
-        text += &describe::along_mu(reduced);
+        text += &describe::along_mu(reduced, 2);
     }
     text
 }
