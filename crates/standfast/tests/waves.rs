@@ -266,6 +266,38 @@ fn the_weight_s_arm_is_its_own() {
     assert_eq!(stability.resultant_arm, Some(180.0 / 80.0));
 }
 
+/// What is just in balance does not turn: without a force the factor is infinite there, and zero as soon as it is not.
+#[test]
+fn what_is_in_balance_does_not_turn() {
+    let stability = |uplift_moment: f64, force_moment: f64| {
+        let actions = ClassicalActions {
+            heel: Corner::O,
+            buoyant_weight: 10.0,
+            weight_arm: 2.0,
+            uplift: 5.0,
+            uplift_moment,
+            force: 0.0,
+            force_moment,
+        };
+        actions.stability(0.6, 4.0)
+    };
+    let factors = |uplift_moment: f64, force_moment: f64| {
+        let stability = stability(uplift_moment, force_moment);
+        assert_eq!(stability.sliding, f64::INFINITY);
+        (stability.overturning_about_heel, stability.overturning_about_toe)
+    };
+    let inf = f64::INFINITY;
+    // About the heel 10·2 resist M_U; about the toe 5·4 − (20 − M_U) remain.
+    assert_eq!(factors(20.0, 0.0), (inf, inf));
+    assert_eq!(factors(20.5, 0.0), (0.0, inf));
+    assert_eq!(factors(0.0, 0.0), (inf, inf));
+    assert_eq!(factors(-0.5, 0.0), (inf, 0.0));
+    assert_eq!(factors(20.0, 1.0), (0.0, inf));
+    assert_eq!(factors(10.0, 4.0), (2.5, inf));
+    assert_eq!(factors(10.0, -4.0), (inf, 2.5));
+    assert_eq!(factors(0.0, -1.0), (inf, 0.0));
+}
+
 /// The three ranges of the pressure join, and there is none without contact.
 #[test]
 fn bearing_pressure_has_its_ranges() {
