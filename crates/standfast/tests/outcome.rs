@@ -347,6 +347,9 @@ fn a_situation_keeps_what_it_is_given() {
     assert_eq!((rests.others().len(), rests.is_unique(), rests.is_lifted()), (0, true, false));
     let stage = plain.path().unwrap().into_iter().find(|stage| stage.from < 5.0 && stage.to > 5.0).unwrap();
     assert_eq!((stage.mode, stage.others()), (full.mode, full.others()));
+    // Without variable loads there is no way to go, with nothing else there is.
+    assert!(Situation::new(body, 3.0, 10.0).unwrap().with_weight().outcome().unwrap().path.is_empty());
+    assert!(!Situation::new(body, 3.0, 10.0).unwrap().with(push).outcome().unwrap().path.is_empty());
     // Nothing presses a body without weight.
     let weightless = Situation::new(body, 0.5, 10.0).unwrap();
     assert!(weightless.at(1.0).unwrap().is_lifted());
