@@ -566,6 +566,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
     for (front, warns) in [
         (berm, true),
         (Front { berm_width_ratio: 0.02 * below, ..berm }, false),
+        (Front { berm_width_ratio: 0.02, ..berm }, false),
         (Front { berm_width_ratio: 0.02 * above, ..berm }, true),
         (Front { berm_width_ratio: 0.3 * below, ..berm }, true),
         (Front { berm_width_ratio: 0.3 * above, ..berm }, false),
@@ -573,6 +574,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
         (Front { berm_depth_ratio: 0.6, ..berm }, false),
         (bed, true),
         (Front { berm_width_ratio: 0.02 * below, ..bed }, true),
+        (Front { berm_width_ratio: 0.02, ..bed }, false),
         (Front { berm_width_ratio: 0.02 * above, ..bed }, false),
         (Front { bed_slope: 0.02, ..bed }, false),
         (Front { bed_slope: 0.02 * above, ..bed }, true),
@@ -627,6 +629,11 @@ fn every_other_warning_has_its_limit() {
         [Warning::DeepWater { ratio }] if (ratio - 0.2001).abs() < 1e-12
     ));
     assert!(warnings(at_ratio(0.2001), low, section).is_empty());
+    // At 0.2 itself waves do not break any more: T = 1 s and g = 50·2π m/s² make L₀ = 50 m, five times the depth.
+    let limit = Sea { water_depth: 10.0, period: 1.0, gravity: 50.0 * std::f64::consts::TAU, ..sea };
+    let at_limit = goda(&limit, &deep, &section, &Choices::default()).unwrap();
+    assert!(!at_limit.heights.unwrap().may_break);
+    assert!(at_limit.warnings.contains(&Warning::DeepWater { ratio: 0.2 }));
     // Miche's limit, 0.142 L tanh(2πh/L).
     let length = wavelength(sea.period, sea.water_depth, sea.gravity);
     let limit = 0.142 * length * (std::f64::consts::TAU * sea.water_depth / length).tanh();
