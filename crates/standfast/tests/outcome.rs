@@ -300,6 +300,18 @@ fn the_heel_follows_the_force_and_else_the_moment() {
     };
     assert_eq!([heel(0.0, 0.0), heel(0.0, 1.0), heel(-1.0, -5.0)], [Corner::O; 3]);
     assert_eq!([heel(0.0, -1.0), heel(1.0, 5.0)], [Corner::OPrime; 2]);
+    // Whatever kind of load turns it, and all together.
+    let under = |turns: &[(LoadKind, f64)]| {
+        let turn = |&(kind, m)| Load::variable(LoadSource::Other, kind, Wrench { x: 0.0, p: 0.0, m });
+        let situation =
+            Situation::new(body, 0.6, 10.0).unwrap().with_weight().with_all(turns.iter().map(turn));
+        situation.outcome().unwrap().actions.heel
+    };
+    for kind in [Weight, LoadKind::Uplift, Horizontal] {
+        assert_eq!([under(&[(kind, -1.0)]), under(&[(kind, 1.0)])], [Corner::OPrime, Corner::O]);
+    }
+    assert_eq!(under(&[(Weight, -3.0), (LoadKind::Uplift, -2.0), (Horizontal, 4.0)]), Corner::OPrime);
+    assert_eq!(under(&[(Weight, -3.0), (LoadKind::Uplift, 2.0), (Horizontal, 2.0)]), Corner::O);
 }
 
 /// A force does the work of its wrench: its moment about C is the rate at which F·r grows with θ, at any pose.

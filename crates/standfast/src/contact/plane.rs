@@ -214,3 +214,27 @@ fn attach(regions: &mut Vec<Region>, Cell { mode, strip }: Cell) {
         None => regions.push(Region { mode, strips: vec![strip] }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::quadratic_roots;
+
+    /// Roots of very different sizes, of either sign: both to the last digits, by Vieta.
+    #[test]
+    fn roots_keep_their_digits() {
+        for (large, small) in
+            [(1e8, 1e-8), (-1e8, 1e-8), (1e8, -1e-8), (-3e5, -2e-6), (2.0, 2.0), (5.0, -5.0)]
+        {
+            let mut roots = quadratic_roots(3.0, -3.0 * (large + small), 3.0 * large * small);
+            if roots[0].abs() < roots[1].abs() {
+                roots.swap(0, 1);
+            }
+            assert!(roots[0].abs() == f64::abs(large) || (roots[0] / large - 1.0).abs() < 1e-12, "{roots:?}");
+            assert!((roots[0] * roots[1] / (large * small) - 1.0).abs() < 1e-12, "{roots:?} {large} {small}");
+        }
+        assert!(quadratic_roots(1.0, 0.0, 1.0).iter().all(|root| root.is_nan()));
+        // A line has one root.
+        let [none, root] = quadratic_roots(0.0, 2.0, -3.0);
+        assert!(!none.is_finite() && root == 1.5);
+    }
+}
