@@ -2,7 +2,7 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast_cases::{Assessment, Case, report};
+use standfast_cases::{Assessment, CaseFile, View, report};
 
 use crate::invalid;
 
@@ -16,15 +16,18 @@ pub(crate) fn assess(
     name: &str,
     text: &str,
     up_to: f64,
+    all: bool,
 ) -> PyResult<(String, String, Vec<Figure>)> {
     py.detach(|| {
-        let case = Case::parse(name, text).map_err(|error| PyValueError::new_err(report(&error)))?;
-        let assessment = Assessment::of(&case, up_to).map_err(|error| invalid(error, &[]))?;
-        let figures = assessment.figures().map_err(|error| invalid(error, &[]))?;
+        let case = CaseFile::parse(name, text).and_then(|file| file.case());
+        let case = case.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let assessment = Assessment::of(&case).map_err(|error| invalid(error, &[]))?;
+        let view = View { up_to, all };
+        let figures = assessment.figures(&view).map_err(|error| invalid(error, &[]))?;
         let figures = figures
             .into_iter()
             .map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned()))
             .collect();
-        Ok((assessment.text(), assessment.json(&[]), figures))
+        Ok((assessment.text(&view), assessment.json(&view, &[]), figures))
     })
 }

@@ -203,8 +203,7 @@ impl Grid {
             let length = BLOCK.min(self.len() - start);
             let block = columns.read(start, length);
             (0..length).find_map(|i| {
-                let [gamma, k_prime, k, mu] =
-                    [block.slenderness[i], block.elevation[i], block.force[i], block.friction[i]];
+                let [gamma, k_prime, k, mu] = [block.gamma[i], block.k_prime[i], block.k[i], block.mu[i]];
                 Point::new(gamma, k_prime, k, mu).err().map(|error| (start + i, error))
             })
         })
@@ -279,7 +278,7 @@ impl<'a> Reader<'a> {
     /// The points from `start`.
     fn read(&mut self, start: usize, length: usize) -> Columns<'_> {
         let mut operands = self.grid.operands.iter();
-        let [slenderness, elevation, force, friction] = self.sources.each_mut().map(|(source, buffer)| {
+        let [gamma, k_prime, k, mu] = self.sources.each_mut().map(|(source, buffer)| {
             let operand = operands.next().expect("four operands");
             match source {
                 Source::Lying => operand.column(start, length),
@@ -290,7 +289,7 @@ impl<'a> Reader<'a> {
                 }
             }
         });
-        Columns { slenderness, elevation, force, friction }
+        Columns { gamma, k_prime, k, mu }
     }
 }
 

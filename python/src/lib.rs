@@ -20,14 +20,12 @@ fn modes() -> Vec<(String, &'static str, &'static str)> {
 
 /// An invalid value as an exception, with its index if it has one.
 fn invalid(error: InputError, index: &[usize]) -> PyErr {
-    let text = error.to_string();
     let at = match index {
-        [] => return PyValueError::new_err(text),
+        [] => return PyValueError::new_err(error.to_string()),
         [index] => index.to_string(),
         index => format!("({})", index.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
     };
-    let (value, expected) = text.split_once("; ").unwrap_or((&text, ""));
-    PyValueError::new_err(format!("{value} at index {at}; {expected}"))
+    PyValueError::new_err(format!("{} at index {at}; expected {}", error.given(), error.expected))
 }
 
 type Codes<'py> = Bound<'py, PyArrayDyn<u8>>;

@@ -1,9 +1,10 @@
-"""Cases from files and dicts, against the program's transcripts."""
+"""Cases from files and dicts; that the program says the same is in test_schema.py."""
 
 from __future__ import annotations
 
 import copy
 import json
+import math
 import pickle
 from pathlib import Path
 from typing import Any
@@ -11,10 +12,11 @@ from typing import Any
 import numpy as np
 import pytest
 import standfast
-from standfast import Mode
+from standfast import Answer, Assessment, Mode, Modes
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+ODD = ROOT / "crates/cli/tests/cmd/loads-answers.in"
 
 CASE: dict[str, Any] = {
     "title": 'A "quoted" title\nin two lines, with γ',
@@ -31,16 +33,9 @@ def test_every_example(path: Path) -> None:
     assert document["title"] in str(found) and document["title"] in repr(found)
     assert found.figures and all(figure.svg.startswith("<svg") for figure in found.figures)
     assert found._repr_svg_() == found.figures[0].svg
-    assert pickle.loads(pickle.dumps(found)).to_dict() == document
-    assert str(copy.copy(found)) == str(found)
-
-
-@pytest.mark.parametrize("name", ["caisson-in-air", "goda-2000"])
-def test_the_text_is_the_programs(name: str) -> None:
-    kept = {"caisson-in-air": "assess-caisson", "goda-2000": "assess-goda-2000"}[name]
-    transcript = (ROOT / f"crates/cli/tests/cmd/{kept}.stdout").read_text(encoding="utf-8")
-    text = str(standfast.assess(ROOT / f"examples/{name}.toml"))
-    assert transcript.startswith(text)
+    for other in (pickle.loads(pickle.dumps(found)), copy.copy(found), copy.deepcopy(found)):
+        assert other.to_dict() == document and (str(other), other.figures) == (str(found), found.figures)
+        assert other.to_json() == found.to_json()
 
 
 def test_a_dict_is_the_same_case_as_its_file() -> None:
@@ -54,22 +49,101 @@ def test_a_dict_is_the_same_case_as_its_file() -> None:
 def test_answers_as_attributes() -> None:
     found = standfast.assess(CASE)
     assert found.title == CASE["title"]
-    assert found.mode is Mode.SLIDE_ROCK_O_LEFT and found["loads"][0]["mode"] == "SRO-"
-    assert found.loads[0].motion.xi == -1 and found.body.width == 15
-    assert found.margins.along_mu[0]["to"] == "SRO-"
-    assert "mode" in dir(found.loads[0])
-    with pytest.raises(AttributeError, match="this assessment has no 'colour'; it has title, note, gravity"):
+    assert found.mode is Mode.SLIDE_ROCK_O_LEFT and found["situations"][0]["mode"] == "SRO-"
+    assert found.load.direction == "left" and found.motion.xi == -7.5 and found.body.width == 15
+    assert found.report.motion.xi == -1 and found.report.along_mu[0].to is Mode.SLIDE_ROCK_O_LEFT
+    assert found.report.along_mu[0].from_ is Mode.SLIDE_LEFT and found.report.trace[-1].mode is found.mode
+    with pytest.raises(AttributeError, match="this assessment has no 'colour'; it has schema, title, note, gravity"):
         found.colour  # noqa: B018
+    with pytest.raises(AttributeError, match="this answer has no 'colour'; it has load, mode, unique"):
+        found.situations[0].colour  # noqa: B018
 
     goda = standfast.assess(ROOT / "examples/goda-2000.toml", up_to=1.5)
-    assert (goda.mode, goda.first_mode) == (Mode.REST, Mode.SLIDE_LEFT)
-    assert goda.first_load_factor == pytest.approx(1.1252, abs=1e-4) and goda.path[-1]["to"] == 1.5
-    assert "k_prime_eff" in goda and goda.k_eff == goda["k_eff"]
+    assert (goda.mode, goda.departure, goda.departure_mode) == (Mode.REST, "at", Mode.SLIDE_LEFT)
+    assert goda.load_factor == pytest.approx(1.1252, abs=1e-4) and goda["situations"][0]["departure_mode"] == "SL"
+    assert [(stage.from_, stage.to) for stage in goda.path] == [(0, goda.load_factor), (goda.load_factor, 1.5)]
+    assert goda.wave.lambda_ == goda["wave"]["lambda"] == [1, 1, 1]
+    assert goda.wave.impulsive is True and goda.warnings[0].name == "impulsive-breaking"
 
+
+def test_what_is_unlimited_and_what_is_not_there() -> None:
+    goda = standfast.assess(ROOT / "examples/goda-2000.toml")
+    assert goda.SF_overturning_toe == math.inf and goda.load is None and goda.departure_by is None
+    raw = json.loads(goda.to_json())
+    assert raw["situations"][0]["SF_overturning_toe"] == "infinite"
+    lifted = standfast.assess(ODD / "floating.toml")
+    assert lifted.lifted and lifted.SF_sliding is lifted.SF_overturning is lifted.heel_pressure is None
+    assert (lifted.mode, lifted.departure, lifted.load_factor) == (Mode.FLIGHT, "at-once", None)
+
+    # What a user calls infinite is a word.
+    named = {"title": "infinite", "note": "infinite", "load": [CASE["load"][0] | {"name": "infinite"}]}
+    found = standfast.assess(CASE | named)
+    assert (found.title, found.note, found.load.name) == ("infinite", "infinite", "infinite")
+    assert found.components[-1].name == "infinite"
+
+
+def test_modes_in_attributes() -> None:
+    found = standfast.assess(ODD / "not-unique.toml")
+    assert not found.unique and found.also == Modes.ROCK_O | Modes.SLIDE_ROCK_O_LEFT
+    assert found.path[2].also.modes == (Mode.ROCK_O, Mode.SLIDE_ROCK_O_LEFT)
+    assert found["situations"][0]["also"] == ["RO", "SRO-"]
+    assert found.path[0].also == Modes(0) and not found.path[0].also
+    # No consistent mode.
+    document = json.loads(found.to_json())
+    document["situations"][0].update(mode=None, motion=None)
+    torn = Assessment(json.dumps(document), "", [])
+    assert torn.mode is None and torn.motion is None and repr(torn) == "<Assessment of a case: none>"
+
+
+def test_alternative_loads() -> None:
     several = standfast.assess(ROOT / "examples/block-two-loads.toml")
-    assert [load.mode for load in several.loads][:2] == [Mode.ROCK_O, Mode.ROCK_O_PRIME]
-    with pytest.raises(AttributeError, match=r"3 alternative loads; see loads\[0\].mode"):
+    assert [situation.mode for situation in several.situations][:2] == [Mode.ROCK_O, Mode.ROCK_O_PRIME]
+    assert several.situations[1].load.name == "push back"
+    least = min(range(3), key=lambda place: float(several.situations[place].load_factor))
+    assert several["governing"] == least and several.governing is several.situations[least]
+    assert "mode" in dir(several.governing) and "mode" not in dir(several) and "governing" in dir(several)
+    with pytest.raises(AttributeError, match=r"3 situations, one for each load; see situations\[0\].mode and so on, or governing.mode"):
         several.mode  # noqa: B018
+    with pytest.raises(AttributeError, match="this assessment has no 'colour'"):
+        several.colour  # noqa: B018
+
+
+def test_many_loads_are_shown_by_those_that_govern() -> None:
+    case = CASE | {"load": [{"force": 1e6 + 1e5 * i, "elevation": 1 + i} for i in range(10)]}
+    found, shown = standfast.assess(case), standfast.assess(case, all=True)
+    assert len(found.situations) == 10 and found.to_dict() == shown.to_dict()
+    assert len(found.figures) == 8 and len(shown.figures) == 10 and len(str(found)) < len(str(shown))
+    assert repr(found).endswith(": 10 situations>") and found.governing is found.situations[9]
+
+
+@pytest.mark.parametrize("path", [*EXAMPLES, *sorted(ODD.glob("*.toml"))], ids=lambda path: path.stem)
+def test_every_key_is_an_attribute(path: Path) -> None:
+    found = standfast.assess(path)
+    answers: list[Answer] = [found]
+    seen = 0
+    for answer in answers:
+        assert len({*dir(answer)}) == len(dir(answer))
+        for key, item in answer.items():
+            name = {"from": "from_", "lambda": "lambda_"}.get(key, key)
+            value = getattr(answer, name)
+            assert name in dir(answer)
+            assert (name == key) or (key not in dir(answer) and not hasattr(answer, key))
+            seen += 1
+            if isinstance(value, Answer) and key != "governing":
+                assert value.to_dict() == item
+                answers.append(value)
+            elif isinstance(value, list) and item and isinstance(item[0], dict):
+                assert [part.to_dict() for part in value] == item
+                answers.extend(value)
+            elif isinstance(value, Mode):
+                assert value.symbol == item
+            elif isinstance(value, Modes):
+                assert [mode.symbol for mode in value.modes] == item
+            elif key not in ("governing", "figures"):
+                assert value == item
+    assert seen > 100
+    if len(found.situations) == 1:
+        assert {*dir(found.governing)} <= {*dir(found)} and found.mode is found.governing.mode
 
 
 def test_wrong_cases_show_where() -> None:

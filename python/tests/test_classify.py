@@ -198,6 +198,8 @@ def test_errors_name_value_and_index() -> None:
             function(1, 0.4, 0.5, -0.5)
         with pytest.raises(ValueError, match=r"^slenderness γ is 0 at index 2; expected a number above zero"):
             function([1, 2, 0], 0.4, 0.5, 0.5)
+        with pytest.raises(ValueError, match=r"^elevation k' is -1e300 at index 1; expected a number from -1e50 to 1e50$"):
+            function(1, [0.4, -1e300], 0.5, 0.5)
         # The first in the order of C, whatever the order in memory.
         k = np.asfortranarray(np.full((300, 400), 0.5))
         k[7, 300], k[8, 0] = np.inf, -2

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{fs, thread};
 
 use crate::tally::{Tally, cargo, in_ci, timed};
-use crate::{programs, root, target};
+use crate::{built, programs, root, target};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -172,11 +172,6 @@ fn prerequisites() -> Result<PathBuf, String> {
     let tests = root().join("web").join("tests");
     run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))?;
     Ok(chromium)
-}
-
-/// A program of the workspace, as an earlier step has built it.
-fn built(name: &str) -> PathBuf {
-    target().join("debug").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
 }
 
 fn browser_tests(tally: &mut Tally, page: &Path, chromium: &Path) -> Result<(), String> {

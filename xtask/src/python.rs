@@ -6,7 +6,7 @@ use std::process::Command;
 use std::{env, fs, io};
 
 use crate::tally::Tally;
-use crate::{root, target};
+use crate::{built, root, target};
 
 /// The oldest Python for which the versions in requirements-test.txt exist.
 const OLDEST: (u32, u32) = (3, 11);
@@ -42,7 +42,9 @@ pub fn run(tally: &mut Tally) {
         ("tests of the Python package", &["-m", "pytest", "--quiet", "python/tests"]),
     ];
     for (name, arguments) in tests {
-        tally.count(name, Command::new(&python).args(arguments).current_dir(root()), counts);
+        let mut pytest = Command::new(&python);
+        pytest.args(arguments).current_dir(root()).env("STANDFAST", built("standfast"));
+        tally.count(name, &mut pytest, counts);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The k–μ plane as exact regions: which mode holds where, for one body and one elevation of the force.
 //!
-//! Every region is a row of [`Strip`](crate::region::Strip)s between two values of k, bounded below and above by a line or a
+//! Every region is a row of [`Strip`]s between two values of k, bounded below and above by a line or a
 //! hyperbola of the [`Chart`]. Nothing is sampled: a picture, an area or a containment test starts from the
 //! formulas.
 //!

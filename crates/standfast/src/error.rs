@@ -14,11 +14,12 @@ use crate::quantity::{Expected, Quantity};
 /// let error = standfast::Point::new(1.0, 0.4, 2.0, -0.5).unwrap_err();
 /// assert_eq!((error.quantity, error.value), (Quantity::Friction, -0.5));
 /// assert_eq!(error.to_string(), "friction μ is -0.5; expected a number from 0 to 1e50");
+/// assert_eq!(error.given(), "friction μ is -0.5");
 /// ```
 ///
 /// The limits 1e50 and 1e-50 are far outside any use; within them no formula of this library overflows.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{quantity} is {}; expected {expected}", exact(*.value))]
+#[error("{}; expected {expected}", self.given())]
 #[non_exhaustive]
 pub struct InputError {
     /// The quantity.
@@ -36,6 +37,11 @@ pub(crate) const LARGEST: f64 = 1e50;
 pub(crate) const SMALLEST: f64 = 1e-50;
 
 impl InputError {
+    /// The quantity with the value that was given, in words: `friction μ is -0.5`.
+    pub fn given(&self) -> String {
+        format!("{} is {}", self.quantity, exact(self.value))
+    }
+
     pub(crate) fn new(quantity: Quantity, value: f64, expected: Expected) -> InputError {
         InputError { quantity, value, expected }
     }

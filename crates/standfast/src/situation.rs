@@ -271,8 +271,8 @@ impl Situation {
         let (weight, uplift, horizontal) =
             (of(LoadKind::Weight), of(LoadKind::Uplift), of(LoadKind::Horizontal));
         // A load of one kind may have a part of the other, as an earthquake has; that part acts at C.
-        let vertical = Wrench { p: weight.p + horizontal.p, x: 0.0, ..weight };
-        let sideways = Wrench { x: horizontal.x + weight.x + uplift.x, p: 0.0, ..horizontal };
+        let vertical = Wrench { p: weight.p + horizontal.p, ..weight };
+        let sideways = Wrench { x: horizontal.x + weight.x + uplift.x, ..horizontal };
         ClassicalActions::of(&self.body, &vertical, &uplift, &sideways)
     }
 

@@ -537,6 +537,12 @@ fn cases_and_points_have_names() {
     use PointName::{A, BPrime, C, CPrime, D, E, F};
     assert_eq!([A, BPrime, C, CPrime, D, E, F].map(PointName::letter), ["A", "B'", "C", "C'", "D", "E", "F"]);
 
+    // Δ is the slope of μ* at A less that of AB.
+    for chart in charts().into_iter().filter(|chart| chart.k_prime() > -1.0) {
+        let slopes = chart.mu_star().slope(chart.k_a()) - chart.upper_line().slope(0.0);
+        assert!(close(chart.delta(), slopes, 1.0 + chart.k_prime().abs()), "{chart:?}");
+    }
+
     let inf = f64::INFINITY;
     let chart = |gamma, k_prime| Chart::new(gamma, k_prime).unwrap();
     assert_eq!((chart(2.0, 0.3).gamma(), chart(2.0, 0.3).k_prime()), (2.0, 0.3));

@@ -266,8 +266,8 @@ fn loads_say_what_they_are() {
     }
     assert!(Uplift::new(-1.0, 0.0, true).is_err() && Uplift::new(0.0, f64::NAN, true).is_err());
 
-    let quake = Earthquake::new(2.0, -1.0).unwrap();
-    assert_eq!((quake.horizontal(), quake.vertical()), (2.0, -1.0));
+    let quake = Earthquake::new(2.0, -1.5).unwrap();
+    assert_eq!((quake.horizontal(), quake.vertical()), (2.0, -1.5));
     assert!(Earthquake::new(f64::INFINITY, 0.0).is_err() && Earthquake::new(0.0, f64::NAN).is_err());
     let inertia = (HorizontalInertia, Horizontal, false);
     assert_eq!(told(&Earthquake::new(2.0, 0.0).unwrap().loads(&AddedMass::NONE)), [inertia]);
@@ -282,7 +282,7 @@ fn loads_say_what_they_are() {
     assert_eq!(body_s, Wrench { x: -2e5, p: 0.0, m: 0.0 });
     assert_eq!((water_s.x, water_s.p), (-2.0 * added.mass(), 0.0));
     assert!((water_s.m - 2.0 * added.mass() * (added.height().unwrap() - 4.0)).abs() < 1e-6);
-    assert_eq!(weight_s, Wrench { x: 0.0, p: -1e5, m: 0.0 });
+    assert_eq!(weight_s, Wrench { x: 0.0, p: -1.5e5, m: 0.0 });
     assert_eq!(AddedMass::beside(1e3, &[0.0, 0.0]), AddedMass::NONE);
     assert_eq!((AddedMass::NONE.mass(), AddedMass::NONE.height()), (0.0, None));
     assert_eq!(AddedMass::of(7.0).unwrap().height(), None);
@@ -347,6 +347,9 @@ fn a_situation_keeps_what_it_is_given() {
     assert_eq!((rests.others().len(), rests.is_unique(), rests.is_lifted()), (0, true, false));
     let stage = plain.path().unwrap().into_iter().find(|stage| stage.from < 5.0 && stage.to > 5.0).unwrap();
     assert_eq!((stage.mode, stage.others()), (full.mode, full.others()));
+    // Without variable loads there is no way to go, with nothing else there is.
+    assert!(Situation::new(body, 3.0, 10.0).unwrap().with_weight().outcome().unwrap().path.is_empty());
+    assert!(!Situation::new(body, 3.0, 10.0).unwrap().with(push).outcome().unwrap().path.is_empty());
     // Nothing presses a body without weight.
     let weightless = Situation::new(body, 0.5, 10.0).unwrap();
     assert!(weightless.at(1.0).unwrap().is_lifted());

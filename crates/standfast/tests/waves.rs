@@ -266,6 +266,38 @@ fn the_weight_s_arm_is_its_own() {
     assert_eq!(stability.resultant_arm, Some(180.0 / 80.0));
 }
 
+/// What is just in balance does not turn: without a force the factor is infinite there, and zero as soon as it is not.
+#[test]
+fn what_is_in_balance_does_not_turn() {
+    let stability = |uplift_moment: f64, force_moment: f64| {
+        let actions = ClassicalActions {
+            heel: Corner::O,
+            buoyant_weight: 10.0,
+            weight_arm: 2.0,
+            uplift: 5.0,
+            uplift_moment,
+            force: 0.0,
+            force_moment,
+        };
+        actions.stability(0.6, 4.0)
+    };
+    let factors = |uplift_moment: f64, force_moment: f64| {
+        let stability = stability(uplift_moment, force_moment);
+        assert_eq!(stability.sliding, f64::INFINITY);
+        (stability.overturning_about_heel, stability.overturning_about_toe)
+    };
+    let inf = f64::INFINITY;
+    // About the heel 10·2 resist M_U; about the toe 5·4 − (20 − M_U) remain.
+    assert_eq!(factors(20.0, 0.0), (inf, inf));
+    assert_eq!(factors(20.5, 0.0), (0.0, inf));
+    assert_eq!(factors(0.0, 0.0), (inf, inf));
+    assert_eq!(factors(-0.5, 0.0), (inf, 0.0));
+    assert_eq!(factors(20.0, 1.0), (0.0, inf));
+    assert_eq!(factors(10.0, 4.0), (2.5, inf));
+    assert_eq!(factors(10.0, -4.0), (inf, 2.5));
+    assert_eq!(factors(0.0, -1.0), (inf, 0.0));
+}
+
 /// The three ranges of the pressure join, and there is none without contact.
 #[test]
 fn bearing_pressure_has_its_ranges() {
@@ -534,6 +566,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
     for (front, warns) in [
         (berm, true),
         (Front { berm_width_ratio: 0.02 * below, ..berm }, false),
+        (Front { berm_width_ratio: 0.02, ..berm }, false),
         (Front { berm_width_ratio: 0.02 * above, ..berm }, true),
         (Front { berm_width_ratio: 0.3 * below, ..berm }, true),
         (Front { berm_width_ratio: 0.3 * above, ..berm }, false),
@@ -541,6 +574,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
         (Front { berm_depth_ratio: 0.6, ..berm }, false),
         (bed, true),
         (Front { berm_width_ratio: 0.02 * below, ..bed }, true),
+        (Front { berm_width_ratio: 0.02, ..bed }, false),
         (Front { berm_width_ratio: 0.02 * above, ..bed }, false),
         (Front { bed_slope: 0.02, ..bed }, false),
         (Front { bed_slope: 0.02 * above, ..bed }, true),
@@ -595,6 +629,11 @@ fn every_other_warning_has_its_limit() {
         [Warning::DeepWater { ratio }] if (ratio - 0.2001).abs() < 1e-12
     ));
     assert!(warnings(at_ratio(0.2001), low, section).is_empty());
+    // At 0.2 itself waves do not break any more: T = 1 s and g = 50·2π m/s² make L₀ = 50 m, five times the depth.
+    let limit = Sea { water_depth: 10.0, period: 1.0, gravity: 50.0 * std::f64::consts::TAU, ..sea };
+    let at_limit = goda(&limit, &deep, &section, &Choices::default()).unwrap();
+    assert!(!at_limit.heights.unwrap().may_break);
+    assert!(at_limit.warnings.contains(&Warning::DeepWater { ratio: 0.2 }));
     // Miche's limit, 0.142 L tanh(2πh/L).
     let length = wavelength(sea.period, sea.water_depth, sea.gravity);
     let limit = 0.142 * length * (std::f64::consts::TAU * sea.water_depth / length).tanh();

@@ -50,7 +50,7 @@ fn prepare(path: &Path, rows: usize) -> Arc<[u8]> {
         }
         let start = codes.len();
         codes.resize(start + length, 0);
-        let columns = Columns { slenderness: &gamma, elevation: &k_prime, force: &k, friction: &mu };
+        let columns = Columns { gamma: &gamma, k_prime: &k_prime, k: &k, mu: &mu };
         classify(columns, &mut codes[start..]).expect("points");
         let columns = [("gamma", gamma), ("k_prime", k_prime), ("k", k), ("mu", mu)];
         let columns = columns.map(|(name, column)| (name, Arc::new(Float64Array::from(column)) as ArrayRef));

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
+import functools
 import json
+import keyword
 import math
 import os
 from collections.abc import Iterator, Mapping
@@ -12,11 +14,17 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _standfast
-from ._modes import Mode
+from ._modes import Mode, Modes
 
-#: The keys whose value is the symbol of a mode.
-_MODES_AT = ("mode", "first_mode")
+#: The keys under which a text is the symbol of a mode.
+_MODES_AT = ("mode", "departure_mode", "from", "to")
 _BY_SYMBOL = {mode.symbol: mode for mode in Mode}
+
+#: The keys of what a user wrote, which may be any word.
+_WRITTEN = ("title", "note", "name")
+
+#: How many modes a representation lists.
+_SHOWN = 8
 
 
 class Figure(NamedTuple):
@@ -31,10 +39,17 @@ class Figure(NamedTuple):
         return self.svg
 
 
+def _attribute(key: str) -> str:
+    """The attribute for a key: the key itself, or with an underscore where it is a word of Python's."""
+    return f"{key}_" if keyword.iskeyword(key) else key
+
+
 class Answer(Mapping[str, Any]):
     """A part of an :class:`Assessment`: its JSON object, with the keys as attributes too.
 
-    ``mode`` and ``first_mode`` are :class:`Mode` as attributes, and symbols as items, as in the JSON document.
+    Items are as in the JSON document, but for numbers without bound, which are ``math.inf``; ``None`` says that there is
+    no such thing. Attributes are the same, with modes as :class:`Mode`, ``also`` as :class:`Modes`, and objects as
+    :class:`Answer`. Where a key is a word of Python's, the attribute ends in an underscore: ``lambda_``, ``from_``.
     """
 
     _what = "this answer"
@@ -54,16 +69,14 @@ class Answer(Mapping[str, Any]):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
-        try:
-            value = self[name]
-        except KeyError:
-            raise AttributeError(f"{self._what} has no {name!r}; it has {', '.join(self)}", name=name, obj=self) from None
-        if name in _MODES_AT:
-            return _BY_SYMBOL.get(value)
-        return Answer(value) if isinstance(value, dict) else value
+        for key in self:
+            if _attribute(key) == name:
+                return _value_of(key, self[key])
+        names = ", ".join(_attribute(key) for key in self)
+        raise AttributeError(f"{self._what} has no {name!r}; it has {names}", name=name, obj=self)
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *(key for key in self if key.isidentifier())]
+        return sorted({*super().__dir__(), *(_attribute(key) for key in self)})
 
     def to_dict(self) -> dict[str, Any]:
         """The answer as plain dicts, lists, strings and numbers."""
@@ -73,59 +86,97 @@ class Answer(Mapping[str, Any]):
         return f"{type(self).__name__}({self._document!r})"
 
 
+def _value_of(key: str, value: Any) -> Any:
+    """The value of an attribute."""
+    if isinstance(value, dict):
+        return Answer(value)
+    if isinstance(value, list) and key == "also":
+        return Modes.of(*(_BY_SYMBOL[symbol] for symbol in value))
+    if isinstance(value, list):
+        return [Answer(part) if isinstance(part, dict) else part for part in value]
+    if isinstance(value, str) and key in _MODES_AT:
+        return _BY_SYMBOL[value]
+    return value
+
+
 class Assessment(Answer):
     """The answer to a case: the program's, as text, figures and numbers.
 
-    ``print`` shows the text. The keys of the JSON document are attributes: ``mode``, ``first_mode``,
-    ``first_load_factor``, ``k_eff``, ``SF_sliding``, ... If the forces of the case are alternatives, each has an
-    answer in :attr:`loads`; those of a single one are attributes of the assessment as well.
+    ``print`` shows the text. The keys of the JSON document, which ``docs/answer.schema.json`` describes, are attributes. The
+    answer to each of the forces of a case, which are alternatives, is one of :attr:`situations`; where there is only one, its
+    keys are attributes of the assessment as well: ``mode``, ``departure``, ``load_factor``, ``SF_sliding``, ``k_eff``, ...
     """
 
     _what = "this assessment"
 
-    def __init__(self, document: dict[str, Any], text: str, figures: list[Figure]) -> None:
-        super().__init__(document)
+    def __init__(self, document: str, text: str, figures: list[Figure]) -> None:
+        super().__init__(json.loads(document, object_hook=_with_infinity))
+        self._json = document
         self._text = text
-        #: The figures of the case.
+        #: The figures of the case. The item ``"figures"`` names the files of the program's, and is empty here.
         self.figures = figures
 
+    @functools.cached_property
+    def situations(self) -> list[Answer]:
+        """The answers to the forces of the case, each an alternative to the others; one where it has none."""
+        return [Answer(situation) for situation in self["situations"]]
+
+    @property
+    def governing(self) -> Answer:
+        """The situation that leaves rest first; the item ``"governing"`` is its place among :attr:`situations`."""
+        place: int = self["governing"]
+        return self.situations[place]
+
     def __getattr__(self, name: str) -> Any:
-        loads = self._document.get("loads", []) if "_document" in self.__dict__ else []
-        if not name.startswith("_") and name not in self._document and loads and name in loads[0]:
-            if len(loads) == 1:
-                return getattr(Answer(loads[0]), name)
+        situations = self["situations"] if "_document" in self.__dict__ and not name.startswith("_") else []
+        if situations and any(_attribute(key) == name for key in situations[0]):
+            if len(situations) == 1:
+                return getattr(self.situations[0], name)
             raise AttributeError(
-                f"the case has {len(loads)} alternative loads; see loads[0].{name} and so on", name=name, obj=self
+                f"the case has {len(situations)} situations, one for each load; see situations[0].{name} and so on, or "
+                f"governing.{name}, that of the one which leaves rest first",
+                name=name,
+                obj=self,
             )
         return super().__getattr__(name)
 
-    @property
-    def loads(self) -> list[Answer]:
-        """The answers to the forces of the case, each an alternative to the others."""
-        return [Answer(load) for load in self._document.get("loads", [])]
+    def __dir__(self) -> list[str]:
+        own = super().__dir__()
+        return sorted({*own, *dir(self.situations[0])}) if len(self.situations) == 1 else own
+
+    def to_json(self) -> str:
+        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
+        return self._json
 
     def __str__(self) -> str:
         return self._text
 
     def __repr__(self) -> str:
-        parts = [self._document] if "mode" in self._document else self._document.get("loads", [])
-        modes = ", ".join(str(part.get("mode")) for part in parts)
-        return f"<Assessment {self._document.get('title') or 'of a case'}: {modes}>"
+        modes = [situation["mode"] or "none" for situation in self["situations"]]
+        shown = ", ".join(modes) if len(modes) <= _SHOWN else f"{len(modes)} situations"
+        return f"<Assessment {self['title'] or 'of a case'}: {shown}>"
 
     def _repr_svg_(self) -> str | None:
         return self.figures[0].svg if self.figures else None
 
     def __reduce__(self) -> Any:
-        return Assessment, (self._document, self._text, self.figures)
+        return Assessment, (self._json, self._text, self.figures)
 
 
-def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2.0) -> Assessment:
+def _with_infinity(part: dict[str, Any]) -> dict[str, Any]:
+    """A JSON object with numbers without bound as such."""
+    return {key: math.inf if value == "infinite" and key not in _WRITTEN else value for key, value in part.items()}
+
+
+def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2.0, all: bool = False) -> Assessment:
     """Assesses a body and its loads: water, uplift, waves, earthquakes, forces.
 
     Args:
         case: the path of a case file, or a dict with the same keys: ``{"body": {"width": "15 m", ...}, ...}``.
             Numbers with units are texts, as in the file.
         up_to: how far the path of a rising load is followed, in multiples of the load.
+        all: whether text and figures show every load one by one; otherwise, of more than eight, those that govern. The
+            numbers are always those of all.
 
     Raises:
         ValueError: for a case that is not understood; the message shows where, and what is expected.
@@ -139,9 +190,9 @@ def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2
     >>> found = assess(block)
     >>> found
     <Assessment Block: RO>
-    >>> found.mode, round(found.safety_factors.overturning, 4)
-    (<Mode.ROCK_O: 2>, 0.7848)
-    >>> found["loads"][0]["mode"], str(found).splitlines()[0]
+    >>> found.mode, round(found.SF_overturning, 4), found.departure, round(found.load_factor, 4)
+    (<Mode.ROCK_O: 2>, 0.7848, 'at', 0.7848)
+    >>> found["situations"][0]["mode"], str(found).splitlines()[0]
     ('RO', 'Block')
     """
     up_to = float(up_to)
@@ -158,8 +209,8 @@ def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2
         except UnicodeDecodeError as error:
             line = 1 + content[: error.start].count(b"\n")
             raise ValueError(f"{name} is not UTF-8 text: line {line} has a byte that is no character") from None
-    answer, document, figures = _standfast.assess(name, text, up_to)
-    return Assessment(json.loads(document), answer, [Figure(words, svg) for words, _, svg in figures])
+    answer, document, figures = _standfast.assess(name, text, up_to, all)
+    return Assessment(document, answer, [Figure(words, svg) for words, _, svg in figures])
 
 
 def _toml(case: Mapping[str, Any]) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 import polars as pl
 import standfast
 from numpy.typing import NDArray
-from standfast import ArrowArray, ArrowTable, Assessment, Diagram, Mode, Onset
+from standfast import Answer, ArrowArray, ArrowTable, Assessment, Diagram, Figure, Mode, Onset
 
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6), Mode)
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6, names=True), str)
@@ -16,4 +16,8 @@ assert_type(standfast.classify(pl.DataFrame(), columns={"mu": "friction", "k_pri
 assert_type(standfast.onset(1, 0.4, 0.5, 0.6), Onset)
 assert_type(standfast.onset(pl.DataFrame()), ArrowTable)
 assert_type(standfast.assess({"body": {}}), Assessment)
+assert_type(standfast.assess("case.toml", up_to=3, all=True).figures, list[Figure])
+assert_type(standfast.assess("case.toml").situations, list[Answer])
+assert_type(standfast.assess("case.toml").governing, Answer)
+assert_type(standfast.assess("case.toml").to_json(), str)
 assert_type(Diagram(1, 0.4).regions[0].mode, Mode)

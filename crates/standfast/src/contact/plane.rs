@@ -78,7 +78,8 @@ const NARROW: f64 = 1e-9;
 /// A strip over t as one over λ = t · `up_to`.
 fn stretched(strip: &Strip, up_to: f64) -> Strip {
     let curve = |curve: Curve| match curve {
-        Curve::Line { slope, intercept } => Curve::Line { slope: slope / up_to, intercept },
+        // The axis; every boundary is a hyperbola.
+        Curve::Line { .. } => curve,
         Curve::Hyperbola { a, b, c, d } => Curve::Hyperbola { a: a / up_to, b, c: c / up_to, d },
     };
     Strip {

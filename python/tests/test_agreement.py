@@ -1,0 +1,186 @@
+"""Text, JSON and Python give the same numbers and words: of every example, and of 500 random cases."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import random
+import re
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from decimal import ROUND_HALF_EVEN, Context
+from pathlib import Path
+from typing import Any
+
+import pytest
+import standfast
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+RULE = "─" * 88
+
+
+def random_case(seed: int) -> str:
+    """A case file with the parts that such files have, in SI units or others."""
+    n = random.Random(seed)
+    width, height = n.uniform(2, 20), n.uniform(2, 20)
+    friction = 0 if n.random() < 0.05 else n.uniform(0.02, 1.2)
+    lines = ["[body]", f"width = {width}", f'height = "{height * 100} cm"', f"friction = {friction}"]
+    lines += [f"density = {n.uniform(1500, 2700)}" if n.random() < 0.5 else f'mass = "{n.uniform(2, 3) * width * height} t/m"']
+    if n.random() < 0.3:
+        lines += [f"kinetic_friction = {friction * n.choice([1, 1, n.uniform(0.5, 1)])}"]
+    if n.random() < 0.2:
+        lines += [f"centroid_offset = {n.uniform(-0.3, 0.3) * width}", f"centroid_height = {n.uniform(0.2, 0.8) * height}"]
+    has_wave, has_water = n.random() < 0.2, n.random() < 0.4
+    if has_wave:
+        depth = n.uniform(0.5, 0.8) * height
+        lines += ["[wave]", f"deep_water_height = {n.uniform(0.5, 0.6) * depth}", f"period = {n.uniform(6, 14)}"]
+        lines += ["sea_bottom_slope = 0.01", f"water_depth = {1.4 * depth}", f"depth_above_berm = {0.8 * depth}"]
+        lines += [f"base_depth = {depth}", f"crest_height = {height - depth}", f"berm_width = {n.uniform(2, 10)}"]
+        lines += [f"angle_deg = {n.uniform(0, 60)}", "water_density = 1030", "[water]", f"level = {depth}"]
+    elif has_water:
+        lines += ["[water]", "density = 1025"]
+        if n.random() < 0.5:
+            lines += [f"level = {n.uniform(0.1, 0.9) * height}"]
+        else:
+            lines += [f"left = {n.uniform(0, 0.9) * height}", f"right = {n.uniform(0, 0.9) * height}"]
+    if n.random() < 0.2:
+        lines += ["[uplift]", f'right = "{n.uniform(1, 80)} kPa"', f"left = 0", f"grows = {n.choice(['true', 'false'])}"]
+    if n.random() < 0.2:
+        lines += ["[earthquake]", f"horizontal = {n.uniform(-0.4, 0.4)}", f"vertical = {n.uniform(-0.2, 0.2)}"]
+    for i in range(0 if has_wave and n.random() < 0.5 else n.choice([1, 1, 2, 3])):
+        force = 10 ** n.uniform(-2, 1) * width * height * 2e4
+        lines += ["[[load]]", f'force = "{force / 1e3} kN/m"', f"elevation = {n.uniform(0, 1.2) * height}"]
+        lines += [f'name = "number {i}"'] if n.random() < 0.5 else []
+        lines += ['direction = "right"'] if n.random() < 0.4 else []
+    return "\n".join(lines) + "\n"
+
+
+def digits(number: float | str | None) -> str:
+    """Four significant digits as a text shows them, worked out in decimal arithmetic."""
+    if number == "infinite":
+        return "unlimited"
+    if number is None:
+        return "none"
+    rounded = Context(prec=4, rounding=ROUND_HALF_EVEN).create_decimal_from_float(float(number)) if number else 0
+    if rounded == 0:
+        return "0"
+    if not 1e-4 <= abs(rounded) < 1e7:
+        mantissa, exponent = f"{rounded:.3e}".split("e")
+        return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
+    plain = f"{rounded:f}"
+    return plain.rstrip("0").rstrip(".") if "." in plain else plain
+
+
+def row(text: str, begin: str) -> list[str]:
+    """The columns of the line that begins with a text."""
+    found = [line for line in text.splitlines() if line.startswith(f"  {begin}  ")]
+    assert len(found) == 1, (begin, found)
+    return re.split(r"\s{2,}", found[0].strip())[1:]
+
+
+def unwrapped(text: str) -> str:
+    return " ".join(text.split())
+
+
+def compare_situation(said: dict[str, Any], text: str) -> None:
+    """A part of the text against the JSON."""
+    words = unwrapped(text)
+    assert said["mode_words"] is None or f"the body {said['mode_words']} ({said['mode']})." in words
+    assert ("The answer is unique." in words) == (said["unique"] and said["mode"] is not None)
+    for symbol in said["also"]:
+        assert f"({symbol})" in words.split("is not unique: that it ", 1)[1].split("as well.")[0]
+    if said["departure"] == "never":
+        assert said["load_factor"] is None and ("No multiple of the variable loads" in words or "none rises" in words)
+    elif said["departure"] == "at":
+        into = said["departure_mode"] or "no consistent mode"
+        share = digits(100 * said["load_factor"])
+        assert f"first leaves rest at {share} % of the variable load, into {into}." in words
+    else:
+        begin = {"permanent-loads": "The permanent loads alone", "any-share": "Any share of the"}[said["departure_by"]]
+        assert begin in words and said["load_factor"] is None
+    assert row(text, "sliding")[-1] == digits(said["SF_sliding"])
+    about = [said["SF_overturning_heel"], said["SF_overturning_toe"]]
+    assert row(text, "overturning")[-1] == digits(about[0])
+    assert ("about the toe" in text) == isinstance(about[1], float)
+    if isinstance(about[1], float):
+        assert re.search(r"about the toe +(\S+)$", text, re.MULTILINE)[1] == digits(about[1])
+    if about[0] is not None:
+        assert said["SF_overturning"] == min(about, key=lambda factor: math.inf if factor == "infinite" else factor)
+    if said["bearing"] == "pressed":
+        assert row(text, "bearing")[-1] == f"{digits(said['heel_pressure'] / 1e3)} kPa"
+        assert row(text, "             at the toe")[-1] == f"{digits(said['toe_pressure'] / 1e3)} kPa"
+    else:
+        assert row(text, "bearing")[-1] == "none"
+    if said["resultant_arm"] is not None:
+        assert row(text, "resultant")[-1] == f"{digits(said['resultant_arm'])} m"
+    assert row(text, "P")[0] == f"{digits(said['P'] / 1e3)} kN/m"
+    assert row(text, "P")[1] == f"M_p = {digits(said['M_p'] / 1e3)} kN m/m about the base"
+    assert row(text, "U")[0] == f"{digits(said['U'] / 1e3)} kN/m"
+    if said["k_eff"] is not None:
+        diagram = text.split("In the report's diagram", 1)[1]
+        name = "k_eff" if "with effective coordinates" in diagram.splitlines()[0] else "k"
+        assert row(diagram.split("\nBecause")[0], name)[-1] == digits(said["k_eff"])
+    keys = ["x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi", "slip", "lift_o", "lift_o_prime"]
+    if said["motion"] is not None:
+        lines = text.split("\nAt onset\n", 1)[1].splitlines()[: len(keys)]
+        for key, line in zip(keys, lines, strict=True):
+            number, unit = re.split(r"\s{2,}", line.strip())[-2:]
+            value = said["motion"][key] / (1e3 if unit.startswith("kN") else 1)
+            assert number == digits(value), (key, line)
+    because = text.split("\nBecause\n", 1)[1].splitlines() if said["because"] else []
+    for relation, line in zip(said["because"], because):
+        assert relation["statement"] in line
+        assert f"{digits(relation['left'])} {relation['sign']} {digits(relation['right'])}" in line or "holds by" in line
+    path = text.split("the permanent ones stay\n", 1)[1].splitlines()[1:] if said["path"] else []
+    for stage, line in zip(said["path"], path):
+        begin, _, mode = line.split()[:3]
+        assert (begin, mode) == (digits(stage["from"]), stage["mode"] or "none")
+
+
+def compare(program: list[str], name: str, folder: Path) -> bool:
+    """Whether the case of a file is understood, after comparing what the three say of it."""
+    os.makedirs(folder, exist_ok=True)
+
+    def answer(*options: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([*program, "assess", name, "-o", str(folder), *options], capture_output=True, encoding="utf-8")
+
+    shown = answer()
+    try:
+        found = standfast.assess(name)
+    except ValueError as error:
+        assert shown.returncode == 1, name
+        assert unwrapped(re.sub("[│╭╰─×·]", " ", shown.stderr))[:40] in unwrapped(re.sub("[│╭╰─×·]", " ", str(error)))
+        return False
+    assert shown.returncode == 0, shown.stderr
+    document = json.loads(answer("--format", "json").stdout)
+    # Python writes no files, and the text of the program ends with those it wrote.
+    assert json.loads(found.to_json()) == document | {"figures": []}
+    assert re.sub(r"\n(Diagram|k–μ diagram|Load path)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
+    if len(document["situations"]) > 1:
+        for said, part in zip(document["situations"], str(found).split(RULE)[1:], strict=True):
+            compare_situation(said, part)
+    else:
+        compare_situation(document["situations"][0], str(found))
+    for said, part in zip(document["situations"], found.situations, strict=True):
+        assert part.mode == said["mode"] or part.mode.symbol == said["mode"]
+        assert part.SF_sliding == (math.inf if said["SF_sliding"] == "infinite" else said["SF_sliding"])
+        assert part.load_factor == said["load_factor"]
+    return True
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_every_example(program: list[str], path: Path, tmp_path: Path) -> None:
+    assert compare(program, str(path), tmp_path)
+
+
+def test_random_cases(program: list[str], tmp_path: Path) -> None:
+    def one(seed: int) -> bool:
+        file = tmp_path / f"{seed}.toml"
+        file.write_text(random_case(seed))
+        return compare(program, str(file), tmp_path / "figures" / str(seed))
+
+    with ThreadPoolExecutor(2) as pool:
+        understood = list(pool.map(one, range(700)))
+    assert sum(understood) >= 500

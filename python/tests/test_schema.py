@@ -1,0 +1,216 @@
+"""Every JSON document is what docs/*.schema.json say, and the schemas let nothing else pass."""
+
+from __future__ import annotations
+
+import copy
+import json
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import standfast
+from jsonschema import Draft202012Validator
+from referencing import Registry, Resource
+
+ROOT = Path(__file__).parents[2]
+SCHEMAS = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "docs").glob("*.schema.json"))}
+REGISTRY: Registry[Any] = Registry().with_resources(
+    (name, Resource.from_contents(schema)) for name, schema in SCHEMAS.items()
+)
+EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+ODD = sorted((ROOT / "crates/cli/tests/cmd/loads-answers.in").glob("*.toml"))
+
+BLOCK = {"width": 1, "height": 2, "mass": 4800, "friction": 0.7}
+#: What no file of the repository shows, each with a fact that says so.
+CASES: dict[str, tuple[dict[str, Any], tuple[str, Any]]] = {
+    "leaves rest at once, by its permanent loads": (
+        {"body": BLOCK, "uplift": {"left": 0, "right": "80 kPa"}, "load": [{"force": 1, "elevation": 1}]},
+        ("departure_by", "permanent-loads"),
+    ),
+    "leaves rest at once, by any share of the load": (
+        {"body": BLOCK | {"friction": 0}, "load": [{"force": 1, "elevation": 1}]},
+        ("departure_by", "any-share"),
+    ),
+    "never leaves rest": ({"body": BLOCK, "earthquake": {"horizontal": 0, "vertical": 0.1}}, ("departure", "never")),
+    "a force of nothing": ({"body": BLOCK, "load": [{"force": 0, "elevation": 1}]}, ("SF_sliding", "infinite")),
+    "weight beside the base": (
+        {"body": BLOCK | {"buoyant_weight": 3e4, "weight_arm": 1.5}, "load": [{"force": 1, "elevation": 1}]},
+        ("bearing", "outside-base"),
+    ),
+}
+POINTS = [
+    (1, 0.4, 0.5, 0.6),
+    (1, 1, 2, 5),
+    (0.8, 0.3, 0.9, 0.1),
+    (1, -0.5, 4, 3),
+    (1, -1, 2, 5),
+    (1, -2, 2, 5),
+    (1, -0.5, 0, 0),
+    (1, -1e50, 1e50, 1e50),
+    (1e-50, 1, 1e-50, 0),
+]
+DESIGNS = [
+    ("goda-2000", "width", "factor=1.2"),
+    ("goda-2000", "friction", "rest"),
+    ("head-difference", "water_level", "load-factor=1.1"),
+    ("caisson-in-air", "mass", "no-rock"),
+    ("block-two-loads", "load[1].force", "factor=0.1"),
+    ("block-two-loads", "width", "no-slide"),
+]
+
+
+def errors(document: Any, schema: str) -> list[str]:
+    found = Draft202012Validator(SCHEMAS[schema], registry=REGISTRY).iter_errors(document)
+    return [f"{error.json_path}: {error.message}" for error in found]
+
+
+def printed(program: list[str], *arguments: str | Path) -> str:
+    found = subprocess.run([*program, *arguments], capture_output=True, encoding="utf-8")
+    assert found.returncode == 0, found.stderr
+    return found.stdout
+
+
+def classified(program: list[str], point: tuple[float, ...]) -> Any:
+    options = (f"--{name}={value}" for name, value in zip(("gamma", "k-prime", "k", "mu"), point))
+    return json.loads(printed(program, "classify", *options, "--format=json"))
+
+
+def designed(program: list[str], name: str, vary: str, target: str) -> Any:
+    file = ROOT / f"examples/{name}.toml"
+    return json.loads(printed(program, "design", file, "--vary", vary, "--target", target, "--format=json"))
+
+
+def objects(document: Any) -> Iterator[dict[str, Any]]:
+    """Every object of a document."""
+    if isinstance(document, dict):
+        yield document
+    for part in document.values() if isinstance(document, dict) else document if isinstance(document, list) else []:
+        yield from objects(part)
+
+
+def mistakes(document: Any) -> Iterator[tuple[str, Any]]:
+    """The document with one thing wrong, for every key of it; of objects with the same keys, in the first."""
+    first: dict[tuple[str, ...], int] = {}
+    for place, part in enumerate(objects(document)):
+        first.setdefault(tuple(part), place)
+    for keys, place in first.items():
+        for key in keys:
+            for mistake in ("renamed", "left out", "of no type", "twice"):
+                wrong = copy.deepcopy(document)
+                part = list(objects(wrong))[place]
+                value = part[key]
+                if mistake in ("renamed", "twice"):
+                    part[f"{key}s"] = value
+                if mistake == "of no type":
+                    part[key] = {"value": value}
+                elif mistake != "twice":
+                    del part[key]
+                yield f"{key} {mistake}", wrong
+
+
+@pytest.mark.parametrize("path", [*EXAMPLES, *ODD], ids=lambda path: path.stem)
+def test_answers_of_files(path: Path) -> None:
+    document = json.loads(standfast.assess(path).to_json())
+    assert not errors(document, "answer.schema.json")
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_answers_of_odd_cases(name: str) -> None:
+    case, (key, value) = CASES[name]
+    document = json.loads(standfast.assess(case).to_json())
+    assert document["situations"][0][key] == value
+    assert not errors(document, "answer.schema.json")
+
+
+def test_the_program_says_the_same(program: list[str], tmp_path: Path) -> None:
+    for path in [*EXAMPLES, *ODD]:
+        found = standfast.assess(path)
+        document = printed(program, "assess", path, "-o", tmp_path, "--format", "json")
+        assert not errors(json.loads(document), "answer.schema.json")
+        assert json.loads(document) | {"figures": []} == json.loads(found.to_json())
+        files = [tmp_path / name for name in json.loads(document)["figures"]]
+        assert [file.read_text(encoding="utf-8") for file in files] == [figure.svg for figure in found.figures]
+        written = printed(program, "assess", path, "-o", tmp_path).removeprefix(str(found)).splitlines()
+        assert len(written) == (len(files) + 1 if files else 0), path
+
+
+@pytest.mark.parametrize("point", POINTS, ids=str)
+def test_points(program: list[str], point: tuple[float, ...]) -> None:
+    document = classified(program, point)
+    assert not errors(document, "point.schema.json")
+    assert document["mode"] == standfast.classify(*point, names=True)
+
+
+@pytest.mark.parametrize("wanted", DESIGNS, ids=" ".join)
+def test_designs(program: list[str], wanted: tuple[str, str, str]) -> None:
+    assert not errors(designed(program, *wanted), "design.schema.json")
+
+
+def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
+    # A point of the diagram, alternative loads, still water.
+    cases = [ROOT / "examples/goda-2000.toml", ROOT / "examples/block-two-loads.toml", ODD[-1]]
+    documents = [
+        *((json.loads(standfast.assess(case).to_json()), "answer.schema.json") for case in cases),
+        (classified(program, POINTS[1]), "point.schema.json"),
+        (designed(program, *DESIGNS[0]), "design.schema.json"),
+    ]
+    assert documents[0][0]["situations"][0]["report"] and documents[1][0]["situations"][0]["load"] and documents[2][0]["water"]
+    for document, schema in documents:
+        validator = Draft202012Validator(SCHEMAS[schema], registry=REGISTRY)
+        passed = {what for what, wrong in mistakes(document) if validator.is_valid(wrong)}
+        assert not passed
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"schema": 2},
+        {"situations": []},
+        {"departure": "never"},
+        {"departure": "never", "load_factor": None},
+        {"departure": "at-once"},
+        {"load_factor": None},
+        {"load_factor": "infinite"},
+        {"departure_by": "any-share"},
+        {"mode": "SR"},
+        {"mode": None},
+        {"also": ["SL", "SL"]},
+        {"lifted": True},
+        {"SF_sliding": None},
+        {"SF_sliding": "unlimited"},
+        {"bearing": "lifted"},
+        {"heel_pressure": None},
+        {"k_eff": None},
+        {"report": None},
+        {"motion": None},
+    ],
+    ids=str,
+)
+def test_what_does_not_go_together_fails(change: dict[str, Any]) -> None:
+    document = json.loads(standfast.assess(ROOT / "examples/goda-2000.toml").to_json())
+    part = document if change.keys() <= document.keys() else document["situations"][0]
+    assert change.keys() <= part.keys() and all(part[key] != value for key, value in change.items())
+    part.update(change)
+    assert errors(document, "answer.schema.json")
+
+
+def test_what_no_case_of_ours_has_is_allowed_for() -> None:
+    document = json.loads(standfast.assess(ROOT / "examples/goda-2000.toml").to_json())
+    nothing = {"mode": None, "mode_words": None, "motion": None, "report": None, "k_eff": None, "k_prime_eff": None}
+    document["situations"][0].update(nothing, because=[])
+    assert not errors(document, "answer.schema.json")
+
+
+def test_schemas_are_closed_and_say_what_everything_is() -> None:
+    for name, schema in SCHEMAS.items():
+        Draft202012Validator.check_schema(schema)
+        for part in objects(schema):
+            if part.get("type") == "object":
+                assert part["required"] == list(part["properties"]), name
+                closed = {"additionalProperties", "unevaluatedProperties"} & part.keys()
+                # A point is closed where it is referred to, because a document of its own has `schema` beside it.
+                assert closed or part is SCHEMAS["answer.schema.json"]["$defs"]["point"], name
+                for key, value in part["properties"].items():
+                    assert value.get("description") or "$ref" in value, (name, key)
