@@ -71,3 +71,8 @@ pub fn report(error: &(dyn Diagnostic + 'static)) -> String {
         Err(_) => format!("{error}\n"),
     }
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

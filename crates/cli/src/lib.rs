@@ -131,3 +131,8 @@ fn print(text: &str) -> Result<()> {
         _ => Ok(()),
     }
 }
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

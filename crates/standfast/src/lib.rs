@@ -57,3 +57,8 @@ pub use quantity::{Expected, Quantity};
 pub use situation::{Departure, Outcome, Response, Situation};
 pub use stability::{Bearing, ClassicalActions, Stability};
 pub use wrench::Wrench;
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
