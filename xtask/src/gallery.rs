@@ -7,6 +7,8 @@ use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{FigureId, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
+use crate::keys;
+
 /// A file of the gallery: its path in docs, and its content.
 type File = (String, String);
 
@@ -39,6 +41,7 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     );
     files.push(("gallery/sheet-goda-2000.html".to_owned(), sheet(root, "goda-2000")?));
     files.push(("gallery.md".to_owned(), page));
+    files.push(("case-file.md".to_owned(), keys::page()));
     Ok(files)
 }
 

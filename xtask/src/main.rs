@@ -5,6 +5,7 @@
 mod checks;
 mod explorer;
 mod gallery;
+mod keys;
 mod manifests;
 mod programs;
 mod python;

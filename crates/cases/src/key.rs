@@ -195,7 +195,8 @@ pub struct KeyInfo {
     pub words: &'static str,
     /// A value as it may stand in a file.
     pub example: &'static str,
-    /// What is taken where the file is silent; `None` where the key has to be there, or nothing is taken.
+    /// The quantity and, behind a colon, what is taken for it where the file is silent; `None` where the key has to be there,
+    /// or nothing is taken.
     pub silent: Option<&'static str>,
     /// What goes with it when it is varied.
     pub moves: Moves,
@@ -292,7 +293,7 @@ keys! {
     Title = key(Top, "title", Text, "", "what the case is called", "\"Caisson in air\"");
     Note = key(Top, "note", Text, "", "where its numbers come from", "\"numbers from the preliminary design\"");
     Gravity = key(Top, "gravity", Measured(Dimension::Acceleration, Positive), "g", "acceleration of gravity", "\"9.81 m/s2\"")
-        .silent("acceleration of gravity").gives(&[Quantity::Gravity]);
+        .silent("acceleration of gravity: 9.81 m/s²").gives(&[Quantity::Gravity]);
 
     Width = key(Body, "width", length(Positive), "w", "width of the body", "\"15 m\"")
         .moves(Moves::Width).gives(&[Quantity::Width]);
@@ -311,7 +312,7 @@ keys! {
     BaseRight = key(Body, "base_right", length(Positive), "e_r", "edge of the base right of mid-width", "\"7 m\"")
         .silent("edge of the base right of mid-width: that of the body").gives(&[Quantity::BaseRight]);
     CentroidOffset = key(Body, "centroid_offset", length(Finite), "x_C", "centre of mass right of mid-width", "\"0.4 m\"")
-        .silent("centre of mass right of mid-width").gives(&[Quantity::CentroidOffset]);
+        .silent("centre of mass right of mid-width: at mid-width").gives(&[Quantity::CentroidOffset]);
     CentroidHeight = key(Body, "centroid_height", length(Positive), "y_C", "centre of mass above the base", "\"5 m\"")
         .silent("centre of mass above the base: mid-height").gives(&[Quantity::CentroidHeight]);
     MomentOfInertia =
@@ -350,15 +351,15 @@ keys! {
     BermWidth = key(Wave, "berm_width", length(NotNegative), "B_M", "width of the berm", "\"8 m\"")
         .gives(&[Quantity::BermWidth]);
     Lambda1 = key(Wave, "lambda[1]", OneOfThree, "λ1", "factor on the standing pressure", "[1, 1, 1]")
-        .silent("factors on the pressures").gives(&[Quantity::Lambda1]);
+        .silent("factors on the pressures: 1, 1, 1").gives(&[Quantity::Lambda1]);
     Lambda2 = key(Wave, "lambda[2]", OneOfThree, "λ2", "factor on the breaking pressure", "[1, 1, 1]")
         .gives(&[Quantity::Lambda2]);
     Lambda3 = key(Wave, "lambda[3]", OneOfThree, "λ3", "factor on the uplift", "[1, 1, 1]")
         .gives(&[Quantity::Lambda3]);
     Impulsive = key(Wave, "impulsive", Truth, "", "whether Takahashi’s coefficient is used", "true")
-        .silent("Takahashi’s coefficient");
+        .silent("Takahashi’s coefficient: used");
     TurnDeg = key(Wave, "turn_deg", Plain(NotNegative), "Δβ", "by how much they are turned towards it", "15")
-        .silent("waves turned towards the normal by").gives(&[Quantity::WaveTurn]);
+        .silent("waves turned towards the normal by: 0°").gives(&[Quantity::WaveTurn]);
 
     Level = key(Water, "level", length(NotNegative), "h_l", "still water above the base, both sides", "\"7.1 m\"")
         .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);
@@ -376,7 +377,7 @@ keys! {
         key(Uplift, "right", Measured(Dimension::Pressure, NotNegative), "p_r", "pressure under the right corner O′", "\"60 kPa\"")
         .gives(&[Quantity::Pressure]);
     UpliftGrows = key(Uplift, "grows", Truth, "", "whether it rises with the variable loads", "true")
-        .silent("uplift is there all the time");
+        .silent("uplift: there all the time");
 
     Horizontal =
         key(Earthquake, "horizontal", InGravity, "a_h", "acceleration of the base, to the right", "0.2    # of g, or \"2 m/s2\"")
@@ -393,7 +394,7 @@ keys! {
         .gives(&[Quantity::Force, Quantity::K]);
     Elevation = key(Load, "elevation", length(NotNegative), "e", "its height above the base", "\"8 m\"")
         .gives(&[Quantity::ForceElevation, Quantity::KPrime]);
-    Towards = key(Load, "direction", Direction, "", "where it points", "\"left\"").silent("to the left");
+    Towards = key(Load, "direction", Direction, "", "where it points", "\"left\"").silent("direction: left");
 }
 
 impl Key {

@@ -25,10 +25,18 @@ pub fn json(point: Point) -> String {
     struct Document {
         schema: u32,
         #[serde(flatten)]
-        point: PointDocument,
+        answer: PointDocument,
+        #[serde(rename = "SF_sliding", serialize_with = "number_or_word")]
+        sliding: f64,
+        #[serde(rename = "SF_overturning", serialize_with = "number_or_word")]
+        overturning: f64,
     }
-    let point = PointDocument::of(&Reduced { point, mirrored: false });
-    crate::json(&Document { schema: SCHEMA, point })
+    crate::json(&Document {
+        schema: SCHEMA,
+        answer: PointDocument::of(&Reduced { point, mirrored: false }),
+        sliding: point.safety_against_sliding(),
+        overturning: point.safety_against_overturning(),
+    })
 }
 
 fn one_line(reduced: &Reduced) -> String {
@@ -84,10 +92,6 @@ pub(crate) struct PointDocument {
     unique: bool,
     also: Modes,
     case: &'static str,
-    #[serde(rename = "SF_sliding", serialize_with = "number_or_word")]
-    sliding: f64,
-    #[serde(rename = "SF_overturning", serialize_with = "number_or_word")]
-    overturning: f64,
     motion: Motion,
     trace: Vec<TraceStep>,
     /// `null` if no force moves the body.
@@ -152,8 +156,6 @@ impl PointDocument {
             unique: point.is_unique(),
             also: reduced.others(),
             case: point.chart().case().words(),
-            sliding: point.safety_against_sliding(),
-            overturning: point.safety_against_overturning(),
             motion: reduced.motion(),
             trace: point.explain().steps.iter().map(step).collect(),
             leaves_rest: margins.leaves_rest().as_ref().map(change),

@@ -42,10 +42,10 @@ pub struct Cli {
 pub enum Command {
     /// Assess a body and its loads from a case file
     ///
-    /// Prints the mode of response, the inequalities that decide it, safety factors, accelerations and reactions at
-    /// onset, and where the mode changes; draws the case in the k–μ plane, one diagram for every elevation of a force. With water, waves, uplift or an earthquake:
-    /// pressures, forces and moments, safety factors and heel pressure, the mode under the full load, and where the body
-    /// first leaves rest as the variable loads rise; draws that path as well.
+    /// Prints pressures, forces and moments, safety factors and bearing pressures, the mode of response under the full
+    /// load with the inequalities that decide it, accelerations and reactions at onset, where the body first leaves rest as
+    /// the variable loads rise, and where the mode changes. Draws the case in the k–μ plane, one diagram for every elevation
+    /// of a force, and with water, waves, uplift or an earthquake the path of the rising load as well.
     #[command(after_help = "Example:\n  standfast assess examples/caisson-in-air.toml\n\n\
         Example of a case file (numbers without unit are SI: m, kg/m, kg/m3, N/m):\n\
         \u{20} [body]\n\
@@ -151,7 +151,7 @@ pub struct AssessArgs {
     /// Where to put the diagrams; made if it is not there [default: beside the case file]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// How far to follow the rising load, as a multiple of the full load; for cases whose loads act together
+    /// How far to follow the rising load, as a multiple of the full load
     #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
     pub up_to: f64,
     /// Show and draw every alternative load one by one; of more than 8, only those that leave rest first are
@@ -197,7 +197,7 @@ pub struct SheetArgs {
     /// The day the sheet bears [default: none; the sheet says that it is undated]
     #[arg(long, value_name = "YYYY-MM-DD")]
     pub date: Option<Date>,
-    /// How far to follow the rising load, as a multiple of the full load; for cases whose loads act together
+    /// How far to follow the rising load, as a multiple of the full load
     #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
     pub up_to: f64,
     /// The size of a PDF's pages

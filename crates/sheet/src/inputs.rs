@@ -34,7 +34,7 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
                     tr.group { th colspan="5" scope="rowgroup" { "Not in the file, taken as" } }
                     @for (key, value) in defaults {
                         tr {
-                            td { (key.info().silent.unwrap_or(key.info().words)) }
+                            td { (taken(key)) }
                             td { (sign(key)) }
                             td { (value) }
                             td.n {}
@@ -45,6 +45,14 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
             }
         }
     }
+}
+
+/// What is taken for a key that is not in the file, in words; what would stand beside them again is left out.
+fn taken(key: Key) -> &'static str {
+    let words = key.info().silent.unwrap_or(key.info().words);
+    let number =
+        words.split_once(": ").filter(|(_, taken)| taken.starts_with(|first: char| first.is_ascii_digit()));
+    number.map_or(words, |(quantity, _)| quantity)
 }
 
 fn heading(id: Id) -> String {

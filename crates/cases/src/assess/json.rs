@@ -13,7 +13,7 @@ use standfast::{Mode, Modes, Motion, Slip, Wrench};
 use super::{Assessed, Assessment, View};
 use crate::case::{Case, Waves};
 use crate::point::{PointDocument, RelationDocument};
-use crate::results::ResultName;
+use crate::results::{ResultName, number_or_word};
 
 /// The version of the document.
 pub(crate) const SCHEMA: u32 = 1;
@@ -104,7 +104,18 @@ struct Situation<'a> {
     wrench: Wrench,
     components: Vec<Component>,
     path: Vec<PathStage>,
-    report: Option<PointDocument>,
+    report: Option<Report>,
+}
+
+/// The point of the report's diagram.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    point: PointDocument,
+    /// 1/(k_eff γ |1+k'_eff|), which counts uplift and eccentric weight as a load; the classical factor counts them as less
+    /// resistance.
+    #[serde(rename = "SF_overturning_effective", serialize_with = "number_or_word")]
+    overturning: f64,
 }
 
 /// The results of the one list.
@@ -246,7 +257,10 @@ impl<'a> Situation<'a> {
                 })
                 .collect(),
             path: path::up_to(&assessed.outcome.path, view.up_to).iter().map(PathStage::of).collect(),
-            report: full.effective.as_ref().map(PointDocument::of),
+            report: full.effective.as_ref().map(|reduced| Report {
+                point: PointDocument::of(reduced),
+                overturning: reduced.point.safety_against_overturning(),
+            }),
         }
     }
 }

@@ -116,8 +116,21 @@ fn difference(assessed: &Assessed) -> String {
     let full = assessed.outcome.full.mode;
     let symbol = |mode: Option<Mode>| mode.map_or("no consistent mode", Mode::symbol);
     match *assessed.departure() {
-        Departure::AtOnce { .. } => {
+        Departure::AtOnce { permanent: true, .. } => {
             "With no rest to begin from, a rising load has no first departure.".to_owned()
+        }
+        Departure::AtOnce { .. } if full == Some(Mode::Rest) => {
+            "At once, the full load leaves the body at rest; rising, it has moved it before.".to_owned()
+        }
+        Departure::AtOnce { mode, .. } if mode == full => {
+            format!("At once and rising, the body takes up the same mode, {}.", symbol(full))
+        }
+        Departure::AtOnce { mode, .. } => {
+            format!(
+                "At once, the full load starts {}; rising, the load has started {} before.",
+                symbol(full),
+                symbol(mode)
+            )
         }
         Departure::At { factor, .. } if factor < 1.0 && full == Some(Mode::Rest) => format!(
             "At once, the full load leaves the body at rest; rising, it has moved it before, at {} %.",

@@ -1,5 +1,7 @@
 //! What a small change of every number of a case does to its safety.
 
+use standfast::Departure;
+
 use super::{Varied, least, load_factor, overturning, sliding};
 use crate::assess::{Assessed, Assessment};
 use crate::couple::Variable;
@@ -55,6 +57,13 @@ fn of(varied: &Varied<'_>, variable: Variable) -> Option<Sensitivity> {
         let difference = least(&above)? - least(&below)?;
         Some(difference / (2.0 * STEP) / 100.0).filter(|change| change.is_finite())
     };
-    let (sliding, overturning, load_factor) = (change(sliding), change(overturning), change(load_factor));
+    // Where the body moves at once, there is no load factor to change.
+    let has_factor = |answer: &Option<Assessment>| {
+        answer
+            .as_ref()
+            .is_some_and(|answer| !matches!(answer.governing().departure(), Departure::AtOnce { .. }))
+    };
+    let load_factor = change(load_factor).filter(|_| has_factor(&above) && has_factor(&below));
+    let (sliding, overturning) = (change(sliding), change(overturning));
     Some(Sensitivity { variable, value, sliding, overturning, load_factor })
 }

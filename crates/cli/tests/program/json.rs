@@ -114,3 +114,27 @@ fn assess_is_the_library_in_si_units() {
         assert!((body.moment_of_inertia() * si("theta_ddot") - moment).abs() < 1e-8 * weight);
     }
 }
+
+#[test]
+fn friction_to_slip_that_is_friction_to_stick_changes_nothing() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let directory = tempfile::tempdir().expect("a directory");
+    let mut compared = 0;
+    for entry in std::fs::read_dir(examples).expect("examples").map(|entry| entry.expect("an entry").path()) {
+        let text = std::fs::read_to_string(&entry).expect("a case");
+        if text.contains("kinetic_friction") {
+            continue;
+        }
+        let friction = text.lines().find(|line| line.starts_with("friction")).expect("friction");
+        let doubled = text.replacen(friction, &format!("{friction}\nkinetic_{friction}"), 1);
+        let [plain, doubled] = [text, doubled].map(|text| {
+            let file = directory.path().join("case.toml");
+            std::fs::write(&file, text).expect("a file");
+            let file = file.to_str().expect("a name");
+            standfast(&["assess", file, "-o", ".", "--format", "json"], directory.path())
+        });
+        assert_eq!(plain, doubled, "{}", entry.display());
+        compared += 1;
+    }
+    assert!(compared >= 5);
+}

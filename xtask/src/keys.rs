@@ -1,0 +1,100 @@
+//! docs/case-file.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
+
+use standfast_cases::key::{Key, Kind, Moves, Table};
+
+/// The page of all keys.
+pub fn page() -> String {
+    let mut page = String::from(
+        "# The case file\n\n\
+         A case is a TOML file: a body, what acts on it all the time, and one or more loads. Quantities are numbers with a unit, as in\n\
+         `\"450 kN/m\"`; a number without one is in SI units. Forces, masses and moments are per metre run. `standfast assess --help` has\n\
+         an example, the folder `examples` has more. This page is written by `cargo xtask gallery` from the table of keys that the\n\
+         program itself reads, and a test fails when it is stale. A key is named in `design` by its table and name: `body.width`,\n\
+         `load[2].force`.\n",
+    );
+    for table in Table::ALL {
+        let header = match table {
+            Table::Top => "Above all tables".to_owned(),
+            _ => format!("`{}`: {}", table.header(), table.words()),
+        };
+        page.push_str(&format!("\n## {header}\n\n| key | symbol | what it is | takes | example | if not given |\n|---|---|---|---|---|---|\n"));
+        for key in table.keys().filter(|key| !is_further(*key)) {
+            page.push_str(&row(key));
+        }
+    }
+    page.push_str(
+        "\n## What moves with what\n\n\
+         `design` and sensitivities vary one number, and what has to go with it goes with it.\n\n| key | goes with it |\n|---|---|\n",
+    );
+    for key in Key::ALL.iter().filter(|key| key.info().moves != Moves::Alone) {
+        let info = key.info();
+        page.push_str(&format!("| `{}.{}` | {} |\n", info.table.name(), key.entry(), moves(info.moves)));
+    }
+    page
+}
+
+/// Whether the key is the second or third number of a list, whose first one stands for it.
+fn is_further(key: Key) -> bool {
+    key.name() != key.entry() && Key::find(key.info().table, key.entry()) != Some(key)
+}
+
+fn row(key: Key) -> String {
+    let info = key.info();
+    let symbol = if info.symbol.is_empty() { String::new() } else { format!("`{}`", info.symbol) };
+    let words = if key.name() == key.entry() {
+        info.words
+    } else {
+        "factors on the standing, the breaking pressure and the uplift"
+    };
+    let silent = info.silent.and_then(|silent| silent.split_once(": ")).map_or("", |(_, taken)| taken);
+    let (name, kind, example) = (key.entry(), takes(info.kind), info.example);
+    format!("| `{name}` | {symbol} | {words} | {kind} | `{name} = {example}` | {silent} |\n")
+}
+
+fn takes(kind: Kind) -> String {
+    match kind {
+        Kind::Text => "a text".to_owned(),
+        Kind::Measured(dimension, range) => {
+            format!("{} in {}; {}", dimension.words(), dimension.understood(), range.words())
+        }
+        Kind::Plain(range) => range.words().to_owned(),
+        Kind::InGravity => "a number of g, or an acceleration".to_owned(),
+        Kind::OneOfThree => "three finite numbers above zero".to_owned(),
+        Kind::Truth => "`true` or `false`".to_owned(),
+        Kind::Sides => "1 or 2".to_owned(),
+        Kind::Direction => "`\"left\"` or `\"right\"`".to_owned(),
+    }
+}
+
+fn moves(moves: Moves) -> &'static str {
+    match moves {
+        Moves::Alone => "nothing",
+        Moves::Width => "all dimensions along the base, and the mass, at constant density",
+        Moves::Height => "the mass at constant density, and so the crest above the sea",
+        Moves::Mass => "everything that weighs",
+        Moves::Friction => "friction to stick and to slip",
+        Moves::WaterLevel => "the level of the sea at the right, and the depths with it",
+        Moves::BaseDepth => "the depth of the caisson's base, its crest staying where it is",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use standfast_cases::results::{ResultInfo, ResultKind, ResultName};
+
+    /// The schema says of each result what the one list of results says.
+    #[test]
+    fn the_schema_has_the_words_of_the_list() {
+        let schema = std::fs::read_to_string(crate::root().join("docs/answer.schema.json")).unwrap();
+        let schema: serde_json::Value = serde_json::from_str(&schema).unwrap();
+        for result in ResultName::ALL {
+            let ResultInfo { name, kind, words, .. } = *result.info();
+            let unit = match kind {
+                ResultKind::Number(Some(dimension)) => format!(", {}", dimension.symbol()),
+                _ => String::new(),
+            };
+            let said = &schema["$defs"]["situation"]["properties"][name]["description"];
+            assert_eq!(*said, serde_json::json!(format!("{words}{unit}")), "{name}");
+        }
+    }
+}
