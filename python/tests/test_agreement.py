@@ -51,7 +51,7 @@ def random_case(seed: int) -> str:
         lines += ["[earthquake]", f"horizontal = {n.uniform(-0.4, 0.4)}", f"vertical = {n.uniform(-0.2, 0.2)}"]
     for i in range(0 if has_wave and n.random() < 0.5 else n.choice([1, 1, 2, 3])):
         force = 10 ** n.uniform(-2, 1) * width * height * 2e4
-        lines += ["[[load]]", f'force = "{force / 1e3} kN/m"', f"elevation = {n.uniform(0, 1.2) * height}"]
+        lines += ["[[load]]", f'force = "{force / 1e3} kN/m"', f"elevation = {n.uniform(0, 1) * height}"]
         lines += [f'name = "number {i}"'] if n.random() < 0.5 else []
         lines += ['direction = "right"'] if n.random() < 0.4 else []
     return "\n".join(lines) + "\n"
@@ -182,5 +182,5 @@ def test_random_cases(program: list[str], tmp_path: Path) -> None:
         return compare(program, str(file), tmp_path / "figures" / str(seed))
 
     with ThreadPoolExecutor(2) as pool:
-        understood = list(pool.map(one, range(700)))
+        understood = list(pool.map(one, range(520)))
     assert sum(understood) >= 500

@@ -23,8 +23,8 @@ pub struct Answer {
     pub motion: Motion,
     /// The same in SI units, if the dimensions are within range.
     pub real: Option<Motion>,
-    /// Against sliding and overturning.
-    pub factors: [f64; 2],
+    /// Against sliding and overturning; none where the loads lift the body.
+    pub factors: Option<[f64; 2]>,
     /// The inequalities of the mode.
     pub relations: Vec<Relation>,
     /// The modes tried before, and why they fail.
@@ -55,7 +55,7 @@ impl Answer {
             others: reduced.others(),
             motion,
             real: state.real().map(|(body, _)| scaled(&body)),
-            factors: [point.safety_against_sliding(), point.safety_against_overturning()],
+            factors: Some([point.safety_against_sliding(), point.safety_against_overturning()]),
             relations,
             tried,
             point: Some(reduced),
@@ -84,7 +84,8 @@ impl Answer {
             others: full.others(),
             motion: real.scaled(1.0 / GRAVITY, 1.0 / half_width, 1.0 / weight),
             real: Some(real),
-            factors: [outcome.stability.sliding, outcome.stability.overturning()],
+            factors: (!full.is_lifted())
+                .then(|| [outcome.stability.sliding, outcome.stability.overturning()]),
             relations,
             tried,
             point: full.effective,

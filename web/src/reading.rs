@@ -49,7 +49,7 @@ struct Numbers {
     diagram: Option<[f64; 2]>,
     /// ẍ, ÿ, θ̈, f_x, f_y, ξ, ẍ_O, ÿ_O, ÿ_O' in g, B and m g.
     motion: Option<[f64; 9]>,
-    /// Against sliding and overturning.
+    /// Against sliding and overturning; none where the loads lift the body.
     factors: Option<[f64; 2]>,
     /// The other consistent modes.
     others: Vec<&'static str>,
@@ -119,7 +119,7 @@ impl Numbers {
                     motion.lift_o_prime,
                 ]
             }),
-            factors: answer.map(|answer| answer.factors),
+            factors: answer.and_then(|answer| answer.factors),
             others: answer.map_or(Vec::new(), |answer| answer.others.iter().map(Mode::symbol).collect()),
         }
     }

@@ -108,7 +108,12 @@ impl Verdict {
         let lifted = answer.full.as_ref().is_some_and(|(_, outcome)| outcome.full.is_lifted());
         let lift = if lifted { "All loads together no longer press downwards. " } else { "" };
         let words = mode.words().replace('\'', "′");
-        let [sliding, overturning] = factors.map(plain);
+        let factors = match factors.map(|factors| factors.map(plain)) {
+            Some([sliding, overturning]) => {
+                format!("Factors of safety: sliding {sliding}, overturning {overturning}.")
+            }
+            None => "There are no factors of safety.".to_owned(),
+        };
         let orient = |mode| answer.point.map_or(mode, |reduced| reduced.orient(mode));
         let failed = |step: &standfast::initiation::Step| Failed {
             symbol: symbol(orient(step.mode)),
@@ -122,7 +127,7 @@ impl Verdict {
             unique: others.is_empty(),
             uniqueness: uniqueness(answer, orient(Mode::RockO)),
             plain: format!(
-                "{}{}: {lift}the body {words}. {} Factors of safety: sliding {sliding}, overturning {overturning}.",
+                "{}{}: {lift}the body {words}. {} {factors}",
                 if state.waters.are_none() { "" } else { "Under all loads, water and uplift included. " },
                 mode.symbol().replace('\'', "′").replace('-', "−"),
                 if others.is_empty() { "The answer is unique." } else { "The answer is not unique." },
@@ -183,7 +188,7 @@ fn factor_rows(answer: &Answer) -> Vec<Factor> {
         None => [mathematics("μ/k"), mathematics("1/(k γ |1+k'|)")],
         Some(_) => [mathematics("μ P/|X|"), "resisting by turning moment, lesser corner".to_owned()],
     };
-    let rows = ["sliding", "overturning"].into_iter().zip(formulas).zip(answer.factors);
+    let rows = ["sliding", "overturning"].into_iter().zip(formulas).zip(answer.factors.into_iter().flatten());
     rows.map(|((name, formula), value)| Factor { name, formula, value: shown(value), holds: value >= 1.0 })
         .collect()
 }
