@@ -381,7 +381,8 @@ impl Given<'_> {
         match (self.number(Key::WaterMass), self.number(Key::WetSides), depths) {
             (Some(mass), None, _) => AddedMass::of(mass).map_err(|error| self.blame(Table::AddedMass, error)),
             (None, Some(sides), Some((density, depths))) => {
-                Ok(AddedMass::beside(density, if sides == 1.0 { &depths[..1] } else { &depths }))
+                let depths = if sides == 1.0 { &depths[..1] } else { &depths };
+                AddedMass::beside(density, depths).map_err(|error| self.blame(Table::AddedMass, error))
             }
             (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
             (None, None, _) => {

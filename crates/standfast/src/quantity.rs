@@ -105,6 +105,5 @@ worded! {
         NotBelowSeaBed => "no more than the water depth: the berm lies on the sea bed",
         AboveStillWater => "above zero: the crest has to stand above still water",
         InOrder => "positions that rise from point to point",
-        OnTheFace => "a place on the face",
     }
 }

@@ -33,7 +33,7 @@ fn random_situation(random: &mut Random) -> Situation {
     if random.coin() {
         let level = |random: &mut Random| random.uniform(0.0, 0.9) * height;
         let (left, right) = (level(random), level(random));
-        added = AddedMass::beside(1030.0, &[left, right]);
+        added = AddedMass::beside(1030.0, &[left, right]).unwrap();
         let water = StillWater::new(&body, left, right, 1030.0).unwrap();
         situation = situation.with_all(water.loads(&body, G)).with_added_mass(added.mass()).unwrap();
     }
@@ -273,7 +273,7 @@ fn loads_say_what_they_are() {
     assert_eq!(told(&Earthquake::new(2.0, 0.0).unwrap().loads(&AddedMass::NONE)), [inertia]);
     assert_eq!(told(&quake.loads(&AddedMass::of(1e3).unwrap())), [inertia, (VerticalInertia, Weight, false)]);
     // 10 m on the left, 5 m on the right: four fifths and one fifth of the mass, each at 0.40142 of its depth.
-    let added = AddedMass::beside(1e3, &[10.0, 5.0]);
+    let added = AddedMass::beside(1e3, &[10.0, 5.0]).unwrap();
     assert!((added.mass() / (0.54275 * 1e3 * 125.0) - 1.0).abs() < 1e-5);
     assert!((added.height().unwrap() / (0.40142 * (0.8 * 10.0 + 0.2 * 5.0)) - 1.0).abs() < 2e-5);
     let loads = quake.loads(&added);
@@ -283,7 +283,10 @@ fn loads_say_what_they_are() {
     assert_eq!((water_s.x, water_s.p), (-2.0 * added.mass(), 0.0));
     assert!((water_s.m - 2.0 * added.mass() * (added.height().unwrap() - 4.0)).abs() < 1e-6);
     assert_eq!(weight_s, Wrench { x: 0.0, p: -1.5e5, m: 0.0 });
-    assert_eq!(AddedMass::beside(1e3, &[0.0, 0.0]), AddedMass::NONE);
+    assert_eq!(AddedMass::beside(1e3, &[0.0, 0.0]).unwrap(), AddedMass::NONE);
+    for (density, depth) in [(-1e3, 5.0), (0.0, 5.0), (1e3, -5.0), (1e3, f64::NAN)] {
+        assert!(AddedMass::beside(density, &[depth]).is_err(), "{density} {depth}");
+    }
     assert_eq!((AddedMass::NONE.mass(), AddedMass::NONE.height()), (0.0, None));
     assert_eq!(AddedMass::of(7.0).unwrap().height(), None);
     assert!(AddedMass::of(-1.0).is_err());

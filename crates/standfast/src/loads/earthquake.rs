@@ -69,11 +69,18 @@ impl AddedMass {
     }
 
     /// Water of `density` (kg/m³) beside a wall, as deep as `depths` (m) on one side or on each of both.
-    pub fn beside(density: f64, depths: &[f64]) -> AddedMass {
+    ///
+    /// # Errors
+    /// If the density is not above zero, or a depth is negative or not finite.
+    pub fn beside(density: f64, depths: &[f64]) -> Result<AddedMass, InputError> {
+        let density = InputError::positive(Quantity::WaterDensity, density)?;
+        for &depth in depths {
+            InputError::not_negative(Quantity::WaterLevel, depth)?;
+        }
         let masses = || depths.iter().map(|&depth| (added_mass(1, density, depth), depth));
         let mass: f64 = masses().map(|(mass, _)| mass).sum();
         let moment: f64 = masses().map(|(mass, depth)| mass * added_mass_height(depth)).sum();
-        AddedMass { mass, height: (mass > 0.0).then(|| moment / mass) }
+        Ok(AddedMass { mass, height: (mass > 0.0).then(|| moment / mass) })
     }
 
     /// Its mass, kg per metre run.
