@@ -49,6 +49,7 @@ def random_case(seed: int) -> str:
         lines += ["[uplift]", f'right = "{n.uniform(1, 80)} kPa"', f"left = 0", f"grows = {n.choice(['true', 'false'])}"]
     if n.random() < 0.2:
         lines += ["[earthquake]", f"horizontal = {n.uniform(-0.4, 0.4)}", f"vertical = {n.uniform(-0.2, 0.2)}"]
+        lines += ["[added_mass]", f"sides = {n.choice([1, 2])}"] if has_wave or has_water else []
     for i in range(0 if has_wave and n.random() < 0.5 else n.choice([1, 1, 2, 3])):
         force = 10 ** n.uniform(-2, 1) * width * height * 2e4
         lines += ["[[load]]", f'force = "{force / 1e3} kN/m"', f"elevation = {n.uniform(0, 1) * height}"]
