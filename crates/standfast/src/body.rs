@@ -77,14 +77,15 @@ impl Body {
         body.check()
     }
 
-    /// The same body touching its base at `left` to the left of mid-width (O) and `right` to the right (O'), m.
+    /// The same body touching its base at `left` to the left of mid-width (O) and `right` to the right (O'), m. Of a body whose
+    /// centre of mass is off mid-width, the base comes first where it is wider than the body.
     ///
     /// # Errors
-    /// If the centre of mass does not lie between O and O'.
+    /// If one of them is not a finite number above zero, or the centre of mass does not lie between O and O'.
     pub fn with_base(self, left: f64, right: f64) -> Result<Body, InputError> {
         let body = Body {
-            base_left: InputError::finite(Quantity::BaseLeft, left)?,
-            base_right: InputError::finite(Quantity::BaseRight, right)?,
+            base_left: InputError::positive(Quantity::BaseLeft, left)?,
+            base_right: InputError::positive(Quantity::BaseRight, right)?,
             ..self
         };
         body.check()

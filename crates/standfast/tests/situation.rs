@@ -255,7 +255,10 @@ fn impossible_bodies_and_water_are_refused() {
         body.with_centroid(5.5, 4.0).unwrap_err().to_string(),
         "offset of the centre of mass is 5.5; expected one that lies between O and O'"
     );
-    assert!(body.with_base(-1.0, 0.5).is_err());
+    assert_eq!(
+        body.with_base(-1.0, 0.5).unwrap_err().to_string(),
+        "left half of the base is -1; expected a number above zero, from 1e-50 to 1e50"
+    );
     assert!(body.with_moment_of_inertia(0.0).is_err());
     assert_eq!(
         StillWater::new(&body, 3.0, 8.5, 1e3).unwrap_err().to_string(),
