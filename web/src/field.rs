@@ -4,6 +4,7 @@ use standfast::loads::HorizontalForce;
 use standfast::{Body, Point, Slip};
 use standfast_figures::{Axis, View};
 
+use crate::loads::Waters;
 use crate::number;
 use crate::state::{GRAVITY, State, round_digits, rounded};
 use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES, Unit};
@@ -126,11 +127,16 @@ impl Field {
             Field::Sea | Field::Lee | Field::Uplift => {
                 // A figure of the report knows no water.
                 state.figure = None;
-                match self {
-                    Field::Sea => state.waters.sea = value,
-                    Field::Lee => state.waters.lee = value,
-                    _ => state.waters.uplift = value,
-                }
+                let place = |waters: &mut Waters| match self {
+                    Field::Sea => waters.sea = value,
+                    Field::Lee => waters.lee = value,
+                    _ => waters.uplift = value,
+                };
+                // By itself: what a lower body has left above its crest on the other side is not this field's to mend.
+                let mut alone = Waters::default();
+                place(&mut alone);
+                alone.check(state)?;
+                place(&mut state.waters);
             }
             Field::Width | Field::Height | Field::Mass | Field::Thrust | Field::Level => {
                 return self.resize(state, value);
@@ -138,10 +144,7 @@ impl Field {
         }
         Point::new(state.slenderness, state.elevation, state.force, state.friction)
             .map_err(|error| sentence(&error.to_string()))?;
-        match self {
-            Field::Sea | Field::Lee | Field::Uplift => state.waters.check(state),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// Changes one dimension of the real body or its force, and leaves the others as they are.
@@ -207,6 +210,22 @@ pub fn sentence(message: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Water that a lower body leaves above its crest on both sides is mended side by side.
+    #[test]
+    fn water_above_the_crest_is_mended_field_by_field() {
+        let mut state = State::default();
+        let enter = |state: &mut State, field: Field, typed: &str| field.set(state, typed);
+        for (field, typed) in [(Field::Sea, "8"), (Field::Lee, "7"), (Field::Height, "6")] {
+            enter(&mut state, field, typed).unwrap();
+        }
+        assert!(state.waters.check(&state).is_err());
+        assert!(enter(&mut state, Field::Sea, "6.5").is_err());
+        for field in [Field::Sea, Field::Uplift, Field::Lee] {
+            enter(&mut state, field, "0").unwrap();
+        }
+        assert!(state.waters.are_none());
+    }
 
     #[test]
     fn a_dimension_changes_alone() {

@@ -37,7 +37,7 @@ impl Waters {
         *self == Waters::default()
     }
 
-    /// Whether the state's body can stand in them.
+    /// Whether the state's body can stand in them, whatever the state's own are.
     ///
     /// # Errors
     /// What is wrong, as a sentence.
@@ -45,7 +45,9 @@ impl Waters {
         if self.uplift < 0.0 {
             return Err("The uplift pressure is negative; expected zero or more.".to_owned());
         }
-        situation(state).map(|_| ()).map_err(|error| sentence(&error.to_string()))
+        situation(&State { waters: *self, ..state.clone() })
+            .map(|_| ())
+            .map_err(|error| sentence(&error.to_string()))
     }
 }
 

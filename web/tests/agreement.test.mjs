@@ -61,7 +61,7 @@ async function enter(page, given, i) {
   const units = { width: "m", height: "m", mass: "t/m", friction: "", thrust: "kN/m", level: "m", sea: "m", lee: "m", uplift: "kPa" };
   await page.evaluate(() => document.getElementById("path").setAttribute("open", ""));
   for (const [id, unit] of Object.entries(units)) await type(page, id, text(given[id], unit), i % 2 ? "Enter" : "Tab");
-  if (given.toRight) await page.selectOption("#direction", "right");
+  await page.selectOption("#direction", given.toRight ? "right" : "left");
   await drawn(page);
 }
 
@@ -69,6 +69,7 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
   const next = numbers(11);
   const folder = mkdtempSync(path.join(tmpdir(), "standfast-"));
   const seen = new Set();
+  const [page, sheet] = [await open(browser), await browser.newPage()];
   for (let i = 0; i < 30; i++) {
     const given = random(next, i);
     const [file, sheetFile] = ["case.toml", "sheet.html"].map((name) => path.join(folder, name));
@@ -78,7 +79,6 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
     const what = (key) => `case ${i}, ${key}, ${JSON.stringify(given)}`;
     seen.add(said.mode);
 
-    const page = await open(browser);
     await enter(page, given, i);
     assert.equal(await mode(page), said.mode, what("mode"));
     assert.ok((await page.textContent("#sentence")).endsWith(`he body ${said.mode_words.replaceAll("'", "′")}.`), what("words"));
@@ -96,10 +96,8 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
     for (const [n, key] of ["SF_sliding", "SF_overturning"].entries()) {
       if (said[key] !== null) near(shown.factors[n] ?? Infinity, number(said[key]), what(key));
     }
-    await page.close();
 
     execFileSync(program, ["sheet", file, "-o", sheetFile]);
-    const sheet = await browser.newPage();
     await sheet.goto(pathToFileURL(sheetFile).href);
     const verdict = sheet.locator(".summary .verdict").first();
     assert.equal(await verdict.getAttribute("data-mode"), said.mode, what("mode of the sheet"));
@@ -116,7 +114,6 @@ test("30 cases typed key by key are the cases of program and sheet", async () =>
     for (const key of MOTION) {
       for (const value of found(`motion.${key}`)) near(value * (key.startsWith("f_") ? 1e3 : 1), said.motion[key], what(`${key} of the sheet`));
     }
-    await sheet.close();
   }
   assert.ok(seen.size >= 5, [...seen].join(" "));
 });
