@@ -5,7 +5,7 @@
 //! point of the k–μ diagram in effective coordinates.
 
 use serde::Serialize;
-use standfast::loads::{Action, Load, LoadKind, LoadSource, Pose, Reduced, StillWater, Uplift};
+use standfast::loads::{Pose, Reduced, StillWater, Uplift};
 use standfast::{Departure, InputError, Mode, Situation, Slip};
 use standfast_figures::{LoadPlane, load_plane_on_screen};
 
@@ -63,11 +63,10 @@ pub fn situation(state: &State) -> Result<Situation, InputError> {
     let (left, right) = order(sea, lee);
     let water = StillWater::new(&body, left, right, WATER)?;
     let (uplift_left, uplift_right) = order(uplift, 0.0);
-    let push = Action::horizontal(force.direction().sign() * force.magnitude(), force.elevation());
     let situation = Situation::new(body, state.friction, GRAVITY)?.with_weight();
     let situation =
         if (sea, lee) == (0.0, 0.0) { situation } else { situation.with_all(water.loads(&body, GRAVITY)) };
-    let situation = situation.with(Load::variable(LoadSource::Force, LoadKind::Horizontal, push));
+    let situation = situation.with(force.load());
     Ok(match uplift {
         0.0 => situation,
         _ => situation.with(Uplift::new(uplift_left, uplift_right, true)?.load(&body)),

@@ -157,11 +157,6 @@ impl Case {
         Ok(case)
     }
 
-    /// How many situations there are: one for each alternative force, or the only one.
-    pub fn situation_count(&self) -> usize {
-        self.forces.len().max(1)
-    }
-
     /// The body under all loads that act together, with one of the alternative forces.
     ///
     /// # Errors
@@ -172,7 +167,7 @@ impl Case {
     pub fn situation(&self, force: Option<usize>) -> Result<Situation, InputError> {
         let situation = self.base_situation()?;
         Ok(match force {
-            Some(force) => situation.with(self.forces[force].load()),
+            Some(force) => situation.with(self.forces[force].force.load()),
             None => situation,
         })
     }
@@ -202,14 +197,6 @@ impl Case {
     /// The name of an alternative force, or its number, counted from one.
     pub fn force_name(&self, index: usize) -> String {
         self.forces[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
-    }
-}
-
-impl NamedForce {
-    fn load(&self) -> Load {
-        let right = self.force.direction().sign() * self.force.magnitude();
-        let action = Action::horizontal(right, self.force.elevation());
-        Load::variable(LoadSource::Force, LoadKind::Horizontal, action)
     }
 }
 
@@ -316,8 +303,8 @@ impl Given<'_> {
     }
 
     fn water(&self, body: &Body, wave: Option<&Waves>) -> Result<StillWater, Fault> {
-        let side = |key: Key| self.number(key);
-        let (left, right) = match (side(Key::Level), side(Key::WaterLeft), side(Key::WaterRight)) {
+        let sides = (self.number(Key::Level), self.number(Key::WaterLeft), self.number(Key::WaterRight));
+        let (left, right) = match sides {
             (Some(level), None, None) => (level, level),
             (None, Some(left), Some(right)) => (left, right),
             (None, None, None) => return Err(Fault::new(Problem::NoLevel, Table::Water)),
@@ -337,9 +324,9 @@ impl Given<'_> {
             (Some(density), _) | (None, Some(density)) => density,
             (None, None) => return Err(Fault::new(Problem::NoWaterDensity, Table::Water)),
         };
-        let right_key = if side(Key::Level).is_some() { Key::Level } else { Key::WaterRight };
+        let right_key = if self.number(Key::Level).is_some() { Key::Level } else { Key::WaterRight };
         let water = StillWater::new(body, left, right, density).map_err(|error| {
-            let left_is_it = error.value == left && side(Key::WaterLeft).is_some();
+            let left_is_it = error.value == left && self.number(Key::WaterLeft).is_some();
             let key = if left_is_it { Key::WaterLeft } else { right_key };
             let blamed = [key, Key::WaterDensity].into_iter();
             let fault = self.blame_one_of(blamed, 0, error);

@@ -8,6 +8,7 @@ use std::fmt;
 
 use standfast::Quantity;
 
+use crate::list::listed;
 use crate::units::Dimension;
 
 /// A table of a case file.
@@ -261,35 +262,10 @@ use Kind::{Direction, InGravity, Measured, OneOfThree, Plain, Sides, Text, Truth
 use Range::{Finite, NotNegative, Positive};
 use Table::{AddedMass, Body, Earthquake, Load, Top, Uplift, Water, Wave};
 
-/// Defines [`Key`] and its table.
-macro_rules! keys {
-    ($($variant:ident = $info:expr;)*) => {
-        /// A key of a case file.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        #[non_exhaustive]
-        #[allow(missing_docs, reason = "the words stand in the table")]
-        pub enum Key {
-            $($variant,)*
-        }
+listed! {
+    /// A key of a case file.
+    Key: KeyInfo;
 
-        impl Key {
-            /// All keys, table by table.
-            pub const ALL: &'static [Key] = &[$(Key::$variant,)*];
-
-            /// What is said of it.
-            pub const fn info(self) -> &'static KeyInfo {
-                match self {
-                    $(Key::$variant => {
-                        const INFO: KeyInfo = $info;
-                        &INFO
-                    })*
-                }
-            }
-        }
-    };
-}
-
-keys! {
     Title = key(Top, "title", Text, "", "what the case is called", "\"Caisson in air\"");
     Note = key(Top, "note", Text, "", "where its numbers come from", "\"numbers from the preliminary design\"");
     Gravity = key(Top, "gravity", Measured(Dimension::Acceleration, Positive), "g", "acceleration of gravity", "\"9.81 m/s2\"")

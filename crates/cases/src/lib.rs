@@ -37,6 +37,7 @@ mod error;
 mod inputs;
 pub mod key;
 pub mod layout;
+mod list;
 mod parse;
 pub mod point;
 pub mod results;

@@ -8,6 +8,7 @@ use serde::{Serialize, Serializer};
 use standfast::{Bearing, Departure, Mode, Modes};
 
 use crate::assess::{Assessed, checks};
+use crate::list::listed;
 use crate::units::Dimension;
 
 /// The value of a result.
@@ -92,35 +93,10 @@ const fn word(
     ResultInfo { name, kind: ResultKind::Word(choices), words, of }
 }
 
-/// Defines [`ResultName`] and its table.
-macro_rules! results {
-    ($($variant:ident = $info:expr;)*) => {
-        /// A result of a situation.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        #[non_exhaustive]
-        #[allow(missing_docs, reason = "the words stand in the table")]
-        pub enum ResultName {
-            $($variant,)*
-        }
+listed! {
+    /// A result of a situation.
+    ResultName: ResultInfo;
 
-        impl ResultName {
-            /// All results, in their order.
-            pub const ALL: &'static [ResultName] = &[$(ResultName::$variant,)*];
-
-            /// What is said of it.
-            pub const fn info(self) -> &'static ResultInfo {
-                match self {
-                    $(ResultName::$variant => {
-                        const INFO: ResultInfo = $info;
-                        &INFO
-                    })*
-                }
-            }
-        }
-    };
-}
-
-results! {
     Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once", |a| mode(a.outcome.full.mode));
     Unique = ResultInfo {
         name: "unique",

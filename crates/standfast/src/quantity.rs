@@ -58,7 +58,6 @@ worded! {
         PressurePosition => "position of a pressure",
         Acceleration => "acceleration of the base",
         LoadFactor => "load factor",
-        Turn => "rotation of the body",
         WaterDepth => "water depth",
         SeaBottomSlope => "sea bottom slope",
         WavePeriod => "wave period",

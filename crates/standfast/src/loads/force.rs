@@ -1,5 +1,6 @@
 //! Horizontal forces in SI units, and their reduction to the report's k and k'.
 
+use super::{Action, Load, LoadKind, LoadSource};
 use crate::body::Body;
 use crate::error::InputError;
 use crate::initiation::Point;
@@ -41,6 +42,12 @@ impl HorizontalForce {
     /// Where it points.
     pub fn direction(&self) -> Slip {
         self.direction
+    }
+
+    /// The force as a load that varies.
+    pub fn load(&self) -> Load {
+        let action = Action::horizontal(self.direction.sign() * self.magnitude, self.elevation);
+        Load::variable(LoadSource::Force, LoadKind::Horizontal, action)
     }
 
     /// The report's problem for this force on `body` with `friction` μ, at the acceleration of gravity `gravity`
