@@ -1,9 +1,12 @@
 //! The gate: each step is a command; tests are counted one by one, every other step as one.
 
-use std::process::ExitCode;
+use std::fs::{self, File};
+use std::io;
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitCode};
 
 use crate::tally::{Tally, cargo};
-use crate::{explorer, manifests, programs, python};
+use crate::{built, explorer, manifests, programs, python, target};
 
 /// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what
 /// they need of them: a dependency whose features differ from step to step would be compiled again and again.
@@ -33,15 +36,95 @@ pub fn run() -> ExitCode {
     ];
     tally.record("fuzz targets", &mut cargo(&fuzz));
     pdf_programs(&mut tally);
-    // The extension module has its tests in Python.
-    let mut build = cargo(&["build", "--quiet", "--tests", "--bins"]);
-    tally.record("programs and tests", build.args(EVERYTHING));
+    programs_and_tests(&mut tally);
+    // Each of the three waits for itself most of the time: two cores do them in little more than half of it.
+    let beside = [Part::Python, Part::Explorer].map(Beside::start);
     let mut tests = cargo(&["test", "--no-fail-fast"]);
     tests.args(EVERYTHING);
     tally.count("unit, integration and documentation tests", &mut tests, result_line);
-    python::run(&mut tally);
-    explorer::check(&mut tally);
+    for part in beside {
+        part.end(&mut tally);
+    }
+    ended(&tally)
+}
 
+/// What of the gate can be run by itself.
+#[derive(Clone, Copy)]
+pub enum Part {
+    Python,
+    Explorer,
+}
+
+impl Part {
+    /// As on the command line.
+    fn name(self) -> &'static str {
+        match self {
+            Part::Python => "python",
+            Part::Explorer => "explorer",
+        }
+    }
+
+    /// Builds what the part needs and runs its steps.
+    pub fn run(self) -> ExitCode {
+        let mut tally = Tally::default();
+        programs_and_tests(&mut tally);
+        match self {
+            Part::Python => python::run(&mut tally),
+            Part::Explorer => explorer::check(&mut tally),
+        }
+        ended(&tally)
+    }
+}
+
+/// A part that runs beside the gate's own steps, and says nothing before it is asked.
+struct Beside {
+    part: Part,
+    /// The process, and where it writes.
+    running: io::Result<(Child, PathBuf)>,
+}
+
+impl Beside {
+    fn start(part: Part) -> Beside {
+        let start = || {
+            let path = target().join(format!("gate-{}.txt", part.name()));
+            let output = File::create(&path)?;
+            let mut xtask = Command::new(built("xtask"));
+            xtask.args(["test", part.name()]).stderr(output.try_clone()?).stdout(output);
+            Ok((xtask.spawn()?, path))
+        };
+        Beside { part, running: start() }
+    }
+
+    /// Waits for its end, shows what it wrote and adds what it counted.
+    fn end(self, tally: &mut Tally) {
+        let name = self.part.name();
+        let ended = self.running.and_then(|(mut process, path)| {
+            process.wait()?;
+            fs::read(path)
+        });
+        match ended {
+            Ok(output) => {
+                let output = String::from_utf8_lossy(&output);
+                let (steps, total) = output.rsplit_once("\ntotal: ").unwrap_or((&output, ""));
+                println!("{steps}");
+                match ["passed", "failed", "skipped"].map(|what| count(&total.replace(',', ";"), what)) {
+                    [0, 0, 0] => tally.fail(name, "it ended before its count"),
+                    counts => tally.add(counts),
+                }
+            }
+            Err(error) => tally.fail(name, error),
+        }
+    }
+}
+
+/// Compiles all that the tests run. The extension module has its tests in Python.
+fn programs_and_tests(tally: &mut Tally) {
+    let mut build = cargo(&["build", "--quiet", "--tests", "--bins"]);
+    tally.record("programs and tests", build.args(EVERYTHING));
+}
+
+/// Ends with the count.
+fn ended(tally: &Tally) -> ExitCode {
     println!("\ntotal: {} passed, {} failed, {} skipped", tally.passed, tally.failed, tally.skipped);
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

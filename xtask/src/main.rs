@@ -19,7 +19,8 @@ use std::process::ExitCode;
 const HELP: &str = "\
 Usage: cargo xtask COMMAND
 
-  test      format, lints, documentation, all tests: everything CI does
+  test      format, lints, documentation, all tests: everything CI does; `test python` and `test explorer` run
+            these parts alone
   deny      licences, advisories, sources and duplicates of all dependencies, by cargo-deny
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
@@ -30,6 +31,8 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => checks::run(),
+        ["test", "python"] => checks::Part::Python.run(),
+        ["test", "explorer"] => checks::Part::Explorer.run(),
         ["deny"] => ended(manifests::deny()),
         ["gallery"] => match gallery::write(&root()) {
             Ok(count) => {

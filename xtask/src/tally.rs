@@ -54,6 +54,13 @@ fn line(command: &Command) -> String {
 }
 
 impl Tally {
+    /// Adds how many checks passed, failed and were skipped elsewhere.
+    pub fn add(&mut self, [passed, failed, skipped]: [usize; 3]) {
+        self.passed += passed;
+        self.failed += failed;
+        self.skipped += skipped;
+    }
+
     /// Runs a command that passes or fails as a whole; says which.
     pub fn record(&mut self, name: &str, command: &mut Command) -> bool {
         println!("── {name}: {}", line(command));
