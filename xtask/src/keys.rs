@@ -6,7 +6,7 @@ use standfast_cases::key::{Key, Kind, Moves, Table};
 pub fn page() -> String {
     let mut page = String::from(
         "# The case file\n\n\
-         A case is a TOML file: a body, what acts on it all the time, and one or more loads. Quantities are numbers with a unit, as in\n\
+         A case is a TOML file: a body, and what acts on it. Quantities are numbers with a unit, as in\n\
          `\"450 kN/m\"`; a number without one is in SI units. Forces, masses and moments are per metre run. `standfast assess --help` has\n\
          an example, the folder `examples` has more. This page is written by `cargo xtask gallery` from the table of keys that the\n\
          program itself reads, and a test fails when it is stale. A key is named in `design` by its table and name: `body.width`,\n\
@@ -59,10 +59,13 @@ fn takes(kind: Kind) -> String {
         }
         Kind::Plain(range) => range.words().to_owned(),
         Kind::InGravity => "a number of g, or an acceleration".to_owned(),
-        Kind::OneOfThree => "three finite numbers above zero".to_owned(),
+        Kind::OneOfThree => "three finite numbers, zero or more".to_owned(),
         Kind::Truth => "`true` or `false`".to_owned(),
         Kind::Sides => "1 or 2".to_owned(),
-        Kind::Direction => "`\"left\"` or `\"right\"`".to_owned(),
+        Kind::Choice { words, .. } => words.to_owned(),
+        Kind::List(dimension) => format!("a list, each {} in {}", dimension.words(), dimension.understood()),
+        Kind::Factors => "names and factors, zero or more".to_owned(),
+        Kind::ModeList => "a list of symbols of modes".to_owned(),
     }
 }
 

@@ -1,6 +1,7 @@
 //! A case answered: every situation of it with its outcome, and its figures. [`text`](Assessment::text) and
 //! [`json`](Assessment::json) render the same answer.
 
+mod acting;
 pub mod checks;
 mod coordinates;
 mod figures;
@@ -10,12 +11,18 @@ mod sea;
 mod text;
 pub mod verdict;
 
+use std::cmp::Ordering;
+
+use standfast::loads::Earthquake;
 use standfast::{Departure, InputError, Outcome, Situation};
 
-use crate::case::Case;
+use crate::case::{Acting, Case};
+use crate::criteria::{Check, Criterion};
+pub use acting::factors;
 pub use figures::{CaseFigure, Drawn};
 pub(crate) use json::SCHEMA;
-pub use loads::{Component, added_mass_notes};
+pub use loads::{Component, added_mass_notes, share};
+pub use text::criteria_met;
 pub(crate) use text::heading;
 
 /// How far a rising load is followed where nothing else is said, as a multiple of the full load.
@@ -29,19 +36,43 @@ pub const GOVERNING: usize = 8;
 pub struct Assessment {
     /// The case.
     pub case: Case,
-    /// Its situations, one for each alternative force or the only one.
+    /// Its situations: one for each combination, or each force that acts alone, or the only one.
     pub all: Vec<Assessed>,
 }
 
 /// A situation of a case with everything that is said about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assessed {
-    /// Which of the case's alternative forces is among the loads.
-    pub force: Option<usize>,
+    /// Its place among the situations of the case.
+    pub index: usize,
+    /// Which of the case's loads act.
+    pub acting: Acting,
+    /// The acceleration of the base, the worst of those that are tried.
+    pub earthquake: Option<Earthquake>,
     /// The body under its loads.
     pub situation: Situation,
     /// What becomes of it.
     pub outcome: Outcome,
+    /// The other accelerations of the base, none of them worse.
+    pub others: Vec<Shaken>,
+}
+
+/// A situation with another acceleration of the base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shaken {
+    /// The acceleration.
+    pub earthquake: Earthquake,
+    /// What becomes of the body.
+    pub outcome: Outcome,
+}
+
+/// A criterion in the situation that meets it worst.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseCheck<'a> {
+    /// The criterion and how far it is met.
+    pub check: Check,
+    /// The situation.
+    pub assessed: &'a Assessed,
 }
 
 /// What to show of an answer.
@@ -66,14 +97,10 @@ impl Assessment {
     /// # Errors
     /// If the loads add up to what the mechanics cannot take.
     pub fn of(case: &Case) -> Result<Assessment, InputError> {
-        let forces = (0..case.forces.len()).map(Some);
-        let forces: Vec<_> = if case.forces.is_empty() { vec![None] } else { forces.collect() };
-        let all = forces.into_iter().map(|force| {
-            let situation = case.situation(force)?;
-            let outcome = situation.outcome()?;
-            Ok(Assessed { force, situation, outcome })
-        });
-        Ok(Assessment { case: case.clone(), all: all.collect::<Result<_, _>>()? })
+        let acting = case.acting().into_iter().enumerate();
+        let all =
+            acting.map(|(index, acting)| Assessed::of(case, index, acting)).collect::<Result<_, _>>()?;
+        Ok(Assessment { case: case.clone(), all })
     }
 
     /// The situation in which a number is least, the first of several.
@@ -82,26 +109,55 @@ impl Assessment {
         least.expect("a case has a situation")
     }
 
-    /// The situation that leaves rest first.
+    /// The situation that is worst: see [`worst_first`](Assessment::worst_first).
     pub fn governing(&self) -> &Assessed {
-        self.least(|assessed| assessed.outcome.departure.load_factor())
+        self.worst_first()[0]
     }
 
-    /// The situations that are shown one by one, in their order: all, or those that leave rest first.
+    /// The situations, the worst first: by what is used of the criteria, then by where the body leaves rest, then by the lesser
+    /// safety factor, then in their order.
+    pub fn worst_first(&self) -> Vec<&Assessed> {
+        let severity = self.all.iter().map(|assessed| (assessed.severity(&self.case), assessed));
+        let mut severity: Vec<_> = severity.collect();
+        severity.sort_by(|(one, _), (two, _)| Severity::compare(one, two));
+        severity.into_iter().map(|(_, assessed)| assessed).collect()
+    }
+
+    /// The situations that are shown one by one, the worst first: all, or those that govern.
     pub fn shown(&self, view: &View) -> Vec<&Assessed> {
-        let mut shown: Vec<_> = self.all.iter().collect();
-        if !view.all && shown.len() > GOVERNING {
-            let factor = |assessed: &Assessed| assessed.outcome.departure.load_factor();
-            shown.sort_by(|one, two| factor(one).total_cmp(&factor(two)));
+        let mut shown = self.worst_first();
+        if !view.all {
             shown.truncate(GOVERNING);
-            shown.sort_by_key(|assessed| assessed.force);
         }
         shown
     }
 
-    /// What a situation is called: its alternative force.
+    /// What a situation is called: its force that acts alone, or its combination.
     pub fn name(&self, assessed: &Assessed) -> Option<String> {
-        assessed.force.map(|force| self.case.force_name(force))
+        self.case.acting_name(assessed.acting)
+    }
+
+    /// The criteria, each in the situation that meets it worst; the governing one first.
+    pub fn checks(&self) -> Vec<CaseCheck<'_>> {
+        let mut checks: Vec<_> = self.case.criteria.iter().map(|criterion| self.check(*criterion)).collect();
+        checks.sort_by(|one, two| two.check.urgency().total_cmp(&one.check.urgency()));
+        checks
+    }
+
+    fn check(&self, criterion: Criterion) -> CaseCheck<'_> {
+        let checks = self.all.iter().map(|assessed| CaseCheck { check: criterion.check(assessed), assessed });
+        let worst = checks.reduce(
+            |worst, next| {
+                if next.check.urgency() > worst.check.urgency() { next } else { worst }
+            },
+        );
+        worst.expect("a case has a situation")
+    }
+
+    /// Whether all criteria are met; `None` where there is none.
+    pub fn met(&self) -> Option<bool> {
+        let all = self.all.iter().all(|assessed| assessed.checks(&self.case).iter().all(|check| check.met));
+        (!self.case.criteria.is_empty()).then_some(all)
     }
 
     /// The answer for reading, in lines of at most 88 characters.
@@ -125,8 +181,76 @@ impl Assessment {
 }
 
 impl Assessed {
+    /// A situation under the worst of the accelerations of the base that are tried.
+    fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
+        let shaken = |earthquake: Option<Earthquake>| {
+            let situation = case.situation(acting, earthquake)?;
+            let outcome = situation.outcome()?;
+            Ok(Assessed { index, acting, earthquake, situation, outcome, others: Vec::new() })
+        };
+        let tried: Vec<_> = case.earthquakes().into_iter().map(Some).collect();
+        let Some((given, others)) = tried.split_first() else { return shaken(None) };
+        let mut worst = shaken(*given)?;
+        let mut severity = worst.severity(case);
+        for other in others {
+            let mut other = shaken(*other)?;
+            let by = other.severity(case);
+            // Of two that are the same but for rounding the given one stays.
+            if by.is_worse_than(&severity) {
+                other.others = std::mem::take(&mut worst.others);
+                std::mem::swap(&mut worst, &mut other);
+                severity = by;
+            }
+            worst.others.extend(other.shaken());
+        }
+        Ok(worst)
+    }
+
+    fn shaken(self) -> Option<Shaken> {
+        let outcome = self.outcome;
+        self.earthquake.map(|earthquake| Shaken { earthquake, outcome })
+    }
+
     /// The mode in which the body leaves rest.
     pub fn departure(&self) -> &Departure {
         &self.outcome.departure
+    }
+
+    /// The criteria of the case, the governing one first.
+    pub fn checks(&self, case: &Case) -> Vec<Check> {
+        let mut checks: Vec<_> = case.criteria.iter().map(|criterion| criterion.check(self)).collect();
+        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        checks
+    }
+
+    fn severity(&self, case: &Case) -> Severity {
+        let used = case.criteria.iter().map(|criterion| criterion.check(self).urgency()).fold(0.0, f64::max);
+        let stability = &self.outcome.stability;
+        let factor = match self.outcome.full.is_lifted() {
+            true => 0.0,
+            false => stability.sliding.min(stability.overturning()),
+        };
+        Severity([-used, self.departure().load_factor(), factor])
+    }
+}
+
+/// How bad a situation is; the lesser the worse, the first number that differs counts.
+struct Severity([f64; 3]);
+
+impl Severity {
+    /// What two numbers may differ by that are the same but for rounding.
+    const ROUNDING: f64 = 1e-9;
+
+    fn compare(one: &Severity, two: &Severity) -> Ordering {
+        let pairs = one.0.iter().zip(two.0);
+        pairs.map(|(one, two)| one.total_cmp(&two)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
+    }
+
+    fn is_worse_than(&self, other: &Severity) -> bool {
+        let differs = |one: f64, two: f64| {
+            one != two && (one - two).abs() > Severity::ROUNDING * one.abs().max(two.abs()).min(f64::MAX)
+        };
+        let first = self.0.iter().zip(other.0).find(|(one, two)| differs(**one, *two));
+        first.is_some_and(|(one, two)| *one < two)
     }
 }

@@ -1,6 +1,8 @@
 //! A case: one body and the loads on it, from typed [`Inputs`] that go together.
 //!
 //! ```
+//! use standfast_cases::{Acting, CaseFile};
+//!
 //! let text = r#"
 //! [body]
 //! width = "15 m"
@@ -12,22 +14,25 @@
 //! force = "450 kN/m"
 //! elevation = "8 m"
 //! "#;
-//! let case = standfast_cases::CaseFile::parse("case.toml", text)?.case()?;
+//! let case = CaseFile::parse("case.toml", text)?.case()?;
 //! assert_eq!(case.body.mass(), 378_000.0);
-//! assert_eq!(case.forces[0].force.magnitude(), 450_000.0);
-//! let outcome = case.situation(Some(0))?.outcome()?;
+//! assert_eq!(case.forces[0].magnitude, 450_000.0);
+//! let outcome = case.situation(Acting::Alone(0), None)?.outcome()?;
 //! assert_eq!(outcome.full.mode, Some(standfast::Mode::Rest));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! Nothing here reads text, so that a case may be varied millions of times.
 
-use standfast::loads::{
-    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, StillWater, Uplift,
-};
-use standfast::wave::{Choices, Goda, Heights, Sea, Section, goda};
-use standfast::{Body, InputError, Situation, Slip};
+mod loads;
 
+use standfast::loads::{Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, StillWater, Uplift};
+use standfast::wave::{Choices, Goda, Heights, Sea, Section, goda};
+use standfast::{Body, InputError, Situation};
+
+pub use loads::{Combination, Direction, FacePressure, PointForce};
+
+use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
@@ -56,14 +61,35 @@ pub struct Case {
     pub water: Option<StillWater>,
     /// Pressures under the base.
     pub uplift: Option<Uplift>,
-    /// Acceleration of the base.
+    /// Acceleration of the base, as given.
     pub earthquake: Option<Earthquake>,
+    /// Whether it may be to the other side as well.
+    pub both_sides: bool,
+    /// Whether it may be downwards as well as upwards.
+    pub both_ways: bool,
     /// Waves.
     pub wave: Option<Waves>,
     /// Water that a horizontal motion carries along.
     pub added_mass: AddedMass,
-    /// Forces, each an alternative to the others; all other loads act together with each.
-    pub forces: Vec<NamedForce>,
+    /// Pressures along faces.
+    pub pressures: Vec<FacePressure>,
+    /// Forces.
+    pub forces: Vec<PointForce>,
+    /// Which loads act together, times which factors.
+    pub combinations: Vec<Combination>,
+    /// What is asked of the results.
+    pub criteria: Vec<Criterion>,
+}
+
+/// Which of a case's loads act in a situation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Acting {
+    /// All: the case leaves no choice.
+    All,
+    /// Of the forces that act alone this one, by its place, beside all other loads.
+    Alone(usize),
+    /// Those of a combination, by its place, times its factors.
+    Combination(usize),
 }
 
 /// What the weight of the body stands for.
@@ -95,15 +121,6 @@ pub struct Waves {
     pub goda: Goda,
 }
 
-/// A force on the body.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NamedForce {
-    /// What the force is called.
-    pub name: Option<String>,
-    /// The force.
-    pub force: HorizontalForce,
-}
-
 impl Case {
     /// The case of inputs.
     ///
@@ -131,13 +148,19 @@ impl Case {
         let earthquake = given.in_table(Table::Earthquake, Given::earthquake)?;
         let added_mass =
             given.in_table(Table::AddedMass, |given| given.added_mass(water.as_ref(), wave.as_ref()))?;
-        const OTHER_LOADS: [Table; 4] = [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave];
+        const OTHER_LOADS: [Table; 5] =
+            [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave, Table::Pressure];
         if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
             return Err(Fault::new(Problem::MissingTable { table: Table::Load }, Table::Top));
         }
-        let forces = (0..inputs.count(Table::Load))
-            .map(|index| given.force(index, &body))
-            .collect::<Result<_, _>>()?;
+        let every = |table| 0..inputs.count(table);
+        let forces: Vec<_> =
+            every(Table::Load).map(|index| given.force(index, &body)).collect::<Result<_, _>>()?;
+        let pressures: Vec<_> =
+            every(Table::Pressure).map(|index| given.pressure(index, &body)).collect::<Result<_, _>>()?;
+        let combinations =
+            every(Table::Combination).map(|index| given.combination(index, &forces, &pressures));
+        let combinations = combinations.collect::<Result<_, _>>()?;
         let case = Case {
             title: inputs.text(Key::Title).map(str::to_owned),
             note: inputs.text(Key::Note).map(str::to_owned),
@@ -149,55 +172,137 @@ impl Case {
             water,
             uplift,
             earthquake,
+            both_sides: !inputs.truth(Key::HorizontalFixed).unwrap_or(false),
+            both_ways: !inputs.truth(Key::VerticalFixed).unwrap_or(false),
             wave,
             added_mass: added_mass.unwrap_or(AddedMass::NONE),
+            pressures,
             forces,
+            combinations,
+            criteria: Criterion::all(inputs),
         };
-        case.base_situation().map_err(|error| given.blame(Table::Body, error))?;
+        case.bare().map_err(|error| given.blame(Table::Body, error))?;
         Ok(case)
     }
 
-    /// The body under all loads that act together, with one of the alternative forces.
+    /// Which loads act together: in each combination; or else beside each force that acts alone; or else all.
+    pub fn acting(&self) -> Vec<Acting> {
+        if !self.combinations.is_empty() {
+            return (0..self.combinations.len()).map(Acting::Combination).collect();
+        }
+        let alone = self.forces.iter().enumerate().filter(|(_, force)| force.acts_alone());
+        let alone: Vec<_> = alone.map(|(index, _)| Acting::Alone(index)).collect();
+        if alone.is_empty() { vec![Acting::All] } else { alone }
+    }
+
+    /// The accelerations of the base that are tried: as given, and unless that is fixed to the other side, and down for up.
+    pub fn earthquakes(&self) -> Vec<Earthquake> {
+        let Some(given) = self.earthquake else { return Vec::new() };
+        let signs = |both: bool, value: f64| if both && value != 0.0 { &[1.0, -1.0][..] } else { &[1.0] };
+        let (sides, ways) =
+            (signs(self.both_sides, given.horizontal()), signs(self.both_ways, given.vertical()));
+        let turned = sides.iter().flat_map(|side| ways.iter().map(move |way| given.turned(*side, *way)));
+        turned.collect()
+    }
+
+    /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
     ///
     /// # Errors
     /// If the numbers of a changed case are out of range.
     ///
     /// # Panics
-    /// If there is no such force.
-    pub fn situation(&self, force: Option<usize>) -> Result<Situation, InputError> {
-        let situation = self.base_situation()?;
-        Ok(match force {
-            Some(force) => situation.with(self.forces[force].force.load()),
-            None => situation,
-        })
+    /// If there is no such force or combination.
+    pub fn situation(&self, acting: Acting, earthquake: Option<Earthquake>) -> Result<Situation, InputError> {
+        let mut situation = self.bare()?;
+        for (of, load) in self.loads(earthquake.or(self.earthquake)) {
+            let factor = match (acting, of) {
+                (Acting::Combination(index), of) => self.factor(&self.combinations[index], of, &load),
+                (Acting::Alone(alone), Of::Force(index)) if index != alone => {
+                    if self.forces[index].acts_alone() { 0.0 } else { 1.0 }
+                }
+                _ => 1.0,
+            };
+            if factor != 0.0 {
+                situation = situation.with(load.times(factor));
+            }
+        }
+        Ok(situation)
     }
 
-    /// The body under the loads that act beside each of the alternative forces.
-    fn base_situation(&self) -> Result<Situation, InputError> {
-        let mut situation = Situation::new(self.body, self.friction, self.gravity)?
+    /// The body without loads.
+    fn bare(&self) -> Result<Situation, InputError> {
+        Situation::new(self.body, self.friction, self.gravity)?
             .with_kinetic_friction(self.kinetic_friction)?
-            .with_added_mass(self.added_mass.mass())?;
-        situation = match self.weight {
-            Weight::Total => situation.with_weight(),
+            .with_added_mass(self.added_mass.mass())
+    }
+
+    /// All loads of the case, and what each is of.
+    fn loads(&self, earthquake: Option<Earthquake>) -> Vec<(Of, Load)> {
+        let weight = match self.weight {
+            Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
             Weight::Buoyant { force, arm } => {
                 let action = Action::vertical(&self.body, force, arm);
-                situation.with(Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action))
+                Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
             }
         };
-        let water = self.water.iter().flat_map(|water| water.loads(&self.body, self.gravity));
-        let uplift = self.uplift.iter().map(|uplift| uplift.load(&self.body));
-        let earthquake = self.earthquake.iter().flat_map(|earthquake| earthquake.loads(&self.added_mass));
-        let wave = self
-            .wave
-            .iter()
-            .flat_map(|Waves { goda, section, .. }| goda.loads(&self.body, section.base_depth));
-        Ok(situation.with_all(water).with_all(uplift).with_all(earthquake).with_all(wave))
+        let mut loads = vec![(Of::Named("weight"), weight)];
+        let mut add = |of, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
+        if let Some(water) = &self.water {
+            add(Of::Named("water"), water.loads(&self.body, self.gravity));
+        }
+        if let Some(uplift) = &self.uplift {
+            add(Of::Named("uplift"), vec![uplift.load(&self.body)]);
+        }
+        if let Some(earthquake) = earthquake {
+            add(Of::Named("earthquake"), earthquake.loads(&self.added_mass));
+        }
+        if let Some(Waves { goda, section, .. }) = &self.wave {
+            add(Of::Named("wave"), goda.loads(&self.body, section.base_depth).into());
+        }
+        for (index, pressure) in self.pressures.iter().enumerate() {
+            add(Of::Pressure(index), vec![pressure.load()]);
+        }
+        for (index, force) in self.forces.iter().enumerate() {
+            add(Of::Force(index), vec![force.load(&self.body)]);
+        }
+        loads
     }
 
-    /// The name of an alternative force, or its number, counted from one.
-    pub fn force_name(&self, index: usize) -> String {
-        self.forces[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1))
+    /// What a combination multiplies a load by: one that it does not name acts as it is if it is permanent, and else not.
+    fn factor(&self, combination: &Combination, of: Of, load: &Load) -> f64 {
+        let name = match of {
+            Of::Named(name) => Some(name),
+            Of::Pressure(index) => self.pressures[index].name.as_deref(),
+            Of::Force(index) => self.forces[index].name.as_deref(),
+        };
+        let named = combination.factors.iter().find(|(named, _)| Some(named.as_str()) == name);
+        named.map_or(if load.permanent { 1.0 } else { 0.0 }, |(_, factor)| *factor)
     }
+
+    /// What a situation is called: its force that acts alone or its combination, or the number of it, counted from one.
+    pub fn acting_name(&self, acting: Acting) -> Option<String> {
+        match acting {
+            Acting::All => None,
+            Acting::Alone(index) => {
+                Some(self.forces[index].name.clone().unwrap_or_else(|| format!("load {}", index + 1)))
+            }
+            Acting::Combination(index) => {
+                let name = &self.combinations[index].name;
+                Some(name.clone().unwrap_or_else(|| format!("combination {}", index + 1)))
+            }
+        }
+    }
+}
+
+/// What a load is of: what a combination calls it by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Of {
+    /// A table of the case, under this name.
+    Named(&'static str),
+    /// A pressure, by its place.
+    Pressure(usize),
+    /// A force, by its place.
+    Force(usize),
 }
 
 /// Inputs, read with what goes wrong.
@@ -416,6 +521,7 @@ impl Given<'_> {
             ],
             impulsive: self.inputs.truth(Key::Impulsive).unwrap_or(default.impulsive),
             turn_deg: factor(Key::TurnDeg, default.turn_deg),
+            uplift: self.inputs.truth(Key::WaveUplift).unwrap_or(default.uplift),
         };
         let goda =
             goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
@@ -443,26 +549,6 @@ impl Given<'_> {
             (None, Some(_), None) => one(Key::Hmax, Key::H13),
             (None, None, Some(_)) => one(Key::H13, Key::Hmax),
         }
-    }
-
-    fn force(&self, index: usize, body: &Body) -> Result<NamedForce, Fault> {
-        let id = |key| Id { key, index };
-        let required = |key| self.inputs.number(id(key)).ok_or_else(|| self.missing(key, index));
-        let (magnitude, elevation) = (required(Key::Force)?, required(Key::Elevation)?);
-        if elevation > body.height() {
-            return Err(Fault::new(Problem::AboveCrest { height: body.height() }, id(Key::Elevation)));
-        }
-        let direction = self.inputs.direction(id(Key::Towards)).unwrap_or(Slip::Left);
-        let force = HorizontalForce::new(magnitude, elevation, direction).and_then(|force| {
-            // As a point of the report's plane it has to be within range as well.
-            force.reduce(body, self.number(Key::Friction).unwrap_or(0.0), self.inputs.gravity())?;
-            Ok(force)
-        });
-        let force = force.map_err(|error| {
-            let fault = self.blame_one_of(Table::Load.keys(), index, error);
-            fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Place::Table(Table::Load, index)))
-        })?;
-        Ok(NamedForce { name: self.inputs.text(id(Key::LoadName)).map(str::to_owned), force })
     }
 }
 

@@ -11,7 +11,7 @@ use std::fmt;
 
 use crate::case::{Case, Weight};
 use crate::inputs::Inputs;
-use crate::key::{Id, Key, Moves};
+use crate::key::{Id, Key, Moves, Table};
 use crate::suggest::closest;
 use crate::units::{Dimension, UnitError};
 
@@ -73,7 +73,8 @@ impl Variable {
 
     /// The numbers of a case that can be varied.
     pub fn all(inputs: &Inputs) -> impl Iterator<Item = Id> {
-        inputs.numbers().map(|(id, _)| id).filter(|id| id.key.info().range().is_some())
+        let varied = |id: &Id| id.key.info().range().is_some() && id.key.info().table != Table::Criteria;
+        inputs.numbers().map(|(id, _)| id).filter(varied)
     }
 
     /// The number under a key.

@@ -91,6 +91,52 @@ pub enum Problem {
         /// Height of the body, m.
         height: f64,
     },
+    /// Positions of the wrong kind for the face.
+    #[error("`{}` does not go with this face; expected `{}`", found.name(), expected.name())]
+    WrongAlong {
+        /// The key found.
+        found: Key,
+        /// The key that goes with the face.
+        expected: Key,
+    },
+    /// Positions without pressures, or the other way round.
+    #[error("`{}` has {positions} numbers and `pressure` {pressures}; expected as many of each, two at least", along.name())]
+    Lengths {
+        /// The key of the positions.
+        along: Key,
+        /// How many positions.
+        positions: usize,
+        /// How many pressures.
+        pressures: usize,
+    },
+    /// A pressure beside the face.
+    #[error("`{}` has {}, which is beside the face; expected {} to {} m", along.name(), exact(*position), exact(*from), exact(*to))]
+    BesideFace {
+        /// The key of the positions.
+        along: Key,
+        /// The position, m.
+        position: f64,
+        /// Where the face begins, m.
+        from: f64,
+        /// Where it ends, m.
+        to: f64,
+    },
+    /// A combination of a load that there is not.
+    #[error("the case has no load called \"{name}\"")]
+    UnknownLoad {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// A combination of a name that several loads have.
+    #[error(
+        "several loads are called \"{name}\"; expected a name of its own for each that a combination names"
+    )]
+    SameName {
+        /// The name.
+        name: String,
+    },
     /// Both are given.
     #[error("{} has both `{}` and `{}`", one.info().table.header(), one.name(), two.name())]
     Both {
@@ -108,8 +154,11 @@ pub enum Problem {
         two: Key,
     },
     /// `load = []`.
-    #[error("the case file has no load")]
-    NoLoad,
+    #[error("`{}` is an empty list", table.name())]
+    NoTables {
+        /// The table that may stand several times.
+        table: Table,
+    },
     /// Slip with more friction than stick.
     #[error("`kinetic_friction` is {kinetic}; expected no more than `friction`, which is {friction}")]
     KineticFriction {
@@ -226,7 +275,8 @@ impl Problem {
     /// What to do.
     fn help(&self) -> Option<String> {
         let help = match self {
-            Problem::Empty { .. } | Problem::NoLoad => SKELETON.to_owned(),
+            Problem::Empty { .. } => SKELETON.to_owned(),
+            Problem::NoTables { table } => format!("remove it, or add for example\n{}", table.example()),
             Problem::UnknownKey { table, name } => known(*table, name),
             Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
@@ -266,6 +316,22 @@ impl Problem {
             Problem::DeepAndLocal | Problem::NoWaveHeight => {
                 "give either deep_water_height, or H13 and Hmax at the wall".into()
             }
+            Problem::WrongAlong { .. } => {
+                "a side has elevations above the base; base and top have distances to the right \
+                 of the corner O"
+                    .into()
+            }
+            Problem::BesideFace { .. } => "cut the diagram where the face ends".into(),
+            Problem::UnknownLoad { name, names } => {
+                let known = format!(
+                    "the loads of this case: {}; a [[load]] or [[pressure]] has its `name`",
+                    names.join(", ")
+                );
+                match closest(name, names.iter().map(String::as_str)) {
+                    Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
+                    None => known,
+                }
+            }
             Problem::LevelAndSides | Problem::Both { .. } => "keep one of them".into(),
             Problem::ArmWithoutWeight => "the arm is that of W'; add buoyant_weight, or remove it".into(),
             Problem::Disagree { .. } => "keep one of them, or make them equal".into(),
@@ -276,6 +342,8 @@ impl Problem {
             | Problem::Mechanics(_)
             | Problem::KineticFriction { .. }
             | Problem::OneLevel { .. }
+            | Problem::Lengths { .. }
+            | Problem::SameName { .. }
             | Problem::SidesWithoutWater
             | Problem::OneWaveHeight { .. }
             | Problem::CaissonWidth { .. }
@@ -415,6 +483,9 @@ pub(crate) fn expected_type(kind: Kind) -> &'static str {
         Kind::OneOfThree => "a list of three numbers",
         Kind::Truth => "true or false",
         Kind::Sides => "1 or 2",
-        Kind::Direction => "\"left\" or \"right\"",
+        Kind::Choice { words, .. } => words,
+        Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
+        Kind::Factors => "names of loads with their factors, in braces",
+        Kind::ModeList => "a list of symbols of modes in quotes",
     }
 }

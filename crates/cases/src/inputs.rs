@@ -1,6 +1,6 @@
 //! What a case file says, as typed values under their keys, without its text: what is varied, millions of times if need be.
 
-use standfast::Slip;
+use standfast::Modes;
 
 use crate::key::{Id, Key, Table};
 
@@ -16,8 +16,14 @@ pub enum Value {
     Text(String),
     /// true or false.
     Truth(bool),
-    /// To the left or to the right.
-    Direction(Slip),
+    /// One of the words of its key.
+    Choice(&'static str),
+    /// Numbers in SI units.
+    Numbers(Vec<f64>),
+    /// Names of loads, and the factor of each.
+    Factors(Vec<(String, f64)>),
+    /// A set of modes.
+    Modes(Modes),
 }
 
 /// The values of a case file.
@@ -73,10 +79,34 @@ impl Inputs {
         }
     }
 
-    /// The direction under a key.
-    pub fn direction(&self, id: impl Into<Id>) -> Option<Slip> {
+    /// The word chosen under a key.
+    pub fn choice(&self, id: impl Into<Id>) -> Option<&'static str> {
         match self.get(id)? {
-            Value::Direction(direction) => Some(*direction),
+            Value::Choice(word) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// The list of numbers under a key, in SI units.
+    pub fn list(&self, id: impl Into<Id>) -> Option<&[f64]> {
+        match self.get(id)? {
+            Value::Numbers(numbers) => Some(numbers),
+            _ => None,
+        }
+    }
+
+    /// The names of loads and their factors under a key.
+    pub fn factors(&self, id: impl Into<Id>) -> Option<&[(String, f64)]> {
+        match self.get(id)? {
+            Value::Factors(factors) => Some(factors),
+            _ => None,
+        }
+    }
+
+    /// The modes under a key.
+    pub fn modes(&self, id: impl Into<Id>) -> Option<Modes> {
+        match self.get(id)? {
+            Value::Modes(modes) => Some(*modes),
             _ => None,
         }
     }

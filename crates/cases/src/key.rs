@@ -28,13 +28,19 @@ pub enum Table {
     Earthquake,
     /// Water that moves with the body.
     AddedMass,
-    /// Forces, each an alternative to the others.
+    /// Pressures along faces.
+    Pressure,
+    /// Forces.
     Load,
+    /// Which loads act together, times which factors.
+    Combination,
+    /// What is asked of the results.
+    Criteria,
 }
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 8] = [
+    pub const ALL: [Table; 11] = [
         Table::Top,
         Table::Body,
         Table::Wave,
@@ -42,7 +48,10 @@ impl Table {
         Table::Uplift,
         Table::Earthquake,
         Table::AddedMass,
+        Table::Pressure,
         Table::Load,
+        Table::Combination,
+        Table::Criteria,
     ];
 
     /// Its name in a file; empty for the top.
@@ -55,7 +64,10 @@ impl Table {
             Table::Uplift => "uplift",
             Table::Earthquake => "earthquake",
             Table::AddedMass => "added_mass",
+            Table::Pressure => "pressure",
             Table::Load => "load",
+            Table::Combination => "combination",
+            Table::Criteria => "criteria",
         }
     }
 
@@ -69,7 +81,10 @@ impl Table {
             Table::Uplift => "[uplift]",
             Table::Earthquake => "[earthquake]",
             Table::AddedMass => "[added_mass]",
+            Table::Pressure => "[[pressure]]",
             Table::Load => "[[load]]",
+            Table::Combination => "[[combination]]",
+            Table::Criteria => "[criteria]",
         }
     }
 
@@ -83,13 +98,24 @@ impl Table {
             Table::Uplift => "pressures under the base that are not buoyancy",
             Table::Earthquake => "an acceleration of the base",
             Table::AddedMass => "water that moves with the body",
-            Table::Load => "one such table for each force; each is an alternative to the others",
+            Table::Pressure => {
+                "one such table for each pressure along a face, linear from point to point and nothing outside"
+            }
+            Table::Load => {
+                "one such table for each force; each acts alone, beside all other loads, unless it is permanent or \
+                 `together = true`"
+            }
+            Table::Combination => {
+                "one such table for each set of loads that act together, times factors; of a case with combinations these alone \
+                 are answered"
+            }
+            Table::Criteria => "what is asked of the results, under their names; none is imposed",
         }
     }
 
     /// Whether a file may have it more than once.
     pub fn repeats(self) -> bool {
-        self == Table::Load
+        matches!(self, Table::Pressure | Table::Load | Table::Combination)
     }
 
     /// Its keys, in their order.
@@ -104,6 +130,12 @@ impl Table {
                 "[body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6"
             }
             Table::Water => "[water]\nlevel = \"7.1 m\"",
+            Table::Pressure => {
+                "[[pressure]]\nname = \"backfill\"\nface = \"right\"\nelevation = [\"0 m\", \"9 m\"]\n\
+                 pressure = [\"54 kPa\", \"0 kPa\"]\npermanent = true"
+            }
+            Table::Combination => "[[combination]]\nname = \"storm\"\nfactors = { weight = 0.9, wave = 1.3 }",
+            Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2",
             _ => "[[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"",
         }
     }
@@ -158,8 +190,19 @@ pub enum Kind {
     Truth,
     /// 1 or 2.
     Sides,
-    /// "left" or "right".
-    Direction,
+    /// One of these words.
+    Choice {
+        /// The words.
+        of: &'static [&'static str],
+        /// The same in a sentence.
+        words: &'static str,
+    },
+    /// Numbers with a unit, or without one in SI units, in a list.
+    List(Dimension),
+    /// Names of loads, and the factor of each.
+    Factors,
+    /// Symbols of modes in a list.
+    ModeList,
 }
 
 /// What goes with a number when it is varied.
@@ -221,7 +264,7 @@ impl KeyInfo {
     /// What its numbers measure; `None` for plain numbers and for what is no number.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.kind {
-            Kind::Measured(dimension, _) => Some(dimension),
+            Kind::Measured(dimension, _) | Kind::List(dimension) => Some(dimension),
             Kind::InGravity => Some(Dimension::Acceleration),
             _ => None,
         }
@@ -232,8 +275,9 @@ impl KeyInfo {
         match self.kind {
             Kind::Measured(_, range) | Kind::Plain(range) => Some(range),
             Kind::InGravity => Some(Range::Finite),
-            Kind::OneOfThree => Some(Range::Positive),
-            Kind::Text | Kind::Truth | Kind::Sides | Kind::Direction => None,
+            Kind::OneOfThree => Some(Range::NotNegative),
+            Kind::Text | Kind::Truth | Kind::Sides | Kind::Choice { .. } => None,
+            Kind::List(_) | Kind::Factors | Kind::ModeList => None,
         }
     }
 
@@ -258,9 +302,14 @@ const fn length(range: Range) -> Kind {
     Kind::Measured(Dimension::Length, range)
 }
 
-use Kind::{Direction, InGravity, Measured, OneOfThree, Plain, Sides, Text, Truth};
+const FACES: Kind =
+    Kind::Choice { of: &["left", "right", "base", "top"], words: "\"left\", \"right\", \"base\" or \"top\"" };
+const DIRECTIONS: Kind =
+    Kind::Choice { of: &["left", "right", "down", "up"], words: "\"left\", \"right\", \"down\" or \"up\"" };
+
+use Kind::{Factors, InGravity, List, Measured, ModeList, OneOfThree, Plain, Sides, Text, Truth};
 use Range::{Finite, NotNegative, Positive};
-use Table::{AddedMass, Body, Earthquake, Load, Top, Uplift, Water, Wave};
+use Table::{AddedMass, Body, Combination, Criteria, Earthquake, Load, Pressure, Top, Uplift, Water, Wave};
 
 listed! {
     /// A key of a case file.
@@ -334,6 +383,8 @@ listed! {
         .gives(&[Quantity::Lambda3]);
     Impulsive = key(Wave, "impulsive", Truth, "", "whether Takahashi’s coefficient is used", "true")
         .silent("Takahashi’s coefficient: used");
+    WaveUplift = key(Wave, "uplift", Truth, "", "whether the waves press under the base", "false")
+        .silent("pressure of the waves under the base: Goda’s");
     TurnDeg = key(Wave, "turn_deg", Plain(NotNegative), "Δβ", "by how much they are turned towards it", "15")
         .silent("waves turned towards the normal by: 0°").gives(&[Quantity::WaveTurn]);
 
@@ -360,17 +411,61 @@ listed! {
         .gives(&[Quantity::Acceleration]);
     Vertical = key(Earthquake, "vertical", InGravity, "a_v", "acceleration of the base, upwards", "-0.1    # of g, or \"-1 m/s2\"")
         .silent("acceleration of the base, upwards: none").gives(&[Quantity::Acceleration]);
+    HorizontalFixed =
+        key(Earthquake, "horizontal_fixed", Truth, "", "whether the base moves to the side given only", "true")
+        .silent("horizontal acceleration: to both sides");
+    VerticalFixed = key(Earthquake, "vertical_fixed", Truth, "", "whether the base moves up or down as given only", "true")
+        .silent("vertical acceleration: upwards and downwards");
 
     WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "M_a", "mass of water that moves with the body", "\"50 t/m\"")
         .gives(&[Quantity::AddedMass]);
     WetSides = key(AddedMass, "sides", Sides, "", "sides on which water moves with the body", "1");
 
+    PressureName = key(Pressure, "name", Text, "", "name of the pressure", "\"backfill\"");
+    PressedFace = key(Pressure, "face", FACES, "", "the face it presses on, inwards", "\"right\"");
+    PressureElevation =
+        key(Pressure, "elevation", List(Dimension::Length), "", "heights above the base, rising, on a side", "[\"0 m\", \"9 m\"]")
+        .gives(&[Quantity::PressurePosition]);
+    PressureDistance =
+        key(Pressure, "distance", List(Dimension::Length), "", "distances to the right of the corner O, rising, on base and top", "[\"0 m\", \"15 m\"]")
+        .gives(&[Quantity::PressurePosition]);
+    Pressures = key(Pressure, "pressure", List(Dimension::Pressure), "", "pressures there; below zero they pull", "[\"54 kPa\", \"0 kPa\"]")
+        .gives(&[Quantity::Pressure]);
+    PressureFactor = key(Pressure, "scale", Plain(Finite), "f_p", "what the pressures are multiplied by", "1.2")
+        .silent("what the pressures are multiplied by: 1").gives(&[Quantity::Pressure]);
+    PressurePermanent = key(Pressure, "permanent", Truth, "", "whether it is there all the time", "true")
+        .silent("pressure: variable");
+
     LoadName = key(Load, "name", Text, "", "name of the load", "\"breaking wave\"");
     Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force, per metre run", "\"450 kN/m\"")
         .gives(&[Quantity::Force, Quantity::K]);
+    Towards = key(Load, "direction", DIRECTIONS, "", "where it points", "\"left\"").silent("direction: left");
     Elevation = key(Load, "elevation", length(NotNegative), "e", "its height above the base", "\"8 m\"")
-        .gives(&[Quantity::ForceElevation, Quantity::KPrime]);
-    Towards = key(Load, "direction", Direction, "", "where it points", "\"left\"").silent("direction: left");
+        .silent("height of a vertical force: the crest").gives(&[Quantity::ForceElevation, Quantity::KPrime]);
+    LoadDistance = key(Load, "distance", length(Finite), "x_F", "its distance to the right of the corner O", "\"3 m\"")
+        .silent("distance of a horizontal force from O: mid-width");
+    LoadPermanent = key(Load, "permanent", Truth, "", "whether it is there all the time", "true")
+        .silent("load: variable");
+    Together = key(Load, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
+        .silent("load: alone, an alternative to the others");
+
+    CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
+    LoadFactors = key(Combination, "factors", Factors, "",
+        "what each load is multiplied by, under its name or weight, water, uplift, wave, earthquake; of the loads not named, the \
+         permanent ones act as they are and the variable ones not at all",
+        "{ weight = 0.9, wave = 1.3, crane = 1.5 }");
+
+    LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
+    LeastOverturning = key(Criteria, "SF_overturning", Plain(Positive), "",
+        "at least: safety factor against overturning, the lesser of both corners", "1.2");
+    GreatestBearing = key(Criteria, "bearing_max", Measured(Dimension::Pressure, Positive), "",
+        "at most: bearing pressure, the larger of both edges", "\"400 kPa\"");
+    LeastContact = key(Criteria, "contact_share", Plain(Positive), "", "at least: share of the base that is pressed", "0.667");
+    GreatestEccentricity = key(Criteria, "eccentricity", length(Positive), "",
+        "at most: distance of the resultant from the middle of the base", "\"2.5 m\"");
+    LeastLoadFactor = key(Criteria, "load_factor", Plain(Positive), "",
+        "at least: multiple of the variable loads at which the body leaves rest", "1.1");
+    ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
 }
 
 impl Key {
@@ -435,7 +530,9 @@ mod tests {
             let twins = info.table.keys().filter(|other| other.name() == info.name);
             assert_eq!(twins.count(), 1, "{}", info.name);
             assert!(!info.words.is_empty() && !info.example.is_empty());
-            assert_eq!(info.range().is_some(), !info.symbol.is_empty(), "{}", info.name);
+            // What is asked of results is no number of a calculation.
+            let calculated = info.range().is_some() && info.table != Table::Criteria;
+            assert_eq!(calculated, !info.symbol.is_empty(), "{}", info.name);
             if let Kind::Measured(dimension, range) = info.kind {
                 let value = dimension.parse(info.example.trim_matches('"')).unwrap();
                 assert!(range.contains(value), "{}", info.name);

@@ -10,7 +10,7 @@
 //! |---|---|
 //! | What may stand in a case file? | [`key`], [`units`] |
 //! | What does a file say, and where? | [`CaseFile`], [`Inputs`] |
-//! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`] |
+//! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`]; what is asked of them: [`criteria`] |
 //! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
 //! | What is printed for one point? | [`point`] |
 //!
@@ -31,6 +31,7 @@
 pub mod assess;
 pub mod case;
 pub mod couple;
+pub mod criteria;
 pub mod describe;
 pub mod design;
 mod error;
@@ -45,8 +46,9 @@ pub mod suggest;
 pub mod units;
 mod warning;
 
-pub use assess::{Assessed, Assessment, CaseFigure, Drawn, View};
-pub use case::Case;
+pub use assess::{Assessed, Assessment, CaseCheck, CaseFigure, Drawn, Shaken, View};
+pub use case::{Acting, Case};
+pub use criteria::{Check, Criterion};
 pub use error::{CaseError, Fault, Place, Problem};
 pub use inputs::{GRAVITY, Inputs, Value};
 pub use key::{Id, Key};

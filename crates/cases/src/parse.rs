@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 
-use standfast::Slip;
+use standfast::Modes;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -163,10 +163,10 @@ impl CaseFile {
     }
 
     fn read_tables(&mut self, text: &str, value: &Spanned<DeValue<'_>>, table: Table) -> Result<(), At> {
-        const EXPECTED: &str = "one table for each load, under [[load]] in double brackets";
+        const EXPECTED: &str = "one table for each, under a header in double brackets";
         let Some(list) = value.get_ref().as_array() else { return Err(no_table(value, table, EXPECTED)) };
         if list.is_empty() {
-            return Err(At { problem: Problem::NoLoad, span: value.span() });
+            return Err(At { problem: Problem::NoTables { table }, span: value.span() });
         }
         for (index, value) in list.iter().enumerate() {
             let inner = as_table(value, table, EXPECTED)?;
@@ -303,12 +303,50 @@ impl Field<'_> {
                 number if number == 1.0 || number == 2.0 => Value::Number(number),
                 _ => return Err(self.out_of_range(expected_type(kind))),
             },
-            Kind::Direction => match self.words()?.as_str() {
-                "left" => Value::Direction(Slip::Left),
-                "right" => Value::Direction(Slip::Right),
-                _ => return Err(self.out_of_range(expected_type(kind))),
-            },
+            Kind::Choice { of, words } => {
+                let word = self.words()?;
+                let choice = of.iter().find(|choice| **choice == word);
+                Value::Choice(choice.ok_or_else(|| self.out_of_range(words))?)
+            }
+            Kind::List(_) => {
+                let numbers = self.elements(kind)?.map(|field| {
+                    let number = plain_number(field.value).map_or_else(|| field.measured(), Ok)?;
+                    field.in_range(number, Range::Finite)
+                });
+                Value::Numbers(numbers.collect::<Result<_, _>>()?)
+            }
+            Kind::Factors => Value::Factors(self.factors()?),
+            Kind::ModeList => {
+                let mut modes = Modes::NONE;
+                for field in self.elements(kind)? {
+                    let mode = field.words()?.parse();
+                    modes.insert(mode.map_err(|_| field.out_of_range("the symbol of a mode"))?);
+                }
+                Value::Modes(modes)
+            }
         })
+    }
+
+    /// The elements of a list that is not empty.
+    fn elements(&self, kind: Kind) -> Result<impl Iterator<Item = Field<'_>>, At> {
+        let list = self.value.get_ref().as_array().filter(|list| !list.is_empty());
+        let list = list.ok_or_else(|| self.wrong_type(expected_type(kind)))?;
+        Ok(list.iter().map(|value| Field { value, ..*self }))
+    }
+
+    /// Names of loads, in the order in which they stand, and their factors.
+    fn factors(&self) -> Result<Vec<(String, f64)>, At> {
+        let table = self.value.get_ref().as_table();
+        let table = table.ok_or_else(|| self.wrong_type(expected_type(Kind::Factors)))?;
+        let mut entries: Vec<_> = table.iter().collect();
+        entries.sort_by_key(|(name, _)| name.span().start);
+        let factors = entries.into_iter().map(|(name, value)| {
+            let field = Field { value, ..*self };
+            let number =
+                plain_number(value).ok_or_else(|| field.wrong_type("numbers without unit or quotes"))?;
+            Ok((name.get_ref().to_string(), field.in_range(number, Range::NotNegative)?))
+        });
+        factors.collect()
     }
 
     /// Words; the name of a load in one line, as it stands in tables.
@@ -320,7 +358,9 @@ impl Field<'_> {
             return Err(self.wrong_type("one without control characters"));
         }
         Ok(match self.key {
-            Key::LoadName => words.split_whitespace().collect::<Vec<_>>().join(" "),
+            Key::LoadName | Key::PressureName | Key::CombinationName => {
+                words.split_whitespace().collect::<Vec<_>>().join(" ")
+            }
             _ => words.to_owned(),
         })
     }
@@ -347,7 +387,7 @@ impl Field<'_> {
         for (number, value) in numbers.iter_mut().zip(list.iter()) {
             let field = Field { value, ..*self };
             let plain = plain_number(value).ok_or_else(|| field.wrong_type("a list of numbers"))?;
-            *number = field.in_range(plain, Range::Positive)?;
+            *number = field.in_range(plain, Range::NotNegative)?;
         }
         Ok(numbers)
     }

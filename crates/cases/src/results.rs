@@ -5,7 +5,7 @@
 //! comes) is [`Nothing`](ResultValue::Nothing), and nothing else is; a number without bound is infinite.
 
 use serde::{Serialize, Serializer};
-use standfast::{Bearing, Departure, Mode, Modes};
+use standfast::{Bearing, Departure, Mode, Modes, Response};
 
 use crate::assess::{Assessed, checks};
 use crate::list::listed;
@@ -118,11 +118,7 @@ listed! {
     };
     Departure = word("departure", &["never", "at-once", "at"],
         "whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at `load_factor`",
-        |a| ResultValue::Word(match a.outcome.departure {
-            Departure::Never => "never",
-            Departure::AtOnce { .. } => "at-once",
-            Departure::At { .. } => "at",
-        }));
+        |a| ResultValue::Word(departure(&a.outcome.departure)));
     LoadFactor = number("load_factor", None, "where it leaves rest, as a multiple of the variable loads; only where `departure` is `at`",
         |a| match a.outcome.departure {
             Departure::At { factor, .. } => ResultValue::Number(factor),
@@ -137,13 +133,13 @@ listed! {
             Departure::Never | Departure::At { .. } => ResultValue::Nothing,
         });
 
-    SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(a, a.outcome.stability.sliding));
+    SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(&a.outcome.full, a.outcome.stability.sliding));
     SfOverturning = number("SF_overturning", None, "safety factor against overturning, the lesser of both corners",
-        |a| factor(a, a.outcome.stability.overturning()));
+        |a| factor(&a.outcome.full, a.outcome.stability.overturning()));
     SfOverturningHeel = number("SF_overturning_heel", None, "the same about the heel, (W' t − M_U)/M_p",
-        |a| factor(a, a.outcome.stability.overturning_about_heel));
+        |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_heel));
     SfOverturningToe = number("SF_overturning_toe", None, "the same about the toe, (W'(B_c − t) − U B_c + M_U)/(−M_p)",
-        |a| factor(a, a.outcome.stability.overturning_about_toe));
+        |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_toe));
 
     Bearing = word("bearing", &["pressed", "outside-base", "lifted"],
         "whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses",
@@ -166,6 +162,9 @@ listed! {
     });
     ResultantArm = number("resultant_arm", Some(Dimension::Length), "t_e, distance of the resultant from the heel",
         |a| a.outcome.stability.resultant_arm.map_or(ResultValue::Nothing, ResultValue::Number));
+
+    Eccentricity = number("eccentricity", Some(Dimension::Length), "distance of the resultant from the middle of the base",
+        |a| a.outcome.stability.eccentricity(a.situation.body().base_width()).map_or(ResultValue::Nothing, ResultValue::Number));
 
     Heel = word("heel", &["O", "O'"], "the corner that the classical checks call the heel",
         |a| ResultValue::Word(checks::corner(a.outcome.actions.heel)));
@@ -204,9 +203,18 @@ fn mode(mode: Option<Mode>) -> ResultValue {
     mode.map_or(ResultValue::Nothing, |mode| ResultValue::Word(mode.symbol()))
 }
 
+/// Whether a body leaves rest, in a word.
+pub(crate) fn departure(departure: &Departure) -> &'static str {
+    match departure {
+        Departure::Never => "never",
+        Departure::AtOnce { .. } => "at-once",
+        Departure::At { .. } => "at",
+    }
+}
+
 /// A safety factor; one of a lifted body means nothing.
-fn factor(assessed: &Assessed, factor: f64) -> ResultValue {
-    if assessed.outcome.full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
+pub(crate) fn factor(full: &Response, factor: f64) -> ResultValue {
+    if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
 }
 
 fn pressed(assessed: &Assessed, of: impl Fn(f64, f64, f64) -> f64) -> ResultValue {

@@ -124,9 +124,16 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
         taken.extend([
             (Key::CaissonWidth, Measured::of(wave.section.caisson_width, METRE).html("")),
             (Key::TurnDeg, Measured::of(wave.choices.turn_deg, DEGREE).html("")),
+            (Key::WaveUplift, html! { @if wave.choices.uplift { "yes" } @else { "no" } }),
             (Key::Impulsive, html! { @if wave.choices.impulsive { "used" } @else { "not used" } }),
             (Key::Lambda1, html! { (factors[0]) ", " (factors[1]) ", " (factors[2]) }),
         ]);
+    }
+    if case.earthquake.is_some() {
+        taken.push((Key::HorizontalFixed, html! { "not fixed" }));
+        if case.earthquake.is_some_and(|earthquake| earthquake.vertical() != 0.0) {
+            taken.push((Key::VerticalFixed, html! { "not fixed" }));
+        }
     }
     taken.retain(|(key, _)| file.inputs().get(*key).is_none());
     taken

@@ -21,19 +21,29 @@ pub fn words(assessment: &Assessment) -> Markup {
             li {
                 "Permanent and variable loads act together. Variable ones (waves with their uplift, earthquakes, forces) are \
                  applied at once for the mode of response, and raised in proportion for the load path."
-                @if case.forces.len() > 1 { " Each [[load]] is an alternative to the others." }
+                @if case.forces.iter().filter(|force| force.acts_alone()).count() > 1 && case.combinations.is_empty() {
+                    " Of the forces that act alone, each is an alternative to the others."
+                }
+                @if !case.combinations.is_empty() {
+                    " Loads act as the combinations of the case file say, each times its factor; the factors are the case \
+                     file’s. The body’s mass, its inertia and the friction carry no factor."
+                }
             }
             @if let Some(wave) = &case.wave {
                 li {
                     "Wave pressures after Goda"
                     @if wave.choices.impulsive { " with Takahashi’s coefficient for impulsive breaking" }
                     @else { " without the coefficient for impulsive breaking" }
-                    "; the uplift is a triangle from the seaward toe to the heel."
+                    @if wave.choices.uplift { "; the uplift is a triangle from the seaward toe to the heel." }
+                    @else { "; the waves do not press under the base, as the case file says." }
                     @if wave.choices.turn_deg == 0.0 { " The angle of the waves is used as given, not turned towards the normal." }
                 }
             }
             @if case.water.is_some() {
                 li { "Still water presses on the sides and under the whole base, linearly from one edge of the base to the other." }
+            }
+            @if !case.pressures.is_empty() {
+                li { "Pressures that the case file gives are linear from point to point, and nothing outside." }
             }
             @if case.added_mass.mass() > 0.0 {
                 li { "Water that moves with the body adds to its inertia against horizontal acceleration." }

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 use standfast::{Departure, Mode};
-use standfast_cases::assess::verdict;
+use standfast_cases::assess::{criteria_met, verdict};
 use standfast_cases::layout::digits;
-use standfast_cases::{Assessed, Assessment, View};
+use standfast_cases::{Assessed, Assessment, CaseCheck, View};
 
 use crate::calculation::TARGET;
 use crate::measured::{Measured, NONE};
@@ -19,21 +19,64 @@ pub fn summary(assessment: &Assessment) -> Markup {
     html! {
         section.summary {
             h2 { "Summary" }
-            @for assessed in &assessment.all {
+            @for assessed in assessment.worst_first() {
                 @let full = &assessed.outcome.full;
                 p.verdict data-mode=(full.mode.map_or("none", Mode::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }
                     @match full.mode {
-                        Some(mode) => { "The body " strong { (mode.words()) } " (" (mode) ")." }
+                        Some(mode) => {
+                            "The body " strong { (mode.words()) } " (" (mode) ")"
+                            @if let Some(factor) = verdict::factor_at_rest(assessed) { ", " (factor) }
+                            "."
+                        }
                         None => "The body has no consistent mode.",
                     }
                     @if !full.is_unique() { " The answer is not unique; see the verdict." }
                 }
             }
-            (table(assessment))
-            p.note { "Common practice asks for " (TARGET) " at least of both safety factors." }
+            @if assessment.case.criteria.is_empty() {
+                (table(assessment))
+                p.note {
+                    "The case file asks for nothing under [criteria]. Common practice asks for " (TARGET) " at least of both \
+                     safety factors."
+                }
+            } @else {
+                (criteria(assessment))
+                (table(assessment))
+            }
             @if !assessment.case.warnings().is_empty() {
                 p.note { "There are warnings about the range of the formulas; see section 7." }
+            }
+        }
+    }
+}
+
+fn criteria(assessment: &Assessment) -> Markup {
+    let several = assessment.all.len() > 1;
+    html! {
+        p.verdict data-met=(assessment.met().unwrap_or(true)) { (criteria_met(assessment)) }
+        table.numbers data-table="criteria" {
+            thead {
+                tr {
+                    th { "Criterion" }
+                    th { "Required" }
+                    th.n { "Value" }
+                    th.n { "Utilisation" }
+                    th {}
+                    @if several { th { "In" } }
+                }
+            }
+            tbody {
+                @for CaseCheck { check, assessed } in assessment.checks() {
+                    tr {
+                        td { (check.criterion.words()) " " code { (check.criterion.name()) } }
+                        td { (check.criterion.required()) }
+                        td.n { (check.value_words(assessed)) }
+                        td.n { (check.utilisation_words()) }
+                        td { span.yes[check.met].no[!check.met] { (check.met_words()) } }
+                        @if several { td { (name(assessment, assessed)) } }
+                    }
+                }
             }
         }
     }
@@ -45,7 +88,7 @@ fn table(assessment: &Assessment) -> Markup {
         table.numbers data-table="summary" {
             thead {
                 tr {
-                    @if several { th { "Load" } }
+                    @if several { th { "Situation" } }
                     th { "Mode" }
                     th.n { "Safety against sliding" }
                     th.n { "Safety against overturning" }
@@ -55,7 +98,7 @@ fn table(assessment: &Assessment) -> Markup {
                 }
             }
             tbody {
-                @for assessed in &assessment.all {
+                @for assessed in assessment.worst_first() {
                     @let (full, stability) = (&assessed.outcome.full, &assessed.outcome.stability);
                     @let factors = [stability.sliding, stability.overturning()];
                     tr {

@@ -240,14 +240,14 @@ impl Situation {
 
     /// What a load amounts to at the centre of mass of the body on its base.
     pub fn wrench_of(&self, load: &Load) -> Wrench {
-        load.action.wrench(&self.body, self.gravity, Pose::UPRIGHT)
+        load.wrench(&self.body, self.gravity, Pose::UPRIGHT)
     }
 
     /// The total wrench under a load factor, for any pose of the body.
     pub fn wrench_at(&self, factor: f64, pose: Pose) -> Wrench {
         let [permanent, variable] = [true, false].map(|permanent| {
             let loads = self.loads.iter().filter(|load| load.permanent == permanent);
-            loads.map(|load| load.action.wrench(&self.body, self.gravity, pose)).sum::<Wrench>()
+            loads.map(|load| load.wrench(&self.body, self.gravity, pose)).sum::<Wrench>()
         });
         permanent + variable * factor
     }
@@ -319,14 +319,16 @@ impl Situation {
     /// The report's problem itself, where the situation is nothing else: one horizontal force beside the weight. Its numbers
     /// are those of the force, without the rounding that a moment about C would bring in.
     pub fn in_air(&self) -> Option<Reduced> {
-        let [Load { action: Action::Weight, permanent: true, .. }, Load { action, permanent: false, .. }] =
-            self.loads.as_slice()
+        let [
+            Load { action: Action::Weight, permanent: true, factor: 1.0, .. },
+            Load { action, permanent: false, factor, .. },
+        ] = self.loads.as_slice()
         else {
             return None;
         };
         let Action::Force { at, right, up: 0.0 } = *action else { return None };
         let direction = if right > 0.0 { Slip::Right } else { Slip::Left };
-        let force = HorizontalForce::new(right.abs(), at.y, direction).ok()?;
+        let force = HorizontalForce::new(right.abs() * factor, at.y, direction).ok()?;
         force.reduce(&self.body, self.static_friction, self.gravity).ok().filter(|_| self.is_ordinary())
     }
 

@@ -84,6 +84,11 @@ pub struct Stability {
 }
 
 impl Stability {
+    /// e = |B_c/2 − t_e|, m: how far from the middle of a base `base_width` wide the resultant acts; `None` if nothing presses.
+    pub fn eccentricity(&self, base_width: f64) -> Option<f64> {
+        self.resultant_arm.map(|arm| (base_width / 2.0 - arm).abs())
+    }
+
     /// SF_overturning: the lesser of the factors about both corners.
     pub fn overturning(&self) -> f64 {
         self.overturning_about_heel.min(self.overturning_about_toe)

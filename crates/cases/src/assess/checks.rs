@@ -1,5 +1,6 @@
 //! The actions as a designer adds them up, safety factors and bearing pressures.
 
+use standfast::loads::Reduced;
 use standfast::{Bearing, ClassicalActions, Corner, Stability};
 
 use super::Assessed;
@@ -56,18 +57,16 @@ pub(super) fn factors(assessed: &Assessed) -> String {
         let formula = "(W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe";
         rows.push(row!["", formula, factor(overturning_about_toe)]);
     }
-    let effective = full.effective.map(|reduced| reduced.point.safety_against_overturning());
-    let classical = digits(stability.overturning());
-    let effective = effective.filter(|effective| digits(*effective) != classical);
-    if let Some(effective) = effective {
-        rows.push(row!["", "1/(k_eff γ |1+k'_eff|)", digits(effective)]);
+    let effective =
+        full.effective.map(|reduced| (reduced, digits(reduced.point.safety_against_overturning())));
+    let effective = effective.filter(|(_, factor)| *factor != digits(stability.overturning()));
+    if let Some((_, factor)) = &effective {
+        rows.push(row!["", "1/(k_eff γ |1+k'_eff|)", factor.as_str()]);
     }
     rows.extend(bearing(assessed));
     let mut text = columns(&rows, 2, &[]);
-    if effective.is_some() {
-        let both = "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one \
-             as less resistance. They differ except at 1, which they pass together.";
-        text += &paragraph(both, 2);
+    if let Some((reduced, _)) = &effective {
+        text += &paragraph(two_factors(reduced), 2);
     }
     if stability.overturning() == 0.0 && !full.is_lifted() {
         let turned = "An overturning factor of 0 says that uplift or eccentric weight turn the body without any \
@@ -77,6 +76,21 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     text
 }
 
+/// How the classical factor against overturning and that in effective coordinates go together.
+pub fn two_factors(reduced: &Reduced) -> &'static str {
+    match reduced.point.k_prime() <= -1.0 {
+        false => {
+            "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one as less \
+             resistance. They differ except at 1, which they pass together."
+        }
+        true => {
+            "The factor in effective coordinates counts uplift and eccentric weight as a load; the classical one as less \
+             resistance. With k'_eff ≤ −1 all loads together turn the body about another corner than the horizontal ones \
+             alone: the two factors are of different corners, and do not pass 1 together."
+        }
+    }
+}
+
 fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     let Stability { bearing, resultant_arm, .. } = assessed.outcome.stability;
     let base = assessed.situation.body().base_width();
@@ -84,8 +98,9 @@ fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     match bearing {
         Bearing::Pressed { heel, toe, contact } => {
             let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
-            rows.push(row!["bearing", "at the heel", kilopascals(heel)]);
-            rows.push(row!["", "at the toe", kilopascals(toe)]);
+            let larger = |one: f64, other: f64| if one > other { ", the larger" } else { "" };
+            rows.push(row!["bearing", "at the heel", kilopascals(heel) + larger(heel, toe)]);
+            rows.push(row!["", "at the toe", kilopascals(toe) + larger(toe, heel)]);
             let share = format!("{} m ({} % of the base)", digits(contact), digits(100.0 * contact / base));
             rows.push(row!["", "contact", share]);
         }
@@ -93,6 +108,9 @@ fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     }
     if let Some(arm) = resultant_arm {
         rows.push(row!["resultant", "t_e from the heel", number(arm, " m")]);
+    }
+    if let Some(eccentricity) = assessed.outcome.stability.eccentricity(base) {
+        rows.push(row!["", "eccentricity |B_c/2 − t_e|", number(eccentricity, " m")]);
     }
     rows
 }

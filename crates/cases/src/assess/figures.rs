@@ -44,10 +44,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
     let several = assessment.all.len() > 1;
     let mut figures = Vec::new();
     for (i, assessed) in shown.iter().enumerate() {
-        let suffix = match assessed.force {
-            Some(force) if several => format!("-{}", force + 1),
-            _ => String::new(),
-        };
+        let suffix = if several { format!("-{}", assessed.index + 1) } else { String::new() };
         if let Some(plane) = planes.iter().find(|plane| plane.first == i) {
             figures.push(plane.draw(assessment, &suffix)?);
         }

@@ -3,17 +3,20 @@
 //! Units are SI throughout. Results stand under the names of the [one list](crate::results). `null` says that there is no such
 //! thing; a number without bound is the word `infinite`.
 
+use std::collections::BTreeMap;
+
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use standfast::contact::path::{self, Stage};
-use standfast::loads::{LoadKind, LoadSource};
+use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
-use standfast::{Mode, Modes, Motion, Slip, Wrench};
+use standfast::{Departure, Mode, Modes, Motion, Wrench};
 
-use super::{Assessed, Assessment, View};
-use crate::case::{Case, Waves};
+use super::{Assessed, Assessment, Shaken, View};
+use crate::case::{self, Acting, Case, PointForce, Waves};
+use crate::criteria::{Bound, Check};
 use crate::point::{PointDocument, RelationDocument};
-use crate::results::{ResultName, number_or_word};
+use crate::results::{self, ResultName, ResultValue, number_or_word};
 
 /// The version of the document.
 pub(crate) const SCHEMA: u32 = 1;
@@ -29,7 +32,11 @@ struct Document<'a> {
     water: Option<Water>,
     wave: Option<Wave>,
     warnings: Vec<Warning>,
-    /// The place of the situation that leaves rest first.
+    /// Whether all criteria are met; null where there is none.
+    met: Option<bool>,
+    /// Each criterion in the situation that meets it worst, the governing one first.
+    criteria: Vec<Criterion>,
+    /// The place of the worst situation.
     governing: usize,
     situations: Vec<Situation<'a>>,
     figures: &'a [String],
@@ -94,7 +101,16 @@ struct Wave {
 
 #[derive(Serialize)]
 struct Situation<'a> {
+    /// The force that acts alone.
     load: Option<Force<'a>>,
+    /// The combination whose loads act.
+    combination: Option<Combination<'a>>,
+    /// The acceleration of the base.
+    earthquake: Option<Earthquake>,
+    /// The other accelerations that were tried, none of them worse.
+    other_earthquakes: Vec<OtherEarthquake>,
+    /// The governing criterion first.
+    criteria: Vec<Criterion>,
     #[serde(flatten)]
     results: Results<'a>,
     mode_words: Option<&'static str>,
@@ -136,7 +152,64 @@ struct Force<'a> {
     name: Option<&'a str>,
     force: f64,
     elevation: f64,
-    direction: Slip,
+    /// To the right of O; null at mid-width.
+    distance: Option<f64>,
+    direction: &'static str,
+}
+
+#[derive(Serialize)]
+struct Combination<'a> {
+    name: Option<&'a str>,
+    factors: BTreeMap<&'a str, f64>,
+}
+
+/// m/s², to the right and upwards.
+#[derive(Serialize)]
+struct Earthquake {
+    horizontal: f64,
+    vertical: f64,
+}
+
+#[derive(Serialize)]
+struct OtherEarthquake {
+    #[serde(flatten)]
+    earthquake: Earthquake,
+    mode: Option<Mode>,
+    departure: &'static str,
+    load_factor: Option<f64>,
+    departure_mode: Option<Mode>,
+    #[serde(rename = "SF_sliding")]
+    sliding: ResultValue,
+    #[serde(rename = "SF_overturning")]
+    overturning: ResultValue,
+}
+
+#[derive(Serialize)]
+struct Criterion {
+    name: &'static str,
+    required: Required,
+    value: ResultValue,
+    /// Null for modes, which use no share of anything.
+    #[serde(serialize_with = "optional_number_or_word")]
+    utilisation: Option<f64>,
+    met: bool,
+    /// The place of the situation.
+    situation: usize,
+}
+
+/// A number in SI units, or the modes that are not allowed.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Required {
+    Number(f64),
+    Modes(Modes),
+}
+
+fn optional_number_or_word<S: Serializer>(number: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    match number {
+        Some(number) => number_or_word(number, serializer),
+        None => serializer.serialize_none(),
+    }
 }
 
 #[derive(Serialize)]
@@ -145,6 +218,8 @@ struct Component {
     source: LoadSource,
     counts_as: LoadKind,
     permanent: bool,
+    /// The partial factor that the wrench is multiplied by.
+    factor: f64,
     #[serde(flatten)]
     wrench: Wrench,
 }
@@ -178,7 +253,13 @@ pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> 
             .iter()
             .map(|warning| Warning { name: warning.name(), message: warning.to_string() })
             .collect(),
-        governing: governing.force.unwrap_or(0),
+        met: assessment.met(),
+        criteria: assessment
+            .checks()
+            .iter()
+            .map(|check| Criterion::of(&check.check, check.assessed.index))
+            .collect(),
+        governing: governing.index,
         situations: assessment.all.iter().map(|assessed| Situation::of(case, assessed, view)).collect(),
         figures: files,
     })
@@ -239,20 +320,35 @@ impl<'a> Situation<'a> {
     fn of(case: &'a Case, assessed: &'a Assessed, view: &View) -> Situation<'a> {
         let full = &assessed.outcome.full;
         Situation {
-            load: assessed.force.map(|force| Force::of(case, force)),
+            load: match assessed.acting {
+                Acting::Alone(index) => Some(Force::of(&case.forces[index])),
+                _ => None,
+            },
+            combination: match assessed.acting {
+                Acting::Combination(index) => Some(Combination::of(&case.combinations[index])),
+                _ => None,
+            },
+            earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
+            other_earthquakes: assessed.others.iter().map(OtherEarthquake::of).collect(),
+            criteria: assessed
+                .checks(case)
+                .iter()
+                .map(|check| Criterion::of(check, assessed.index))
+                .collect(),
             results: Results(assessed),
             mode_words: full.mode.map(Mode::words),
             because: assessed.because().iter().map(RelationDocument::of).collect(),
             motion: full.motion,
             wrench: full.wrench,
             components: assessed
-                .components(case)
+                .components()
                 .into_iter()
                 .map(|component| Component {
                     name: component.name,
                     source: component.load.source,
                     counts_as: component.load.kind,
                     permanent: component.load.permanent,
+                    factor: component.load.factor,
                     wrench: component.wrench,
                 })
                 .collect(),
@@ -266,13 +362,59 @@ impl<'a> Situation<'a> {
 }
 
 impl<'a> Force<'a> {
-    fn of(case: &'a Case, index: usize) -> Force<'a> {
-        let named = &case.forces[index];
+    fn of(force: &'a PointForce) -> Force<'a> {
         Force {
-            name: named.name.as_deref(),
-            force: named.force.magnitude(),
-            elevation: named.force.elevation(),
-            direction: named.force.direction(),
+            name: force.name.as_deref(),
+            force: force.magnitude,
+            elevation: force.elevation,
+            distance: force.distance,
+            direction: force.direction.word(),
+        }
+    }
+}
+
+impl<'a> Combination<'a> {
+    fn of(combination: &'a case::Combination) -> Combination<'a> {
+        let factors = combination.factors.iter().map(|(name, factor)| (name.as_str(), *factor));
+        Combination { name: combination.name.as_deref(), factors: factors.collect() }
+    }
+}
+
+impl Earthquake {
+    fn of(earthquake: &loads::Earthquake) -> Earthquake {
+        Earthquake { horizontal: earthquake.horizontal(), vertical: earthquake.vertical() }
+    }
+}
+
+impl OtherEarthquake {
+    fn of(Shaken { earthquake, outcome }: &Shaken) -> OtherEarthquake {
+        let factor = |factor| results::factor(&outcome.full, factor);
+        OtherEarthquake {
+            earthquake: Earthquake::of(earthquake),
+            mode: outcome.full.mode,
+            departure: results::departure(&outcome.departure),
+            load_factor: Some(outcome.departure.load_factor())
+                .filter(|_| matches!(outcome.departure, Departure::At { .. })),
+            departure_mode: outcome.departure.mode(),
+            sliding: factor(outcome.stability.sliding),
+            overturning: factor(outcome.stability.overturning()),
+        }
+    }
+}
+
+impl Criterion {
+    fn of(check: &Check, situation: usize) -> Criterion {
+        let required = match check.criterion.bound {
+            Bound::AtLeast(number) | Bound::AtMost(number) => Required::Number(number),
+            Bound::NoneOf(modes) => Required::Modes(modes),
+        };
+        Criterion {
+            name: check.criterion.name(),
+            required,
+            value: check.value,
+            utilisation: check.utilisation,
+            met: check.met,
+            situation,
         }
     }
 }

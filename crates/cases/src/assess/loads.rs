@@ -28,8 +28,11 @@ pub fn added_mass_notes(case: &Case) -> Vec<&'static str> {
     notes
 }
 
-/// What a load is called; a force has a name of its own.
-pub fn load_words(case: &Case, assessed: &Assessed, load: &Load) -> String {
+/// What a load is called.
+fn load_words(load: &Load) -> String {
+    if let Some(name) = &load.name {
+        return name.clone();
+    }
     let words = match load.source {
         LoadSource::Weight => "weight m g",
         LoadSource::BuoyantWeight => "buoyant weight W'",
@@ -41,10 +44,8 @@ pub fn load_words(case: &Case, assessed: &Assessed, load: &Load) -> String {
         LoadSource::VerticalInertia => "earthquake, vertical",
         LoadSource::WavePressure => "wave pressure",
         LoadSource::WaveUplift => "wave uplift",
-        LoadSource::Force => {
-            let name = assessed.force.and_then(|force| case.forces[force].name.clone());
-            return name.unwrap_or_else(|| "force".to_owned());
-        }
+        LoadSource::Force => "force",
+        LoadSource::Pressure => "pressure",
         _ => "load",
     };
     words.to_owned()
@@ -64,16 +65,15 @@ pub struct Component {
 
 impl Assessed {
     /// The loads one by one.
-    pub fn components(&self, case: &Case) -> Vec<Component> {
+    pub fn components(&self) -> Vec<Component> {
         let mut components: Vec<Component> = Vec::new();
         for load in self.situation.loads() {
             let wrench = self.situation.wrench_of(load);
             match components.last_mut() {
-                Some(last) if last.load.source == load.source => last.wrench = last.wrench + wrench,
-                _ => {
-                    let name = load_words(case, self, load);
-                    components.push(Component { name, load: load.clone(), wrench });
+                Some(last) if load.source == LoadSource::StillWater && last.load.source == load.source => {
+                    last.wrench = last.wrench + wrench;
                 }
+                _ => components.push(Component { name: load_words(load), load: load.clone(), wrench }),
             }
         }
         components
@@ -137,16 +137,22 @@ pub(super) fn body(case: &Case) -> String {
     columns(&rows, 2, &[])
 }
 
+/// Whether a load is permanent or variable, and the factor it is multiplied by.
+pub fn share(load: &Load) -> String {
+    let share = if load.permanent { "permanent" } else { "variable" };
+    if load.factor == 1.0 { share.to_owned() } else { format!("{share} × {}", digits(load.factor)) }
+}
+
 /// The loads one by one, and their sum under the full load.
-pub(super) fn components(case: &Case, assessed: &Assessed) -> String {
+pub(super) fn components(assessed: &Assessed) -> String {
     let mut rows =
         vec![row!["", "", "left", "down", "moment at C"], row!["load", "", "kN/m", "kN/m", "kN m/m"]];
     let numbers = |wrench: &Wrench| {
         // `0.0 −` rather than `−`, so that nothing becomes −0.
         [0.0 - wrench.x, wrench.p, wrench.m].map(|x| digits(x / 1e3))
     };
-    for Component { name, load, wrench } in assessed.components(case) {
-        let share = if load.permanent { "permanent" } else { "variable" };
+    for Component { name, load, wrench } in assessed.components() {
+        let share = share(&load);
         let [left, down, moment] = numbers(&wrench);
         rows.push(row![name, share, left, down, moment]);
     }

@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use standfast::{Mode, Slip};
-
-use super::{Assessed, Assessment, GOVERNING, View, checks, coordinates, loads, sea, verdict};
+use super::{
+    Assessed, Assessment, CaseCheck, GOVERNING, View, acting, checks, coordinates, loads, sea, verdict,
+};
 use crate::case::Case;
-use crate::describe::{self, Scale, kilonewtons};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::describe::{self, Scale};
+use crate::layout::{columns, paragraph, row};
 use crate::warning::Warning;
 
 pub(super) fn render(assessment: &Assessment, view: &View) -> String {
@@ -22,13 +22,13 @@ pub(super) fn render(assessment: &Assessment, view: &View) -> String {
     let several = assessment.all.len() > 1;
     if several {
         text += "\nSummary\n";
-        text += &summary(assessment);
+        text += &acting::summary(assessment);
     }
     let shown = assessment.shown(view);
     if shown.len() < assessment.all.len() {
         text += "\n";
         let words = format!(
-            "Of {} loads, the {GOVERNING} that leave rest first are shown one by one; --all shows every one.",
+            "Of {} situations, the {GOVERNING} worst are shown one by one; --all shows every one.",
             assessment.all.len()
         );
         text += &paragraph(&words, 0);
@@ -38,10 +38,47 @@ pub(super) fn render(assessment: &Assessment, view: &View) -> String {
         if several {
             let _ = write!(text, "{}\n\n", "─".repeat(88));
         }
-        text += &force(case, assessed, several);
+        text += &acting::heading(assessment, assessed);
         text += &details(case, assessed, view);
     }
+    if !case.criteria.is_empty() {
+        if several {
+            let _ = write!(text, "\n{}\n", "─".repeat(88));
+        }
+        text += "\nCriteria\n";
+        text += &criteria(assessment);
+    }
     text
+}
+
+/// What is asked of the results, the governing criterion first.
+fn criteria(assessment: &Assessment) -> String {
+    let several = assessment.all.len() > 1;
+    let mut rows = vec![row!["criterion", "required", "value", "utilisation", "", ""]];
+    rows.extend(assessment.checks().iter().map(|CaseCheck { check, assessed }| {
+        let situation = assessment.name(assessed).filter(|_| several);
+        row![
+            check.criterion.name(),
+            check.criterion.required(),
+            check.value_words(assessed),
+            check.utilisation_words(),
+            check.met_words(),
+            situation.map_or(String::new(), |name| format!("in {name}")),
+        ]
+    }));
+    columns(&rows, 2, &[3]) + &paragraph(&criteria_met(assessment), 2)
+}
+
+/// Whether the criteria are met, in a sentence.
+pub fn criteria_met(assessment: &Assessment) -> String {
+    let checks = assessment.checks();
+    let failed: Vec<_> =
+        checks.iter().filter(|check| !check.check.met).map(|check| check.check.criterion.name()).collect();
+    match (checks.len(), failed.as_slice()) {
+        (1, []) => "The criterion is met.".to_owned(),
+        (count, []) => format!("All {count} criteria are met."),
+        (_, failed) => format!("Not met: {}.", failed.join(", ")),
+    }
 }
 
 /// Title and note.
@@ -64,63 +101,14 @@ pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
     warnings.map(|warning| paragraph(&format!("Warning: {warning}."), 2)).collect()
 }
 
-/// One line for each alternative force.
-fn summary(assessment: &Assessment) -> String {
-    let case = &assessment.case;
-    let mut rows = vec![
-        row!["", "force", "at", "", "SF", "SF", "leaves", "", ""],
-        row!["load", "kN/m", "m", "mode", "slide", "turn", "rest at", "into", "unique"],
-    ];
-    rows.extend(assessment.all.iter().filter_map(|assessed| {
-        let index = assessed.force?;
-        let outcome = &assessed.outcome;
-        let force = &case.forces[index].force;
-        Some(row![
-            case.force_name(index),
-            digits(force.magnitude() / 1e3),
-            digits(force.elevation()),
-            outcome.full.mode.map_or("none", Mode::symbol),
-            if outcome.full.is_lifted() { "none".into() } else { digits(outcome.stability.sliding) },
-            if outcome.full.is_lifted() { "none".into() } else { digits(outcome.stability.overturning()) },
-            verdict::departure_word(&outcome.departure),
-            outcome.departure.mode().map_or("", Mode::symbol),
-            if outcome.full.is_unique() { "yes" } else { "no" },
-        ])
-    }));
-    columns(&rows, 2, &[1, 2, 4, 5, 6])
-}
-
-/// The alternative force of a situation.
-fn force(case: &Case, assessed: &Assessed, several: bool) -> String {
-    let Some(index) = assessed.force else { return String::new() };
-    let named = &case.forces[index];
-    let title = match (&named.name, several) {
-        (Some(name), true) => format!("Load {}: {name}", index + 1),
-        (Some(name), false) => format!("Load: {name}"),
-        (None, true) => format!("Load {}", index + 1),
-        (None, false) => "Load".to_owned(),
-    };
-    let (arrow, towards) = match named.force.direction() {
-        Slip::Left => ("←", "to the left"),
-        Slip::Right => ("→", "to the right"),
-    };
-    let above = named.force.elevation() - case.body.centroid_height();
-    let side = if above < 0.0 { "below" } else { "above" };
-    let centre = format!("{} m {side} the centre of mass", digits(above.abs()));
-    let rows = [
-        row!["force F", format!("{} {arrow} {towards}", kilonewtons(named.force.magnitude()))],
-        row!["elevation", format!("{} m above the base, {centre}", digits(named.force.elevation()))],
-    ];
-    paragraph(&title, 0) + &columns(&rows, 2, &[]) + "\n"
-}
-
 fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     let full = &assessed.outcome.full;
     let mut text = "Forces and moments\n".to_owned();
-    text += &loads::components(case, assessed);
+    text += &loads::components(assessed);
     for note in loads::added_mass_notes(case) {
         text += &paragraph(note, 2);
     }
+    text += &acting::notes(case, assessed);
     text += "\nActions\n";
     text += &checks::actions(assessed);
     text += "\nSafety factors and bearing pressure\n";
@@ -130,6 +118,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     for sentence in verdict::full_load(assessed) {
         text += &paragraph(&sentence, 2);
     }
+    text += &acting::earthquakes(case, assessed);
     text += match (full.effective.is_some(), assessed.situation.in_air().is_some()) {
         (true, false) => "\nIn the report's diagram, with effective coordinates\n",
         _ => "\nIn the report's diagram\n",

@@ -22,9 +22,21 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
     if full.is_lifted() {
         sentences.push(lifted(full));
     }
-    sentences.push(format!("Applied at once, the full load: the body {}.", predicate(full.mode)));
+    let factor = factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
+    sentences.push(format!("Applied at once, the full load: the body {}{factor}.", predicate(full.mode)));
     sentences.push(uniqueness(assessed));
     sentences
+}
+
+/// The lesser safety factor of a body at rest, which is never said to rest without it; `None` for one that moves, or that no
+/// load pushes.
+pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
+    let stability = &assessed.outcome.stability;
+    let (sliding, overturning) = (stability.sliding, stability.overturning());
+    let (factor, against) =
+        if overturning < sliding { (overturning, "overturning") } else { (sliding, "sliding") };
+    let rests = assessed.outcome.full.mode == Some(Mode::Rest) && factor.is_finite();
+    rests.then(|| format!("with a safety factor of {} against {against}", digits(factor)))
 }
 
 fn lifted(full: &Response) -> String {
@@ -87,7 +99,17 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
 pub fn path(assessed: &Assessed) -> Vec<String> {
     match assessed.departure() {
         _ if assessed.outcome.path.is_empty() => vec!["All loads are permanent; none rises.".to_owned()],
-        departure => vec![leaving(departure), difference(assessed)],
+        departure => vec![rising(assessed), leaving(departure), difference(assessed)],
+    }
+}
+
+/// Which loads rise, and whether they do so together.
+fn rising(assessed: &Assessed) -> String {
+    let variable = assessed.components().into_iter().filter(|component| !component.load.permanent);
+    let names: Vec<_> = variable.map(|component| component.name).collect();
+    match names.as_slice() {
+        [one] => format!("One load rises alone: {one}."),
+        names => format!("The variable loads rise together, by one factor: {}.", names.join(", ")),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Whatever a case file contains, it is answered or refused: no panic, and every refusal can be shown.
 
 use proptest::prelude::*;
-use standfast_cases::{Assessment, CaseFile, View, point};
+use standfast_cases::{Acting, Assessment, CaseFile, View, point};
 
 const CASE: &str = include_str!("../../../../examples/caisson-in-air.toml");
 const CASES: [&str; 4] = [
@@ -77,7 +77,7 @@ proptest! {
         );
         try_case(&text);
         let case = CaseFile::parse("case.toml", &text).and_then(|file| file.case());
-        let reduced = case.ok().and_then(|case| case.situation(Some(0)).ok()?.in_air());
+        let reduced = case.ok().and_then(|case| case.situation(Acting::Alone(0), None).ok()?.in_air());
         if let Some(reduced) = reduced {
             assert!(!point::text(reduced.point, true).is_empty());
             assert!(!point::json(reduced.point).is_empty());

@@ -2,8 +2,8 @@
 
 use standfast::loads::LoadKind;
 use standfast::{Bearing, ClassicalActions, Corner, Stability, Wrench};
-use standfast_cases::Assessed;
 use standfast_cases::assess::{Component, checks};
+use standfast_cases::{Assessed, Case};
 
 use super::loads::{grouped, parts, sum};
 use crate::measured::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
@@ -12,10 +12,10 @@ use crate::steps::Steps;
 /// What common practice asks of both safety factors.
 pub const TARGET: f64 = 1.2;
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
+pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Classical checks");
     actions(steps, &assessed.outcome.actions, components);
-    factors(steps, assessed);
+    factors(steps, case, assessed);
     pressure(steps, assessed);
 }
 
@@ -90,7 +90,7 @@ fn actions(steps: &mut Steps, actions: &ClassicalActions, components: &[Componen
     steps.add(about, "", ["M_p", &formula], force_moment, MOMENT, "M_p");
 }
 
-fn factors(steps: &mut Steps, assessed: &Assessed) {
+fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     if assessed.outcome.full.is_lifted() {
         return steps.note("Nothing presses the body on its base: safety factors mean nothing.");
     }
@@ -121,6 +121,9 @@ fn factors(steps: &mut Steps, assessed: &Assessed) {
         "" => steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key),
         formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
     }
+    if !case.criteria.is_empty() {
+        return;
+    }
     let met = |factor: f64| if factor >= TARGET { "met" } else { "not met" };
     steps.note(&format!(
         "Common practice asks for {TARGET} at least: against sliding {}, against overturning {}.",
@@ -140,16 +143,28 @@ fn overturning(steps: &mut Steps, about: &str, formula: [&str; 2], factor: f64, 
 }
 
 fn pressure(steps: &mut Steps, assessed: &Assessed) {
-    let Stability { resultant_arm, bearing, .. } = assessed.outcome.stability;
+    let stability = &assessed.outcome.stability;
+    let Stability { resultant_arm, bearing, .. } = *stability;
+    let base = assessed.situation.body().base_width();
     if let Some(arm) = resultant_arm {
         let formula = ["t_e", "(W' t − M_U − M_p)/(W' − U)"];
         steps.add("Resultant of all loads, from the heel", "", formula, arm, METRE, "resultant_arm");
+    }
+    if let Some(eccentricity) = stability.eccentricity(base) {
+        let formula = ["ε", "|B_c/2 − t_e|"];
+        steps.add(
+            "Its distance from the middle of the base",
+            "",
+            formula,
+            eccentricity,
+            METRE,
+            "eccentricity",
+        );
     }
     let Bearing::Pressed { heel, toe, contact } = bearing else {
         let words = checks::no_bearing(bearing).unwrap_or_default();
         return steps.note(&format!("Bearing pressure: none; {words}."));
     };
-    let base = assessed.situation.body().base_width();
     let (about, [of_heel, of_toe, of_contact]) = if toe == 0.0 && contact < base {
         ("for `t_e` < `B_c÷3`: pressed near the heel only", ["2 (W' − U)/(3 t_e)", "0", "3 t_e"])
     } else if heel == 0.0 && contact < base {
@@ -163,7 +178,9 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
     steps.add(&about, "", ["p_heel", of_heel], heel, KILOPASCAL, "heel_pressure");
     steps.add("At the toe", "", ["p_toe", of_toe], toe, KILOPASCAL, "toe_pressure");
     let largest = bearing.largest().unwrap_or(0.0);
-    steps.add("The larger", "", ["p_max", "max(p_heel, p_toe)"], largest, KILOPASCAL, "bearing_max");
+    let larger = if heel > toe { "The larger, at the heel" } else { "The larger, at the toe" };
+    let larger = if heel == toe { "The larger; they are equal" } else { larger };
+    steps.add(larger, "", ["p_max", "max(p_heel, p_toe)"], largest, KILOPASCAL, "bearing_max");
     steps.add("Length of the contact", "", ["l_c", of_contact], contact, METRE, "contact_length");
     steps.add("Share of the base", "", ["ψ", "l_c/B_c"], contact / base, NONE, "contact_share");
 }

@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 use standfast::Wrench;
-use standfast::loads::{HorizontalForce, LoadSource};
-use standfast_cases::assess::{Component, added_mass_notes};
+use standfast::loads::{Action, Face, Load, LoadSource, PressureAt, PressureDiagram};
+use standfast_cases::assess::{Component, added_mass_notes, share};
 use standfast_cases::case::Weight;
 use standfast_cases::{Assessed, Case};
 
 use crate::measured::{
-    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, TONNE, number,
+    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, TONNE, number,
 };
 use crate::steps::{Step, Steps};
 
@@ -72,7 +72,7 @@ fn table(steps: &mut Steps, components: &[Component], total: &Wrench) {
                 @for (i, Component { name, load, wrench }) in components.iter().enumerate() {
                     tr {
                         td { (i + 1) " " (name) }
-                        td { @if load.permanent { "permanent" } @else { "variable" } }
+                        td { (share(load)) }
                         (cells(wrench))
                     }
                 }
@@ -128,9 +128,16 @@ fn added_mass(steps: &mut Steps, case: &Case) {
 fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
     let Component { name, wrench, .. } = component;
     let [x, v, m] = parts(i);
-    let force = assessed.force.map(|force| &case.forces[force].force);
-    given(steps, case, force, component.load.source);
-    let [fx, fv, fm] = formulas(component, [&x, &v]);
+    given(steps, case, assessed, &component.load);
+    // A factor of the combination stands before what it multiplies.
+    let factor = if component.load.factor == 1.0 { "" } else { "γ_F " };
+    steps.know("γ_F", component.load.factor, NONE);
+    if let Action::Pressure { diagram, .. } = &component.load.action
+        && component.load.source == LoadSource::Pressure
+    {
+        pressure(steps, diagram);
+    }
+    let [fx, fv, fm] = formulas(component, [&x, &v], factor);
     // Backticks would begin a formula.
     let about = format!("{}  {}", i + 1, name.replace('`', "'"));
     let mut about = about.as_str();
@@ -149,8 +156,8 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
 }
 
 /// The numbers that the formulas of a load's parts need.
-fn given(steps: &mut Steps, case: &Case, force: Option<&HorizontalForce>, source: LoadSource) {
-    match source {
+fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
+    match load.source {
         LoadSource::BuoyantWeight => {
             if let Weight::Buoyant { force, arm } = case.weight {
                 steps.know("W_g", force, KILONEWTON);
@@ -171,15 +178,16 @@ fn given(steps: &mut Steps, case: &Case, force: Option<&HorizontalForce>, source
             }
         }
         LoadSource::HorizontalInertia | LoadSource::VerticalInertia | LoadSource::ShakenWater => {
-            if let Some(earthquake) = &case.earthquake {
+            if let Some(earthquake) = &assessed.earthquake {
                 steps.know("a_h", earthquake.horizontal(), ACCELERATION);
                 steps.know("a_v", earthquake.vertical(), ACCELERATION);
             }
         }
         LoadSource::Force => {
-            if let Some(force) = force {
-                steps.know("F", force.magnitude(), KILONEWTON);
-                steps.know("e", force.elevation(), METRE);
+            if let Action::Force { at, right, up } = load.action {
+                steps.know("F", if up == 0.0 { right.abs() } else { up.abs() }, KILONEWTON);
+                steps.know("e", at.y, METRE);
+                steps.know("x_F", at.x + case.body.base_edges().left, METRE);
             }
         }
         _ => {}
@@ -187,32 +195,79 @@ fn given(steps: &mut Steps, case: &Case, force: Option<&HorizontalForce>, source
 }
 
 /// X, V and M of a load as formulas; a part that it does not have is none.
-fn formulas(component: &Component, [x, v]: [&str; 2]) -> [Option<String>; 3] {
-    // The elevation of a force turns it into a moment.
+fn formulas(component: &Component, [x, v]: [&str; 2], factor: &str) -> [Option<String>; 3] {
+    // The elevation of a force turns it into a moment, its distance from O as well.
     let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
-    let pressure = |left: &str, right: &str, factor: &str| {
-        let force = format!("−{factor}({left} + {right})/2 B_c");
-        [None, Some(force), Some(format!("{factor}({left} + 2 {right})/6 B_c^2 + {v} b_1"))]
+    let moment_of_v = |arm: &str| format!("−{v} ({arm} − b_1)");
+    let pressure = |left: &str, right: &str, of: &str| {
+        let force = format!("−{factor}{of}({left} + {right})/2 B_c");
+        [None, Some(force), Some(format!("{factor}{of}({left} + 2 {right})/6 B_c^2 + {v} b_1"))]
     };
-    let some = |text: &str| Some(text.to_owned());
+    let some = |text: &str| Some(format!("{factor}{text}"));
+    let less = |text: &str| Some(format!("−{factor}{text}"));
     match component.load.source {
         LoadSource::Weight => [None, some("m g"), None],
-        LoadSource::BuoyantWeight => [None, some("W_g"), some("−W_g (t_g − b_1)")],
+        LoadSource::BuoyantWeight => [None, some("W_g"), Some(moment_of_v("t_g"))],
         LoadSource::Buoyancy => pressure("h_l", "h_r", "ρ_w g "),
         LoadSource::StillWater => {
             let moment = "ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C))";
             [some("ρ_w g (h_l^2 − h_r^2)/2"), None, some(moment)]
         }
         LoadSource::Uplift => pressure("p_l", "p_r", ""),
-        LoadSource::HorizontalInertia => [some("−m a_h"), None, None],
+        LoadSource::HorizontalInertia => [less("m a_h"), None, None],
         LoadSource::VerticalInertia => [None, some("m a_v"), None],
-        LoadSource::ShakenWater => [some("−M_a a_h"), None, Some(moment_of_x("z_a"))],
-        LoadSource::WavePressure => [some("−P_w"), None, some("M_w − P_w y_C")],
-        LoadSource::WaveUplift => [None, some("−p_u/2 B_c"), Some(format!("p_u/3 B_c^2 + {v} b_1"))],
-        LoadSource::Force => {
-            let sign = if component.wrench.x.is_sign_negative() { "−" } else { "" };
-            [Some(format!("{sign}F")), None, Some(moment_of_x("e"))]
-        }
+        LoadSource::ShakenWater => [less("M_a a_h"), None, Some(moment_of_x("z_a"))],
+        LoadSource::WavePressure => [less("P_w"), None, some("(M_w − P_w y_C)")],
+        LoadSource::WaveUplift => [None, less("p_u/2 B_c"), Some(format!("{factor}p_u/3 B_c^2 + {v} b_1"))],
+        LoadSource::Force => match component.load.action {
+            Action::Force { up, .. } if up != 0.0 => {
+                [None, if up > 0.0 { less("F") } else { some("F") }, Some(moment_of_v("x_F"))]
+            }
+            _ => {
+                let left = component.wrench.x.is_sign_negative();
+                [if left { less("F") } else { some("F") }, None, Some(moment_of_x("e"))]
+            }
+        },
+        LoadSource::Pressure => match component.load.action {
+            Action::Pressure { face: Face::Left, .. } => {
+                [some("Q"), None, Some(format!("{x} y_C − {factor}S"))]
+            }
+            Action::Pressure { face: Face::Right, .. } => {
+                [less("Q"), None, Some(format!("{factor}S + {x} y_C"))]
+            }
+            Action::Pressure { face: Face::Base, .. } => {
+                [None, less("Q"), Some(format!("{factor}S + {v} b_1"))]
+            }
+            _ => [None, some("Q"), Some(format!("{v} b_1 − {factor}S"))],
+        },
         _ => [None, None, None],
     }
+}
+
+/// The sum of a pressure along its face, and its moment about where positions begin.
+fn pressure(steps: &mut Steps, diagram: &PressureDiagram) {
+    /// How many points a sum is written out for.
+    const WRITTEN: usize = 6;
+    let points = diagram.points();
+    let (force, moment) = diagram.resultant();
+    let [sum, lever] =
+        ["Sum of the pressure along the face", "Its moment about the base, or about the corner O"];
+    if points.len() > WRITTEN {
+        let words = format!("added up over {} points", points.len());
+        steps.told(sum, "Q", force, KILONEWTON, &words, "");
+        steps.told(lever, "S", moment, MOMENT, &words, "");
+        return;
+    }
+    for (i, PressureAt { position, pressure }) in points.iter().enumerate() {
+        steps.know(&format!("s_{}", i + 1), *position, METRE);
+        steps.know(&format!("q_{}", i + 1), *pressure, KILOPASCAL);
+    }
+    let over = |piece: fn(usize, usize) -> String| {
+        (1..points.len()).map(|i| piece(i, i + 1)).collect::<Vec<_>>().join(" + ")
+    };
+    let formula = over(|i, j| format!("(q_{i} + q_{j})/2 (s_{j} − s_{i})"));
+    steps.add(sum, "", ["Q", &formula], force, KILONEWTON, "");
+    let formula =
+        over(|i, j| format!("(s_{j} − s_{i})/6 (q_{i} (2 s_{i} + s_{j}) + q_{j} (s_{i} + 2 s_{j}))"));
+    steps.add(lever, "", ["S", &formula], moment, MOMENT, "");
 }

@@ -1,8 +1,10 @@
 //! The calculation, step by step; every result is the library's.
 
+mod acting;
 mod body;
 mod classical;
 mod contact;
+mod criteria;
 mod loads;
 mod mode;
 mod motion;
@@ -10,7 +12,7 @@ mod path;
 mod waves;
 
 use maud::Markup;
-use standfast_cases::{Assessed, Assessment, Inputs, View};
+use standfast_cases::{Acting, Assessed, Assessment, Inputs, View};
 
 pub use classical::TARGET;
 
@@ -28,17 +30,18 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Ma
     }
     let shown = assessment.shown(view);
     for assessed in &shown {
-        let title = match assessed.force {
-            Some(force) => format!("Load {}: {}", force + 1, case.force_name(force)),
-            None => "Loads and response".to_owned(),
+        let title = match (assessed.acting, assessment.name(assessed)) {
+            (Acting::Alone(force), Some(name)) => format!("Load {}: {name}", force + 1),
+            (Acting::Combination(index), Some(name)) => format!("Combination {}: {name}", index + 1),
+            _ => "Loads and response".to_owned(),
         };
-        steps.part(&title, Some(assessed.force.unwrap_or(0)));
+        steps.part(&title, Some(assessed.index));
         situation(&mut steps, assessment, assessed, view)?;
     }
     if shown.len() < assessment.all.len() {
-        steps.part("Other loads", None);
+        steps.part("Other situations", None);
         steps.note(&format!(
-            "Of {} loads the {} that leave rest first are calculated here; all stand in the table of the summary.",
+            "Of {} situations the {} worst are calculated here; all stand in the table of the summary.",
             assessment.all.len(),
             shown.len()
         ));
@@ -53,9 +56,10 @@ fn situation(
     view: &View,
 ) -> Result<(), SheetError> {
     let case = &assessment.case;
-    let components = assessed.components(case);
+    let components = assessed.components();
+    acting::steps(steps, assessment, assessed);
     loads::steps(steps, case, assessed, &components);
-    classical::steps(steps, assessed, &components);
+    classical::steps(steps, case, assessed, &components);
     let full = &assessed.outcome.full;
     let in_air = assessed.situation.in_air().is_some();
     match &full.effective {
@@ -68,6 +72,7 @@ fn situation(
     }
     motion::steps(steps, case, assessed);
     path::steps(steps, assessed, view);
+    criteria::steps(steps, case, assessed);
     if let Some(reduced) = &full.effective {
         mode::changes(steps, reduced, in_air.then_some(case.body.mass() * case.gravity));
     }

@@ -4,6 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use standfast::Mode;
 use standfast::initiation::Crossing;
 use standfast::loads::Reduced;
+use standfast_cases::assess::checks;
 use standfast_cases::describe;
 use standfast_cases::layout::apart;
 
@@ -40,10 +41,8 @@ pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
     let factor = point.safety_against_overturning();
     if factor.is_finite() {
         steps.add(about, "", ["SF_eff", "1/(k γ |1 + k'|)"], factor, NONE, "");
-        steps.note(
-            "It counts uplift and eccentric weight as a load, the classical factor as less resistance; they differ except at 1, \
-             which they pass together. From here on `k` and `k'` are the effective ones.",
-        );
+        steps.note(checks::two_factors(reduced));
+        steps.note("From here on `k` and `k'` are the effective ones.");
     }
 }
 

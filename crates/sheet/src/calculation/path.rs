@@ -1,12 +1,12 @@
 //! The way to the full load.
 
 use maud::html;
-use standfast::Mode;
 use standfast::contact::path;
+use standfast::{Departure, Mode};
 use standfast_cases::assess::verdict;
 use standfast_cases::{Assessed, View};
 
-use crate::measured::number;
+use crate::measured::{NONE, number};
 use crate::steps::Steps;
 
 pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, view: &View) {
@@ -30,6 +30,10 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, view: &View) {
         });
     }
     for sentence in verdict::path(assessed) {
-        steps.note(&sentence);
+        // Backticks would begin a formula.
+        steps.note(&sentence.replace('`', "'"));
+    }
+    if let Departure::At { factor, .. } = *assessed.departure() {
+        steps.know("λ_d", factor, NONE);
     }
 }

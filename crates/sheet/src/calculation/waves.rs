@@ -10,7 +10,7 @@ use crate::measured::{
 use crate::steps::{Step, Steps};
 
 pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
-    let Waves { sea, goda, .. } = wave;
+    let Waves { sea, choices, goda, .. } = wave;
     given(steps, case, wave);
     steps.heading("Wavelength and wave heights");
     let l0 = goda.deep_water_wavelength;
@@ -23,7 +23,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
     let about = "Depth five significant heights in front of the wall";
     steps.add(about, "Goda", ["h_b", "h + 5 H_13 tanθ"], goda.h_b, METRE, "h_b");
     coefficients(steps, wave);
-    pressures(steps, goda);
+    pressures(steps, goda, choices.uplift);
     resultants(steps, goda);
 }
 
@@ -64,11 +64,16 @@ fn coefficients(steps: &mut Steps, wave: &Waves) {
     steps.add("Pressure at the base", "Goda", formula, alpha_3, NONE, "alpha_3");
     let about = "Height above still water of the loaded wall";
     steps.add(about, "Goda", ["h_c*", "min(η*, h_c)"], h_c_star, METRE, "h_c_star");
-    steps.add("Pressure at its top", "Goda", ["α4", "1 − h_c*/η*"], alpha_4, NONE, "alpha_4");
+    let about = "Pressure at its top";
+    if eta_star > 0.0 {
+        steps.add(about, "Goda", ["α4", "1 − h_c*/η*"], alpha_4, NONE, "alpha_4");
+    } else {
+        steps.told(about, "α4", alpha_4, NONE, "nothing reaches above still water", "alpha_4");
+    }
     impulsive(steps, goda, choices.impulsive);
 }
 
-fn pressures(steps: &mut Steps, goda: &Goda) {
+fn pressures(steps: &mut Steps, goda: &Goda, uplift: bool) {
     steps.heading("Pressures");
     let formula = ["p1", "1/2 (1 + cos(β)) (λ1 α1 + λ2 α* cos(β)^2) ρ g H_max"];
     steps.add("At still water", "Goda", formula, goda.p1, KILOPASCAL, "p1");
@@ -78,7 +83,10 @@ fn pressures(steps: &mut Steps, goda: &Goda) {
     steps.add("At the top of the loaded wall", "Goda", ["p4", "α4 p1"], goda.p4, KILOPASCAL, "p4");
     let formula = format!("1/2 (1 + cos(β)) λ3 α1 {positive} ρ g H_max");
     let about = "Uplift at the seaward toe, falling to zero at the heel";
-    steps.add(about, "Goda", ["p_u", &formula], goda.pu, KILOPASCAL, "pu");
+    match uplift {
+        true => steps.add(about, "Goda", ["p_u", &formula], goda.pu, KILOPASCAL, "pu"),
+        false => steps.told(about, "p_u", goda.pu, KILOPASCAL, "none, as the case file says", "pu"),
+    }
 }
 
 fn resultants(steps: &mut Steps, goda: &Goda) {

@@ -53,7 +53,7 @@ pub enum Face {
     Right,
     /// The base; positions are distances to the right of O.
     Base,
-    /// The top; positions are distances to the right of its left edge.
+    /// The top; positions are distances to the right of O, as on the base.
     Top,
 }
 
@@ -102,7 +102,7 @@ impl PressureDiagram {
     }
 
     /// ∫p ds (N per metre run), and ∫p s ds (N·m per metre run), about the origin of positions.
-    fn resultant(&self) -> (f64, f64) {
+    pub fn resultant(&self) -> (f64, f64) {
         self.points.windows(2).fold((0.0, 0.0), |(force, moment), pair| {
             let [PressureAt { position: s1, pressure: p1 }, PressureAt { position: s2, pressure: p2 }] =
                 [pair[0], pair[1]];
@@ -202,10 +202,7 @@ fn pressed(body: &Body, face: Face, diagram: &PressureDiagram) -> Wrench {
         Face::Left => Wrench { x: force, p: 0.0, m: 0.0 - about_height },
         Face::Right => Wrench { x: 0.0 - force, p: 0.0, m: about_height },
         Face::Base => Wrench { x: 0.0, p: 0.0 - force, m: moment - force * body.heel_distance() },
-        Face::Top => {
-            let from_left = body.width() / 2.0 + body.centroid_offset();
-            Wrench { x: 0.0, p: force, m: force * from_left - moment }
-        }
+        Face::Top => Wrench { x: 0.0, p: force, m: force * body.heel_distance() - moment },
     }
 }
 
@@ -246,7 +243,7 @@ mod tests {
                         Face::Left => (Place { x: -5.0, y: s }, force, 0.0),
                         Face::Right => (Place { x: 5.0, y: s }, -force, 0.0),
                         Face::Base => (Place { x: s - 4.0, y: 0.0 }, 0.0, force),
-                        Face::Top => (Place { x: s - 5.0, y: 8.0 }, 0.0, -force),
+                        Face::Top => (Place { x: s - 4.0, y: 8.0 }, 0.0, -force),
                     };
                     let (sin, cos) = f64::sin_cos(theta);
                     let turned =

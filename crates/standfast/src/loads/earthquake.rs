@@ -29,6 +29,11 @@ impl Earthquake {
         Ok(Earthquake { horizontal: acceleration(horizontal)?, vertical: acceleration(vertical)? })
     }
 
+    /// The same with its accelerations times 1 or −1: to the other side, downwards for upwards.
+    pub fn turned(&self, side: f64, way: f64) -> Earthquake {
+        Earthquake { horizontal: self.horizontal * side, vertical: self.vertical * way }
+    }
+
     /// To the right, m/s².
     pub fn horizontal(&self) -> f64 {
         self.horizontal

@@ -1,6 +1,6 @@
 //! Horizontal forces in SI units, and their reduction to the report's k and k'.
 
-use super::{Action, Load, LoadKind, LoadSource};
+use super::{Load, LoadKind, Place};
 use crate::body::Body;
 use crate::error::InputError;
 use crate::initiation::Point;
@@ -46,8 +46,8 @@ impl HorizontalForce {
 
     /// The force as a load that varies.
     pub fn load(&self) -> Load {
-        let action = Action::horizontal(self.direction.sign() * self.magnitude, self.elevation);
-        Load::variable(LoadSource::Force, LoadKind::Horizontal, action)
+        let at = Place { x: 0.0, y: self.elevation };
+        Load { kind: LoadKind::Horizontal, ..Load::force(at, self.direction.sign() * self.magnitude, 0.0) }
     }
 
     /// The report's problem for this force on `body` with `friction` μ, at the acceleration of gravity `gravity`

@@ -25,6 +25,9 @@ pub use force::{HorizontalForce, Reduced};
 pub use uplift::Uplift;
 pub use water::StillWater;
 
+use crate::body::Body;
+use crate::wrench::Wrench;
+
 /// How a load counts among the [classical actions](crate::ClassicalActions).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
@@ -64,6 +67,8 @@ pub enum LoadSource {
     WaveUplift,
     /// A force.
     Force,
+    /// A pressure along a face, as given.
+    Pressure,
     /// Anything else.
     Other,
 }
@@ -75,8 +80,12 @@ pub struct Load {
     pub source: LoadSource,
     /// How it counts.
     pub kind: LoadKind,
+    /// What it is called, where its source does not say it.
+    pub name: Option<String>,
     /// Whether it is there all the time, or grows with the load factor.
     pub permanent: bool,
+    /// The partial factor by which it is multiplied; 1 for the load itself.
+    pub factor: f64,
     /// What acts where.
     pub action: Action,
 }
@@ -84,11 +93,43 @@ pub struct Load {
 impl Load {
     /// A load that is there all the time.
     pub fn permanent(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
-        Load { source, kind, permanent: true, action: action.into() }
+        Load { source, kind, name: None, permanent: true, factor: 1.0, action: action.into() }
     }
 
     /// A load that grows with the load factor.
     pub fn variable(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
-        Load { source, kind, permanent: false, action: action.into() }
+        Load { permanent: false, ..Load::permanent(source, kind, action) }
+    }
+
+    /// A pressure along a face, that varies: under the base it counts as uplift, on the top as weight, on a side as a push.
+    pub fn pressure(face: Face, diagram: PressureDiagram) -> Load {
+        let kind = match face {
+            Face::Left | Face::Right => LoadKind::Horizontal,
+            Face::Base => LoadKind::Uplift,
+            Face::Top => LoadKind::Weight,
+        };
+        Load::variable(LoadSource::Pressure, kind, Action::Pressure { face, diagram })
+    }
+
+    /// A force at a place of the body (N per metre run, to the right and upwards), that varies: a vertical one counts as weight,
+    /// any other as a push.
+    pub fn force(at: Place, right: f64, up: f64) -> Load {
+        let kind = if right == 0.0 { LoadKind::Weight } else { LoadKind::Horizontal };
+        Load::variable(LoadSource::Force, kind, Action::Force { at, right, up })
+    }
+
+    /// The same under a name.
+    pub fn named(self, name: impl Into<String>) -> Load {
+        Load { name: Some(name.into()), ..self }
+    }
+
+    /// The same multiplied by a partial factor.
+    pub fn times(self, factor: f64) -> Load {
+        Load { factor: self.factor * factor, ..self }
+    }
+
+    /// What it amounts to at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
+    pub fn wrench(&self, body: &Body, gravity: f64, pose: Pose) -> Wrench {
+        self.action.wrench(body, gravity, pose) * self.factor
     }
 }

@@ -121,7 +121,8 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     let α2 = ((h_b - d) / (3.0 * h_b) * (h_max / d).powi(2)).min(2.0 * d / h_max);
     let α3 = 1.0 - base_depth / h * (1.0 - 1.0 / κh.cosh());
     let h_c_star = η_star.min(crest_height);
-    let α4 = 1.0 - h_c_star / η_star;
+    // Without a standing pressure nothing reaches above still water.
+    let α4 = if η_star > 0.0 { 1.0 - h_c_star / η_star } else { 0.0 };
     let impulsive = Impulsive::of(h_max, h, d, section.berm_width / l);
     let α_impulsive = impulsive.alpha_i0 * impulsive.alpha_i1;
     let α_star = if choices.impulsive { α2.max(α_impulsive) } else { α2 };
@@ -131,7 +132,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     // A base so deep that α₃ is negative would be sucked at; there is no pressure then, and a warning.
     let p3 = α3.max(0.0) * p1;
     let p4 = α4 * p1;
-    let pu = obliquity * λ3 * α1 * α3.max(0.0) * ρ * g * h_max;
+    let pu = if choices.uplift { obliquity * λ3 * α1 * α3.max(0.0) * ρ * g * h_max } else { 0.0 };
     let uplift = 0.5 * pu * caisson_width;
     let mut goda = Goda {
         angle_deg,

@@ -109,12 +109,14 @@ pub struct Choices {
     pub impulsive: bool,
     /// By how much the waves are turned towards the normal, at most to it: 0 to 15 degrees.
     pub turn_deg: f64,
+    /// Whether the waves press under the base; not, where it is sealed.
+    pub uplift: bool,
 }
 
 impl Default for Choices {
     /// A plain wall, with the impulsive coefficient, waves not turned.
     fn default() -> Choices {
-        Choices { lambda: [1.0; 3], impulsive: true, turn_deg: 0.0 }
+        Choices { lambda: [1.0; 3], impulsive: true, turn_deg: 0.0, uplift: true }
     }
 }
 
@@ -174,7 +176,6 @@ impl Choices {
         for (factor, value) in factors {
             InputError::not_negative(factor, value)?;
         }
-        InputError::positive(Quantity::Lambda1, self.lambda[0])?;
         InputError::within(Quantity::WaveTurn, self.turn_deg, 0.0, 15.0, Expected::FifteenDegreesAtMost)?;
         Ok(())
     }

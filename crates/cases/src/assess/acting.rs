@@ -1,0 +1,140 @@
+//! Which loads act in a situation, and which others were tried, for reading.
+
+use standfast::loads::Earthquake;
+use standfast::{Mode, Outcome};
+
+use super::{Assessed, Assessment, Shaken, verdict};
+use crate::case::{Acting, Case, Combination, Direction, PointForce};
+use crate::describe::kilonewtons;
+use crate::layout::{columns, digits, paragraph, row};
+
+/// One line for each situation, the worst first.
+pub(super) fn summary(assessment: &Assessment) -> String {
+    let case = &assessment.case;
+    let alone = case.combinations.is_empty();
+    let mut rows = match alone {
+        true => vec![row!["", "force", "at"], row!["load", "kN/m", "m"]],
+        false => vec![row![""], row!["combination"]],
+    };
+    rows[0].extend(row!["", "SF", "SF", "leaves", "", ""]);
+    rows[1].extend(row!["mode", "slide", "turn", "rest at", "into", "unique"]);
+    rows.extend(assessment.worst_first().into_iter().map(|assessed| {
+        let mut row = row![assessment.name(assessed).unwrap_or_default()];
+        if let Acting::Alone(index) = assessed.acting {
+            let PointForce { magnitude, direction, elevation, distance, .. } = &case.forces[index];
+            let at = match direction {
+                Direction::Sideways(_) => *elevation,
+                _ => distance.unwrap_or(0.0),
+            };
+            row.extend(row![digits(magnitude / 1e3), digits(at)]);
+        }
+        row.extend(results(&assessed.outcome));
+        row
+    }));
+    let numbers: &[usize] = if alone { &[1, 2, 4, 5, 6] } else { &[2, 3, 4] };
+    columns(&rows, 2, numbers)
+}
+
+/// Mode, safety factors, departure and uniqueness, in the cells of a row.
+fn results(outcome: &Outcome) -> Vec<String> {
+    let factor = |factor| if outcome.full.is_lifted() { "none".to_owned() } else { digits(factor) };
+    row![
+        outcome.full.mode.map_or("none", Mode::symbol),
+        factor(outcome.stability.sliding),
+        factor(outcome.stability.overturning()),
+        verdict::departure_word(&outcome.departure),
+        outcome.departure.mode().map_or("", Mode::symbol),
+        if outcome.full.is_unique() { "yes" } else { "no" },
+    ]
+}
+
+/// The force that acts alone, or the factors of the combination.
+pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
+    let case = &assessment.case;
+    let several = assessment.all.len() > 1;
+    let title = |what: &str, index: usize, name: &Option<String>| {
+        let number = if several { format!(" {}", index + 1) } else { String::new() };
+        let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
+        paragraph(&format!("{what}{number}{name}"), 0)
+    };
+    match assessed.acting {
+        Acting::All => String::new(),
+        Acting::Alone(index) => {
+            let force = &case.forces[index];
+            title("Load", index, &force.name) + &columns(&point_force(case, force), 2, &[]) + "\n"
+        }
+        Acting::Combination(index) => {
+            let combination = &case.combinations[index];
+            let words = format!("factors: {}", factors(combination));
+            title("Combination", index, &combination.name) + &paragraph(&words, 2) + "\n"
+        }
+    }
+}
+
+/// The factors of a combination, as they are given.
+pub fn factors(combination: &Combination) -> String {
+    let factors = combination.factors.iter().map(|(name, factor)| format!("{name} {}", digits(*factor)));
+    factors.collect::<Vec<_>>().join(", ")
+}
+
+fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
+    let (arrow, towards) = match force.direction.word() {
+        "left" => ("←", "to the left"),
+        "right" => ("→", "to the right"),
+        "down" => ("↓", "downwards"),
+        _ => ("↑", "upwards"),
+    };
+    let mut rows = vec![row!["force F", format!("{} {arrow} {towards}", kilonewtons(force.magnitude))]];
+    match (force.direction, force.distance) {
+        (Direction::Sideways(_), _) | (_, None) => {
+            let above = force.elevation - case.body.centroid_height();
+            let side = if above < 0.0 { "below" } else { "above" };
+            let centre = format!("{} m {side} the centre of mass", digits(above.abs()));
+            rows.push(row!["elevation", format!("{} m above the base, {centre}", digits(force.elevation))]);
+        }
+        (_, Some(distance)) => rows.push(row!["distance", format!("{} m right of O", digits(distance))]),
+    }
+    rows
+}
+
+/// What acts beside what.
+pub(super) fn notes(case: &Case, assessed: &Assessed) -> String {
+    let words = match assessed.acting {
+        Acting::Alone(_) if case.forces.iter().filter(|force| force.acts_alone()).count() > 1 => {
+            "Of the forces that act alone, each is an alternative to the others; all other loads act beside it.".to_owned()
+        }
+        Acting::Combination(_) => {
+            "Loads that the combination does not name act as they are if they are permanent, and not at all if they are \
+             variable."
+                .to_owned()
+        }
+        _ => return String::new(),
+    };
+    paragraph(&words, 2)
+}
+
+/// The accelerations of the base that were tried, the one reported first.
+pub(super) fn earthquakes(case: &Case, assessed: &Assessed) -> String {
+    let Some(reported) = assessed.earthquake.filter(|_| !assessed.others.is_empty()) else {
+        return String::new();
+    };
+    let mut rows = vec![
+        row!["right", "up", "", "SF", "SF", "leaves", "", ""],
+        row!["of g", "of g", "mode", "slide", "turn", "rest at", "into", "unique"],
+    ];
+    let share = |acceleration: f64| digits(acceleration / case.gravity);
+    let row = |earthquake: &Earthquake, outcome: &Outcome| {
+        let mut row = row![share(earthquake.horizontal()), share(earthquake.vertical())];
+        row.extend(results(outcome));
+        row
+    };
+    rows.push(row(&reported, &assessed.outcome));
+    rows.extend(assessed.others.iter().map(|Shaken { earthquake, outcome }| row(earthquake, outcome)));
+    let mut text = "\nAccelerations of the base that were tried, the worst first\n".to_owned();
+    text += &columns(&rows, 2, &[0, 1, 3, 4, 5]);
+    text += &paragraph(
+        "All else in this answer is for the first. horizontal_fixed and vertical_fixed keep the signs given.",
+        2,
+    );
+    text
+}

@@ -1,0 +1,241 @@
+//! Pressures along faces, forces at points, and which of them act together.
+
+use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, PressureDiagram};
+use standfast::{Body, InputError, Quantity, Slip};
+
+use super::Given;
+use crate::error::{Fault, Place, Problem};
+use crate::key::{Id, Key, Table};
+
+/// A pressure along a face.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FacePressure {
+    /// What it is called.
+    pub name: Option<String>,
+    /// The face it presses on, inwards.
+    pub face: Face,
+    /// The pressure as it acts, scaled.
+    pub diagram: PressureDiagram,
+    /// What the pressures of the file are multiplied by.
+    pub scale: f64,
+    /// Whether it is there all the time.
+    pub permanent: bool,
+}
+
+/// A force at a point of the body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointForce {
+    /// What it is called.
+    pub name: Option<String>,
+    /// N per metre run.
+    pub magnitude: f64,
+    /// Where it points.
+    pub direction: Direction,
+    /// Above the base, m.
+    pub elevation: f64,
+    /// To the right of O, m; `None` at mid-width.
+    pub distance: Option<f64>,
+    /// Whether it is there all the time.
+    pub permanent: bool,
+    /// Whether it acts with all other loads, rather than alone of those that do.
+    pub together: bool,
+}
+
+/// Where a force points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// Horizontally.
+    Sideways(Slip),
+    /// With the weight.
+    Down,
+    /// Against the weight.
+    Up,
+}
+
+/// Loads that act together, each times a factor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Combination {
+    /// What it is called.
+    pub name: Option<String>,
+    /// The factors by the names of loads, or of tables: weight, water, uplift, wave, earthquake.
+    pub factors: Vec<(String, f64)>,
+}
+
+impl FacePressure {
+    /// The load.
+    pub fn load(&self) -> Load {
+        let load = Load::pressure(self.face, self.diagram.clone());
+        let load = Load { permanent: self.permanent, ..load };
+        match &self.name {
+            Some(name) => load.named(name),
+            None => load,
+        }
+    }
+}
+
+impl PointForce {
+    /// Whether it is an alternative to the others that act alone.
+    pub fn acts_alone(&self) -> bool {
+        !self.permanent && !self.together
+    }
+
+    /// The load on `body`.
+    pub fn load(&self, body: &Body) -> Load {
+        let at = At {
+            x: self.distance.map_or(0.0, |distance| distance - body.base_edges().left),
+            y: self.elevation,
+        };
+        let (right, up) = match self.direction {
+            Direction::Sideways(side) => (side.sign() * self.magnitude, 0.0),
+            Direction::Down => (0.0, -self.magnitude),
+            Direction::Up => (0.0, self.magnitude),
+        };
+        let load = Load { permanent: self.permanent, name: self.name.clone(), ..Load::force(at, right, up) };
+        match self.direction {
+            // Without a magnitude it is still a push.
+            Direction::Sideways(_) => Load { kind: standfast::loads::LoadKind::Horizontal, ..load },
+            _ => load,
+        }
+    }
+}
+
+impl Direction {
+    /// As in a case file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Direction::Sideways(Slip::Left) => "left",
+            Direction::Sideways(Slip::Right) => "right",
+            Direction::Down => "down",
+            Direction::Up => "up",
+        }
+    }
+}
+
+impl Given<'_> {
+    /// A force.
+    pub(super) fn force(&self, index: usize, body: &Body) -> Result<PointForce, Fault> {
+        let id = |key| Id { key, index };
+        let number = |key| self.inputs.number(id(key));
+        let missing = |key| self.missing(key, index);
+        let magnitude = number(Key::Force).ok_or_else(|| missing(Key::Force))?;
+        let direction = match self.inputs.choice(id(Key::Towards)) {
+            Some("right") => Direction::Sideways(Slip::Right),
+            Some("down") => Direction::Down,
+            Some("up") => Direction::Up,
+            _ => Direction::Sideways(Slip::Left),
+        };
+        let (elevation, distance) = (number(Key::Elevation), number(Key::LoadDistance));
+        let (elevation, distance) = match direction {
+            Direction::Sideways(_) => (elevation.ok_or_else(|| missing(Key::Elevation))?, distance),
+            _ => {
+                let distance = distance.ok_or_else(|| missing(Key::LoadDistance))?;
+                (elevation.unwrap_or(body.height()), Some(distance))
+            }
+        };
+        if elevation > body.height() {
+            return Err(Fault::new(Problem::AboveCrest { height: body.height() }, id(Key::Elevation)));
+        }
+        if let Direction::Sideways(side) = direction {
+            // As a point of the report's plane it has to be within range.
+            let force = HorizontalForce::new(magnitude, elevation, side);
+            let friction = self.number(Key::Friction).unwrap_or(0.0);
+            let reduced = force.and_then(|force| force.reduce(body, friction, self.inputs.gravity()));
+            reduced.map_err(|error| self.blame_in(Table::Load, index, error))?;
+        }
+        let truth = |key| self.inputs.truth(id(key)).unwrap_or(false);
+        Ok(PointForce {
+            name: self.inputs.text(id(Key::LoadName)).map(str::to_owned),
+            magnitude,
+            direction,
+            elevation,
+            distance,
+            permanent: truth(Key::LoadPermanent),
+            together: truth(Key::Together),
+        })
+    }
+
+    /// A pressure along a face.
+    pub(super) fn pressure(&self, index: usize, body: &Body) -> Result<FacePressure, Fault> {
+        let id = |key| Id { key, index };
+        let face =
+            self.inputs.choice(id(Key::PressedFace)).ok_or_else(|| self.missing(Key::PressedFace, index))?;
+        let (face, along, other, ends) = match face {
+            "left" => (Face::Left, Key::PressureElevation, Key::PressureDistance, [0.0, body.height()]),
+            "right" => (Face::Right, Key::PressureElevation, Key::PressureDistance, [0.0, body.height()]),
+            "base" => (Face::Base, Key::PressureDistance, Key::PressureElevation, [0.0, body.base_width()]),
+            _ => {
+                let left = body.base_edges().left - body.width() / 2.0;
+                (Face::Top, Key::PressureDistance, Key::PressureElevation, [left, left + body.width()])
+            }
+        };
+        if self.inputs.list(id(other)).is_some() {
+            return Err(Fault::new(Problem::WrongAlong { found: other, expected: along }, id(other)));
+        }
+        let list = |key| self.inputs.list(id(key)).ok_or_else(|| self.missing(key, index));
+        let (positions, pressures) = (list(along)?, list(Key::Pressures)?);
+        if positions.len() != pressures.len() || positions.len() < 2 {
+            let problem = Problem::Lengths { along, positions: positions.len(), pressures: pressures.len() };
+            return Err(Fault::new(problem, id(Key::Pressures)).and(id(along)));
+        }
+        let outside = |position: &&f64| **position < ends[0] - SLACK || **position > ends[1] + SLACK;
+        if let Some(&position) = positions.iter().find(outside) {
+            let problem = Problem::BesideFace { along, position, from: ends[0], to: ends[1] };
+            return Err(Fault::new(problem, id(along)));
+        }
+        let scale = self.inputs.number(id(Key::PressureFactor)).unwrap_or(1.0);
+        let points = positions.iter().zip(pressures);
+        let points = points.map(|(&position, &pressure)| PressureAt { position, pressure: pressure * scale });
+        let diagram = PressureDiagram::new(points.collect()).map_err(|error: InputError| {
+            let key = if error.quantity == Quantity::PressurePosition { along } else { Key::Pressures };
+            Fault::new(Problem::Impossible { key, error }, id(key))
+        })?;
+        let name = self.inputs.text(id(Key::PressureName)).map(str::to_owned);
+        let permanent = self.inputs.truth(id(Key::PressurePermanent)).unwrap_or(false);
+        Ok(FacePressure { name, face, diagram, scale, permanent })
+    }
+
+    /// A combination: it names loads that there are, each of them once.
+    pub(super) fn combination(
+        &self,
+        index: usize,
+        forces: &[PointForce],
+        pressures: &[FacePressure],
+    ) -> Result<Combination, Fault> {
+        let id = |key| Id { key, index };
+        let factors = self.inputs.factors(id(Key::LoadFactors));
+        let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
+        let tables = [
+            ("water", Table::Water),
+            ("uplift", Table::Uplift),
+            ("wave", Table::Wave),
+            ("earthquake", Table::Earthquake),
+        ];
+        let tables = tables.into_iter().filter(|(_, table)| self.inputs.has(*table)).map(|(name, _)| name);
+        let named =
+            forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
+        let names: Vec<&str> =
+            ["weight"].into_iter().chain(tables).chain(named.flatten().map(String::as_str)).collect();
+        for (name, _) in factors {
+            let problem = match names.iter().filter(|known| *known == name).count() {
+                1 => continue,
+                0 => {
+                    let names = names.iter().map(|name| (*name).to_owned()).collect();
+                    Problem::UnknownLoad { name: name.clone(), names }
+                }
+                _ => Problem::SameName { name: name.clone() },
+            };
+            return Err(Fault::new(problem, id(Key::LoadFactors)));
+        }
+        let name = self.inputs.text(id(Key::CombinationName)).map(str::to_owned);
+        Ok(Combination { name, factors: factors.to_vec() })
+    }
+
+    /// What the library refuses, shown at the key of one of several tables.
+    fn blame_in(&self, table: Table, index: usize, error: InputError) -> Fault {
+        let fault = self.blame_one_of(table.keys(), index, error);
+        fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Place::Table(table, index)))
+    }
+}
+
+/// How far a pressure may reach beyond its face by rounding, m.
+const SLACK: f64 = 1e-6;

@@ -1,0 +1,177 @@
+//! What is asked of the results of a case, and how far it is met: required factors, allowable pressures, modes not allowed.
+//!
+//! A criterion is a result of the [one list](crate::results) with a bound. Its utilisation is required/value where the value has
+//! to be at least, value/required where it has to be at most: up to 1 it is met.
+
+use standfast::{Departure, Modes};
+
+use crate::assess::Assessed;
+use crate::inputs::Inputs;
+use crate::key::Key;
+use crate::layout::{apart, digits};
+use crate::results::{ResultName, ResultValue};
+
+/// What is asked of a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Criterion {
+    /// The key under which it is asked; its name is that of the result.
+    pub key: Key,
+    /// The bound.
+    pub bound: Bound,
+}
+
+/// The bound of a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// It has to be at least this, in SI units.
+    AtLeast(f64),
+    /// It has to be at most this, in SI units.
+    AtMost(f64),
+    /// The body may take up none of these modes under the full load.
+    NoneOf(Modes),
+}
+
+/// How far a criterion is met in a situation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Check {
+    /// The criterion.
+    pub criterion: Criterion,
+    /// The value of the result, [infinite](ResultValue::Number) or [none](ResultValue::Nothing) where it is that.
+    pub value: ResultValue,
+    /// What of the bound is used; infinite where there is no value that could meet it, `None` for modes.
+    pub utilisation: Option<f64>,
+    /// Whether it is met.
+    pub met: bool,
+}
+
+/// The criteria that there are, the results they ask for, and whether these have to be at least or at most.
+const NUMBERS: [(Key, ResultName, fn(f64) -> Bound); 6] = [
+    (Key::LeastSliding, ResultName::SfSliding, Bound::AtLeast),
+    (Key::LeastOverturning, ResultName::SfOverturning, Bound::AtLeast),
+    (Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost),
+    (Key::LeastContact, ResultName::ContactShare, Bound::AtLeast),
+    (Key::GreatestEccentricity, ResultName::Eccentricity, Bound::AtMost),
+    (Key::LeastLoadFactor, ResultName::LoadFactor, Bound::AtLeast),
+];
+
+impl Criterion {
+    /// The criteria of a case.
+    pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
+        let numbers = NUMBERS
+            .iter()
+            .filter_map(|(key, _, bound)| Some(Criterion { key: *key, bound: bound(inputs.number(*key)?) }));
+        let modes = inputs.modes(Key::ModesNot);
+        let modes = modes.map(|modes| Criterion { key: Key::ModesNot, bound: Bound::NoneOf(modes) });
+        numbers.chain(modes).collect()
+    }
+
+    /// Its name: that of the result.
+    pub fn name(&self) -> &'static str {
+        self.key.name()
+    }
+
+    /// What is asked for, in words.
+    pub fn words(&self) -> &'static str {
+        let words = self.key.info().words;
+        words.split_once(": ").map_or(words, |(_, words)| words)
+    }
+
+    /// The bound as it is read: `≥ 1.2`, `≤ 400 kPa`, `none of RO, SRO-`.
+    pub fn required(&self) -> String {
+        match self.bound {
+            Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&digits(self.shown(least)))),
+            Bound::AtMost(most) => format!("≤ {}", self.with_unit(&digits(self.shown(most)))),
+            Bound::NoneOf(modes) => format!("none of {modes}"),
+        }
+    }
+
+    /// How far a situation meets it.
+    pub fn check(self, assessed: &Assessed) -> Check {
+        let result = NUMBERS.iter().find(|(key, _, _)| *key == self.key).map(|(_, result, _)| *result);
+        let value = match result {
+            // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
+            Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
+            Some(result) => result.of(assessed),
+            None => ResultValue::Modes(assessed.outcome.full.modes),
+        };
+        let (utilisation, met) = match (self.bound, value) {
+            (Bound::AtLeast(least), ResultValue::Number(value)) => {
+                // Neither a quotient by zero nor a rounded one decides.
+                (Some(if value > 0.0 { least / value } else { f64::INFINITY }), value >= least)
+            }
+            (Bound::AtMost(most), ResultValue::Number(value)) => (Some(value / most), value <= most),
+            (Bound::NoneOf(not), ResultValue::Modes(modes)) => {
+                // Where several modes are consistent, none of them may be one of these.
+                (None, !modes.is_empty() && modes.iter().all(|mode| !not.contains(mode)))
+            }
+            _ => (Some(f64::INFINITY), false),
+        };
+        Check { criterion: self, value, utilisation, met }
+    }
+
+    /// A number in the unit that it is read in.
+    fn shown(&self, si: f64) -> f64 {
+        if self.key == Key::GreatestBearing { si / 1e3 } else { si }
+    }
+
+    fn with_unit(&self, number: &str) -> String {
+        match self.key {
+            Key::GreatestBearing => format!("{number} kPa"),
+            Key::GreatestEccentricity => format!("{number} m"),
+            _ => number.to_owned(),
+        }
+    }
+}
+
+impl Check {
+    /// The value as it is read, with as many digits as tell it from the bound.
+    pub fn value_words(&self, assessed: &Assessed) -> String {
+        let criterion = &self.criterion;
+        let against = match criterion.bound {
+            Bound::AtLeast(bound) | Bound::AtMost(bound) => criterion.shown(bound),
+            Bound::NoneOf(_) => 0.0,
+        };
+        match (self.value, assessed.departure()) {
+            (ResultValue::Number(_), Departure::Never) if criterion.key == Key::LeastLoadFactor => {
+                "never leaves rest".to_owned()
+            }
+            (ResultValue::Number(_), Departure::AtOnce { .. }) if criterion.key == Key::LeastLoadFactor => {
+                "leaves rest at once".to_owned()
+            }
+            (ResultValue::Number(value), _) => {
+                let value = criterion.shown(value);
+                let text = if value == against { digits(value) } else { apart(&[value, against])[0].clone() };
+                if value.is_finite() { criterion.with_unit(&text) } else { text }
+            }
+            (ResultValue::Modes(modes), _) if modes.is_empty() => "none".to_owned(),
+            (ResultValue::Modes(modes), _) => modes.to_string(),
+            _ => "none".to_owned(),
+        }
+    }
+
+    /// What of the bound is used, as it is read.
+    pub fn utilisation_words(&self) -> String {
+        match self.utilisation {
+            // A number that rounds to 1 is not to be read as met when it is not.
+            Some(utilisation) if utilisation.is_finite() && utilisation != 1.0 => {
+                apart(&[utilisation, 1.0])[0].clone()
+            }
+            Some(utilisation) => digits(utilisation),
+            None => "–".to_owned(),
+        }
+    }
+
+    /// Whether it is met, in words.
+    pub fn met_words(&self) -> &'static str {
+        if self.met { "met" } else { "not met" }
+    }
+
+    /// How pressing it is: modes that are not allowed first, then by utilisation.
+    pub(crate) fn urgency(&self) -> f64 {
+        match (self.utilisation, self.met) {
+            (Some(utilisation), _) => utilisation,
+            (None, true) => 0.0,
+            (None, false) => f64::INFINITY,
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Which loads act, and which accelerations of the base were tried.
+
+use maud::{Markup, html};
+use standfast::Mode;
+use standfast::loads::Earthquake;
+use standfast_cases::assess::{factors, verdict};
+use standfast_cases::{Acting, Assessed, Assessment, Shaken};
+
+use crate::measured::{Measured, NONE, number};
+use crate::steps::Steps;
+
+pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Assessed) {
+    let case = &assessment.case;
+    if let Acting::Combination(index) = assessed.acting {
+        let factors = factors(&case.combinations[index]).replace('`', "'");
+        steps.note(&format!(
+            "Factors of the combination: {factors}. Loads that it does not name act as they are if they are permanent, and not \
+             at all if they are variable."
+        ));
+    }
+    let Some(reported) = assessed.earthquake.filter(|_| !assessed.others.is_empty()) else { return };
+    steps.note(
+        "The base may be shaken to either side and either way, unless the case fixes a sign. These accelerations were tried; all \
+         that follows is for the first, the worst.",
+    );
+    let others = assessed.others.iter().map(|Shaken { earthquake, outcome }| (earthquake, outcome));
+    let tried: Vec<_> = [(&reported, &assessed.outcome)].into_iter().chain(others).collect();
+    steps.push(html! {
+        table.numbers data-table="earthquakes" {
+            thead {
+                tr {
+                    th.n { "To the right, m/s²" }
+                    th.n { "Upwards, m/s²" }
+                    th { "Mode" }
+                    th.n { "Safety against sliding" }
+                    th.n { "Safety against overturning" }
+                    th { "Leaves rest at" }
+                }
+            }
+            tbody {
+                @for (earthquake, outcome) in tried {
+                    tr {
+                        (accelerations(earthquake))
+                        td { (outcome.full.mode.map_or("none", Mode::symbol)) }
+                        @for factor in [outcome.stability.sliding, outcome.stability.overturning()] {
+                            td.n { @if outcome.full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) } }
+                        }
+                        td { (verdict::departure_word(&outcome.departure)) }
+                    }
+                }
+            }
+        }
+    });
+}
+
+fn accelerations(earthquake: &Earthquake) -> Markup {
+    html! {
+        @for value in [earthquake.horizontal(), earthquake.vertical()] {
+            td.n { data value=(value) { (number(value)) } }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! What is asked of the results, step by step.
+
+use standfast_cases::criteria::{Bound, Check};
+use standfast_cases::{Assessed, Case, Key};
+
+use crate::measured::{KILOPASCAL, METRE, NONE, Unit};
+use crate::steps::Steps;
+
+pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
+    let checks = assessed.checks(case);
+    if checks.is_empty() {
+        return;
+    }
+    steps.heading("Criteria: what of each bound is used");
+    for check in checks {
+        one(steps, assessed, &check);
+    }
+}
+
+fn one(steps: &mut Steps, assessed: &Assessed, check: &Check) {
+    let criterion = &check.criterion;
+    let about = format!("{}, {}: {}", capital(criterion.words()), criterion.required(), check.met_words());
+    let name = format!("u_{}", letters(criterion.key));
+    let (bound, least) = match criterion.bound {
+        Bound::AtLeast(bound) => (bound, true),
+        Bound::AtMost(bound) => (bound, false),
+        Bound::NoneOf(_) => {
+            steps.note(&format!("{about}; the body may take up: {}.", check.value_words(assessed)));
+            return;
+        }
+    };
+    let (value, unit) = quantity(criterion.key);
+    let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
+    if utilisation == 0.0 || utilisation == f64::INFINITY {
+        return steps.told(&about, &name, utilisation, NONE, &check.value_words(assessed), "");
+    }
+    let required = format!("R_{}", letters(criterion.key));
+    steps.know(&required, bound, unit);
+    let formula = if least { format!("{required}/{value}") } else { format!("{value}/{required}") };
+    steps.add(&about, "", [&name, &formula], utilisation, NONE, "");
+}
+
+/// The name under which the calculation has the value of a criterion, and its unit.
+fn quantity(key: Key) -> (&'static str, Unit) {
+    match key {
+        Key::LeastSliding => ("SF_sliding", NONE),
+        Key::LeastOverturning => ("SF_overturning", NONE),
+        Key::GreatestBearing => ("p_max", KILOPASCAL),
+        Key::LeastContact => ("ψ", NONE),
+        Key::GreatestEccentricity => ("ε", METRE),
+        _ => ("λ_d", NONE),
+    }
+}
+
+/// What tells the criteria apart in an index.
+fn letters(key: Key) -> &'static str {
+    match key {
+        Key::LeastSliding => "s",
+        Key::LeastOverturning => "o",
+        Key::GreatestBearing => "p",
+        Key::LeastContact => "c",
+        Key::GreatestEccentricity => "e",
+        _ => "λ",
+    }
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
