@@ -34,6 +34,7 @@ pub mod couple;
 pub mod describe;
 pub mod design;
 mod error;
+mod excerpt;
 mod inputs;
 pub mod key;
 pub mod layout;
