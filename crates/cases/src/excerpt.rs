@@ -126,7 +126,8 @@ mod tests {
         let found = excerpt.read_span(&span, 0, 0).unwrap();
         assert_eq!((found.line(), found.column()), (1, start - 6));
         // Underlined as far as it is shown.
-        let (_, marked) = shown(&text, &[start..text.len() - 8]);
+        let rest = start..text.len() - 8;
+        let (_, marked) = shown(&text, std::slice::from_ref(&rest));
         assert!(marked[0].starts_with("wrong") && marked[0].ends_with('…'), "{marked:?}");
     }
 }

@@ -33,7 +33,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
             (table(assessment))
             p.note { "Common practice asks for " (TARGET) " at least of both safety factors." }
             @if !assessment.case.warnings().is_empty() {
-                p.note { "There are warnings about the range of the formulas; see section 7." }
+                p.note { "There are warnings about numbers that are unusual or outside the range of the formulas; see section 7." }
             }
         }
     }
