@@ -2,13 +2,14 @@
 
 use std::ops::Range as Span;
 
-use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+use miette::{Diagnostic, LabeledSpan, SourceCode};
 use standfast::InputError;
 use standfast::number::exact;
 use thiserror::Error;
 
+use crate::excerpt::Excerpt;
 use crate::key::{Id, Key, Kind, Range, Table};
-use crate::layout::plain;
+use crate::layout::{plain, shortened};
 use crate::suggest::closest;
 use crate::units::UnitError;
 
@@ -26,7 +27,7 @@ pub enum Problem {
     #[error("this is not valid TOML: {0}")]
     Syntax(String),
     /// A key that no case file has.
-    #[error("{} has no key `{name}`", table.header())]
+    #[error("{} has no key `{}`", table.header(), shortened(name))]
     UnknownKey {
         /// The table it is in.
         table: Table,
@@ -436,15 +437,15 @@ impl Fault {
 #[error("{problem}")]
 pub struct CaseError {
     problem: Problem,
-    source_code: Box<NamedSource<String>>,
+    source_code: Box<Excerpt>,
     spans: Vec<Span<usize>>,
 }
 
 impl CaseError {
     pub(crate) fn new(name: &str, text: &str, problem: Problem, spans: Vec<Span<usize>>) -> CaseError {
         let spans = spans.into_iter().map(|span| first_line(text, span)).collect();
-        let source_code = Box::new(NamedSource::new(name, text.to_owned()));
-        CaseError { problem, source_code, spans }
+        let (source_code, spans) = Excerpt::new(name, text, spans);
+        CaseError { problem, source_code: Box::new(source_code), spans }
     }
 
     /// What is wrong.

@@ -33,6 +33,15 @@ pub fn plain(x: f64) -> String {
     significant(x, 15)
 }
 
+/// Words from a file, shortened where they would fill the screen.
+pub fn shortened(written: &str) -> String {
+    const MOST: usize = 120;
+    match written.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &written[..end]),
+        None => written.to_owned(),
+    }
+}
+
 /// Words in lines of at most 88 characters, every line after `indent` spaces and ended by a newline.
 pub fn paragraph(text: &str, indent: usize) -> String {
     let mut lines: Vec<String> = Vec::new();

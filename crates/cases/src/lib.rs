@@ -35,6 +35,7 @@ pub mod criteria;
 pub mod describe;
 pub mod design;
 mod error;
+mod excerpt;
 mod inputs;
 pub mod key;
 pub mod layout;

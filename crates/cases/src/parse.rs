@@ -13,6 +13,7 @@ use crate::case::Case;
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
+use crate::layout::shortened;
 
 /// A case file: what it says, and where it says it.
 #[derive(Debug, Clone)]
@@ -266,12 +267,7 @@ impl Field<'_> {
 
     /// A value as it stands in the file, shortened where it would fill the screen.
     fn written(&self, value: &Spanned<DeValue<'_>>) -> String {
-        const MOST: usize = 120;
-        let written = self.text.get(value.span()).unwrap_or_default();
-        match written.char_indices().nth(MOST) {
-            Some((end, _)) => format!("{}…", &written[..end]),
-            None => written.to_owned(),
-        }
+        shortened(self.text.get(value.span()).unwrap_or_default())
     }
 
     fn out_of_range(&self, expected: &'static str) -> At {

@@ -4,6 +4,8 @@
 
 use thiserror::Error;
 
+use crate::layout::shortened;
+
 /// What a number measures, and so which units fit it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
@@ -140,7 +142,7 @@ pub enum UnitError {
     #[error("it has no unit")]
     Missing,
     /// The unit is unknown, or that of another quantity.
-    #[error("the unit `{0}` does not fit")]
+    #[error("the unit `{}` does not fit", shortened(.0))]
     Unknown(String),
 }
 

@@ -1,11 +1,15 @@
-//! What in a case is possible, but so unusual that it may be a slip: a name, and the value that triggered it.
+//! What in a case is possible, but so unusual that it may be a slip: a name, the value that triggered it, what is usual, and
+//! the key it came from. What is tried, and its limits, stand in `found`.
+
+mod found;
 
 use std::fmt;
 
-use standfast::{BaseEdges, Slip, wave};
+use standfast::{Slip, wave};
 
-use crate::case::{Case, Weight};
-use crate::layout::digits;
+use crate::key::{Key, Table};
+use crate::layout::{apart, digits};
+use found::{DENSITY, FRICTION, GRAVITY, HEIGHTS, SHAKING, WATER};
 
 /// A warning about a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +31,72 @@ pub enum Warning {
         /// The width of the base, m.
         base: f64,
     },
+    /// The body is lighter or heavier than what is built.
+    MeanDensity {
+        /// Mass over width and height, kg/m³.
+        density: f64,
+    },
+    /// The water is lighter or heavier than water is.
+    WaterDensity {
+        /// Where it is given.
+        key: Key,
+        /// kg/m³.
+        density: f64,
+    },
+    /// More friction than bases have.
+    HighFriction {
+        /// μ to stick.
+        friction: f64,
+    },
+    /// Another planet, or another unit.
+    UnusualGravity {
+        /// m/s².
+        gravity: f64,
+    },
+    /// The base is shaken with more than the acceleration of gravity.
+    StrongEarthquake {
+        /// Along the base, or vertically.
+        key: Key,
+        /// m/s².
+        acceleration: f64,
+        /// The same in multiples of the acceleration of gravity.
+        share: f64,
+    },
+    /// The largest wave does not go with the significant one.
+    WaveHeightRatio {
+        /// Hmax, m.
+        maximum: f64,
+        /// H13, m.
+        significant: f64,
+    },
+    /// The weight less buoyancy is more than the weight.
+    BuoyantAboveWeight {
+        /// W', N per metre run.
+        buoyant: f64,
+        /// m g, N per metre run.
+        weight: f64,
+    },
+    /// The weight less buoyancy is not the weight less the water that the section displaces.
+    BuoyantBesideDisplacement {
+        /// W', N per metre run.
+        buoyant: f64,
+        /// m g, N per metre run.
+        weight: f64,
+        /// ρ g × width of the base × depth of the base, N per metre run.
+        displaced: f64,
+    },
+    /// A wall is shaken in water that presses on it as if it were still.
+    EarthquakeWithoutAddedMass {
+        /// Along the base, m/s².
+        acceleration: f64,
+    },
+    /// Waves bring their own uplift.
+    UpliftBesideWave {
+        /// Of the table, at O and O', Pa.
+        given: [f64; 2],
+        /// Of the waves, at the seaward toe, Pa.
+        of_waves: f64,
+    },
     /// The waves leave the range of the formulas.
     Wave(wave::Warning),
 }
@@ -37,18 +107,36 @@ impl Warning {
         match self {
             Warning::BaseBeyondBody { .. } => "base-beyond-body",
             Warning::WeightBesideBase { .. } => "weight-beside-base",
+            Warning::MeanDensity { .. } => "mean-density",
+            Warning::WaterDensity { .. } => "water-density",
+            Warning::HighFriction { .. } => "high-friction",
+            Warning::UnusualGravity { .. } => "unusual-gravity",
+            Warning::StrongEarthquake { .. } => "strong-earthquake",
+            Warning::WaveHeightRatio { .. } => "wave-height-ratio",
+            Warning::BuoyantAboveWeight { .. } => "buoyant-above-weight",
+            Warning::BuoyantBesideDisplacement { .. } => "buoyant-beside-displacement",
+            Warning::EarthquakeWithoutAddedMass { .. } => "earthquake-without-added-mass",
+            Warning::UpliftBesideWave { .. } => "uplift-beside-wave",
             Warning::Wave(warning) => warning.name(),
         }
     }
 
     /// Whether it is about waves.
     pub fn is_about_waves(&self) -> bool {
-        matches!(self, Warning::Wave(_))
+        match self {
+            Warning::Wave(_) | Warning::WaveHeightRatio { .. } => true,
+            Warning::WaterDensity { key, .. } => key.info().table == Table::Wave,
+            _ => false,
+        }
     }
 }
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // A value is told apart from the limit that it is beyond.
+        let beyond = |value: f64, limit: f64| apart(&[value, limit]).swap_remove(0);
+        let kilonewtons = |force: f64| format!("{} kN/m", digits(force / 1e3));
+        let kilopascals = |pressure: f64| format!("{} kPa", digits(pressure / 1e3));
         match self {
             Warning::BaseBeyondBody { side, edge, beyond } => {
                 let (key, side) = match side {
@@ -64,30 +152,75 @@ impl fmt::Display for Warning {
                 digits(*arm),
                 digits(*base)
             ),
+            Warning::MeanDensity { density } => write!(
+                f,
+                "the mean density, mass/(width × height), is {} kg/m³; what is built has {DENSITY} kg/m³: see mass or \
+                 density, width and height, and their units",
+                beyond(*density, DENSITY.limit(*density))
+            ),
+            Warning::WaterDensity { key, density } => {
+                write!(
+                    f,
+                    "{key} = {} kg/m³; water has {WATER} kg/m³",
+                    beyond(*density, WATER.limit(*density))
+                )
+            }
+            Warning::HighFriction { friction } => write!(
+                f,
+                "friction = {}; between a body and its base it is {FRICTION} at most, as a rule",
+                beyond(*friction, FRICTION)
+            ),
+            Warning::UnusualGravity { gravity } => {
+                write!(
+                    f,
+                    "gravity = {} m/s²; on the ground it is {GRAVITY} m/s²",
+                    beyond(*gravity, GRAVITY.limit(*gravity))
+                )
+            }
+            Warning::StrongEarthquake { key, acceleration, share } => write!(
+                f,
+                "{key} = {} m/s² is {} g; the ground is seldom shaken with more than {SHAKING} g, and a number without \
+                 unit counts g",
+                digits(*acceleration),
+                beyond(*share, SHAKING.copysign(*share))
+            ),
+            Warning::WaveHeightRatio { maximum, significant } => write!(
+                f,
+                "Hmax = {} m is {} times H13 = {} m; {HEIGHTS} times is usual, 1.8 where no wave breaks",
+                digits(*maximum),
+                beyond(maximum / significant, HEIGHTS.limit(maximum / significant)),
+                digits(*significant)
+            ),
+            Warning::BuoyantAboveWeight { buoyant, weight } => write!(
+                f,
+                "buoyant_weight = {} is more than the weight m g = {}, from which buoyancy only takes",
+                kilonewtons(*buoyant),
+                kilonewtons(*weight)
+            ),
+            Warning::BuoyantBesideDisplacement { buoyant, weight, displaced } => write!(
+                f,
+                "buoyant_weight = {}, but the weight m g = {} less the water displaced, ρ g × width of the base × \
+                 base_depth = {}, is {}",
+                kilonewtons(*buoyant),
+                kilonewtons(*weight),
+                kilonewtons(*displaced),
+                kilonewtons(weight - displaced)
+            ),
+            Warning::EarthquakeWithoutAddedMass { acceleration } => write!(
+                f,
+                "earthquake.horizontal = {} m/s² shakes a wall in water, and there is no [added_mass]: the water's share \
+                 in the inertia and its pressure on the shaken wall are left out; sides = 1 or 2 counts them",
+                digits(*acceleration)
+            ),
+            Warning::UpliftBesideWave { given: [left, right], of_waves } => write!(
+                f,
+                "[uplift], {} at the left and {} at the right, acts beside the waves' own uplift, pu = {}: what is \
+                 one pressure is counted twice",
+                kilopascals(*left),
+                kilopascals(*right),
+                kilopascals(*of_waves)
+            ),
             Warning::Wave(warning) => warning.fmt(f),
         }
-    }
-}
-
-impl Case {
-    /// What is unusual about it.
-    pub fn warnings(&self) -> Vec<Warning> {
-        let mut warnings = Vec::new();
-        let half = self.body.width() / 2.0;
-        let BaseEdges { left, right } = self.body.base_edges();
-        for (side, edge) in [(Slip::Left, left), (Slip::Right, right)] {
-            if edge > half {
-                warnings.push(Warning::BaseBeyondBody { side, edge, beyond: edge - half });
-            }
-        }
-        let base = self.body.base_width();
-        if let Weight::Buoyant { arm, .. } = self.weight
-            && arm > base
-        {
-            warnings.push(Warning::WeightBesideBase { arm, base });
-        }
-        warnings
-            .extend(self.wave.iter().flat_map(|wave| wave.goda.warnings.iter().copied().map(Warning::Wave)));
-        warnings
     }
 }

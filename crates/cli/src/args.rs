@@ -145,10 +145,11 @@ pub enum Command {
 /// Arguments of `assess`.
 #[derive(Debug, Args)]
 pub struct AssessArgs {
-    /// The case file (TOML)
+    /// The case file (TOML); - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
-    /// Where to put the diagrams; made if it is not there [default: beside the case file]
+    /// Where to put the diagrams; made if it is not there [default: beside the case file, or here if it is read from
+    /// standard input, then as case.svg]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// How far to follow the rising load, as a multiple of the full load
@@ -165,7 +166,7 @@ pub struct AssessArgs {
 /// Arguments of `design`.
 #[derive(Debug, Args)]
 pub struct DesignArgs {
-    /// The case file (TOML)
+    /// The case file (TOML); - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
     /// What to vary: width, height, mass, friction, water_level, crest_height, or any number of the case as in wave.period
@@ -188,7 +189,7 @@ pub struct DesignArgs {
 /// Arguments of `sheet`.
 #[derive(Debug, Args)]
 pub struct SheetArgs {
-    /// The case file (TOML)
+    /// The case file (TOML); - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
     /// The file to write; its extension is html or pdf

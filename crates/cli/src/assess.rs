@@ -34,7 +34,7 @@ pub enum AssessError {
     #[error(transparent)]
     Mechanics(#[from] InputError),
     /// The diagram cannot be written.
-    #[error("{0}")]
+    #[error(transparent)]
     #[diagnostic(help("-o DIR puts the diagrams into another directory"))]
     Write(#[from] WriteError),
 }
@@ -48,7 +48,8 @@ pub struct Answered {
     pub undrawn: Option<AssessError>,
 }
 
-/// Assesses a case file, and writes its diagrams into `directory` or else beside it.
+/// Assesses a case file, and writes its diagrams into `directory` or else beside it; those of a case from standard input, `-`,
+/// into the current directory.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense.
@@ -97,10 +98,10 @@ fn draw(
         write::make_directory(directory)?;
     }
     let directory = directory.unwrap_or_else(|| case.parent().unwrap_or(Path::new("")));
-    let stem = case.file_stem().unwrap_or_default().to_string_lossy();
+    let stem = case_file::stem(case);
     for figure in assessment.figures(view)? {
         let file = directory.join(format!("{stem}{}.svg", figure.suffix));
-        if file.canonicalize().is_ok_and(|file| case.canonicalize().is_ok_and(|case| case == file)) {
+        if case_file::is_at(case, &file) {
             return Err(AssessError::Overwrite { path: case.to_owned() });
         }
         write::write_file(&file, figure.figure.svg().as_bytes())?;

@@ -1,7 +1,8 @@
-//! Case files, read.
+//! Case files, read: from a file, or from standard input where `-` stands in its place.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::io::{self, Read};
+use std::path::Path;
 
 use miette::Diagnostic;
 use standfast_cases::{CaseError, CaseFile};
@@ -11,19 +12,19 @@ use thiserror::Error;
 #[derive(Debug, Error, Diagnostic)]
 pub enum CaseFileError {
     /// The case file cannot be read.
-    #[error("cannot read {}: {cause}", path.display())]
+    #[error("cannot read {name}: {cause}")]
     System {
         /// The case file.
-        path: PathBuf,
+        name: String,
         /// What the system says.
-        cause: std::io::Error,
+        cause: io::Error,
     },
     /// The case file is not text.
-    #[error("{} is not UTF-8 text: line {line} has a byte that is no character", path.display())]
+    #[error("{name} is not UTF-8 text: line {line} has a byte that is no character")]
     #[diagnostic(help("save it as UTF-8"))]
     Encoding {
         /// The case file.
-        path: PathBuf,
+        name: String,
         /// The first line with such a byte, counted from one.
         line: usize,
     },
@@ -33,12 +34,36 @@ pub enum CaseFileError {
     Case(#[from] CaseError),
 }
 
+/// Whether a case is read from standard input.
+fn is_standard_input(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// What a case file is called.
+fn name(path: &Path) -> String {
+    if is_standard_input(path) { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// What the names of files that are written beside a case file begin with.
+pub fn stem(path: &Path) -> String {
+    if is_standard_input(path) {
+        return "case".to_owned();
+    }
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Whether `file` is the case file, so that writing the one would replace the other.
+pub fn is_at(path: &Path, file: &Path) -> bool {
+    !is_standard_input(path)
+        && file.canonicalize().is_ok_and(|file| path.canonicalize().is_ok_and(|case| case == file))
+}
+
 /// A case file.
 ///
 /// # Errors
 /// If it cannot be read, or is not understood.
 pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
-    Ok(CaseFile::parse(&path.display().to_string(), &read(path)?)?)
+    Ok(CaseFile::parse(&name(path), &read(path)?)?)
 }
 
 /// The text of a case file.
@@ -46,10 +71,18 @@ pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
 /// # Errors
 /// If it cannot be read, or is not text.
 fn read(path: &Path) -> Result<String, CaseFileError> {
-    let bytes = fs::read(path).map_err(|cause| CaseFileError::System { path: path.to_owned(), cause })?;
+    let read = || {
+        if !is_standard_input(path) {
+            return fs::read(path);
+        }
+        let mut bytes = Vec::new();
+        io::stdin().read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    let bytes = read().map_err(|cause| CaseFileError::System { name: name(path), cause })?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        CaseFileError::Encoding { path: path.to_owned(), line }
+        CaseFileError::Encoding { name: name(path), line }
     })
 }

@@ -83,7 +83,7 @@ pub fn sheet(
     paper: Paper,
 ) -> Result<(), SheetCommandError> {
     let sheet = Sheet::of_file(&case_file::parse(case)?, options)?;
-    if file.path.canonicalize().is_ok_and(|file| case.canonicalize().is_ok_and(|case| case == file)) {
+    if case_file::is_at(case, &file.path) {
         return Err(SheetCommandError::Overwrite { path: case.to_owned() });
     }
     match file.kind {

@@ -45,7 +45,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
                 (table(assessment))
             }
             @if !assessment.case.warnings().is_empty() {
-                p.note { "There are warnings about the range of the formulas; see section 7." }
+                p.note { "There are warnings about numbers that are unusual or outside the range of the formulas; see section 7." }
             }
         }
     }

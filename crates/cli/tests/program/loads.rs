@@ -90,10 +90,12 @@ fn case_file(case: &toml::Table, buoyant_weight: f64, heights: &str) -> String {
         "impulsive",
     ];
     format!(
-        "[body]\nwidth = {width}\nheight = {height}\nmass = \"346.05 t/m\"\nfriction = {friction}\n\
+        "[body]\nwidth = {width}\nheight = {height}\nmass = \"{mass} t/m\"\nfriction = {friction}\n\
          buoyant_weight = \"{buoyant_weight} kN/m\"\nweight_arm = {arm}\n[wave]\n{heights}{wave}",
         width = get("caisson_width"),
         height = get("base_depth") + get("crest_height"),
+        // At the mean density of Goda's; buoyancy is taken off already, and the results do not depend on it.
+        mass = 346.05 / (15.0 * 10.5) * get("caisson_width") * (get("base_depth") + get("crest_height")),
         friction = get("friction"),
         arm = arm * get("caisson_width"),
         wave = keys.iter().map(|key| line(case, key)).collect::<String>(),
@@ -156,6 +158,12 @@ fn published_cases_of_a_vertical_wall() {
         let buoyant_weight = case["buoyant_weight"].as_float().expect("a number");
         let document = assess(&case_file(case, buoyant_weight, &heights));
         check(&document, case["published"].as_table().expect("a table"), 3e-4);
+        // Nothing in them looks like a slip; what leaves the range of the formulas may.
+        for warning in document["warnings"].as_array().expect("a list") {
+            let name = warning["name"].as_str().expect("a name");
+            let of_formulas = ["impulsive-breaking", "higher-than-breaking", "base-below-bed"];
+            assert!(of_formulas.contains(&name), "{warning}");
+        }
     }
 }
 

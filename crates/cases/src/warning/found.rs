@@ -1,0 +1,421 @@
+//! Which warnings a case has, and their limits.
+
+use std::fmt;
+
+use standfast::wave::Heights;
+use standfast::{BaseEdges, Slip};
+
+use super::Warning;
+use crate::case::{Case, Waves, Weight};
+use crate::key::Key;
+
+/// What is usual, both ends included.
+pub(super) struct Usual {
+    from: f64,
+    to: f64,
+}
+
+/// What a number that was multiplied and divided again may be off by.
+const ROUNDING: f64 = 1e-12;
+
+impl Usual {
+    fn contains(&self, value: f64) -> bool {
+        (self.from * (1.0 - ROUNDING)..=self.to * (1.0 + ROUNDING)).contains(&value)
+    }
+
+    /// The limit that a value outside is beyond.
+    pub(super) fn limit(&self, value: f64) -> f64 {
+        if value < self.from { self.from } else { self.to }
+    }
+}
+
+impl fmt::Display for Usual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} to {}", self.from, self.to)
+    }
+}
+
+/// Of bodies that are built, from light concrete or cells filled with water to stone, kg/m³.
+pub(super) const DENSITY: Usual = Usual { from: 1000.0, to: 3000.0 };
+
+/// Of water, from warm and fresh to brine, kg/m³.
+pub(super) const WATER: Usual = Usual { from: 950.0, to: 1100.0 };
+
+/// On the ground, wherever it is, m/s².
+pub(super) const GRAVITY: Usual = Usual { from: 9.7, to: 9.9 };
+
+/// Hmax/H13: 1.8 by Goda's practice; less where the largest waves break, more in a long storm.
+pub(super) const HEIGHTS: Usual = Usual { from: 1.4, to: 2.2 };
+
+/// The largest friction between a body and its base.
+pub(super) const FRICTION: f64 = 1.0;
+
+/// The largest acceleration of the ground, in multiples of that of gravity.
+pub(super) const SHAKING: f64 = 1.0;
+
+/// How far a weight may be off by the rounding of its digits, as a share of m g.
+const ROUNDED: f64 = 1e-3;
+
+/// How far the buoyancy that was taken off may be from that of the rectangle under water, as a share of it: toes, slots and
+/// sloping faces change what a caisson displaces by less than a quarter, while to forget the buoyancy or to take it off twice
+/// changes it by the whole. An error of a quarter of the buoyancy moves the factor against sliding of a caisson by some 15 %.
+const SHAPE: f64 = 0.25;
+
+/// The same as a share of m g, for a body that stands in shallow water: there the buoyancy is less than what a rounded mass
+/// is off.
+const SHALLOW: f64 = 0.02;
+
+impl Case {
+    /// What is unusual about it.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut warnings = self.base();
+        warnings.extend(self.numbers());
+        warnings.extend(self.buoyancy());
+        warnings.extend(self.shaking());
+        warnings.extend(self.waves());
+        warnings
+    }
+
+    /// About what the body stands on.
+    fn base(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        let half = self.body.width() / 2.0;
+        let BaseEdges { left, right } = self.body.base_edges();
+        for (side, edge) in [(Slip::Left, left), (Slip::Right, right)] {
+            if edge > half {
+                warnings.push(Warning::BaseBeyondBody { side, edge, beyond: edge - half });
+            }
+        }
+        let base = self.body.base_width();
+        if let Weight::Buoyant { arm, .. } = self.weight
+            && arm > base
+        {
+            warnings.push(Warning::WeightBesideBase { arm, base });
+        }
+        warnings
+    }
+
+    /// About numbers that are unusual by themselves.
+    fn numbers(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        let density = self.body.mass() / (self.body.width() * self.body.height());
+        if !DENSITY.contains(density) {
+            warnings.push(Warning::MeanDensity { density });
+        }
+        let of_wave = self.wave.as_ref().map(|wave| (Key::WaveWaterDensity, wave.sea.water_density));
+        let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
+        if let Some((key, density)) = water.filter(|(_, density)| !WATER.contains(*density)) {
+            warnings.push(Warning::WaterDensity { key, density });
+        }
+        if self.friction > FRICTION {
+            warnings.push(Warning::HighFriction { friction: self.friction });
+        }
+        if !GRAVITY.contains(self.gravity) {
+            warnings.push(Warning::UnusualGravity { gravity: self.gravity });
+        }
+        warnings
+    }
+
+    /// About a weight from which buoyancy is taken off already.
+    fn buoyancy(&self) -> Option<Warning> {
+        let Weight::Buoyant { force: buoyant, .. } = self.weight else { return None };
+        let weight = self.body.mass() * self.gravity;
+        if buoyant > weight * (1.0 + ROUNDED) {
+            return Some(Warning::BuoyantAboveWeight { buoyant, weight });
+        }
+        let Waves { sea, section, .. } = self.wave.as_ref()?;
+        let displaced = sea.water_density * self.gravity * self.body.base_width() * section.base_depth;
+        let off = (weight - displaced - buoyant).abs();
+        let near = (SHAPE * displaced).max(SHALLOW * weight);
+        (off > near).then_some(Warning::BuoyantBesideDisplacement { buoyant, weight, displaced })
+    }
+
+    /// About an earthquake.
+    fn shaking(&self) -> Vec<Warning> {
+        let Some(earthquake) = self.earthquake else { return Vec::new() };
+        let mut warnings = Vec::new();
+        let horizontal = earthquake.horizontal();
+        for (key, acceleration) in [(Key::Horizontal, horizontal), (Key::Vertical, earthquake.vertical())] {
+            let share = acceleration / self.gravity;
+            if share.abs() > SHAKING {
+                warnings.push(Warning::StrongEarthquake { key, acceleration, share });
+            }
+        }
+        // W' says that there is water, too; waves come with one or the other.
+        let still = self.water.is_some_and(|water| water.left() > 0.0 || water.right() > 0.0);
+        let wet = still || self.weight != Weight::Total;
+        if wet && horizontal != 0.0 && self.added_mass.mass() == 0.0 {
+            warnings.push(Warning::EarthquakeWithoutAddedMass { acceleration: horizontal });
+        }
+        warnings
+    }
+
+    /// About waves.
+    fn waves(&self) -> Vec<Warning> {
+        let Some(wave) = &self.wave else { return Vec::new() };
+        let mut warnings = Vec::new();
+        if let Heights::Local { significant, maximum } = wave.heights
+            && !HEIGHTS.contains(maximum / significant)
+        {
+            warnings.push(Warning::WaveHeightRatio { maximum, significant });
+        }
+        // Where λ3 takes it away, it is not there twice.
+        let of_waves = wave.goda.pu;
+        if let Some(uplift) = self.uplift.filter(|uplift| uplift.left().max(uplift.right()) > 0.0)
+            && of_waves > 0.0
+        {
+            let given = [uplift.left(), uplift.right()];
+            warnings.push(Warning::UpliftBesideWave { given, of_waves });
+        }
+        warnings.extend(wave.goda.warnings.iter().copied().map(Warning::Wave));
+        warnings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CaseFile;
+
+    /// A case whose numbers are all usual; in water, shaken, under waves, each a variant of it.
+    const BLOCK: &str = "[body]\nwidth = 10\nheight = 10\nmass = 230e3\nfriction = 0.6\n";
+    const FORCE: &str = "[[load]]\nforce = 1e5\nelevation = 3\n";
+    const WATER_TABLE: &str = "[water]\nlevel = 6\ndensity = 1000\n";
+    const SHAKEN: &str = "[earthquake]\nhorizontal = 0.2\n";
+    const SEA: &str = "[wave]\nH13 = 3\nHmax = 5.4\nperiod = 10\nsea_bottom_slope = 0.01\nwater_depth = 9\n\
+        depth_above_berm = 5.5\nbase_depth = 6\ncrest_height = 4\nberm_width = 5\nangle_deg = 0\nwater_density = 1030\n";
+
+    fn warnings(text: &str) -> Vec<Warning> {
+        let file = CaseFile::parse("t.toml", text).unwrap();
+        file.case().unwrap_or_else(|error| panic!("{error}\n{text}")).warnings()
+    }
+
+    fn names(text: &str) -> Vec<&'static str> {
+        let of_formulas = |warning: &Warning| matches!(warning, Warning::Wave(_));
+        let warnings = warnings(text);
+        warnings.iter().filter(|warning| !of_formulas(warning)).map(Warning::name).collect()
+    }
+
+    /// With a number changed, the warnings of a case that has none.
+    fn with(text: &str, line: &str, other: &str) -> Vec<&'static str> {
+        assert!(text.contains(line), "{line}");
+        assert_eq!(names(text), [""; 0]);
+        names(&text.replace(line, other))
+    }
+
+    /// On and inside a limit nothing is said; just outside the warning of that name, and no other.
+    fn limits(text: &str, line: &str, name: &str, inside: &[&str], outside: &[&str]) {
+        for other in inside {
+            assert_eq!(with(text, line, other), [""; 0], "{other}");
+        }
+        for other in outside {
+            assert_eq!(with(text, line, other), [name], "{other}");
+        }
+    }
+
+    #[test]
+    fn numbers_by_themselves() {
+        let dry = format!("{BLOCK}{FORCE}");
+        let mass = "mass = 230e3";
+        limits(
+            &dry,
+            mass,
+            "mean-density",
+            &["mass = 100e3", "mass = 300e3"],
+            &["mass = 99.99e3", "mass = 300.1e3"],
+        );
+        let density = ["density = 1000", "density = 3000", "density = \"2.4 t/m3\""];
+        limits(&dry, mass, "mean-density", &density, &["density = 2.4", "density = 3001"]);
+        // 1000 kg/m³ × 0.1 m × 3.7 m and back are not quite 1000 kg/m³.
+        let rounded =
+            dry.replace("width = 10\nheight = 10\nmass = 230e3", "width = 0.1\nheight = 3.7\ndensity = 1000");
+        assert_eq!(names(&rounded), [""; 0]);
+        let friction = "friction = 0.6";
+        limits(&dry, friction, "high-friction", &["friction = 1"], &["friction = 1.001"]);
+        let gravity = |g: &str| dry.replace("[body]", &format!("gravity = {g}\n[body]"));
+        for (g, expected) in [
+            ("9.7", None),
+            ("9.9", None),
+            ("9.69", Some("unusual-gravity")),
+            ("9.91", Some("unusual-gravity")),
+        ] {
+            assert_eq!(names(&gravity(g)), Vec::from_iter(expected), "{g}");
+        }
+        let wet = format!("{BLOCK}{WATER_TABLE}");
+        let water = ["density = 950", "density = 1100"];
+        limits(&wet, "density = 1000", "water-density", &water, &["density = 949", "density = 1101"]);
+        let sea = format!("{}{SEA}", BLOCK.replace("mass", "buoyant_weight = 1650e3\nmass"));
+        let water = ["water_density = 1000", "water_density = 1100"];
+        limits(&sea, "water_density = 1030", "water-density", &water, &["water_density = 1101"]);
+        let [warning] = warnings(&sea.replace("density = 1030", "density = 1101"))[..] else { panic!() };
+        assert!(
+            warning.is_about_waves() && warning.to_string().starts_with("wave.water_density = 1101 kg/m³")
+        );
+    }
+
+    #[test]
+    fn an_earthquake() {
+        let name = "strong-earthquake";
+        let shaken = format!("{BLOCK}{SHAKEN}vertical = 0.1\n");
+        let horizontal = ["horizontal = 1", "horizontal = -1.0", "horizontal = \"9.8 m/s2\""];
+        limits(
+            &shaken,
+            "horizontal = 0.2",
+            name,
+            &horizontal,
+            &["horizontal = 1.01", "horizontal = \"-25 m/s2\""],
+        );
+        limits(&shaken, "vertical = 0.1", name, &["vertical = -1"], &["vertical = -1.01", "vertical = 1.01"]);
+
+        // In water its share has to be said, whatever says that there is water.
+        let name = "earthquake-without-added-mass";
+        let sea = format!("{}{SEA}", BLOCK.replace("mass", "buoyant_weight = 1650e3\nmass"));
+        let weight = format!("{}{SHAKEN}", BLOCK.replace("mass", "buoyant_weight = 1650e3\nmass"));
+        let level = "level = 6";
+        for wet in [&format!("{BLOCK}{WATER_TABLE}{SHAKEN}"), &format!("{sea}{SHAKEN}"), &weight] {
+            assert_eq!(names(wet), [name], "{wet}");
+            assert_eq!(names(&format!("{wet}[added_mass]\nmass = 20e3\n")), [""; 0], "{wet}");
+            assert_eq!(names(&wet.replace("horizontal = 0.2", "horizontal = 0\nvertical = 0.1")), [""; 0]);
+        }
+        let still = format!("{BLOCK}{WATER_TABLE}{SHAKEN}");
+        assert_eq!(names(&still.replace(level, "left = 0\nright = 0.01")), [name]);
+        assert_eq!(names(&still.replace(level, "left = 0.01\nright = 0")), [name]);
+        assert_eq!(names(&still.replace(level, "level = 0")), [""; 0]);
+    }
+
+    #[test]
+    fn heights_that_do_not_go_together() {
+        let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");
+        let name = "wave-height-ratio";
+        limits(&sea, "Hmax = 5.4", name, &["Hmax = 4.2", "Hmax = 6.6"], &["Hmax = 4.19", "Hmax = 6.61"]);
+        // From deep water the formulas say both.
+        assert_eq!(with(&sea, "H13 = 3\nHmax = 5.4", "deep_water_height = 3"), [""; 0]);
+    }
+
+    /// m g = 2256.3 kN/m; the section displaces 10 m × 6 m of 1030 kg/m³, 606.3 kN/m; W' = 1650.0 kN/m.
+    #[test]
+    fn a_buoyant_weight_that_is_none() {
+        let block = BLOCK.replace("mass", "buoyant_weight = 1650e3\nmass");
+        let weight = "buoyant_weight = 1650e3";
+        // A quarter of 606.3 kN/m to either side.
+        let inside = ["buoyant_weight = 1800e3", "buoyant_weight = 1500e3"];
+        let outside = ["buoyant_weight = 1803e3", "buoyant_weight = 1497e3", "buoyant_weight = 2256e3"];
+        limits(&format!("{block}{SEA}"), weight, "buoyant-beside-displacement", &inside, &outside);
+        // Without waves nothing says how deep it stands.
+        let above = ["buoyant_weight = 2259e3", "buoyant_weight = 2400e3"];
+        let inside = ["buoyant_weight = 2256.5e3", "buoyant_weight = 100e3"];
+        limits(&format!("{block}{FORCE}"), weight, "buoyant-above-weight", &inside, &above);
+        limits(&format!("{block}{SEA}"), weight, "buoyant-above-weight", &[], &above);
+        // In shallow water the rounding of the mass counts: 2 % of m g, 45.1 kN/m, about 2256.3 − 70.7 = 2185.6 kN/m.
+        let shallow = format!("{block}{SEA}").replace("base_depth = 6", "base_depth = 0.7");
+        let shallow = shallow
+            .replace("crest_height = 4", "crest_height = 9.3")
+            .replace(weight, "buoyant_weight = 2185e3");
+        let (inside, outside) = (["buoyant_weight = 2141e3"], ["buoyant_weight = 2140e3"]);
+        limits(&shallow, "buoyant_weight = 2185e3", "buoyant-beside-displacement", &inside, &outside);
+    }
+
+    #[test]
+    fn uplift_that_is_counted_twice() {
+        let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");
+        let uplift = "[uplift]\nleft = 0\nright = 20e3\n";
+        assert_eq!(names(&format!("{BLOCK}{FORCE}{uplift}")), [""; 0]);
+        assert_eq!(names(&format!("{sea}{}", uplift.replace("20e3", "0"))), [""; 0]);
+        assert_eq!(names(&format!("{sea}{uplift}")), ["uplift-beside-wave"]);
+        assert_eq!(
+            names(&format!("{sea}{}", uplift.replace("left = 0", "left = 1"))),
+            ["uplift-beside-wave"]
+        );
+    }
+
+    /// The base's own, which have no number that is a limit.
+    #[test]
+    fn a_base_that_is_not_under_the_body() {
+        let dry = format!("{BLOCK}{FORCE}");
+        limits(
+            &dry,
+            "mass",
+            "base-beyond-body",
+            &["base_left = 5\nmass"],
+            &["base_left = 5.1\nmass", "base_right = 6\nmass"],
+        );
+        let arm = |arm: &str| format!("buoyant_weight = 1650e3\nweight_arm = {arm}\nmass");
+        limits(&dry, "mass", "weight-beside-base", &[&arm("10")], &[&arm("10.1")]);
+    }
+
+    /// No example is suspected of a slip; for published cases see the program's tests.
+    #[test]
+    fn the_examples_are_no_slips() {
+        for text in [
+            include_str!("../../../../examples/block-two-loads.toml"),
+            include_str!("../../../../examples/caisson-in-air.toml"),
+            include_str!("../../../../examples/goda-2000.toml"),
+            include_str!("../../../../examples/goda-lower-berm.toml"),
+            include_str!("../../../../examples/head-difference.toml"),
+            include_str!("../../../../examples/monument.toml"),
+            include_str!("../../../../examples/seismic-block.toml"),
+        ] {
+            assert_eq!(names(text), [""; 0], "{text}");
+        }
+    }
+
+    /// Each says its value with unit, what is usual, and its key; a value beside its limit is told apart from it.
+    #[test]
+    fn messages_have_the_value_the_usual_and_the_key() {
+        let [schema, page] = [
+            include_str!("../../../../docs/answer.schema.json"),
+            include_str!("../../../../docs/theory/3-loads.md"),
+        ];
+        let dry = format!("{BLOCK}{FORCE}");
+        let sea = format!("{BLOCK}[water]\nlevel = 6\n{SEA}");
+        for (text, parts) in [
+            (
+                dry.replace("mass = 230e3", "mass = 240"),
+                ["2.4 kg/m³", "1000 to 3000 kg/m³", "mass or density"],
+            ),
+            (
+                dry.replace("mass = 230e3", "mass = 300.004e3"),
+                ["3000.04 kg/m³", "1000 to 3000 kg/m³", "mass or density"],
+            ),
+            (dry.replace("friction = 0.6", "friction = 6"), ["friction = 6", "it is 1 at most", "friction"]),
+            (
+                dry.replace("[body]", "gravity = 32.2\n[body]"),
+                ["gravity = 32.2 m/s²", "9.7 to 9.9 m/s²", "gravity"],
+            ),
+            (
+                format!("{BLOCK}{WATER_TABLE}").replace("1000", "1.03"),
+                ["water.density = 1.03 kg/m³", "950 to 1100 kg/m³", ""],
+            ),
+            (
+                format!("{BLOCK}{SHAKEN}vertical = -2\n"),
+                ["earthquake.vertical = -19.62 m/s² is -2 g", "more than 1 g", ""],
+            ),
+            (
+                sea.replace("Hmax = 5.4", "Hmax = 9"),
+                ["Hmax = 9 m is 3 times H13 = 3 m", "1.4 to 2.2 times is usual", ""],
+            ),
+            (
+                format!("{BLOCK}{WATER_TABLE}{SHAKEN}"),
+                ["earthquake.horizontal = 1.962 m/s²", "[added_mass]", "sides = 1 or 2"],
+            ),
+            (
+                format!("{sea}[uplift]\nleft = 0\nright = 20e3\n"),
+                ["0 kPa at the left and 20 kPa at the right", "pu = ", "[uplift]"],
+            ),
+            (
+                dry.replace("mass", "buoyant_weight = 2400e3\nmass"),
+                ["buoyant_weight = 2400 kN/m", "m g = 2256 kN/m", ""],
+            ),
+            (
+                format!("{}{SEA}", BLOCK.replace("mass", "buoyant_weight = 2250e3\nmass")),
+                ["buoyant_weight = 2250 kN/m", "base_depth = 606.3 kN/m", "is 1650 kN/m"],
+            ),
+        ] {
+            let warning = warnings(&text)[0];
+            let said = warning.to_string();
+            assert!(schema.contains(&format!("\"{}\"", warning.name())), "{warning}");
+            assert!(page.contains(&format!("| `{}` |", warning.name())), "{warning}");
+            assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        }
+    }
+}
