@@ -114,6 +114,17 @@ impl Verdict {
             }
             None => "There are no factors of safety.".to_owned(),
         };
+        // A body at rest is never said to rest without the lesser of its factors.
+        let lesser =
+            answer.factors.filter(|_| mode == Mode::Rest && !lifted).map_or(String::new(), |factors| {
+                let [sliding, overturning] = factors;
+                let (factor, against) =
+                    if overturning < sliding { (overturning, "overturning") } else { (sliding, "sliding") };
+                match factor.is_finite() {
+                    true => format!(", with a safety factor of {} against {against}", plain(factor)),
+                    false => String::new(),
+                }
+            });
         let orient = |mode| answer.point.map_or(mode, |reduced| reduced.orient(mode));
         let failed = |step: &standfast::initiation::Step| Failed {
             symbol: symbol(orient(step.mode)),
@@ -122,12 +133,12 @@ impl Verdict {
         Ok(Verdict {
             mode: mode.symbol(),
             symbol: symbol(mode),
-            sentence: format!("{lift}The body {words}."),
+            sentence: format!("{lift}The body {words}{lesser}."),
             tint: standfast_figures::tint_on_screen(mode),
             unique: others.is_empty(),
             uniqueness: uniqueness(answer, orient(Mode::RockO)),
             plain: format!(
-                "{}{}: {lift}the body {words}. {} {factors}",
+                "{}{}: {lift}the body {words}{lesser}. {} {factors}",
                 if state.waters.are_none() { "" } else { "Under all loads, water and uplift included. " },
                 mode.symbol().replace('\'', "′").replace('-', "−"),
                 if others.is_empty() { "The answer is unique." } else { "The answer is not unique." },

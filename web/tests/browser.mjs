@@ -75,3 +75,14 @@ export function numbers(seed) {
     return state / 2 ** 32;
   };
 }
+
+/** Whether a text speaks of a body in these words, and of one at rest with the lesser of its factors, if there is one. */
+export function says(text, words, { mode, sliding, overturning }) {
+  const said = text.match(/he body (.*?)(?:, with a safety factor of (\S+) against (sliding|overturning))?\.(?: |$)/);
+  if (!said || said[1] !== words.replaceAll("'", "′")) return false;
+  const lesser = Math.min(sliding ?? Infinity, overturning ?? Infinity);
+  if (mode !== "RE" || lesser === Infinity) return said[2] === undefined;
+  const against = overturning < sliding ? "overturning" : "sliding";
+  // Four digits are shown.
+  return said[3] === against && Math.abs(Number(said[2]) / lesser - 1) <= 5e-4;
+}

@@ -51,7 +51,7 @@ test("keys move the design point, the view and the sliders, and the verdict is r
   for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowLeft");
   await drawn(page);
   assert.equal(await mode(page), "RE");
-  await page.waitForFunction(() => document.getElementById("live").textContent.startsWith("RE: the body stays at rest. The answer is unique."));
+  await page.waitForFunction(() => document.getElementById("live").textContent.match(/^RE: the body stays at rest, with a safety factor of \S+ against \S+\. The answer is unique\./));
 
   const whole = await description(page);
   await page.keyboard.press("+");

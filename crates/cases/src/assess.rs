@@ -188,27 +188,28 @@ impl Assessed {
             let outcome = situation.outcome()?;
             Ok(Assessed { index, acting, earthquake, situation, outcome, others: Vec::new() })
         };
-        let tried: Vec<_> = case.earthquakes().into_iter().map(Some).collect();
-        let Some((given, others)) = tried.split_first() else { return shaken(None) };
-        let mut worst = shaken(*given)?;
-        let mut severity = worst.severity(case);
-        for other in others {
-            let mut other = shaken(*other)?;
-            let by = other.severity(case);
+        let Some((given, others)) =
+            case.earthquakes().split_first().map(|(given, others)| (*given, others.to_vec()))
+        else {
+            return shaken(None);
+        };
+        let tried = |earthquake| {
+            let assessed = shaken(Some(earthquake))?;
+            Ok((assessed.severity(case), assessed, earthquake))
+        };
+        let mut worst = tried(given)?;
+        let mut others: Vec<_> = others.into_iter().map(tried).collect::<Result<_, InputError>>()?;
+        for other in &mut others {
             // Of two that are the same but for rounding the given one stays.
-            if by.is_worse_than(&severity) {
-                other.others = std::mem::take(&mut worst.others);
-                std::mem::swap(&mut worst, &mut other);
-                severity = by;
+            if other.0.is_worse_than(&worst.0) {
+                std::mem::swap(other, &mut worst);
             }
-            worst.others.extend(other.shaken());
         }
-        Ok(worst)
-    }
-
-    fn shaken(self) -> Option<Shaken> {
-        let outcome = self.outcome;
-        self.earthquake.map(|earthquake| Shaken { earthquake, outcome })
+        others.sort_by(|(one, ..), (two, ..)| Severity::compare(one, two));
+        let others = others
+            .into_iter()
+            .map(|(_, Assessed { outcome, .. }, earthquake)| Shaken { earthquake, outcome });
+        Ok(Assessed { others: others.collect(), ..worst.1 })
     }
 
     /// The mode in which the body leaves rest.

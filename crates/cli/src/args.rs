@@ -21,6 +21,7 @@ Exit codes:
   0  done
   1  the input is wrong, or a file cannot be read or written
   2  the command line is wrong
+  3  with --check: a criterion of the case is not met
 
 Example:
   standfast assess examples/caisson-in-air.toml";
@@ -57,18 +58,29 @@ pub enum Command {
         \u{20} force = \"450 kN/m\"\n\
         \u{20} elevation = \"8 m\"       # above the base\n\
         \u{20} direction = \"left\"      # or \"right\"; left if not given\n\n\
-        Optional: title, note, gravity = \"9.81 m/s2\" at the top; name in a load.\n\n\
-        More loads, which act together and with each [[load]] in turn (quantities with units as above):\n\
+        Optional: title, note, gravity = \"9.81 m/s2\" at the top. In a load: name; direction down or up with\n\
+        its distance right of O; permanent = true; together = true. A load that is neither acts alone, as an\n\
+        alternative to the others, beside all loads below.\n\n\
+        More loads, which act together (quantities with units as above):\n\
         \u{20} [water]       level, or left and right, above the base; density\n\
         \u{20} [uplift]      left, right: pressures at the corners; grows = true to rise with the variable loads\n\
-        \u{20} [earthquake]  horizontal, vertical: of g, or \"2 m/s2\"; positive horizontal pushes the body left\n\
+        \u{20} [earthquake]  horizontal, vertical: of g, or \"2 m/s2\"; tried to both sides and both ways unless\n\
+        \u{20}               horizontal_fixed = true, vertical_fixed = true\n\
         \u{20} [wave]        Goda's pressures, sea at the right: deep_water_height, or H13 and Hmax; period,\n\
         \u{20}               sea_bottom_slope, water_depth, depth_above_berm, base_depth, crest_height,\n\
         \u{20}               berm_width, angle_deg, water_density; optional caisson_width, turn_deg,\n\
-        \u{20}               impulsive = true, lambda = [1, 1, 1]\n\
+        \u{20}               impulsive = true, lambda = [1, 1, 1], uplift = false\n\
+        \u{20} [[pressure]]  face = \"left\", \"right\", \"base\" or \"top\"; elevation = [\"0 m\", \"9 m\"] on a side,\n\
+        \u{20}               distance right of O on base and top; pressure = [\"54 kPa\", 0]; name; permanent; scale\n\
         \u{20} [added_mass]  sides = 1 or 2, or mass\n\
         \u{20} [body]        kinetic_friction, centroid_offset, centroid_height, moment_of_inertia, base_left,\n\
         \u{20}               base_right; buoyant_weight and weight_arm in place of [water]\n\n\
+        Which loads act, and what is asked of the results:\n\
+        \u{20} [[combination]]  name; factors = { weight = 0.9, wave = 1.3, crane = 1.5 } by the names of loads, or\n\
+        \u{20}               weight, water, uplift, wave, earthquake; of the loads not named the permanent ones act as\n\
+        \u{20}               they are, the variable ones not at all\n\
+        \u{20} [criteria]    SF_sliding, SF_overturning, contact_share, load_factor: at least; bearing_max,\n\
+        \u{20}               eccentricity: at most; modes_not = [\"RO\", \"SRO-\"]\n\n\
         --format json prints one document, schema 1, in SI units: docs/answer.schema.json.")]
     Assess(AssessArgs),
 
@@ -155,9 +167,12 @@ pub struct AssessArgs {
     /// How far to follow the rising load, as a multiple of the full load
     #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
     pub up_to: f64,
-    /// Show and draw every alternative load one by one; of more than 8, only those that leave rest first are
+    /// Show and draw every situation one by one; of more than 8, only the worst are
     #[arg(long)]
     pub all: bool,
+    /// End with exit code 3 if a criterion of the case is not met
+    #[arg(long)]
+    pub check: bool,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -26,6 +26,13 @@ pub enum AssessError {
         /// The case file.
         path: PathBuf,
     },
+    /// There are no criteria to check.
+    #[error("--check finds no [criteria] in {}", path.display())]
+    #[diagnostic(help("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2"))]
+    NothingToCheck {
+        /// The case file.
+        path: PathBuf,
+    },
     /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -46,6 +53,8 @@ pub struct Answered {
     pub answer: String,
     /// What prevented a diagram.
     pub undrawn: Option<AssessError>,
+    /// Whether all criteria are met; `None` where the case has none.
+    pub met: Option<bool>,
 }
 
 /// Assesses a case file, and writes its diagrams into `directory` or else beside it; those of a case from standard input, `-`,
@@ -58,8 +67,12 @@ pub fn assess(
     directory: Option<&Path>,
     view: &View,
     format: Format,
+    check: bool,
 ) -> Result<Answered, AssessError> {
     let assessment = Assessment::of(&case_file::parse(path)?.case()?)?;
+    if check && assessment.case.criteria.is_empty() {
+        return Err(AssessError::NothingToCheck { path: path.to_owned() });
+    }
     let mut drawn = Vec::new();
     let undrawn = draw(&assessment, view, path, directory, &mut drawn).err();
     let answer = match format {
@@ -77,7 +90,7 @@ pub fn assess(
             assessment.json(view, &drawn.into_iter().map(|Drawn { file, .. }| file).collect::<Vec<_>>())
         }
     };
-    Ok(Answered { answer, undrawn })
+    Ok(Answered { answer, undrawn, met: assessment.met() })
 }
 
 /// A diagram in its file.

@@ -40,18 +40,22 @@ use standfast_tables::{Summary, TableOptions};
 use args::{Cli, Command};
 use format::Format;
 
+/// How a command ended that did what it was asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// It is done.
+    Done,
+    /// It is done, and a criterion that was to be checked is not met.
+    NotMet,
+}
+
 /// Does what the command line says.
 ///
 /// # Errors
 /// If the input is wrong, or a file cannot be read or written.
-pub fn run(cli: Cli) -> Result<()> {
-    match cli.command {
-        Command::Assess(args) => {
-            let view = View { up_to: args.up_to, all: args.all };
-            let answered = assess::assess(&args.case, args.output.as_deref(), &view, args.format)?;
-            print(&answered.answer)?;
-            Ok(answered.undrawn.map_or(Ok(()), Err)?)
-        }
+pub fn run(cli: Cli) -> Result<Ended> {
+    let done = match cli.command {
+        Command::Assess(args) => return assess_command(&args),
         Command::Design(args) => {
             let args::DesignArgs { case, vary, target, from, to, format } = args;
             let file = case_file::parse(&case)?;
@@ -89,6 +93,18 @@ pub fn run(cli: Cli) -> Result<()> {
             clap_complete::generate(shell, &mut Cli::command(), "standfast", &mut script);
             print(&String::from_utf8_lossy(&script))
         }
+    };
+    done.map(|()| Ended::Done)
+}
+
+fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
+    let view = View { up_to: args.up_to, all: args.all };
+    let answered = assess::assess(&args.case, args.output.as_deref(), &view, args.format, args.check)?;
+    print(&answered.answer)?;
+    match answered.undrawn {
+        Some(error) => Err(error.into()),
+        None if args.check && answered.met == Some(false) => Ok(Ended::NotMet),
+        None => Ok(Ended::Done),
     }
 }
 

@@ -5,11 +5,13 @@
 use std::process::ExitCode;
 
 use clap::Parser;
+use standfast_cli::Ended;
 
 fn main() -> ExitCode {
     standfast_tables::silence_caught_panics();
     match standfast_cli::run(standfast_cli::args::Cli::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(Ended::Done) => ExitCode::SUCCESS,
+        Ok(Ended::NotMet) => ExitCode::from(3),
         Err(error) => {
             standfast_cli::complain(&standfast_cases::report(error.as_ref()));
             ExitCode::FAILURE

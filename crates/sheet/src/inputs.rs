@@ -81,18 +81,27 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
     let keys = keys(key);
     let words: Vec<_> = keys.iter().map(|key| key.info().words).collect();
     let numbers = keys.iter().filter_map(|&key| file.inputs().number(Id { key, index }));
-    let shown = key.info().range().is_some();
+    let list = file.inputs().list(entry.id).unwrap_or_default();
+    let shown = key.info().range().is_some() || !list.is_empty();
+    let numbers: Vec<f64> = numbers.chain(list.iter().copied()).filter(|_| shown).collect();
+    let count = numbers.len();
+    let written = file.written(entry);
+    let written = if written.starts_with('"') {
+        written.trim_matches('"').to_owned()
+    } else {
+        written.replace('"', "")
+    };
     html! {
         tr {
             td { (words.join(", ")) " " code { (key.entry()) } }
             td { (sign(key)) }
-            td.written { (file.written(entry).trim_matches('"')) }
+            td.written { (written) }
             td.n {
-                @for (i, value) in numbers.filter(|_| shown).enumerate() {
+                @for (i, &value) in numbers.iter().enumerate() {
                     @if i > 0 { ", " }
                     data value=(value) { (number(value)) }
                     @if key.entry().ends_with("_deg") { "°" }
-                    @if let Some(dimension) = key.info().dimension() {
+                    @if let Some(dimension) = key.info().dimension().filter(|_| i + 1 == count) {
                         "\u{a0}" span.unit { (dimension.symbol()) }
                     }
                 }

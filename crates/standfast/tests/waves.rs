@@ -485,6 +485,22 @@ fn the_factors_scale_their_parts() {
     assert!((with([0.5, 0.0, 1.0]).p1 - 0.5 * standing.p1).abs() < 1e-9 * plain.p1);
     assert!((with([1.0, 1.0, 0.25]).uplift - 0.25 * plain.uplift).abs() < 1e-9 * plain.uplift);
     assert!((with([0.5, 1.0, 1.0]).eta_star - 0.5 * plain.eta_star).abs() < 1e-12);
+    // Without a standing pressure the breaking one is left, up to still water; without any there is nothing.
+    let breaking = with([0.0, 1.0, 1.0]);
+    assert!((breaking.p1 - (plain.p1 - standing.p1)).abs() < 1e-9 * plain.p1);
+    assert_eq!((breaking.eta_star, breaking.h_c_star, breaking.p4), (0.0, 0.0, 0.0));
+    let none = with([0.0; 3]);
+    assert_eq!((none.force, none.force_moment, none.uplift), (0.0, 0.0, 0.0));
+}
+
+/// A sealed base is pressed by no wave; all else stays.
+#[test]
+fn a_base_may_be_without_uplift() {
+    let (sea, heights, section) = example();
+    let with = |uplift| goda(&sea, &heights, &section, &Choices { uplift, ..Choices::default() }).unwrap();
+    let (open, sealed) = (with(true), with(false));
+    assert!(open.uplift > 0.0 && sealed.pu == 0.0 && sealed.uplift == 0.0 && sealed.uplift_moment == 0.0);
+    assert_eq!((sealed.force, sealed.force_moment), (open.force, open.force_moment));
 }
 
 /// A base so deep that α₃ < 0 is neither sucked down nor pulled seaward.
@@ -723,7 +739,6 @@ fn every_number_is_checked() {
         assert_eq!(refused(sea, heights, section, default), quantity);
     }
     for (lambda, quantity) in [
-        ([0.0, 1.0, 1.0], Quantity::Lambda1),
         ([-1.0, 1.0, 1.0], Quantity::Lambda1),
         ([1.0, -1.0, 1.0], Quantity::Lambda2),
         ([1.0, 1.0, nan], Quantity::Lambda3),

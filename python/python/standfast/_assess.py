@@ -103,8 +103,9 @@ class Assessment(Answer):
     """The answer to a case: the program's, as text, figures and numbers.
 
     ``print`` shows the text. The keys of the JSON document, which ``docs/answer.schema.json`` describes, are attributes. The
-    answer to each of the forces of a case, which are alternatives, is one of :attr:`situations`; where there is only one, its
-    keys are attributes of the assessment as well: ``mode``, ``departure``, ``load_factor``, ``SF_sliding``, ``k_eff``, ...
+    answer to each combination of a case, or to each of its forces that act alone, is one of :attr:`situations`; where there is
+    only one, its keys are attributes of the assessment as well: ``mode``, ``departure``, ``load_factor``, ``SF_sliding``,
+    ``k_eff``, ... ``met`` says whether all ``criteria`` of the case are met; it is ``None`` where the case has none.
     """
 
     _what = "this assessment"
@@ -118,23 +119,24 @@ class Assessment(Answer):
 
     @functools.cached_property
     def situations(self) -> list[Answer]:
-        """The answers to the forces of the case, each an alternative to the others; one where it has none."""
+        """The answers to the combinations of the case, or to its forces that act alone; else one, to all loads."""
         return [Answer(situation) for situation in self["situations"]]
 
     @property
     def governing(self) -> Answer:
-        """The situation that leaves rest first; the item ``"governing"`` is its place among :attr:`situations`."""
+        """The worst situation; the item ``"governing"`` is its place among :attr:`situations`."""
         place: int = self["governing"]
         return self.situations[place]
 
     def __getattr__(self, name: str) -> Any:
         situations = self["situations"] if "_document" in self.__dict__ and not name.startswith("_") else []
-        if situations and any(_attribute(key) == name for key in situations[0]):
+        own = name in ("criteria", "met")
+        if situations and not own and any(_attribute(key) == name for key in situations[0]):
             if len(situations) == 1:
                 return getattr(self.situations[0], name)
             raise AttributeError(
-                f"the case has {len(situations)} situations, one for each load; see situations[0].{name} and so on, or "
-                f"governing.{name}, that of the one which leaves rest first",
+                f"the case has {len(situations)} situations; see situations[0].{name} and so on, or governing.{name}, that of "
+                "the worst one",
                 name=name,
                 obj=self,
             )
@@ -154,7 +156,9 @@ class Assessment(Answer):
     def __repr__(self) -> str:
         modes = [situation["mode"] or "none" for situation in self["situations"]]
         shown = ", ".join(modes) if len(modes) <= _SHOWN else f"{len(modes)} situations"
-        return f"<Assessment {self['title'] or 'of a case'}: {shown}>"
+        not_met = [criterion["name"] for criterion in self["criteria"] if not criterion["met"]]
+        criteria = f"; not met: {', '.join(not_met)}" if not_met else "; criteria met" if self["met"] else ""
+        return f"<Assessment {self['title'] or 'of a case'}: {shown}{criteria}>"
 
     def _repr_svg_(self) -> str | None:
         return self.figures[0].svg if self.figures else None
@@ -175,7 +179,7 @@ def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2
         case: the path of a case file, or a dict with the same keys: ``{"body": {"width": "15 m", ...}, ...}``.
             Numbers with units are texts, as in the file.
         up_to: how far the path of a rising load is followed, in multiples of the load.
-        all: whether text and figures show every load one by one; otherwise, of more than eight, those that govern. The
+        all: whether text and figures show every situation one by one; otherwise, of more than eight, the worst. The
             numbers are always those of all.
 
     Raises:

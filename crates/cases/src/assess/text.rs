@@ -76,6 +76,7 @@ pub fn criteria_met(assessment: &Assessment) -> String {
         checks.iter().filter(|check| !check.check.met).map(|check| check.check.criterion.name()).collect();
     match (checks.len(), failed.as_slice()) {
         (1, []) => "The criterion is met.".to_owned(),
+        (2, []) => "Both criteria are met.".to_owned(),
         (count, []) => format!("All {count} criteria are met."),
         (_, failed) => format!("Not met: {}.", failed.join(", ")),
     }

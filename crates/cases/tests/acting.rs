@@ -1,0 +1,338 @@
+//! Which loads act: pressures along faces, forces at points, combinations, both directions of an earthquake; held against
+//! Goda's diagram, sums by hand and mirror images.
+
+use standfast::{Departure, Mode, Wrench};
+use standfast_cases::results::{ResultName, ResultValue};
+use standfast_cases::{Acting, Assessed, Assessment, CaseFile};
+
+fn assess(text: &str) -> Assessment {
+    let case = CaseFile::parse("case.toml", text).and_then(|file| file.case());
+    Assessment::of(&case.unwrap_or_else(|error| panic!("{error}: {text}"))).unwrap()
+}
+
+fn number(assessed: &Assessed, result: ResultName) -> f64 {
+    match result.of(assessed) {
+        ResultValue::Number(number) => number,
+        other => panic!("{} is {other:?}", result.name()),
+    }
+}
+
+fn close(one: f64, two: f64) -> bool {
+    one == two || (one - two).abs() <= 1e-12 * one.abs().max(two.abs()).max(1.0)
+}
+
+fn same(one: &Wrench, two: &Wrench) -> bool {
+    // In N and N·m of loads of MN: what rounding leaves of sums.
+    let near = |one: f64, two: f64| (one - two).abs() < 1e-6;
+    near(one.x, two.x) && near(one.p, two.p) && near(one.m, two.m)
+}
+
+const CAISSON: &str =
+    "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\nbuoyant_weight = 2318640\n";
+
+/// Goda's pressures typed in as a table are Goda's answer.
+#[test]
+fn a_table_of_goda_s_pressures_is_goda_s_answer() {
+    for (extra, uplift) in [("", true), ("uplift = false\n", false), ("lambda = [1, 0.5, 0.7]\n", true)] {
+        let wave = format!(
+            "{CAISSON}[wave]\ndeep_water_height = 6.3\nperiod = 11.4\nsea_bottom_slope = 0.01\nwater_depth = 10.1\n\
+             depth_above_berm = 5.6\nbase_depth = 7.1\ncrest_height = 3.4\nberm_width = 8\nangle_deg = 15\n\
+             water_density = 1030\n{extra}"
+        );
+        let by_goda = assess(&wave);
+        let goda = &by_goda.case.wave.as_ref().unwrap().goda;
+        let (p1, p3, p4, pu, top) = (goda.p1, goda.p3, goda.p4, goda.pu, 7.1 + goda.h_c_star);
+        assert_eq!(pu > 0.0, uplift);
+        let table = format!(
+            "{CAISSON}[[pressure]]\nface = \"right\"\nelevation = [0, 7.1, {top:?}]\npressure = [{p3:?}, {p1:?}, {p4:?}]\n\
+             [[pressure]]\nface = \"base\"\ndistance = [0, 15]\npressure = [0, {pu:?}]\n"
+        );
+        let by_table = assess(&table);
+        let (one, two) = (&by_goda.all[0], &by_table.all[0]);
+        assert!(same(&one.outcome.full.wrench, &two.outcome.full.wrench));
+        assert_eq!(one.outcome.full.mode, two.outcome.full.mode);
+        for result in [
+            ResultName::SfSliding,
+            ResultName::SfOverturning,
+            ResultName::LoadFactor,
+            ResultName::HeelPressure,
+            ResultName::ToePressure,
+            ResultName::P,
+            ResultName::Mp,
+            ResultName::U,
+            ResultName::Mu,
+            ResultName::Eccentricity,
+        ] {
+            let (one, two) = (number(one, result), number(two, result));
+            assert!((one - two).abs() <= 1e-9 * one.abs(), "{}: {one}, {two}", result.name());
+        }
+    }
+}
+
+/// Still water under and beside a body, and over its crest, as pressures: the weight of the water displaced is lifted, whatever
+/// the depth.
+#[test]
+fn a_body_under_water_is_lifted_by_what_it_displaces() {
+    let (unit_weight, width, height) = (1025.0 * 9.81, 15.0, 10.5);
+    for above in [0.0, 3.0] {
+        let (top, base) = (unit_weight * above, unit_weight * (above + height));
+        let text = format!(
+            "[body]\nwidth = {width}\nheight = {height}\nmass = 346050\nfriction = 0.6\nbase_left = 7\nbase_right = 7.5\n\
+             [[pressure]]\nface = \"left\"\nelevation = [0, 10.5]\npressure = [{base}, {top}]\npermanent = true\n\
+             [[pressure]]\nface = \"right\"\nelevation = [0, 10.5]\npressure = [{base}, {top}]\npermanent = true\n\
+             [[pressure]]\nface = \"top\"\ndistance = [-0.5, 14.5]\npressure = [{top}, {top}]\npermanent = true\n\
+             [[pressure]]\nface = \"base\"\ndistance = [0, 14.5]\npressure = [{base}, {base}]\npermanent = true\n"
+        );
+        let wrench = assess(&text).all[0].outcome.full.wrench;
+        // The base is half a metre narrower than the top.
+        let lift = unit_weight * (width * height) - base * 0.5;
+        let expected = Wrench { x: 0.0, p: 346050.0 * 9.81 - lift, m: base * 14.5 * 0.25 };
+        assert!(same(&wrench, &expected), "{wrench:?} {expected:?}");
+    }
+}
+
+const QUAY: &str = "[body]\nwidth = 8\nheight = 10\nmass = 180e3\nfriction = 0.6\ncentroid_offset = 0.4\n\
+    [water]\nleft = 6\nright = 7\ndensity = 1025\n\
+    [[pressure]]\nname = \"soil\"\nface = \"right\"\nelevation = [0, 9]\npressure = [40e3, 0]\npermanent = true\n\
+    [[pressure]]\nname = \"surcharge\"\nface = \"right\"\nelevation = [0, 10]\npressure = [5e3, 5e3]\nscale = 1.2\n\
+    [[load]]\nname = \"bollard\"\nforce = 30e3\nelevation = 10\ntogether = true\n\
+    [[load]]\nname = \"crane\"\nforce = 100e3\ndirection = \"down\"\ndistance = 1.5\ntogether = true\n\
+    [[load]]\nname = \"barrier\"\nforce = 4e3\ndirection = \"up\"\ndistance = 7\npermanent = true\n";
+
+/// The loads of the quay one by one, by hand: x to the right, p downwards, m about C, which lies at (4.4, 5) from O.
+fn quay() -> [(&'static str, bool, Wrench); 6] {
+    let unit_weight = 1025.0 * 9.81;
+    let (left, right) = (unit_weight * 6.0, unit_weight * 7.0);
+    let wrench = |x: f64, p: f64, m: f64| Wrench { x, p, m };
+    let water = wrench(
+        unit_weight * (36.0 - 49.0) / 2.0,
+        -(left + right) / 2.0 * 8.0,
+        // The sides about C; the base's trapezoid at its centroid.
+        -unit_weight * 18.0 * (2.0 - 5.0)
+            + unit_weight * 24.5 * (7.0 / 3.0 - 5.0)
+            + (left + right) / 2.0 * 8.0 * ((left + 2.0 * right) / (3.0 * (left + right)) * 8.0 - 4.4),
+    );
+    [
+        ("weight", true, wrench(0.0, 180e3 * 9.81, 0.0)),
+        ("water", true, water),
+        ("soil", true, wrench(-180e3, 0.0, 180e3 * (3.0 - 5.0))),
+        ("surcharge", false, wrench(-60e3, 0.0, 0.0)),
+        ("bollard", false, wrench(-30e3, 0.0, 30e3 * 5.0)),
+        ("crane", false, wrench(0.0, 100e3, 100e3 * (4.4 - 1.5))),
+    ]
+}
+
+const BARRIER: Wrench = Wrench { x: 0.0, p: -4e3, m: 4e3 * (7.0 - 4.4) };
+
+/// Without combinations all that acts together does; the sums are those by hand.
+#[test]
+fn loads_act_together() {
+    let assessment = assess(QUAY);
+    assert_eq!(assessment.all.len(), 1);
+    assert_eq!(assessment.all[0].acting, Acting::All);
+    let sum = quay().iter().fold(BARRIER, |sum, (_, _, wrench)| sum + *wrench);
+    assert!(same(&assessment.all[0].outcome.full.wrench, &sum));
+}
+
+/// A combination is the sum of its loads times its factors: permanent ones it does not name act as they are, variable ones not.
+#[test]
+fn combinations_are_sums_by_hand() {
+    let combinations: [&[(&str, f64)]; 5] = [
+        &[("surcharge", 1.0), ("bollard", 1.0), ("crane", 1.0)],
+        &[("weight", 0.9), ("soil", 1.35), ("surcharge", 1.5)],
+        &[("crane", 1.5), ("water", 1.1)],
+        &[("barrier", 0.0), ("bollard", 1.5)],
+        &[("weight", 1.0)],
+    ];
+    let mut text = QUAY.to_owned();
+    for factors in combinations {
+        let factors: Vec<_> = factors.iter().map(|(name, factor)| format!("{name} = {factor:?}")).collect();
+        text += &format!("[[combination]]\nfactors = {{ {} }}\n", factors.join(", "));
+    }
+    let assessment = assess(&text);
+    assert_eq!(assessment.all.len(), combinations.len());
+    for (assessed, factors) in assessment.all.iter().zip(combinations) {
+        let factor = |name: &str, permanent: bool| {
+            let named = factors.iter().find(|(named, _)| *named == name);
+            named.map_or(if permanent { 1.0 } else { 0.0 }, |(_, factor)| *factor)
+        };
+        let loads = quay().into_iter().chain([("barrier", true, BARRIER)]);
+        let parts: Vec<_> =
+            loads.map(|(name, permanent, wrench)| (permanent, wrench * factor(name, permanent))).collect();
+        let sum = |which: Option<bool>| {
+            let chosen = parts.iter().filter(|(permanent, _)| which.is_none_or(|which| which == *permanent));
+            chosen.fold(Wrench::ZERO, |sum, (_, wrench)| sum + *wrench)
+        };
+        assert!(same(&assessed.outcome.full.wrench, &sum(None)), "{factors:?}");
+        // The load factor raises what is variable, factored, on top of what is permanent, factored.
+        let twice = assessed.situation.wrench_at(2.0, standfast::loads::Pose::UPRIGHT);
+        assert!(same(&twice, &(sum(Some(true)) + sum(Some(false)) * 2.0)), "{factors:?}");
+    }
+    let worst = assessment.worst_first();
+    let factors: Vec<_> = worst.iter().map(|assessed| assessed.departure().load_factor()).collect();
+    assert!(factors.is_sorted(), "{factors:?}");
+    assert_eq!(assessment.governing().index, worst[0].index);
+}
+
+/// Forces that act alone are alternatives; what is permanent or together acts beside each.
+#[test]
+fn forces_act_alone_or_together() {
+    let text = "[body]\nwidth = 8\nheight = 10\nmass = 180e3\nfriction = 0.6\n\
+        [[load]]\nforce = 100e3\nelevation = 5\n[[load]]\nforce = 200e3\nelevation = 5\ndirection = \"right\"\n\
+        [[load]]\nforce = 10e3\nelevation = 5\ntogether = true\n\
+        [[load]]\nforce = 7e3\nelevation = 5\npermanent = true\ndirection = \"right\"\n";
+    let assessment = assess(text);
+    let x: Vec<_> = assessment.all.iter().map(|assessed| assessed.outcome.full.wrench.x).collect();
+    assert_eq!(x, [-100e3 - 10e3 + 7e3, 200e3 - 10e3 + 7e3]);
+    assert_eq!(
+        assessment.all.iter().map(|assessed| assessed.acting).collect::<Vec<_>>(),
+        [Acting::Alone(0), Acting::Alone(1)]
+    );
+    // The permanent one does not rise.
+    let doubled = assessment.all[0].situation.wrench_at(2.0, standfast::loads::Pose::UPRIGHT);
+    assert_eq!(doubled.x, -220e3 + 7e3);
+}
+
+const STATUE: &str = "[body]\nwidth = 0.9\nheight = 3.2\nmass = 7400\nfriction = 0.6\n";
+
+/// A statue off its middle falls more easily one way: that way is reported, and equals the mirrored statue shaken the other way.
+#[test]
+fn an_earthquake_is_tried_both_ways() {
+    let shaken = |offset: f64, horizontal: f64, vertical: f64, fixed: &str| {
+        assess(&format!(
+            "{STATUE}centroid_offset = {offset}\n[earthquake]\nhorizontal = {horizontal}\nvertical = {vertical}\n{fixed}"
+        ))
+    };
+    let fixed = "horizontal_fixed = true\nvertical_fixed = true\n";
+    for vertical in [0.0, 0.1, -0.1] {
+        let free = shaken(0.03, 0.35, vertical, "");
+        let [found] = free.all.as_slice() else { panic!() };
+        let tried = if vertical == 0.0 { 2 } else { 4 };
+        assert_eq!(found.others.len() + 1, tried);
+        // Each by itself, with its signs fixed.
+        let mut each = Vec::new();
+        for side in [1.0, -1.0] {
+            for way in [1.0, -1.0].into_iter().take(tried / 2) {
+                let alone = shaken(0.03, 0.35 * side, vertical * way, fixed);
+                assert!(alone.all[0].others.is_empty());
+                let mirrored = shaken(-0.03, -0.35 * side, vertical * way, fixed);
+                assert!(close(
+                    alone.all[0].departure().load_factor(),
+                    mirrored.all[0].departure().load_factor()
+                ));
+                let earthquake = alone.all[0].earthquake.unwrap();
+                let outcome = [(found.earthquake.unwrap(), &found.outcome)].into_iter();
+                let others = found.others.iter().map(|other| (other.earthquake, &other.outcome));
+                let (_, same) = outcome.chain(others).find(|(tried, _)| *tried == earthquake).unwrap();
+                assert_eq!(same, &alone.all[0].outcome);
+                each.push(alone.all[0].departure().load_factor());
+            }
+        }
+        let least = each.iter().copied().fold(f64::INFINITY, f64::min);
+        assert_eq!(found.departure().load_factor(), least);
+        // Off the middle to the right, it falls to the right: the base moves left.
+        assert!(found.earthquake.unwrap().horizontal() < 0.0);
+        assert_eq!(found.departure().mode().and_then(Mode::corner), Some(standfast::Corner::OPrime));
+    }
+    // In the middle both directions are the same: the one given is reported.
+    for horizontal in [0.35, -0.35] {
+        let same = shaken(0.0, horizontal, 0.0, "");
+        assert_eq!(same.all[0].earthquake.unwrap().horizontal(), horizontal * 9.81);
+        assert_eq!(same.all[0].others.len(), 1);
+    }
+}
+
+fn checks(criteria: &str) -> Vec<(&'static str, Option<f64>, bool)> {
+    let text = format!("{CAISSON}[[load]]\nforce = 1e6\nelevation = 6\n[criteria]\n{criteria}");
+    let assessment = assess(&text);
+    let checks: Vec<_> = assessment.checks().iter().map(|check| check.check).collect();
+    assert_eq!(assessment.met(), Some(checks.iter().all(|check| check.met)));
+    checks.iter().map(|check| (check.criterion.name(), check.utilisation, check.met)).collect()
+}
+
+/// Utilisations by hand: a force of 1 MN/m at 6 m against 2318.64 kN/m at 7.5 m, μ = 0.6.
+#[test]
+fn criteria_use_their_share() {
+    let (weight, base) = (2318640.0, 15.0);
+    let arm = (weight * 7.5 - 6e6) / weight;
+    let pressed = 2.0 * weight / (3.0 * arm);
+    assert!(arm < base / 3.0);
+    let sliding = 0.6 * weight / 1e6;
+    for (line, used) in [
+        ("SF_sliding = 1.2\n", 1.2 / sliding),
+        ("SF_sliding = 1.5\n", 1.5 / sliding),
+        ("SF_overturning = 1.2\n", 1.2 / (weight * 7.5 / 6e6)),
+        ("bearing_max = \"300 kPa\"\n", pressed / 300e3),
+        ("contact_share = 0.667\n", 0.667 / (3.0 * arm / base)),
+        ("eccentricity = 2.5\n", (7.5 - arm) / 2.5),
+        ("load_factor = 1.1\n", 1.1 / sliding),
+    ] {
+        let [(_, utilisation, met)] = checks(line)[..] else { panic!() };
+        let utilisation = utilisation.unwrap();
+        assert!((utilisation - used).abs() < 1e-12 * used, "{line}: {utilisation}, {used}");
+        assert_eq!(met, used <= 1.0, "{line}");
+    }
+    assert_eq!(checks("modes_not = [\"RO\", \"SL\"]\n"), [("modes_not", None, true)]);
+    assert_eq!(checks("modes_not = [\"RE\"]\n"), [("modes_not", None, false)]);
+    // The governing one first; modes that are not allowed before all.
+    let all = checks("SF_sliding = 1.2\nSF_overturning = 1.2\nbearing_max = 300e3\nmodes_not = [\"RE\"]\n");
+    let names: Vec<_> = all.iter().map(|(name, ..)| *name).collect();
+    assert_eq!(names, ["modes_not", "bearing_max", "SF_sliding", "SF_overturning"]);
+}
+
+/// A bound that is exactly reached is met, and the next number is not.
+#[test]
+fn a_bound_that_is_reached_is_met() {
+    let text = |bound: f64| {
+        "[body]\nwidth = 4\nheight = 4\nmass = 1e3\nfriction = 0.5\n".to_owned()
+            + &format!(
+                "[[load]]\nforce = {:?}\nelevation = 1\n[criteria]\nSF_sliding = {bound:?}\n",
+                1e3 * 9.81 / 4.0
+            )
+    };
+    let assessment = assess(&text(2.0));
+    let ResultValue::Number(factor) = ResultName::SfSliding.of(&assessment.all[0]) else { panic!() };
+    assert!(assess(&text(factor)).met() == Some(true));
+    assert!(assess(&text(factor.next_up())).met() == Some(false));
+}
+
+/// Where there is no value, nothing meets a bound; what never leaves rest meets any load factor.
+#[test]
+fn criteria_of_bodies_that_do_not_rest() {
+    let criteria = "[criteria]\nSF_sliding = 0.1\nSF_overturning = 0.1\nbearing_max = 1e9\ncontact_share = 0.01\nload_factor = 0.1\n";
+    let lifted = format!("{STATUE}[uplift]\nleft = 900e3\nright = 900e3\n{criteria}");
+    let lifted = assess(&lifted);
+    assert!(
+        lifted
+            .checks()
+            .iter()
+            .all(|check| !check.check.met && check.check.utilisation == Some(f64::INFINITY))
+    );
+    let still = assess(&format!("{STATUE}[uplift]\nleft = 1\nright = 1\ngrows = false\n{criteria}"));
+    assert!(matches!(still.all[0].departure(), Departure::Never));
+    assert_eq!(still.met(), Some(true));
+    // A body that stands on its base by nothing but its weight is pushed by nothing.
+    let checks = still.checks();
+    let sliding = checks.iter().find(|check| check.check.criterion.name() == "SF_sliding").unwrap();
+    assert_eq!((sliding.check.utilisation, sliding.check.met), (Some(0.0), true));
+    // Consistent beside the mode reported counts as well.
+    let many =
+        "[body]\nwidth = 2\nheight = 2\nmass = 1e3\nfriction = 3\n[[load]]\nforce = 40e3\nelevation = 0.5\n";
+    let modes = assess(many).all[0].outcome.full.modes;
+    assert!(modes.len() > 1);
+    for mode in modes.iter() {
+        let text = format!("{many}[criteria]\nmodes_not = [\"{mode}\"]\n");
+        assert_eq!(assess(&text).met(), Some(false), "{mode}");
+    }
+    assert_eq!(assess(&format!("{many}[criteria]\nmodes_not = [\"SL+\"]\n")).met(), Some(true));
+}
+
+/// Distances are to the right of O, wherever mid-width is.
+#[test]
+fn a_force_acts_where_it_says() {
+    let text = "[body]\nwidth = 8\nheight = 10\nmass = 180e3\nfriction = 0.6\nbase_left = 3\nbase_right = 3.5\n\
+        [[load]]\nforce = 10e3\ndirection = \"down\"\ndistance = 0\ntogether = true\n";
+    let wrench = assess(text).all[0].outcome.full.wrench;
+    // O is 3 m left of C.
+    assert!(same(&wrench, &Wrench { x: 0.0, p: 180e3 * 9.81 + 10e3, m: 30e3 }));
+}
