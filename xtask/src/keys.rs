@@ -76,6 +76,7 @@ fn moves(moves: Moves) -> &'static str {
         Moves::Height => "the mass at constant density, and so the crest above the sea",
         Moves::Mass => "everything that weighs",
         Moves::Friction => "friction to stick and to slip",
+        Moves::WaterDensity => "the other of both, where it is given for still water and for waves",
         Moves::WaterLevel => "the level of the sea at the right, and the depths with it",
         Moves::BaseDepth => "the depth of the caisson's base, its crest staying where it is",
     }

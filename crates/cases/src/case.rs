@@ -40,6 +40,9 @@ use crate::key::{Id, Key, Table};
 /// How far lengths that have to be equal may differ, m.
 const SAME_LENGTH: f64 = 1e-6;
 
+/// How far densities that have to be equal may differ, kg/m³.
+const SAME_DENSITY: f64 = 1e-6;
+
 /// A case: one body and the loads on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
@@ -423,7 +426,7 @@ impl Given<'_> {
         };
         let of_wave = wave.map(|wave| wave.sea.water_density);
         let density = match (self.number(Key::WaterDensity), of_wave) {
-            (Some(density), Some(of_wave)) if density != of_wave => {
+            (Some(density), Some(of_wave)) if (density - of_wave).abs() > SAME_DENSITY => {
                 return Err(disagree((Key::WaterDensity, density), (Key::WaveWaterDensity, of_wave)));
             }
             (Some(density), _) | (None, Some(density)) => density,

@@ -156,6 +156,9 @@ impl Variable {
                     });
                 }
             }
+            Moves::WaterDensity if has(Key::WaterDensity) && has(Key::WaveWaterDensity) => {
+                notes.push("The density of still water and that of the sea are one.");
+            }
             Moves::Friction if has(Key::KineticFriction) => {
                 notes.push("Friction to slip goes with friction to stick, in proportion.");
             }
@@ -238,6 +241,7 @@ impl Moved {
                 self.level(case.body.mass() * (ratio - 1.0) * case.gravity, &[Key::BuoyantWeight]);
             }
             Moves::Friction => self.scale(ratio, &[Key::KineticFriction]),
+            Moves::WaterDensity => self.scale(ratio, &[Key::WaterDensity, Key::WaveWaterDensity]),
             Moves::WaterLevel => {
                 self.level(by, &[Key::Level, Key::WaterRight]);
                 if variable.both_sides {
@@ -335,6 +339,26 @@ mod tests {
             ],
         );
         assert!(Case::of(&higher).is_ok());
+    }
+
+    /// Whatever the value, the two agree to the rounding of the product.
+    #[test]
+    fn a_density_given_twice_stays_one() {
+        let weight = "buoyant_weight = 2318640\n";
+        let text = CAISSON.replace(weight, "[water]\nlevel = 7.1\ndensity = 1030\n");
+        let file = CaseFile::parse("t.toml", &text).unwrap();
+        let case = file.case().unwrap();
+        for name in ["water.density", "wave.water_density"] {
+            let density = Variable::find(name, file.inputs()).unwrap();
+            for value in 900..1200 {
+                let varied = vary(file.inputs(), &case, &[(&density, f64::from(value))]);
+                close(
+                    &varied,
+                    &[(Key::WaterDensity, f64::from(value)), (Key::WaveWaterDensity, f64::from(value))],
+                );
+                assert!(Case::of(&varied).is_ok(), "{name} = {value}");
+            }
+        }
     }
 
     /// Several at once: named first, then levels, then scales, in whatever order they are named.

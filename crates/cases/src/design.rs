@@ -10,7 +10,7 @@ mod sensitivity;
 mod target;
 mod text;
 
-pub use sensitivity::{Sensitivity, sensitivities};
+pub use sensitivity::{Change, Sensitivity, sensitivities};
 pub use target::{Target, TargetError};
 
 use miette::Diagnostic;
@@ -186,7 +186,7 @@ impl<'a> Design<'a> {
         possible(&varied, &request, &variable, bracket)?;
         let present = Assessment::of(&case)?;
         let found = search(&varied, &variable, request.target, bracket)?;
-        let sensitivities = sensitivity::all(&varied);
+        let sensitivities = sensitivity::all(&varied, Some(&present));
         Ok(Design { file, request, variable, value, bracket, present, found, sensitivities })
     }
 

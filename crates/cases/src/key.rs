@@ -218,6 +218,8 @@ pub enum Moves {
     Mass,
     /// Friction to stick and to slip.
     Friction,
+    /// The density of the water, which may be given twice.
+    WaterDensity,
     /// The level of the sea at the right.
     WaterLevel,
     /// The depth of the caisson's base under the sea, its crest staying where it is.
@@ -357,7 +359,7 @@ listed! {
     AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β", "angle of the waves from the wall’s normal", "15")
         .gives(&[Quantity::WaveAngle]);
     WaveWaterDensity = key(Wave, "water_density", Measured(Dimension::Density, Positive), "ρ", "density of the sea", "\"1030 kg/m3\"")
-        .gives(&[Quantity::WaterDensity]);
+        .moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
     DeepWaterHeight =
         key(Wave, "deep_water_height", length(Positive), "H_0'", "equivalent deep-water wave height", "\"6.3 m\"")
         .gives(&[Quantity::DeepWaterHeight]);
@@ -395,7 +397,7 @@ listed! {
     WaterRight = key(Water, "right", length(NotNegative), "h_r", "still water above the base, right", "\"7.1 m\"")
         .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);
     WaterDensity = key(Water, "density", Measured(Dimension::Density, Positive), "ρ_w", "density of the water", "\"1030 kg/m3\"")
-        .silent("density of the water: that of the waves").gives(&[Quantity::WaterDensity]);
+        .silent("density of the water: that of the waves").moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
 
     UpliftLeft =
         key(Uplift, "left", Measured(Dimension::Pressure, NotNegative), "p_l", "pressure under the left corner O", "\"20 kPa\"")

@@ -1,7 +1,7 @@
 //! What a small change of every number does to the safety.
 
 use maud::{Markup, html};
-use standfast_cases::design::{Sensitivity, sensitivities};
+use standfast_cases::design::{Change, Sensitivity, sensitivities};
 use standfast_cases::{CaseError, CaseFile};
 
 use crate::measured::number;
@@ -12,7 +12,9 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
         p.note {
             "Change of the safety factors and of the load factor at which the body first leaves rest, if one input grows by 1 %, \
              with what has to go with it: the mass with the width, the crest with the height. The least of all loads counts in each \
-             column; – where it is unlimited. The whole case, waves and water included, is computed anew for each."
+             column. The whole case, waves and water included, is computed anew for each, with the input 1 % larger. Where there is no \
+             number: " em { "unlimited" } ", a factor has no bound, as it is or then; " em { "at once" } ", the body moves without any \
+             share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others."
         }
         table.numbers data-table="sensitivity" {
             thead {
@@ -48,14 +50,14 @@ fn value(row: &Sensitivity) -> Markup {
     }
 }
 
-fn signed(change: Option<f64>) -> Markup {
+fn signed(change: Change) -> Markup {
     let text = |change: f64| match format!("{change:+.5}").replace('-', "−") {
         zero if zero.ends_with("0.00000") => "0".to_owned(),
         text => text,
     };
     html! {
-        @match change {
-            None => "–",
+        @match change.number() {
+            None => (change.words()),
             Some(change) => data value=(change) { (text(change)) },
         }
     }

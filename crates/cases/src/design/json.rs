@@ -29,7 +29,7 @@ struct Document<'a> {
     /// Beyond this value the target fails again.
     holds_up_to: Option<f64>,
     notes: Vec<String>,
-    sensitivity_per_percent: Vec<Change<'a>>,
+    sensitivity_per_percent: Vec<Row<'a>>,
 }
 
 /// A value and what it comes to: of each result, that of the situation in which it is worst.
@@ -68,7 +68,7 @@ fn least(assessment: &Assessment, result: ResultName) -> ResultValue {
 }
 
 #[derive(Serialize)]
-struct Change<'a> {
+struct Row<'a> {
     input: &'a str,
     value: f64,
     unit: Option<&'static str>,
@@ -98,20 +98,20 @@ pub(super) fn render(design: &Design<'_>) -> String {
         warnings: design.new_warnings().iter().map(ToString::to_string).collect(),
         holds_up_to: found.until.as_ref().map(|(value, _)| *value),
         notes: design.notes(),
-        sensitivity_per_percent: sensitivities.iter().map(Change::of).collect(),
+        sensitivity_per_percent: sensitivities.iter().map(Row::of).collect(),
     })
 }
 
-impl<'a> Change<'a> {
-    fn of(sensitivity: &'a Sensitivity) -> Change<'a> {
+impl<'a> Row<'a> {
+    fn of(sensitivity: &'a Sensitivity) -> Row<'a> {
         let Sensitivity { variable, value, sliding, overturning, load_factor } = sensitivity;
-        Change {
+        Row {
             input: variable.name(),
             value: *value,
             unit: variable.dimension().map(Dimension::si),
-            sliding: *sliding,
-            overturning: *overturning,
-            load_factor: *load_factor,
+            sliding: sliding.number(),
+            overturning: overturning.number(),
+            load_factor: load_factor.number(),
         }
     }
 }

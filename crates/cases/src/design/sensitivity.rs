@@ -1,4 +1,7 @@
 //! What a small change of every number of a case does to its safety.
+//!
+//! The change is that of the case with the number 1 % larger, assessed anew: no derivative, which across a kink (another load
+//! governs, another formula holds) would promise what does not come.
 
 use standfast::Departure;
 
@@ -9,11 +12,44 @@ use crate::error::CaseError;
 use crate::key::Key;
 use crate::parse::CaseFile;
 
-/// By how much, relatively, a number is varied to either side.
-const STEP: f64 = 1e-4;
+/// By how much, relatively, a number grows.
+const STEP: f64 = 0.01;
 
-/// How both safety factors and the load factor change if a number grows by 1 %; `None` where they are infinite or the number
-/// can grow or shrink no more.
+/// How a result changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Change {
+    /// By this much.
+    By(f64),
+    /// It is without bound, at present or with the number changed.
+    Unlimited,
+    /// There is no load factor, because the body moves at once, at present or with the number changed.
+    AtOnce,
+    /// With the number changed, the case makes no sense or cannot be computed.
+    NoCase,
+}
+
+impl Change {
+    /// By how much, where that is a number.
+    pub fn number(self) -> Option<f64> {
+        match self {
+            Change::By(change) => Some(change),
+            _ => None,
+        }
+    }
+
+    /// Why there is no number, in a word or two; empty where there is one.
+    pub fn words(self) -> &'static str {
+        match self {
+            Change::By(_) => "",
+            Change::Unlimited => "unlimited",
+            Change::AtOnce => "at once",
+            Change::NoCase => "no case",
+        }
+    }
+}
+
+/// How both safety factors and the load factor change if a number grows by 1 %.
 #[derive(Debug, Clone)]
 pub struct Sensitivity {
     /// The number.
@@ -21,11 +57,11 @@ pub struct Sensitivity {
     /// Its present value, SI.
     pub value: f64,
     /// Of SF_sliding, the least of all situations.
-    pub sliding: Option<f64>,
+    pub sliding: Change,
     /// Of SF_overturning, about either corner, the least of all situations.
-    pub overturning: Option<f64>,
+    pub overturning: Change,
     /// Of the load factor at which the body first leaves rest, the least of all situations.
-    pub load_factor: Option<f64>,
+    pub load_factor: Change,
 }
 
 /// The sensitivity of the case of a file to every number of it but zeros. What has to go with a number goes with it: the mass
@@ -35,35 +71,106 @@ pub struct Sensitivity {
 /// If the case makes no sense.
 pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
     let case = file.case()?;
-    Ok(all(&Varied { file, case: &case }))
+    let present = Assessment::of(&case).ok();
+    Ok(all(&Varied { file, case: &case }, present.as_ref()))
 }
 
-/// The sensitivity to every number but zeros, which have no percent.
-pub(super) fn all(varied: &Varied<'_>) -> Vec<Sensitivity> {
+/// The sensitivity to every number but zeros, which have no percent, beside the present answer.
+pub(super) fn all(varied: &Varied<'_>, present: Option<&Assessment>) -> Vec<Sensitivity> {
     // The caisson's width is the body's.
     let variables = Variable::all(varied.inputs()).filter(|id| id.key != Key::CaissonWidth).map(Variable::of);
-    variables.filter_map(|variable| of(varied, variable)).collect()
+    variables.filter_map(|variable| of(varied, present, variable)).collect()
 }
 
-fn of(varied: &Varied<'_>, variable: Variable) -> Option<Sensitivity> {
+fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> Option<Sensitivity> {
     let value = variable.value(varied.inputs(), varied.case);
     if value == 0.0 {
         return None;
     }
-    let at = |step: f64| varied.answer(&variable, value * (1.0 + step)).ok();
-    let (above, below) = (at(STEP), at(-STEP));
-    let change = |of: fn(&Assessed) -> f64| {
-        let least = |answer: &Option<Assessment>| Some(least(answer.as_ref()?, of));
-        let difference = least(&above)? - least(&below)?;
-        Some(difference / (2.0 * STEP) / 100.0).filter(|change| change.is_finite())
+    let then = varied.answer(&variable, value * (1.0 + STEP)).ok();
+    let both = present.zip(then.as_ref());
+    let change = |of: fn(&Assessed) -> f64| match both.map(|(now, then)| least(then, of) - least(now, of)) {
+        None => Change::NoCase,
+        // Infinity less a number, or less itself.
+        Some(change) if !change.is_finite() => Change::Unlimited,
+        Some(change) => Change::By(change),
     };
-    // Where the body moves at once, there is no load factor to change.
-    let has_factor = |answer: &Option<Assessment>| {
-        answer
-            .as_ref()
-            .is_some_and(|answer| !matches!(answer.governing().departure(), Departure::AtOnce { .. }))
+    let at_once = |answer: &Assessment| matches!(answer.governing().departure(), Departure::AtOnce { .. });
+    let load_factor = match both {
+        Some((now, then)) if at_once(now) || at_once(then) => Change::AtOnce,
+        _ => change(load_factor),
     };
-    let load_factor = change(load_factor).filter(|_| has_factor(&above) && has_factor(&below));
     let (sliding, overturning) = (change(sliding), change(overturning));
     Some(Sensitivity { variable, value, sliding, overturning, load_factor })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of_case(text: &str, name: &str) -> [Change; 3] {
+        let file = CaseFile::parse("t.toml", text).unwrap();
+        let all = sensitivities(&file).unwrap();
+        let row = all.iter().find(|row| row.variable.name() == name).unwrap_or_else(|| panic!("{name}"));
+        [row.sliding, row.overturning, row.load_factor]
+    }
+
+    fn by(change: Change, expected: f64) {
+        let Change::By(found) = change else { panic!("{change:?}") };
+        assert!((found - expected).abs() < 1e-12, "{found}, expected {expected}");
+    }
+
+    /// Sliding of a block in air: μ m g/F, of the larger of two forces. The first is less by half a percent, so that 1 % more
+    /// of it does half of what a percent does; the second falls behind with 1 % less, but not with more.
+    #[test]
+    fn across_a_kink_the_change_is_the_true_one() {
+        let text = "[body]\nwidth = 9\nheight = 3\nmass = 5e4\nfriction = 0.5\n\
+            [[load]]\nforce = 100e3\nelevation = 0.5\n[[load]]\nforce = 100.5e3\nelevation = 0.5\n";
+        let factor = |force: f64| 0.5 * 5e4 * 9.81 / force;
+        let [sliding, _, load_factor] = of_case(text, "load[1].force");
+        by(sliding, factor(101e3) - factor(100.5e3));
+        by(load_factor, factor(101e3) - factor(100.5e3));
+        by(of_case(text, "load[2].force")[0], factor(1.01 * 100.5e3) - factor(100.5e3));
+        by(of_case(text, "body.friction")[0], 0.01 * factor(100.5e3));
+    }
+
+    /// Each word where it is true, and only there.
+    #[test]
+    fn where_there_is_no_number_the_reason_is_said() {
+        let body = "[body]\nwidth = 9\nheight = 3\nmass = 5e4\nfriction = 0.5\n";
+        let calm = format!("{body}[water]\nlevel = 2\ndensity = 1000\n");
+        assert_eq!(of_case(&calm, "water.density"), [Change::Unlimited; 3]);
+        assert_eq!(
+            of_case(
+                &format!("{body}kinetic_friction = 0.5\n[[load]]\nforce = 1e5\nelevation = 0.5\n"),
+                "body.kinetic_friction"
+            ),
+            [Change::NoCase; 3]
+        );
+        let crest = format!("{body}[[load]]\nforce = 1e5\nelevation = 3\n");
+        assert_eq!(of_case(&crest, "load[1].elevation"), [Change::NoCase; 3]);
+        // The water alone pushes the body away.
+        let pushed = "[body]\nwidth = 2\nheight = 9\nmass = 3e4\nfriction = 0.5\n[water]\nleft = 0\nright = 8\ndensity = 1000\n\
+            [[load]]\nforce = 1e5\nelevation = 3\n";
+        let [sliding, overturning, load_factor] = of_case(pushed, "load[1].force");
+        assert!(sliding.number().is_some() && overturning.number().is_some());
+        assert_eq!(load_factor, Change::AtOnce);
+    }
+
+    /// Given for still water and for waves, the density is one number.
+    #[test]
+    fn a_density_given_twice_varies_as_one() {
+        let wave = "[wave]\nH13 = 3\nHmax = 5.4\nperiod = 10\nsea_bottom_slope = 0.01\nwater_depth = 9\n\
+            depth_above_berm = 5.5\nbase_depth = 6\ncrest_height = 4\nberm_width = 5\nangle_deg = 0\nwater_density = 1030\n";
+        let body = "[body]\nwidth = 10\nheight = 10\nmass = 230e3\nfriction = 0.6\n[water]\nlevel = 6\n";
+        let once = of_case(&format!("{body}{wave}"), "wave.water_density");
+        let twice = format!("{body}density = 1030\n{wave}");
+        for name in ["wave.water_density", "water.density"] {
+            for (one, two) in of_case(&twice, name).into_iter().zip(once) {
+                by(one, two.number().unwrap());
+            }
+        }
+        // More water under the base, and more in the waves.
+        assert!(once[0].number().unwrap() < 0.0);
+    }
 }

@@ -3,7 +3,7 @@
 use standfast::Mode;
 
 use super::search::{Below, Found};
-use super::{Design, Target, least, load_factor, overturning, sliding, with_unit};
+use super::{Change, Design, Target, least, load_factor, overturning, sliding, with_unit};
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
 use crate::layout::{columns, digits, paragraph, row};
@@ -81,9 +81,9 @@ fn binding(found: &Found) -> String {
 
 fn sensitivities(design: &Design) -> String {
     let mut rows = vec![row!["input", "value", "SF sliding", "SF overturning", "load factor"]];
-    let signed = |change: Option<f64>| match change {
+    let signed = |change: Change| match change.number() {
         Some(change) => format!("{change:+.5}"),
-        None => "–".to_owned(),
+        None => change.words().to_owned(),
     };
     rows.extend(design.sensitivities.iter().map(|sensitivity| {
         let variable = &sensitivity.variable;
