@@ -114,8 +114,8 @@ impl Assessment {
         self.worst_first()[0]
     }
 
-    /// The situations, the worst first: by what is used of the criteria, then by where the body leaves rest, then by the lesser
-    /// safety factor, then in their order.
+    /// The situations, the worst first: by what is used of the criteria, then by where the body leaves rest, then by the lesser and
+    /// the greater safety factor, then in their order.
     pub fn worst_first(&self) -> Vec<&Assessed> {
         let severity = self.all.iter().map(|assessed| (assessed.severity(&self.case), assessed));
         let mut severity: Vec<_> = severity.collect();
@@ -227,16 +227,17 @@ impl Assessed {
     fn severity(&self, case: &Case) -> Severity {
         let used = case.criteria.iter().map(|criterion| criterion.check(self).urgency()).fold(0.0, f64::max);
         let stability = &self.outcome.stability;
-        let factor = match self.outcome.full.is_lifted() {
-            true => 0.0,
-            false => stability.sliding.min(stability.overturning()),
+        let [sliding, overturning] = match self.outcome.full.is_lifted() {
+            true => [0.0; 2],
+            false => [stability.sliding, stability.overturning()],
         };
-        Severity([-used, self.departure().load_factor(), factor])
+        let factors = [sliding.min(overturning), sliding.max(overturning)];
+        Severity([-used, self.departure().load_factor(), factors[0], factors[1]])
     }
 }
 
 /// How bad a situation is; the lesser the worse, the first number that differs counts.
-struct Severity([f64; 3]);
+struct Severity([f64; 4]);
 
 impl Severity {
     /// What two numbers may differ by that are the same but for rounding.

@@ -39,7 +39,9 @@ struct Plane {
 
 /// The figures of the situations shown.
 pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure>, InputError> {
-    let shown = assessment.shown(view);
+    // In the order of the case, as the files are named.
+    let mut shown = assessment.shown(view);
+    shown.sort_by_key(|assessed| assessed.index);
     let planes = planes(assessment, &shown);
     let several = assessment.all.len() > 1;
     let mut figures = Vec::new();
