@@ -61,7 +61,7 @@ pub enum Command {
         More loads, which act together and with each [[load]] in turn (quantities with units as above):\n\
         \u{20} [water]       level, or left and right, above the base; density\n\
         \u{20} [uplift]      left, right: pressures at the corners; grows = true to rise with the variable loads\n\
-        \u{20} [earthquake]  horizontal, vertical: of g, or \"2 m/s2\"; positive horizontal pushes the body left\n\
+        \u{20} [earthquake]  horizontal, vertical: 0.2, \"0.2 g\" or \"2 m/s2\"; positive horizontal pushes it left\n\
         \u{20} [wave]        Goda's pressures, sea at the right: deep_water_height, or H13 and Hmax; period,\n\
         \u{20}               sea_bottom_slope, water_depth, depth_above_berm, base_depth, crest_height,\n\
         \u{20}               berm_width, angle_deg, water_density; optional caisson_width, turn_deg,\n\

@@ -59,7 +59,8 @@ pub fn assess(
     view: &View,
     format: Format,
 ) -> Result<Answered, AssessError> {
-    let assessment = Assessment::of(&case_file::parse(path)?.case()?)?;
+    let file = case_file::parse(path)?;
+    let assessment = Assessment::of(&file.case()?).map_err(|error| file.refused(error))?;
     let mut drawn = Vec::new();
     let undrawn = draw(&assessment, view, path, directory, &mut drawn).err();
     let answer = match format {
