@@ -19,9 +19,9 @@ pub(crate) fn assess(
     all: bool,
 ) -> PyResult<(String, String, Vec<Figure>)> {
     py.detach(|| {
-        let case = CaseFile::parse(name, text).and_then(|file| file.case());
-        let case = case.map_err(|error| PyValueError::new_err(report(&error)))?;
-        let assessment = Assessment::of(&case).map_err(|error| invalid(error, &[]))?;
+        let answered = CaseFile::parse(name, text)
+            .and_then(|file| Assessment::of(&file.case()?).map_err(|error| file.refused(error)));
+        let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
         let view = View { up_to, all };
         let figures = assessment.figures(&view).map_err(|error| invalid(error, &[]))?;
         let figures = figures

@@ -1,6 +1,7 @@
 //! docs/case-file.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
 
 use standfast_cases::key::{Key, Kind, Moves, Table};
+use standfast_cases::units::Dimension;
 
 /// The page of all keys.
 pub fn page() -> String {
@@ -58,7 +59,10 @@ fn takes(kind: Kind) -> String {
             format!("{} in {}; {}", dimension.words(), dimension.understood(), range.words())
         }
         Kind::Plain(range) => range.words().to_owned(),
-        Kind::InGravity => "a number of g, or an acceleration".to_owned(),
+        Kind::InGravity => format!(
+            "a number of g, the same as in `\"0.2 g\"`, or an acceleration in {}",
+            Dimension::Acceleration.understood()
+        ),
         Kind::OneOfThree => "three finite numbers, zero or more".to_owned(),
         Kind::Truth => "`true` or `false`".to_owned(),
         Kind::Sides => "1 or 2".to_owned(),

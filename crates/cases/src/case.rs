@@ -347,7 +347,7 @@ impl Given<'_> {
         self.inputs.has(table).then(|| read(self)).transpose()
     }
 
-    /// What the library refuses, shown at the key of a table that gives the quantity.
+    /// What the library refuses, shown at the key of a table that gives the quantity, or at the number that is too large.
     fn blame(&self, table: Table, error: InputError) -> Fault {
         self.blame_one_of(table.keys(), 0, error)
             .unwrap_or_else(|| Fault::new(Problem::Mechanics(error), table))
@@ -359,10 +359,20 @@ impl Given<'_> {
         index: usize,
         error: InputError,
     ) -> Option<Fault> {
-        let key = keys.find(|key| {
-            key.info().gives.contains(&error.quantity) && self.inputs.get(Id { index, key: *key }).is_some()
-        })?;
-        Some(Fault::new(Problem::Impossible { key, error }, Id { index, key }))
+        let gives = |key: Key| key.info().gives.contains(&error.quantity);
+        let key = keys.find(|key| gives(*key) && self.inputs.get(Id { index, key: *key }).is_some());
+        let id = key.map(|key| Id { index, key });
+        let impossible = |id: Id| Fault::new(Problem::Impossible { key: id.key, error }, id);
+        let says = |id: &Id| gives(id.key) && self.inputs.number(*id) == Some(error.value);
+        if let Some(id) = id.filter(|id| says(id) || !error.is_about_size()) {
+            return Some(impossible(id));
+        }
+        // No number of this table: one of another, or what several came to, shown at the one that is most out of size.
+        let numbers = || self.inputs.numbers().filter(|(_, number)| *number != 0.0);
+        let size = |number: f64| number.abs().log10().abs();
+        let said = numbers().map(|(id, _)| id).find(says).map(impossible);
+        let farthest = || numbers().max_by(|(_, one), (_, two)| size(*one).total_cmp(&size(*two)));
+        said.or_else(|| Some(Fault::new(Problem::Mechanics(error), farthest()?.0)))
     }
 
     fn body(&self) -> Result<Body, Fault> {
@@ -553,6 +563,11 @@ impl Given<'_> {
             (None, None, Some(_)) => one(Key::H13, Key::Hmax),
         }
     }
+}
+
+/// What the mechanics refuses of the case of inputs, at the number that brings it about.
+pub(crate) fn fault(inputs: &Inputs, error: InputError) -> Fault {
+    Given { inputs }.blame(Table::Top, error)
 }
 
 /// Two keys that have to agree and do not.

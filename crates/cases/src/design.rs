@@ -14,7 +14,6 @@ pub use sensitivity::{Change, Sensitivity, sensitivities};
 pub use target::{Target, TargetError};
 
 use miette::Diagnostic;
-use standfast::InputError;
 use thiserror::Error;
 
 use crate::assess::{Assessed, Assessment};
@@ -35,9 +34,6 @@ pub enum DesignError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
-    /// The case cannot be computed.
-    #[error(transparent)]
-    Mechanics(#[from] InputError),
     /// A name that is no number of the case.
     #[error("the case has no `{}` to vary", .0.name)]
     #[diagnostic(help("{}", known(.0)))]
@@ -136,7 +132,7 @@ impl Varied<'_> {
     }
 
     fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, DesignError> {
-        Ok(Assessment::of(&self.case_with(variable, value)?)?)
+        Ok(Assessment::of(&self.case_with(variable, value)?).map_err(|error| self.file.refused(error))?)
     }
 }
 
@@ -184,7 +180,7 @@ impl<'a> Design<'a> {
         let value = variable.value(file.inputs(), &case);
         let bracket = bracket(&request, &variable, value)?;
         possible(&varied, &request, &variable, bracket)?;
-        let present = Assessment::of(&case)?;
+        let present = Assessment::of(&case).map_err(|error| file.refused(error))?;
         let found = search(&varied, &variable, request.target, bracket)?;
         let sensitivities = sensitivity::all(&varied, Some(&present));
         Ok(Design { file, request, variable, value, bracket, present, found, sensitivities })

@@ -283,10 +283,15 @@ impl Problem {
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
             Problem::Unit { key, error, .. } => {
                 let dimension = key.info().dimension()?;
-                let units = format!("the units understood here: {}", dimension.understood());
+                let (also, bare) = match key.info().kind {
+                    Kind::InGravity => ("g, ", "g"),
+                    _ => ("", dimension.si()),
+                };
+                let units = format!("the units understood here: {also}{}", dimension.understood());
                 match error {
-                    UnitError::Missing => {
-                        format!("{units}; a number without quotes is in {}", dimension.si())
+                    UnitError::Missing => format!("{units}; a number without quotes is in {bare}"),
+                    UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
+                        format!("{units}; this key says what g is, for example {}", line(*key))
                     }
                     _ => units,
                 }

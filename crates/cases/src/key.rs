@@ -182,7 +182,7 @@ pub enum Kind {
     Measured(Dimension, Range),
     /// A number without unit.
     Plain(Range),
-    /// An acceleration; a number without unit counts the acceleration of gravity.
+    /// An acceleration; a number without unit, or with the unit g, counts the acceleration of gravity.
     InGravity,
     /// Three numbers without unit in a list; this key is the first of them.
     OneOfThree,

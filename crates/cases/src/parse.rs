@@ -5,15 +5,16 @@
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 
-use standfast::Modes;
+use standfast::{InputError, Modes};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::case::Case;
+use crate::case::{Case, fault};
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
+use crate::units::in_gravity;
 
 /// A case file: what it says, and where it says it.
 #[derive(Debug, Clone)]
@@ -88,6 +89,11 @@ impl CaseFile {
     /// If the values do not go together.
     pub fn case(&self) -> Result<Case, CaseError> {
         Case::of(&self.inputs).map_err(|fault| self.error(fault))
+    }
+
+    /// What the mechanics refuses of the case, shown at the number that brings it about.
+    pub fn refused(&self, error: InputError) -> CaseError {
+        self.error(fault(&self.inputs, error))
     }
 
     /// A fault of inputs, shown in the text.
@@ -290,7 +296,10 @@ impl Field<'_> {
             }
             Kind::InGravity => match number {
                 Some(share) => Value::InGravity(self.in_range(share, Range::Finite)?),
-                None => Value::Number(self.in_range(self.measured()?, Range::Finite)?),
+                None => match self.value.get_ref().as_str().and_then(in_gravity) {
+                    Some(share) => Value::InGravity(self.in_range(share, Range::Finite)?),
+                    None => Value::Number(self.in_range(self.measured()?, Range::Finite)?),
+                },
             },
             Kind::Plain(range) => Value::Number(self.in_range(number.ok_or_else(wrong_type)?, range)?),
             Kind::OneOfThree => return Err(wrong_type()),
@@ -423,6 +432,20 @@ mod tests {
                 "load[2].elevation 1 None Some(1.0)",
             ]
         );
+    }
+
+    /// An acceleration in g counts the gravity of the case, as a bare number does.
+    #[test]
+    fn a_share_of_gravity_may_have_its_unit() {
+        let shaken = |value: &str| {
+            let text = format!(
+                "gravity = 9.8\n[body]\nwidth = 1\nheight = 2\nmass = 5e3\nfriction = 0.6\n[earthquake]\nhorizontal = {value}\n"
+            );
+            CaseFile::parse("t.toml", &text).unwrap().inputs().clone()
+        };
+        assert_eq!(shaken("\"0.25 g\""), shaken("0.25"));
+        assert_eq!(shaken("\"-0.25g\"").number(Key::Horizontal), Some(-0.25 * 9.8));
+        assert_eq!(shaken("\"0.25 m/s2\"").number(Key::Horizontal), Some(0.25));
     }
 
     /// Numbers are listed table by table, whatever the order of the file.

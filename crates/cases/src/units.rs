@@ -129,6 +129,11 @@ impl Dimension {
     }
 }
 
+/// The multiple of the acceleration of gravity that a text such as "0.25 g" says.
+pub fn in_gravity(text: &str) -> Option<f64> {
+    split(text.trim()).filter(|(_, unit)| *unit == "g").map(|(share, _)| share)
+}
+
 /// Why a text is no quantity.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum UnitError {
@@ -159,7 +164,17 @@ fn split(text: &str) -> Option<(f64, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dimension, UnitError};
+    use super::{Dimension, UnitError, in_gravity};
+
+    #[test]
+    fn multiples_of_gravity() {
+        for (text, share) in [("0.25 g", 0.25), (" -1e-1g ", -0.1), ("1 g", 1.0)] {
+            assert_eq!(in_gravity(text), Some(share), "{text}");
+        }
+        for text in ["0.25", "g", "0.25 gal", "0.25 m/s2", "0,25 g"] {
+            assert_eq!(in_gravity(text), None, "{text}");
+        }
+    }
 
     #[test]
     fn units_convert() {

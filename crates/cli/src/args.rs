@@ -64,21 +64,22 @@ pub enum Command {
         More loads, which act together (quantities with units as above):\n\
         \u{20} [water]       level, or left and right, above the base; density\n\
         \u{20} [uplift]      left, right: pressures at the corners; grows = true to rise with the variable loads\n\
-        \u{20} [earthquake]  horizontal, vertical: of g, or \"2 m/s2\"; tried to both sides and both ways unless\n\
+        \u{20} [earthquake]  horizontal, vertical: 0.2, \"0.2 g\" or \"2 m/s2\"; to both sides and both ways unless\n\
         \u{20}               horizontal_fixed = true, vertical_fixed = true\n\
         \u{20} [wave]        Goda's pressures, sea at the right: deep_water_height, or H13 and Hmax; period,\n\
         \u{20}               sea_bottom_slope, water_depth, depth_above_berm, base_depth, crest_height,\n\
         \u{20}               berm_width, angle_deg, water_density; optional caisson_width, turn_deg,\n\
         \u{20}               impulsive = true, lambda = [1, 1, 1], uplift = false\n\
-        \u{20} [[pressure]]  face = \"left\", \"right\", \"base\" or \"top\"; elevation = [\"0 m\", \"9 m\"] on a side,\n\
-        \u{20}               distance right of O on base and top; pressure = [\"54 kPa\", 0]; name; permanent; scale\n\
+        \u{20} [[pressure]]  face = \"left\", \"right\", \"base\" or \"top\"; elevation = [\"0 m\", \"9 m\"] on a\n\
+        \u{20}               side, distance right of O on base and top; pressure = [\"54 kPa\", 0]; name;\n\
+        \u{20}               permanent = true; scale\n\
         \u{20} [added_mass]  sides = 1 or 2, or mass\n\
         \u{20} [body]        kinetic_friction, centroid_offset, centroid_height, moment_of_inertia, base_left,\n\
         \u{20}               base_right; buoyant_weight and weight_arm in place of [water]\n\n\
         Which loads act, and what is asked of the results:\n\
-        \u{20} [[combination]]  name; factors = { weight = 0.9, wave = 1.3, crane = 1.5 } by the names of loads, or\n\
-        \u{20}               weight, water, uplift, wave, earthquake; of the loads not named the permanent ones act as\n\
-        \u{20}               they are, the variable ones not at all\n\
+        \u{20} [[combination]]  name; factors = { weight = 0.9, wave = 1.3, crane = 1.5 }, by the names of\n\
+        \u{20}               loads, or weight, water, uplift, wave, earthquake; of the loads not named the\n\
+        \u{20}               permanent ones act as they are, the variable ones not at all\n\
         \u{20} [criteria]    SF_sliding, SF_overturning, contact_share, load_factor: at least; bearing_max,\n\
         \u{20}               eccentricity: at most; modes_not = [\"RO\", \"SRO-\"]\n\n\
         --format json prints one document, schema 1, in SI units: docs/answer.schema.json.")]

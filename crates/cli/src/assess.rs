@@ -69,7 +69,8 @@ pub fn assess(
     format: Format,
     check: bool,
 ) -> Result<Answered, AssessError> {
-    let assessment = Assessment::of(&case_file::parse(path)?.case()?)?;
+    let file = case_file::parse(path)?;
+    let assessment = Assessment::of(&file.case()?).map_err(|error| file.refused(error))?;
     if check && assessment.case.criteria.is_empty() {
         return Err(AssessError::NothingToCheck { path: path.to_owned() });
     }

@@ -101,7 +101,7 @@ impl Sheet {
     /// # Errors
     /// As [`of`](Sheet::of).
     pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        let assessment = Assessment::of(&case_file.case()?)?;
+        let assessment = Assessment::of(&case_file.case()?).map_err(|error| case_file.refused(error))?;
         let name = case_file.name();
         let source = document::Source {
             file: name.rsplit(['/', '\\']).next().unwrap_or(name),

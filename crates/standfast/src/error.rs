@@ -42,6 +42,11 @@ impl InputError {
         format!("{} is {}", self.quantity, exact(self.value))
     }
 
+    /// Whether the value is too large or too small, or has the wrong sign, by itself; it does not depend on another.
+    pub fn is_about_size(&self) -> bool {
+        matches!(self.expected, Expected::Finite | Expected::NotNegative | Expected::Positive)
+    }
+
     pub(crate) fn new(quantity: Quantity, value: f64, expected: Expected) -> InputError {
         InputError { quantity, value, expected }
     }
