@@ -139,13 +139,13 @@ fn every_formula_has_its_numbers_and_comes_out_as_the_result_says() {
     assert!(evaluated > 900, "{evaluated}");
 }
 
-/// A number put into a formula is an input, the result of a step, or a part of the motion.
+/// A number put into a formula is an input, a factor of a combination, the result of a step, or a part of the motion.
 #[test]
 fn every_number_put_in_stands_elsewhere_on_the_sheet() {
     for (name, text) in cases() {
         let html = document(&name, &text);
         let known: Vec<f64> =
-            select(&html, "[data-table=inputs] data, .result data, [data-table=motion] data, [data-side]")
+            select(&html, "[data-table=inputs] data, [data-table=factors] data, .result data, [data-table=motion] data, [data-side]")
                 .into_iter()
                 .map(|data| si(data, "value").unwrap().abs())
                 .collect();

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 use standfast::Mode;
 use standfast::loads::Earthquake;
-use standfast_cases::assess::{factors, verdict};
+use standfast_cases::assess::verdict;
 use standfast_cases::{Acting, Assessed, Assessment, Shaken};
 
 use crate::measured::{Measured, NONE, number};
@@ -12,11 +12,20 @@ use crate::steps::Steps;
 pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Assessed) {
     let case = &assessment.case;
     if let Acting::Combination(index) = assessed.acting {
-        let factors = factors(&case.combinations[index]).replace('`', "'");
-        steps.note(&format!(
-            "Factors of the combination: {factors}. Loads that it does not name act as they are if they are permanent, and not \
-             at all if they are variable."
-        ));
+        steps.note(
+            "Factors of the combination. Loads that it does not name act as they are if they are permanent, and not at all if \
+             they are variable.",
+        );
+        steps.push(html! {
+            table.numbers data-table="factors" {
+                thead { tr { th { "Load" } th.n { "Factor" } } }
+                tbody {
+                    @for (name, factor) in &case.combinations[index].factors {
+                        tr { td { (name) } td.n { data value=(factor) { (number(*factor)) } } }
+                    }
+                }
+            }
+        });
     }
     let Some(reported) = assessed.earthquake.filter(|_| !assessed.others.is_empty()) else { return };
     steps.note(

@@ -135,7 +135,8 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
     if let Action::Pressure { diagram, .. } = &component.load.action
         && component.load.source == LoadSource::Pressure
     {
-        pressure(steps, diagram);
+        let given = case.pressures.iter().find(|pressure| pressure.diagram == *diagram);
+        pressure(steps, diagram, given.map_or(1.0, |pressure| pressure.scale));
     }
     let [fx, fv, fm] = formulas(component, [&x, &v], factor);
     // Backticks would begin a formula.
@@ -245,7 +246,7 @@ fn formulas(component: &Component, [x, v]: [&str; 2], factor: &str) -> [Option<S
 }
 
 /// The sum of a pressure along its face, and its moment about where positions begin.
-fn pressure(steps: &mut Steps, diagram: &PressureDiagram) {
+fn pressure(steps: &mut Steps, diagram: &PressureDiagram, scale: f64) {
     /// How many points a sum is written out for.
     const WRITTEN: usize = 6;
     let points = diagram.points();
@@ -260,10 +261,14 @@ fn pressure(steps: &mut Steps, diagram: &PressureDiagram) {
     }
     for (i, PressureAt { position, pressure }) in points.iter().enumerate() {
         steps.know(&format!("s_{}", i + 1), *position, METRE);
-        steps.know(&format!("q_{}", i + 1), *pressure, KILOPASCAL);
+        // As the file has it; one that is scaled to nothing has no other numbers.
+        let given = if scale == 0.0 { 0.0 } else { pressure / scale };
+        steps.know(&format!("q_{}", i + 1), given, KILOPASCAL);
     }
+    steps.know("f_p", scale, NONE);
     let over = |piece: fn(usize, usize) -> String| {
-        (1..points.len()).map(|i| piece(i, i + 1)).collect::<Vec<_>>().join(" + ")
+        let sum = (1..points.len()).map(|i| piece(i, i + 1)).collect::<Vec<_>>().join(" + ");
+        if scale == 1.0 { sum } else { format!("f_p ({sum})") }
     };
     let formula = over(|i, j| format!("(q_{i} + q_{j})/2 (s_{j} − s_{i})"));
     steps.add(sum, "", ["Q", &formula], force, KILONEWTON, "");

@@ -34,6 +34,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, view: &View) {
         steps.note(&sentence.replace('`', "'"));
     }
     if let Departure::At { factor, .. } = *assessed.departure() {
-        steps.know("λ_d", factor, NONE);
+        let words = "the least λ at which a condition of rest is crossed";
+        steps.told("Load factor at which the body leaves rest", "λ_d", factor, NONE, words, "load_factor");
     }
 }

@@ -102,6 +102,20 @@ fn more() -> Vec<(String, String)> {
         ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = -0.3\nvertical = 0.1\n[added_mass]\nsides = 2\n")),
         ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.2\n[added_mass]\nsides = 1\n")),
         ("added mass given", format!("{body}[earthquake]\nhorizontal = 0.2\n[added_mass]\nmass = 20e3\n")),
+        ("pressures, scaled", format!("{body}[[pressure]]\nname = \"left\"\nface = \"left\"\nelevation = [0, 2, 2, 7]\npressure = [3e3, 1e3, 9e3, -2e3]\nscale = 1.3\n\
+            [[pressure]]\nface = \"top\"\ndistance = [1, 6]\npressure = [4e3, 2e3]\npermanent = true\n\
+            [[pressure]]\nface = \"base\"\ndistance = [0, 1, 2, 3, 4, 5, 6]\npressure = [1, 2, 3, 5, 8, 13, 21]\n")),
+        ("forces at points", format!("{body}base_left = 2.5\n[[load]]\nname = \"crane `A`\"\nforce = 90e3\ndirection = \"down\"\ndistance = 1\npermanent = true\n\
+            [[load]]\nname = \"lift\"\nforce = 20e3\ndirection = \"up\"\ndistance = 4\ntogether = true\n\
+            [[load]]\nname = \"push\"\nforce = 70e3\nelevation = 3\ntogether = true\n\
+            [[combination]]\nname = \"one `of` two\"\nfactors = {{ lift = 1.5, push = 1.35, weight = 0.9 }}\n[[combination]]\nfactors = {{ push = 1.1 }}\n\
+            [criteria]\nSF_sliding = 1.3\nSF_overturning = 1.4\nbearing_max = \"200 kPa\"\ncontact_share = 0.5\neccentricity = \"1 m\"\nload_factor = 1.2\n\
+            modes_not = [\"RO\", \"SL\"]\n")),
+        ("all in a combination", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nuplift = false\n[uplift]\nleft = 1e3\nright = 2e3\n[earthquake]\nhorizontal = 0.05\n\
+            vertical = 0.02\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
+            [criteria]\nload_factor = 1.2\n")),
+        ("no standing pressure", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nlambda = [0, 1, 0.5]\n")),
+        ("never and at once", format!("{body}[criteria]\nload_factor = 1.5\nSF_sliding = 1.2\n[[load]]\nforce = 0\nelevation = 1\n")),
         ("uplift", format!("{body}[uplift]\nleft = 20e3\nright = 60e3\ngrows = true\n[[load]]\nforce = 100e3\nelevation = 5\ndirection = \"right\"\n")),
         ("lifted", format!("{body}[uplift]\nleft = 300e3\nright = 300e3\n")),
         ("weight alone", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 1.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
