@@ -20,7 +20,7 @@
 //! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
 //! let case = CaseFile::parse("case.toml", text)?.case()?;
 //! let assessment = Assessment::of(&case)?;
-//! assert!(assessment.text(&View::default()).contains("the body stays at rest (RE)."));
+//! assert!(assessment.text(&View::default()).contains("the body stays at rest (RE)"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -6,7 +6,7 @@
 //! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
 //! let date: Date = "2026-11-21".parse()?;
 //! let sheet = Sheet::of("case.toml", text, &SheetOptions { date: Some(date), ..SheetOptions::default() })?;
-//! assert!(sheet.html().contains("the body stays at rest (RE)."));
+//! assert!(sheet.html().contains("the body stays at rest (RE)"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
