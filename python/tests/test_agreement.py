@@ -50,11 +50,31 @@ def random_case(seed: int) -> str:
     if n.random() < 0.2:
         lines += ["[earthquake]", f"horizontal = {n.uniform(-0.4, 0.4)}", f"vertical = {n.uniform(-0.2, 0.2)}"]
         lines += ["[added_mass]", f"sides = {n.choice([1, 2])}"] if has_wave or has_water else []
+    factors = []
+    for i in range(n.choice([0, 0, 0, 1, 2])):
+        face, along, end = n.choice(
+            [("left", "elevation", height), ("right", "elevation", height), ("base", "distance", width), ("top", "distance", width)]
+        )
+        places = sorted(n.uniform(0, end) for _ in range(n.choice([2, 3])))
+        lines += ["[[pressure]]", f'name = "p{i}"', f'face = "{face}"', f"{along} = {places}"]
+        lines += [f"pressure = {[n.uniform(-2e4, 6e4) for _ in places]}", f"permanent = {n.choice(['true', 'false'])}"]
+        factors += [f"p{i} = {n.uniform(0, 2)}"]
     for i in range(0 if has_wave and n.random() < 0.5 else n.choice([1, 1, 2, 3])):
         force = 10 ** n.uniform(-2, 1) * width * height * 2e4
         lines += ["[[load]]", f'force = "{force / 1e3} kN/m"', f"elevation = {n.uniform(0, 1) * height}"]
-        lines += [f'name = "number {i}"'] if n.random() < 0.5 else []
-        lines += ['direction = "right"'] if n.random() < 0.4 else []
+        if n.random() < 0.5:
+            lines += [f'name = "number {i}"']
+            factors += [f'"number {i}" = {n.uniform(0, 2)}']
+        lines += n.choice([[], [], ['direction = "right"'], ['direction = "down"', f"distance = {n.uniform(0, width)}"]])
+        lines += n.choice([[], [], [], ["together = true"], ["permanent = true"]])
+    if n.random() < 0.25:
+        factors += [f"weight = {n.uniform(0.8, 1.1)}"] + ([f"wave = {n.uniform(0.5, 1.5)}"] if has_wave else [])
+        for _ in range(n.choice([1, 2, 3])):
+            lines += ["[[combination]]", f"factors = {{ {', '.join(n.sample(factors, n.randint(0, len(factors))))} }}"]
+    if n.random() < 0.4:
+        criteria = ["SF_sliding = 1.2", "SF_overturning = 1.5", 'bearing_max = "400 kPa"', "contact_share = 0.667", "load_factor = 1.1"]
+        criteria += [f"eccentricity = {width / 6}", 'modes_not = ["RO", "SRO-"]']
+        lines += ["[criteria]", *n.sample(criteria, n.randint(1, len(criteria)))]
     return "\n".join(lines) + "\n"
 
 
@@ -88,7 +108,14 @@ def unwrapped(text: str) -> str:
 def compare_situation(said: dict[str, Any], text: str) -> None:
     """A part of the text against the JSON."""
     words = unwrapped(text)
-    assert said["mode_words"] is None or f"the body {said['mode_words']} ({said['mode']})." in words
+    if said["mode"] == "RE":
+        # Never said to rest without the lesser of its factors.
+        sliding, overturning = (math.inf if said[key] == "infinite" else said[key] for key in ("SF_sliding", "SF_overturning"))
+        factor, against = (overturning, "overturning") if overturning < sliding else (sliding, "sliding")
+        factor_words = f", with a safety factor of {digits(factor)} against {against}" if factor < math.inf else ""
+        assert f"the body stays at rest (RE){factor_words}." in words
+    else:
+        assert said["mode_words"] is None or f"the body {said['mode_words']} ({said['mode']})." in words
     assert ("The answer is unique." in words) == (said["unique"] and said["mode"] is not None)
     for symbol in said["also"]:
         assert f"({symbol})" in words.split("is not unique: that it ", 1)[1].split("as well.")[0]
@@ -110,12 +137,23 @@ def compare_situation(said: dict[str, Any], text: str) -> None:
     if about[0] is not None:
         assert said["SF_overturning"] == min(about, key=lambda factor: math.inf if factor == "infinite" else factor)
     if said["bearing"] == "pressed":
-        assert row(text, "bearing")[-1] == f"{digits(said['heel_pressure'] / 1e3)} kPa"
-        assert row(text, "             at the toe")[-1] == f"{digits(said['toe_pressure'] / 1e3)} kPa"
+        for begin, edge, other in [("bearing", "heel", "toe"), ("             at the toe", "toe", "heel")]:
+            pressure = said[f"{edge}_pressure"]
+            larger = ", the larger" if pressure > said[f"{other}_pressure"] else ""
+            assert row(text, begin)[-1] == f"{digits(pressure / 1e3)} kPa{larger}"
     else:
         assert row(text, "bearing")[-1] == "none"
     if said["resultant_arm"] is not None:
         assert row(text, "resultant")[-1] == f"{digits(said['resultant_arm'])} m"
+        assert row(text, "             eccentricity |B_c/2 − t_e|")[-1] == f"{digits(said['eccentricity'])} m"
+    if said["other_earthquakes"]:
+        lines = text.split("that were tried, the worst first\n", 1)[1].splitlines()[2:]
+        for other, line in zip([said["earthquake"] | said, *said["other_earthquakes"]], lines):
+            share = digits(100 * other["load_factor"]) + " %" if other["departure"] == "at" else other["departure"].replace("-", " ")
+            gravity = 9.81
+            expected = [digits(other["horizontal"] / gravity), digits(other["vertical"] / gravity), other["mode"] or "none"]
+            expected += [digits(other["SF_sliding"]), digits(other["SF_overturning"]), share]
+            assert re.split(r"\s{2,}", line.strip())[: len(expected)] == expected, line
     assert row(text, "P")[0] == f"{digits(said['P'] / 1e3)} kN/m"
     assert row(text, "P")[1] == f"M_p = {digits(said['M_p'] / 1e3)} kN m/m about the base"
     assert row(text, "U")[0] == f"{digits(said['U'] / 1e3)} kN/m"
@@ -140,6 +178,38 @@ def compare_situation(said: dict[str, Any], text: str) -> None:
         assert (begin, mode) == (digits(stage["from"]), stage["mode"] or "none")
 
 
+def compare_criteria(document: dict[str, Any], text: str) -> None:
+    """The criteria of the text against the JSON, and these against the situations."""
+    assert document["met"] == (all(check["met"] for check in document["criteria"]) if document["criteria"] else None)
+    lines = text.split("\nCriteria\n", 1)[1].splitlines()[1:] if document["criteria"] else []
+    used = []
+    for check, line in zip(document["criteria"], lines):
+        columns = re.split(r"\s{2,}", line.strip())
+        assert columns[0] == check["name"] and ("not met" in columns) != check["met"]
+        situation = document["situations"][check["situation"]]
+        if check["name"] == "modes_not":
+            assert set(check["value"]) == ({situation["mode"], *situation["also"]} - {None})
+            assert check["met"] == (bool(check["value"]) and not set(check["value"]) & set(check["required"]))
+            used.append(0 if check["met"] else math.inf)
+            continue
+        rests = {"never": "infinite", "at-once": 0, "at": situation["load_factor"]}[situation["departure"]]
+        assert check["value"] == (rests if check["name"] == "load_factor" else situation[check["name"]])
+        value = math.inf if check["value"] == "infinite" else check["value"]
+        least = check["name"] not in ("bearing_max", "eccentricity")
+        if value is None or (least and value <= 0):
+            utilisation = math.inf
+        else:
+            utilisation = check["required"] / value if least else value / check["required"]
+            assert check["met"] == (value >= check["required"] if least else value <= check["required"])
+        assert check["utilisation"] == ("infinite" if utilisation == math.inf else pytest.approx(utilisation, rel=1e-14))
+        shown = columns[3]
+        assert shown == digits(check["utilisation"]) or abs(float(shown) / utilisation - 1) < 5e-4
+        required = digits(check["required"] / (1e3 if check["name"] == "bearing_max" else 1))
+        assert columns[1].split()[:2] == ["≥" if least else "≤", required]
+        used.append(utilisation)
+    assert used == sorted(used, reverse=True)
+
+
 def compare(program: list[str], name: str, folder: Path) -> bool:
     """Whether the case of a file is understood, after comparing what the three say of it."""
     os.makedirs(folder, exist_ok=True)
@@ -160,10 +230,16 @@ def compare(program: list[str], name: str, folder: Path) -> bool:
     assert json.loads(found.to_json()) == document | {"figures": []}
     assert re.sub(r"\n(Diagram|k–μ diagram|Load path)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
     if len(document["situations"]) > 1:
-        for said, part in zip(document["situations"], str(found).split(RULE)[1:], strict=True):
+        parts = str(found).split(RULE)[1 : len(document["situations"]) + 1]
+        # The worst first; the situations of the document in the order of the case.
+        number = lambda part: int(re.match(r"\s*(?:Load|Combination) (\d+)", part)[1])
+        assert number(parts[0]) == sorted(map(number, parts))[document["governing"]]
+        for said, part in zip(document["situations"], sorted(parts, key=number), strict=True):
             compare_situation(said, part)
     else:
         compare_situation(document["situations"][0], str(found))
+    compare_criteria(document, str(found))
+    assert found.met == document["met"] and len(found.criteria) == len(document["criteria"])
     for said, part in zip(document["situations"], found.situations, strict=True):
         assert part.mode == said["mode"] or part.mode.symbol == said["mode"]
         assert part.SF_sliding == (math.inf if said["SF_sliding"] == "infinite" else said["SF_sliding"])
