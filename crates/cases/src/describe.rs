@@ -191,6 +191,9 @@ fn crossings(reduced: &Reduced, symbol: &str, crossings: &[Crossing], indent: us
     columns(&rows, indent, &[])
 }
 
+/// What the accelerations at onset are of a body whose base is shaken.
+pub const RELATIVE: &str = "Accelerations are relative to the base, which the earthquake itself accelerates.";
+
 /// Why the answer to a force that points right speaks of mirrored modes.
 pub const MIRRORED: &str = "The force points to the right, the mirror image of the report's problem: k, k' and the \
      inequalities are those of the same force to the left; the modes and motions below are of the real body, with \

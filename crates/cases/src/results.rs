@@ -140,6 +140,9 @@ listed! {
         |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_heel));
     SfOverturningToe = number("SF_overturning_toe", None, "the same about the toe, (W'(B_c − t) − U B_c + M_U)/(−M_p)",
         |a| factor(&a.outcome.full, a.outcome.stability.overturning_about_toe));
+    SfOverturningGross = number("SF_overturning_gross", None,
+        "safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both corners: the whole weight against all water under the base and P",
+        |a| factor(&a.outcome.full, a.outcome.gross.overturning()));
 
     Bearing = word("bearing", &["pressed", "outside-base", "lifted"],
         "whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses",

@@ -46,6 +46,19 @@ fn a_sheet_is_small_and_the_same_each_time() {
     }
 }
 
+/// The body is shaken with its base, and what it does beside that is what is shown.
+#[test]
+fn accelerations_of_a_shaken_body_are_said_to_be_relative() {
+    let mut shaken = 0;
+    for (name, text) in cases() {
+        let shakes = text.contains("[earthquake]");
+        let words = "Accelerations are relative to the base";
+        assert_eq!(html(&name, &text).contains(words), shakes, "{name}");
+        shaken += usize::from(shakes);
+    }
+    assert!(shaken > 3, "{shaken}");
+}
+
 #[test]
 fn the_sheet_says_what_it_is_of() {
     let text = "title = \"Wall\"\n[body]\nwidth = 6\nheight = 7\nmass = 1e5\nfriction = 0.6 # test 12\n[[load]]\nforce = 1e5\nelevation = 3\n";

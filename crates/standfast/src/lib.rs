@@ -55,7 +55,7 @@ pub use mode::{Corner, Mode, Modes, ParseModeError, Slip};
 pub use motion::{CornerAcceleration, Motion};
 pub use quantity::{Expected, Quantity};
 pub use situation::{Departure, Outcome, Response, Situation};
-pub use stability::{Bearing, ClassicalActions, Stability};
+pub use stability::{Bearing, ClassicalActions, GrossOverturning, Stability};
 pub use wrench::Wrench;
 
 /// The examples of the README are tests.

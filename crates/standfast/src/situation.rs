@@ -39,7 +39,7 @@ use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::quantity::{Expected, Quantity};
 use crate::region::Region;
-use crate::stability::{ClassicalActions, Stability};
+use crate::stability::{ClassicalActions, GrossOverturning, Stability};
 use crate::wrench::Wrench;
 
 /// A body, its friction and its loads; SI units, per metre run.
@@ -103,6 +103,8 @@ pub struct Outcome {
     /// Safety factors and bearing pressure under the full load. They mean nothing for a body that is
     /// [lifted](Response::is_lifted).
     pub stability: Stability,
+    /// Overturning by gross moments; it means nothing either for a body that is lifted.
+    pub gross: GrossOverturning,
 }
 
 impl Response {
@@ -254,13 +256,21 @@ impl Situation {
 
     /// The wrenches of the permanent and of the variable loads, and what a kind of load adds up to under the full load.
     fn sums(&self) -> Sums {
-        let mut sums = Sums { permanent: Wrench::ZERO, variable: Wrench::ZERO, by_kind: [Wrench::ZERO; 3] };
+        let mut sums = Sums {
+            permanent: Wrench::ZERO,
+            variable: Wrench::ZERO,
+            by_kind: [Wrench::ZERO; 3],
+            buoyancy: Wrench::ZERO,
+        };
         for load in &self.loads {
             let wrench = self.wrench_of(load);
             let share = if load.permanent { &mut sums.permanent } else { &mut sums.variable };
             *share = *share + wrench;
             let kind = &mut sums.by_kind[load.kind as usize];
             *kind = *kind + wrench;
+            if load.source == LoadSource::Buoyancy {
+                sums.buoyancy = sums.buoyancy + wrench;
+            }
         }
         sums
     }
@@ -405,7 +415,8 @@ impl Situation {
         let departure = self.departure(&path, &sums.permanent)?;
         let actions = self.actions(&sums.by_kind);
         let stability = actions.stability(self.static_friction, self.body.base_width());
-        Ok(Outcome { full, departure, path, actions, stability })
+        let gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
+        Ok(Outcome { full, departure, path, actions, stability, gross })
     }
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
@@ -429,4 +440,6 @@ struct Sums {
     variable: Wrench,
     /// In the order of [`LoadKind`].
     by_kind: [Wrench; 3],
+    /// Of the kind of the weight, what buoyancy is.
+    buoyancy: Wrench,
 }

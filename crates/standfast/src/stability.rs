@@ -11,6 +11,17 @@
 //! t_e ≤ 0, t_e ≥ B_c:     the base cannot carry the resultant at rest
 //! ```
 //!
+//! Goda takes buoyancy and uplift off the weight, which makes its moment less. By gross moments water under the base is a load that
+//! turns the body, and the weight resists in full. With U_s, M_s the uplift of still water, buoyancy, and its moment about the heel:
+//!
+//! ```text
+//! SF_gross = (W' t + M_s)/(M_s + M_U + M_p), about the heel
+//!            ((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p), about the toe
+//! ```
+//!
+//! It is 1 where the resultant of all loads passes the corner, as Goda's is; elsewhere it is nearer to 1. P and M_p are those of all
+//! horizontal loads together, water on both sides among them.
+//!
 //! They say whether the body stays at rest. Which mode begins when it does not, they cannot say.
 
 use crate::body::Body;
@@ -95,16 +106,66 @@ impl Stability {
     }
 }
 
+/// Overturning by gross moments: the whole weight against all pressures of water under the base and the horizontal force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrossOverturning {
+    /// U_s, N/m: buoyancy that is among the loads; zero where the weight is given less buoyancy.
+    pub buoyancy: f64,
+    /// M_s, N·m/m: its moment about the heel.
+    pub buoyancy_moment: f64,
+    /// The factor about the heel; infinite where nothing turns the body that way.
+    pub about_heel: f64,
+    /// The same about the toe.
+    pub about_toe: f64,
+}
+
+impl GrossOverturning {
+    /// The factors of `actions` on `body`, whose W' is what `buoyancy` leaves of the weight.
+    pub fn of(body: &Body, actions: &ClassicalActions, buoyancy: &Wrench) -> GrossOverturning {
+        let ClassicalActions { buoyant_weight, weight_arm, uplift, uplift_moment, force_moment, .. } =
+            *actions;
+        let buoyancy_moment = 0.0 - resisting(actions.heel, body, buoyancy);
+        let buoyancy = 0.0 - buoyancy.p;
+        let base = body.base_width();
+        let resisting = buoyant_weight * weight_arm + buoyancy_moment;
+        let turning = buoyancy_moment + uplift_moment + force_moment;
+        let about_toe =
+            [(buoyant_weight + buoyancy) * base - resisting, (buoyancy + uplift) * base - turning];
+        GrossOverturning {
+            buoyancy,
+            buoyancy_moment,
+            about_heel: ratio(resisting, turning),
+            about_toe: ratio(about_toe[0], about_toe[1]),
+        }
+    }
+
+    /// Whether the factor about the heel is the lesser.
+    pub fn is_about_heel(&self) -> bool {
+        self.about_heel <= self.about_toe
+    }
+
+    /// SF_overturning_gross: the lesser of the factors about both corners.
+    pub fn overturning(&self) -> f64 {
+        self.about_heel.min(self.about_toe)
+    }
+}
+
+/// A safety factor: infinite where nothing acts, and zero where the body is moved without any action.
+fn ratio(resistance: f64, action: f64) -> f64 {
+    match () {
+        () if action > 0.0 => resistance / action,
+        () if resistance < 0.0 => 0.0,
+        () => f64::INFINITY,
+    }
+}
+
 impl ClassicalActions {
     /// The actions on `body` of vertical, uplift and horizontal loads.
     pub fn of(body: &Body, vertical: &Wrench, uplift: &Wrench, horizontal: &Wrench) -> ClassicalActions {
         let right = horizontal.x > 0.0 || horizontal.x == 0.0 && vertical.m + uplift.m + horizontal.m < 0.0;
-        let (heel, σ, arm) = match right {
-            false => (Corner::O, 1.0, body.heel_distance()),
-            true => (Corner::OPrime, -1.0, body.toe_distance()),
-        };
-        // Clockwise about O, or counter-clockwise about O'.
-        let resisting = |wrench: &Wrench| wrench.p * arm - σ * wrench.m;
+        let heel = if right { Corner::OPrime } else { Corner::O };
+        let (σ, _) = about(heel, body);
+        let resisting = |wrench: &Wrench| resisting(heel, body, wrench);
         ClassicalActions {
             heel,
             buoyant_weight: vertical.p,
@@ -124,11 +185,6 @@ impl ClassicalActions {
         let pressing = buoyant_weight - uplift;
         let resisting = buoyant_weight * weight_arm - uplift_moment;
         let about_toe = pressing * base_width - resisting;
-        let ratio = |resistance: f64, action: f64| match () {
-            () if action > 0.0 => resistance / action,
-            () if resistance < 0.0 => 0.0,
-            () => f64::INFINITY,
-        };
         let resultant_arm = (pressing > 0.0).then(|| (resisting - force_moment) / pressing);
         Stability {
             sliding: ratio(friction * pressing, force),
@@ -138,6 +194,20 @@ impl ClassicalActions {
             bearing: resultant_arm.map_or(Bearing::Lifted, |arm| bearing(pressing, arm, base_width)),
         }
     }
+}
+
+/// The sense in which a body turns about its heel, 1 counter-clockwise, and the heel's distance from the centre of mass, m.
+fn about(heel: Corner, body: &Body) -> (f64, f64) {
+    match heel {
+        Corner::O => (1.0, body.heel_distance()),
+        Corner::OPrime => (-1.0, body.toe_distance()),
+    }
+}
+
+/// The moment of a load about the heel that holds the body down: clockwise about O, or counter-clockwise about O'.
+fn resisting(heel: Corner, body: &Body, wrench: &Wrench) -> f64 {
+    let (σ, arm) = about(heel, body);
+    wrench.p * arm - σ * wrench.m
 }
 
 /// The pressure of W_e = `pressing` at t_e = `arm` from the heel.

@@ -129,6 +129,76 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
     assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
 }
 
+/// By gross moments, summed load by load about each corner: what water does under the base turns, what weighs resists. The
+/// factor is below 1 just where the reaction would act beside the base.
+#[test]
+fn gross_moments_are_those_of_the_loads() {
+    let mut random = Random(63);
+    let mut seen = [0; 3];
+    for _ in 0..tries(20_000).max(500) {
+        let situation = random_situation(&mut random);
+        let outcome = situation.outcome().unwrap();
+        let body = situation.body();
+        let size = body.mass() * G * body.width();
+        // About O counter-clockwise, about O' clockwise: distance, sense.
+        let factors = [(body.heel_distance(), 1.0), (body.toe_distance(), -1.0)].map(|(arm, sense)| {
+            let [mut resisting, mut turning] = [0.0; 2];
+            for load in situation.loads() {
+                let Wrench { x, p, m } = situation.wrench_of(load);
+                turning -= sense * x * body.centroid_height();
+                match load.kind {
+                    _ if load.source == LoadSource::Buoyancy => turning += sense * m - p * arm,
+                    LoadKind::Uplift => turning += sense * m - p * arm,
+                    Weight => resisting += p * arm - sense * m,
+                    Horizontal => {
+                        resisting += p * arm;
+                        turning += sense * m;
+                    }
+                }
+            }
+            (resisting, turning)
+        });
+        let edge =
+            |&(resisting, turning): &(f64, f64)| turning.abs() < 1e-6 * size || resisting < 1e-6 * size;
+        if outcome.full.is_lifted() || factors.iter().any(edge) {
+            continue;
+        }
+        let factor = |(resisting, turning): (f64, f64)| {
+            if turning > 0.0 { resisting / turning } else { f64::INFINITY }
+        };
+        let expected = factor(factors[0]).min(factor(factors[1]));
+        let found = outcome.gross.overturning();
+        assert!(
+            found == expected || (found / expected - 1.0).abs() < 1e-9,
+            "{situation:?}: {found}, {expected}"
+        );
+        let inside = !matches!(outcome.stability.bearing, Bearing::OutsideBase);
+        if (found - 1.0).abs() > 1e-9 {
+            assert_eq!(found >= 1.0, inside, "{situation:?}: {found}");
+        }
+        seen[usize::from(found < 1.0)] += 1;
+        seen[2] += u32::from(found.is_finite() && factor(factors[1]) < factor(factors[0]));
+    }
+    assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
+}
+
+/// A wall of 8 m by 12 m and 2.4 t/m³ between water of 11 m and 4 m, by hand: m g 4 m = 9040.9 kN; under the base 26 m × 9.81 × 64/6
+/// = 2720.6 kN; on the sides 9.81 (11³ − 4³)/6 = 2071.5 kN. By gross moments 9040.9/4792.1 = 1.887, by Goda's 6320.3/2071.5 = 3.051.
+#[test]
+fn a_head_difference_by_gross_moments_and_by_goda_s() {
+    let body = Body::of_density(8.0, 12.0, 2400.0).unwrap();
+    for (left, right) in [(4.0, 11.0), (11.0, 4.0)] {
+        let water = StillWater::new(&body, left, right, 1000.0).unwrap();
+        let situation = Situation::new(body, 0.6, G).unwrap().with_weight().with_all(water.loads(&body, G));
+        let outcome = situation.outcome().unwrap();
+        assert!((outcome.gross.buoyancy_moment / 1e3 - 2720.64).abs() < 0.01);
+        assert!((outcome.gross.buoyancy / 1e3 - 9.81 * 7.5 * 8.0).abs() < 1e-9);
+        assert!((outcome.gross.overturning() - 1.8866).abs() < 5e-5, "{}", outcome.gross.overturning());
+        assert!((outcome.stability.overturning() - 3.0510).abs() < 5e-5);
+        assert!(outcome.gross.is_about_heel());
+    }
+}
+
 /// Up to its departure the body rests, and beyond it does not, as the response at single load factors says.
 #[test]
 fn a_departure_is_where_rest_ends() {

@@ -1,7 +1,7 @@
 //! The actions as a designer adds them up, safety factors and bearing pressures.
 
 use standfast::loads::Reduced;
-use standfast::{Bearing, ClassicalActions, Corner, Stability};
+use standfast::{Bearing, ClassicalActions, Corner, GrossOverturning, Outcome, Stability};
 
 use super::Assessed;
 use crate::describe::kilonewtons;
@@ -49,13 +49,20 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     let stability = &assessed.outcome.stability;
     let Stability { sliding, overturning_about_heel, overturning_about_toe, .. } = *stability;
     let factor = |factor: f64| if full.is_lifted() { "none".to_owned() } else { digits(factor) };
+    let gross = gross(assessed);
+    let goda = if gross.is_some() { "(W' t − M_U)/M_p, Goda's" } else { "(W' t − M_U)/M_p" };
     let mut rows = vec![
         row!["sliding", "μ(W' − U)/P", factor(sliding)],
-        row!["overturning", "(W' t − M_U)/M_p", factor(overturning_about_heel)],
+        row!["overturning", goda, factor(overturning_about_heel)],
     ];
     if overturning_about_toe.is_finite() && !full.is_lifted() {
         let formula = "(W'(B_c − t) − U B_c + M_U)/(−M_p), about the toe";
         rows.push(row!["", formula, factor(overturning_about_toe)]);
+    }
+    if let Some(gross) = gross {
+        let corner = if gross.is_about_heel() { "heel" } else { "toe" };
+        let by = format!("by gross moments, about the {corner}");
+        rows.push(row!["", by, digits(gross.overturning())]);
     }
     let effective =
         full.effective.map(|reduced| (reduced, digits(reduced.point.safety_against_overturning())));
@@ -65,6 +72,9 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     }
     rows.extend(bearing(assessed));
     let mut text = columns(&rows, 2, &[]);
+    if let Some(gross) = gross {
+        text += &paragraph(&gross_words(gross), 2);
+    }
     if let Some((reduced, _)) = &effective {
         text += &paragraph(two_factors(reduced), 2);
     }
@@ -89,6 +99,35 @@ pub fn two_factors(reduced: &Reduced) -> &'static str {
              alone: the two factors are of different corners, and do not pass 1 together."
         }
     }
+}
+
+/// Overturning by gross moments, where it tells something else than Goda's factor: water presses under the base.
+fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
+    let Outcome { full, actions, stability, gross, .. } = &assessed.outcome;
+    let wet = gross.buoyancy != 0.0 || actions.uplift != 0.0;
+    let differs = digits(gross.overturning()) != digits(stability.overturning());
+    (wet && differs && !full.is_lifted()).then_some(gross)
+}
+
+/// What the factor by gross moments counts, with its formula.
+fn gross_words(gross: &GrossOverturning) -> String {
+    let formula = match (gross.is_about_heel(), gross.buoyancy != 0.0) {
+        (true, true) => "(W' t + M_s)/(M_s + M_U + M_p)",
+        (true, false) => "W' t/(M_U + M_p)",
+        (false, true) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
+        (false, false) => "W'(B_c − t)/(U B_c − M_U − M_p)",
+    };
+    let buoyancy = match gross.buoyancy {
+        0.0 => String::new(),
+        force => {
+            let moment = digits(gross.buoyancy_moment / 1e3);
+            format!("; of buoyancy, U_s = {} and M_s = {moment} kN m/m about the heel", kilonewtons(force))
+        }
+    };
+    format!(
+        "Goda's factor takes water under the base off the moment of the weight; by gross moments it turns the body: \
+         {formula}{buoyancy}."
+    )
 }
 
 fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {

@@ -115,7 +115,7 @@ struct Situation<'a> {
     results: Results<'a>,
     mode_words: Option<&'static str>,
     because: Vec<RelationDocument>,
-    /// Of the mode reported: m/s², rad/s², N and m per metre run.
+    /// Of the mode reported: m/s², rad/s², N and m per metre run; relative to the base.
     motion: Option<Motion>,
     wrench: Wrench,
     components: Vec<Component>,

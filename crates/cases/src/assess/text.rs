@@ -133,6 +133,9 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     if let Some(motion) = &full.motion {
         text += "\nAt onset\n";
         text += &describe::real_motion(motion, &Scale::of(&case.body, case.gravity));
+        if case.earthquake.is_some() {
+            text += &paragraph(describe::RELATIVE, 2);
+        }
     }
     text += &path(assessed, view);
     if let Some(reduced) = &full.effective {

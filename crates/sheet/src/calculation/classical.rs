@@ -1,7 +1,7 @@
 //! The classical checks: actions, safety factors, bearing pressure at both edges of the base.
 
-use standfast::loads::LoadKind;
-use standfast::{Bearing, ClassicalActions, Corner, Stability, Wrench};
+use standfast::loads::{LoadKind, LoadSource};
+use standfast::{Bearing, ClassicalActions, Corner, Outcome, Stability, Wrench};
 use standfast_cases::assess::{Component, checks};
 use standfast_cases::{Assessed, Case};
 
@@ -15,7 +15,7 @@ pub const TARGET: f64 = 1.2;
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Classical checks");
     actions(steps, &assessed.outcome.actions, components);
-    factors(steps, case, assessed);
+    factors(steps, case, assessed, components);
     pressure(steps, assessed);
 }
 
@@ -90,7 +90,7 @@ fn actions(steps: &mut Steps, actions: &ClassicalActions, components: &[Componen
     steps.add(about, "", ["M_p", &formula], force_moment, MOMENT, "M_p");
 }
 
-fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed) {
+fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
     if assessed.outcome.full.is_lifted() {
         return steps.note("Nothing presses the body on its base: safety factors mean nothing.");
     }
@@ -121,6 +121,7 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed) {
         "" => steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key),
         formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
     }
+    gross(steps, assessed, components);
     if !case.criteria.is_empty() {
         return;
     }
@@ -130,6 +131,51 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed) {
         met(sliding),
         met(stability.overturning())
     ));
+}
+
+/// The factor by gross moments, where water presses under the base.
+fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
+    let Outcome { actions, gross, .. } = &assessed.outcome;
+    let key = "SF_overturning_gross";
+    let about = "Safety against overturning by gross moments";
+    if gross.buoyancy == 0.0 && actions.uplift == 0.0 {
+        let words = "the same: no water presses under the base";
+        return steps.told(about, key, gross.overturning(), NONE, words, key);
+    }
+    steps.note(
+        "Goda’s factor takes the moments of buoyancy and uplift off that of the weight. By gross moments the weight resists in \
+         full, and all water under the base turns the body. Both factors are 1 where the resultant passes the corner.",
+    );
+    let (arm, sign) = if actions.heel == Corner::O { ("b_1", "+") } else { ("b_2", "−") };
+    let of = |which: usize, part: fn(&Wrench) -> f64| {
+        let buoyancy =
+            components.iter().enumerate().filter(|(_, part)| part.load.source == LoadSource::Buoyancy);
+        sum(buoyancy.map(|(i, component)| (parts(i)[which].clone(), part(&component.wrench))))
+    };
+    match of(1, |wrench| wrench.p) {
+        Some(formula) => {
+            let force = format!("−{}", grouped(&formula));
+            steps.add("Buoyancy, which W′ is less by", "", ["U_s", &force], gross.buoyancy, KILONEWTON, "");
+            let moments =
+                of(2, |wrench| wrench.m).map_or(String::new(), |m| format!(" {sign} {}", grouped(&m)));
+            let formula = format!("U_s {arm}{moments}");
+            steps.add("Its moment about the heel", "", ["M_s", &formula], gross.buoyancy_moment, MOMENT, "");
+        }
+        None => {
+            steps.told("Buoyancy", "U_s", 0.0, KILONEWTON, "none among the loads", "");
+            steps.told("Its moment about the heel", "M_s", 0.0, MOMENT, "none", "");
+        }
+    }
+    let formula = match gross.is_about_heel() {
+        _ if !gross.overturning().is_finite() || gross.overturning() == 0.0 => {
+            return steps.told(about, key, gross.overturning(), NONE, "nothing turns the body", key);
+        }
+        true => "(W' t + M_s)/(M_s + M_U + M_p)",
+        false => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
+    };
+    let corner = if gross.is_about_heel() { "heel" } else { "toe" };
+    let about = format!("{about}, about the {corner}");
+    steps.add(&about, "", [key, formula], gross.overturning(), NONE, key);
 }
 
 /// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::Motion;
-use standfast_cases::describe::MOTION;
+use standfast_cases::describe::{MOTION, RELATIVE};
 use standfast_cases::{Assessed, Case};
 
 use crate::fault::Fault;
@@ -35,6 +35,9 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     let Some(motion) = &assessed.outcome.full.motion else { return };
     steps.heading("Motion and reactions at onset, full load applied at once");
     steps.write(table(motion));
+    if case.earthquake.is_some() {
+        steps.note(RELATIVE);
+    }
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
     let body = &case.body;
     steps.know("f_x", f_x, KILONEWTON);

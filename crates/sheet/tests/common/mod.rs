@@ -119,6 +119,7 @@ fn more() -> Vec<(String, String)> {
         ("uplift", format!("{body}[uplift]\nleft = 20e3\nright = 60e3\ngrows = true\n[[load]]\nforce = 100e3\nelevation = 5\ndirection = \"right\"\n")),
         ("lifted", format!("{body}[uplift]\nleft = 300e3\nright = 300e3\n")),
         ("weight alone", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 1.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
+        ("weight at the toe", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 5.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
         ("at rest alone", format!("{body}[water]\nlevel = 5\ndensity = 1000\n")),
         ("low force", format!("{body}[[load]]\nforce = 900e3\nelevation = 0.5\n")),
         ("nothing pushes", format!("{body}[[load]]\nforce = 0\nelevation = 0.5\n")),
