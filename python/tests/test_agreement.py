@@ -131,9 +131,13 @@ def compare_situation(said: dict[str, Any], text: str) -> None:
     assert row(text, "sliding")[-1] == digits(said["SF_sliding"])
     about = [said["SF_overturning_heel"], said["SF_overturning_toe"]]
     assert row(text, "overturning")[-1] == digits(about[0])
-    assert ("about the toe" in text) == isinstance(about[1], float)
-    if isinstance(about[1], float):
-        assert re.search(r"about the toe +(\S+)$", text, re.MULTILINE)[1] == digits(about[1])
+    toe = re.search(r"\(−M_p\), about the toe +(\S+)$", text, re.MULTILINE)
+    assert (toe is not None) == isinstance(about[1], float)
+    if toe:
+        assert toe[1] == digits(about[1])
+    gross = re.search(r"by gross moments, about the (?:heel|toe) +(\S+)$", text, re.MULTILINE)
+    if gross:
+        assert gross[1] == digits(said["SF_overturning_gross"]) != digits(said["SF_overturning"])
     if about[0] is not None:
         assert said["SF_overturning"] == min(about, key=lambda factor: math.inf if factor == "infinite" else factor)
     if said["bearing"] == "pressed":

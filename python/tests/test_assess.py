@@ -55,7 +55,7 @@ def test_answers_as_attributes() -> None:
     assert found.report.along_mu[0].from_ is Mode.SLIDE_LEFT and found.report.trace[-1].mode is found.mode
     with pytest.raises(AttributeError, match="this assessment has no 'colour'; it has schema, title, note, gravity"):
         found.colour  # noqa: B018
-    with pytest.raises(AttributeError, match="this answer has no 'colour'; it has load, mode, unique"):
+    with pytest.raises(AttributeError, match="this answer has no 'colour'; it has load, combination, earthquake"):
         found.situations[0].colour  # noqa: B018
 
     goda = standfast.assess(ROOT / "examples/goda-2000.toml", up_to=1.5)
@@ -102,10 +102,24 @@ def test_alternative_loads() -> None:
     least = min(range(3), key=lambda place: float(several.situations[place].load_factor))
     assert several["governing"] == least and several.governing is several.situations[least]
     assert "mode" in dir(several.governing) and "mode" not in dir(several) and "governing" in dir(several)
-    with pytest.raises(AttributeError, match=r"3 situations, one for each load; see situations\[0\].mode and so on, or governing.mode"):
+    with pytest.raises(AttributeError, match=r"3 situations; see situations\[0\].mode and so on, or governing.mode"):
         several.mode  # noqa: B018
     with pytest.raises(AttributeError, match="this assessment has no 'colour'"):
         several.colour  # noqa: B018
+
+
+def test_combinations_and_criteria() -> None:
+    loads = [{"name": "push", "force": 100e3, "elevation": 1, "together": True}]
+    combinations = [{"name": "as it is", "factors": {"push": 1}}, {"factors": {"push": 1.5, "weight": 0.9}}]
+    found = standfast.assess(CASE | {"load": loads, "combination": combinations, "criteria": {"SF_sliding": 1.2}})
+    assert [situation.combination.name for situation in found.situations] == ["as it is", None]
+    assert found.situations[1].combination["factors"] == {"push": 1.5, "weight": 0.9}
+    plain, factored = (situation.SF_sliding for situation in found.situations)
+    assert factored == pytest.approx(plain * 0.9 / 1.5, rel=1e-14)
+    assert found["governing"] == 1 and found.criteria[0].situation == 1
+    assert found.criteria[0].utilisation == pytest.approx(1.2 / factored, rel=1e-14) and found.met is (factored >= 1.2)
+    assert repr(found).endswith("; criteria met>" if found.met else "; not met: SF_sliding>")
+    assert standfast.assess(CASE).met is None
 
 
 def test_many_loads_are_shown_by_those_that_govern() -> None:

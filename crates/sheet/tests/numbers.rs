@@ -11,10 +11,6 @@ use serde_json::Value;
 use standfast_cases::results::{ResultKind, ResultName};
 use standfast_cases::{Assessment, CaseFile, View};
 
-/// Results of the one list that are no numbers with a step of their own, and what is told of them otherwise: the departure in
-/// the table of the load path and in the summary.
-const ELSEWHERE: [&str; 1] = ["load_factor"];
-
 /// Numbers of the sea that the sheet shows under the names of the JSON.
 const SEA: [&str; 18] = [
     "H13",
@@ -81,7 +77,7 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
         }
         for (i, situation) in json["situations"].as_array().unwrap().iter().enumerate() {
             let scope = format!("[data-load=\"{i}\"]");
-            for result in ResultName::ALL.iter().filter(|result| !ELSEWHERE.contains(&result.name())) {
+            for result in ResultName::ALL {
                 if matches!(result.info().kind, ResultKind::Number(_)) {
                     compare(shown(&scope, result.name()), &situation[result.name()], result.name());
                 }
@@ -119,6 +115,67 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
         }
     }
     assert!(compared.get() > 1300, "{compared:?}");
+}
+
+/// The criteria on page 1 and at their steps, and the accelerations that were tried, are those of the JSON.
+#[test]
+fn criteria_and_earthquakes_are_those_of_the_json_answer() {
+    let mut compared = 0;
+    for (name, text) in cases() {
+        let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
+        let assessment = Assessment::of(&case).unwrap();
+        let json: Value = serde_json::from_str(&assessment.json(&View::default(), &[])).unwrap();
+        let html = document(&name, &text);
+        let words = |row: &ElementRef<'_>| row.text().collect::<Vec<_>>().join(" ");
+        let criteria = json["criteria"].as_array().unwrap();
+        let rows = select(&html, "[data-table=criteria] tbody tr");
+        assert_eq!(rows.len(), criteria.len(), "{name}");
+        for (row, criterion) in rows.iter().zip(criteria) {
+            let row = words(row);
+            assert!(row.contains(criterion["name"].as_str().unwrap()), "{name}: {row}");
+            assert_eq!(row.contains("not met"), !criterion["met"].as_bool().unwrap(), "{name}: {row}");
+            if let Some(used) = criterion["utilisation"].as_f64().filter(|used| *used > 0.0) {
+                // Four digits are shown, or as many as tell it from 1.
+                let shown = row
+                    .split(|c: char| !(c.is_ascii_digit() || c == '.'))
+                    .filter_map(|word| word.parse::<f64>().ok());
+                assert!(
+                    shown.into_iter().any(|shown| (shown / used - 1.0).abs() < 5e-4),
+                    "{name}: {row} {used}"
+                );
+            }
+            compared += 1;
+        }
+        for (i, situation) in json["situations"].as_array().unwrap().iter().enumerate() {
+            let scope = format!("[data-load=\"{i}\"]");
+            for criterion in situation["criteria"].as_array().unwrap() {
+                let Some(used) = criterion["utilisation"].as_f64() else { continue };
+                let results = select(&html, &format!("{scope} .result data"));
+                assert!(
+                    results.into_iter().any(|result| same(attribute(result), used)),
+                    "{name}: {criterion}"
+                );
+            }
+            let others = situation["other_earthquakes"].as_array().unwrap();
+            let tried = [&situation["earthquake"]].into_iter().chain(others).take(others.len() * 2);
+            let tried: Vec<f64> = tried
+                .flat_map(|tried| [&tried["horizontal"], &tried["vertical"]])
+                .map(|number| number.as_f64().unwrap())
+                .collect();
+            let rows = select(&html, &format!("{scope} [data-table=earthquakes] tbody tr"));
+            let shown: Vec<f64> = rows
+                .iter()
+                .flat_map(|row| {
+                    row.select(&"td:nth-child(-n+2) data".try_into().unwrap())
+                        .map(attribute)
+                        .collect::<Vec<_>>()
+                })
+                .collect();
+            assert_eq!(shown, tried, "{name}");
+            compared += tried.len();
+        }
+    }
+    assert!(compared > 30, "{compared}");
 }
 
 #[test]

@@ -97,8 +97,10 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
 
 /// What happens while the variable loads rise: where the body leaves rest, and how that differs from the full load at once.
 pub fn path(assessed: &Assessed) -> Vec<String> {
+    const NONE: &str = "All loads are permanent; none rises.";
     match assessed.departure() {
-        _ if assessed.outcome.path.is_empty() => vec!["All loads are permanent; none rises.".to_owned()],
+        Departure::Never if assessed.outcome.path.is_empty() => vec![NONE.to_owned()],
+        departure if assessed.outcome.path.is_empty() => vec![NONE.to_owned(), leaving(departure)],
         departure => vec![rising(assessed), leaving(departure), difference(assessed)],
     }
 }
