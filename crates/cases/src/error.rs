@@ -34,6 +34,14 @@ pub enum Problem {
         /// The key.
         name: String,
     },
+    /// A criterion of a result that is not computed.
+    #[error("the criterion `{name}` asks for {of}, which an assessment of the first instant does not have")]
+    Unanswerable {
+        /// The criterion.
+        name: &'static str,
+        /// What it asks for.
+        of: &'static str,
+    },
     /// A key that has to be there.
     #[error("{} lacks `{}`", key.info().table.header(), key.entry())]
     MissingKey {
@@ -101,7 +109,7 @@ pub enum Problem {
         expected: Key,
     },
     /// Positions without pressures, or the other way round.
-    #[error("`{}` has {positions} numbers and `pressure` {pressures}; expected as many of each, two at least", along.name())]
+    #[error("`{}` and `pressure` have {positions} and {pressures} numbers; expected as many of each, two at least", along.name())]
     Lengths {
         /// The key of the positions.
         along: Key,
@@ -279,6 +287,11 @@ impl Problem {
             Problem::Empty { .. } => SKELETON.to_owned(),
             Problem::NoTables { table } => format!("remove it, or add for example\n{}", table.example()),
             Problem::UnknownKey { table, name } => known(*table, name),
+            Problem::Unanswerable { .. } => format!(
+                "it takes the motion in time or random inputs, neither of which this version has; the criteria that can be \
+                 answered: {}",
+                names(Table::Criteria).join(", ")
+            ),
             Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
             Problem::Unit { key, error, .. } => {
@@ -368,6 +381,14 @@ impl Problem {
 fn line(key: Key) -> String {
     format!("{} = {}", key.entry(), key.info().example)
 }
+
+/// Criteria of results that are not computed, and what they ask for.
+pub(crate) const UNANSWERABLE: [(&str, &str); 4] = [
+    ("slide", "how far the body slides"),
+    ("max_theta", "how far the body turns"),
+    ("overturned", "whether the body overturns in the end"),
+    ("p_not_rest", "a probability"),
+];
 
 /// The names that a table of a file may have: its keys, and at the top the tables.
 pub(crate) fn names(table: Table) -> Vec<&'static str> {

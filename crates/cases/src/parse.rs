@@ -10,7 +10,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::case::{Case, fault};
-use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
+use crate::error::{CaseError, Fault, Place, Problem, UNANSWERABLE, expected_type, names};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
@@ -216,7 +216,12 @@ fn only(found: &DeTable<'_>, table: Table) -> Result<(), At> {
     match unknown.min_by_key(|key| key.span().start) {
         None => Ok(()),
         Some(key) => {
-            let problem = Problem::UnknownKey { table, name: key.get_ref().to_string() };
+            let name: &str = key.get_ref();
+            let later = UNANSWERABLE.iter().find(|(later, _)| table == Table::Criteria && *later == name);
+            let problem = match later {
+                Some(&(name, of)) => Problem::Unanswerable { name, of },
+                None => Problem::UnknownKey { table, name: name.to_owned() },
+            };
             Err(At { problem, span: key.span() })
         }
     }
@@ -325,7 +330,9 @@ impl Field<'_> {
                 let mut modes = Modes::NONE;
                 for field in self.elements(kind)? {
                     let mode = field.words()?.parse();
-                    modes.insert(mode.map_err(|_| field.out_of_range("the symbol of a mode"))?);
+                    modes.insert(mode.map_err(|_| {
+                        field.out_of_range("one of RE, SL, SL+, RO, RO', SRO-, SRO+, SRO'-, SRO'+ and FL")
+                    })?);
                 }
                 Value::Modes(modes)
             }
@@ -334,8 +341,10 @@ impl Field<'_> {
 
     /// The elements of a list that is not empty.
     fn elements(&self, kind: Kind) -> Result<impl Iterator<Item = Field<'_>>, At> {
-        let list = self.value.get_ref().as_array().filter(|list| !list.is_empty());
-        let list = list.ok_or_else(|| self.wrong_type(expected_type(kind)))?;
+        let list = self.value.get_ref().as_array().ok_or_else(|| self.wrong_type(expected_type(kind)))?;
+        if list.is_empty() {
+            return Err(self.out_of_range("a list that is not empty"));
+        }
         Ok(list.iter().map(|value| Field { value, ..*self }))
     }
 
