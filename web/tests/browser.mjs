@@ -83,6 +83,6 @@ export function says(text, words, { mode, sliding, overturning }) {
   const lesser = Math.min(sliding ?? Infinity, overturning ?? Infinity);
   if (mode !== "RE" || lesser === Infinity) return said[2] === undefined;
   const against = overturning < sliding ? "overturning" : "sliding";
-  // Four digits are shown.
-  return said[3] === against && Math.abs(Number(said[2]) / lesser - 1) <= 5e-4;
+  // Three digits are shown.
+  return said[3] === against && Math.abs(Number(said[2]) / lesser - 1) <= 5e-3;
 }
