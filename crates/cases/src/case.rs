@@ -220,8 +220,10 @@ impl Case {
         for (of, load) in self.loads(earthquake.or(self.earthquake)) {
             let factor = match (acting, of) {
                 (Acting::Combination(index), of) => self.factor(&self.combinations[index], of, &load),
-                (Acting::Alone(alone), Of::Force(index)) if index != alone => {
-                    if self.forces[index].acts_alone() { 0.0 } else { 1.0 }
+                (Acting::Alone(alone), Of::Force(index))
+                    if index != alone && self.forces[index].acts_alone() =>
+                {
+                    0.0
                 }
                 _ => 1.0,
             };

@@ -44,22 +44,40 @@ pub struct Check {
     pub met: bool,
 }
 
-/// The criteria that there are, the results they ask for, and whether these have to be at least or at most.
-const NUMBERS: [(Key, ResultName, fn(f64) -> Bound); 6] = [
-    (Key::LeastSliding, ResultName::SfSliding, Bound::AtLeast),
-    (Key::LeastOverturning, ResultName::SfOverturning, Bound::AtLeast),
-    (Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost),
-    (Key::LeastContact, ResultName::ContactShare, Bound::AtLeast),
-    (Key::GreatestEccentricity, ResultName::Eccentricity, Bound::AtMost),
-    (Key::LeastLoadFactor, ResultName::LoadFactor, Bound::AtLeast),
+/// A criterion of a number: which result it asks for, in which unit it is read.
+struct Asked {
+    key: Key,
+    result: ResultName,
+    bound: fn(f64) -> Bound,
+    /// With a space before it; empty for plain numbers.
+    unit: &'static str,
+    /// How many SI units make one.
+    si_units: f64,
+}
+
+const fn asked(key: Key, result: ResultName, bound: fn(f64) -> Bound) -> Asked {
+    Asked { key, result, bound, unit: "", si_units: 1.0 }
+}
+
+const NUMBERS: [Asked; 6] = [
+    asked(Key::LeastSliding, ResultName::SfSliding, Bound::AtLeast),
+    asked(Key::LeastOverturning, ResultName::SfOverturning, Bound::AtLeast),
+    Asked {
+        unit: " kPa",
+        si_units: 1e3,
+        ..asked(Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost)
+    },
+    asked(Key::LeastContact, ResultName::ContactShare, Bound::AtLeast),
+    Asked { unit: " m", ..asked(Key::GreatestEccentricity, ResultName::Eccentricity, Bound::AtMost) },
+    asked(Key::LeastLoadFactor, ResultName::LoadFactor, Bound::AtLeast),
 ];
 
 impl Criterion {
     /// The criteria of a case.
     pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
-        let numbers = NUMBERS
-            .iter()
-            .filter_map(|(key, _, bound)| Some(Criterion { key: *key, bound: bound(inputs.number(*key)?) }));
+        let numbers = NUMBERS.iter().filter_map(|Asked { key, bound, .. }| {
+            Some(Criterion { key: *key, bound: bound(inputs.number(*key)?) })
+        });
         let modes = inputs.modes(Key::ModesNot);
         let modes = modes.map(|modes| Criterion { key: Key::ModesNot, bound: Bound::NoneOf(modes) });
         numbers.chain(modes).collect()
@@ -87,8 +105,7 @@ impl Criterion {
 
     /// How far a situation meets it.
     pub fn check(self, assessed: &Assessed) -> Check {
-        let result = NUMBERS.iter().find(|(key, _, _)| *key == self.key).map(|(_, result, _)| *result);
-        let value = match result {
+        let value = match self.asked().map(|asked| asked.result) {
             // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
             Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
             Some(result) => result.of(assessed),
@@ -109,17 +126,18 @@ impl Criterion {
         Check { criterion: self, value, utilisation, met }
     }
 
+    /// What it asks for; `None` where that is no number.
+    fn asked(&self) -> Option<&'static Asked> {
+        NUMBERS.iter().find(|asked| asked.key == self.key)
+    }
+
     /// A number in the unit that it is read in.
     fn shown(&self, si: f64) -> f64 {
-        if self.key == Key::GreatestBearing { si / 1e3 } else { si }
+        self.asked().map_or(si, |asked| si / asked.si_units)
     }
 
     fn with_unit(&self, number: &str) -> String {
-        match self.key {
-            Key::GreatestBearing => format!("{number} kPa"),
-            Key::GreatestEccentricity => format!("{number} m"),
-            _ => number.to_owned(),
-        }
+        format!("{number}{}", self.asked().map_or("", |asked| asked.unit))
     }
 }
 

@@ -336,3 +336,17 @@ fn a_force_acts_where_it_says() {
     // O is 3 m left of C.
     assert!(same(&wrench, &Wrench { x: 0.0, p: 180e3 * 9.81 + 10e3, m: 30e3 }));
 }
+
+/// What is asked decides what is worst: without criteria the push, which leaves rest first, and with a bearing pressure the weight
+/// that is put on an edge.
+#[test]
+fn criteria_decide_what_is_worst() {
+    let loads = format!(
+        "{CAISSON}[[load]]\nforce = 1e6\nelevation = 5\n[[load]]\nforce = 2e6\ndirection = \"down\"\ndistance = 1\n"
+    );
+    let without = assess(&loads);
+    assert_eq!(without.worst_first().iter().map(|assessed| assessed.index).collect::<Vec<_>>(), [0, 1]);
+    let with = assess(&format!("{loads}[criteria]\nbearing_max = \"300 kPa\"\n"));
+    assert_eq!(with.worst_first().iter().map(|assessed| assessed.index).collect::<Vec<_>>(), [1, 0]);
+    assert_eq!((with.governing().index, with.checks()[0].assessed.index), (1, 1));
+}
