@@ -3,7 +3,7 @@
 use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, PressureDiagram};
 use standfast::{Body, InputError, Quantity, Slip};
 
-use super::Given;
+use super::given::Given;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 

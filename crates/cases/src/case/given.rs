@@ -1,0 +1,288 @@
+//! From typed inputs to a body, its surroundings and its waves: what is missing, out of range, or does not go together is a fault
+//! at its key.
+
+use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
+use standfast::wave::{Choices, Heights, Sea, Section, goda};
+use standfast::{Body, InputError};
+
+use super::{Waves, Weight};
+use crate::error::{Fault, Place, Problem};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Table};
+
+/// How far lengths that have to be equal may differ, m.
+const SAME_LENGTH: f64 = 1e-6;
+
+/// How far densities that have to be equal may differ, kg/m³.
+const SAME_DENSITY: f64 = 1e-6;
+
+/// Inputs, read with what goes wrong.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'a> {
+    pub(super) inputs: &'a Inputs,
+}
+
+impl Given<'_> {
+    /// Every number is in the range of its key.
+    pub(super) fn ranges(&self) -> Result<(), Fault> {
+        for (id, number) in self.inputs.numbers() {
+            let key = id.key;
+            if let Some(range) = key.info().range().filter(|range| !range.contains(number)) {
+                return Err(Fault::new(Problem::out_of_range(key, range, number), id));
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn number(&self, key: Key) -> Option<f64> {
+        self.inputs.number(key)
+    }
+
+    pub(super) fn required(&self, key: Key) -> Result<f64, Fault> {
+        self.number(key).ok_or_else(|| self.missing(key, 0))
+    }
+
+    pub(super) fn missing(&self, key: Key, index: usize) -> Fault {
+        Fault::new(Problem::MissingKey { key }, Place::Table(key.info().table, index))
+    }
+
+    /// What a table says, if there is one.
+    pub(super) fn in_table<T>(
+        &self,
+        table: Table,
+        read: impl FnOnce(&Self) -> Result<T, Fault>,
+    ) -> Result<Option<T>, Fault> {
+        self.inputs.has(table).then(|| read(self)).transpose()
+    }
+
+    /// What the library refuses, shown at the key of a table that gives the quantity, or at the number that is too large.
+    pub(super) fn blame(&self, table: Table, error: InputError) -> Fault {
+        self.blame_one_of(table.keys(), 0, error)
+            .unwrap_or_else(|| Fault::new(Problem::Mechanics(error), table))
+    }
+
+    pub(super) fn blame_one_of(
+        &self,
+        mut keys: impl Iterator<Item = Key>,
+        index: usize,
+        error: InputError,
+    ) -> Option<Fault> {
+        let gives = |key: Key| key.info().gives.contains(&error.quantity);
+        let key = keys.find(|key| gives(*key) && self.inputs.get(Id { index, key: *key }).is_some());
+        let id = key.map(|key| Id { index, key });
+        let impossible = |id: Id| Fault::new(Problem::Impossible { key: id.key, error }, id);
+        let says = |id: &Id| gives(id.key) && self.inputs.number(*id) == Some(error.value);
+        if let Some(id) = id.filter(|id| says(id) || !error.is_about_size()) {
+            return Some(impossible(id));
+        }
+        // No number of this table: one of another, or what several came to, shown at the one that is most out of size.
+        let numbers = || self.inputs.numbers().filter(|(_, number)| *number != 0.0);
+        let size = |number: f64| number.abs().log10().abs();
+        let said = numbers().map(|(id, _)| id).find(says).map(impossible);
+        let farthest = || numbers().max_by(|(_, one), (_, two)| size(*one).total_cmp(&size(*two)));
+        said.or_else(|| Some(Fault::new(Problem::Mechanics(error), farthest()?.0)))
+    }
+
+    pub(super) fn body(&self) -> Result<Body, Fault> {
+        let (width, height) = (self.required(Key::Width)?, self.required(Key::Height)?);
+        let body = match (self.number(Key::Mass), self.number(Key::Density)) {
+            (Some(_), Some(_)) => {
+                let problem = Problem::Both { one: Key::Mass, two: Key::Density };
+                return Err(Fault::new(problem, Key::Density));
+            }
+            (None, None) => {
+                let problem = Problem::Neither { one: Key::Mass, two: Key::Density };
+                return Err(Fault::new(problem, Table::Body));
+            }
+            (Some(mass), None) => Body::new(width, height, mass),
+            (None, Some(density)) => Body::of_density(width, height, density),
+        };
+        let half = width / 2.0;
+        let shaped = body.and_then(|body| {
+            let left = self.number(Key::BaseLeft).unwrap_or(half);
+            let right = self.number(Key::BaseRight).unwrap_or(half);
+            let offset = self.number(Key::CentroidOffset).unwrap_or(0.0);
+            let height = self.number(Key::CentroidHeight).unwrap_or(body.centroid_height());
+            let body = body.with_base(left, right)?.with_centroid(offset, height)?;
+            match self.number(Key::MomentOfInertia) {
+                Some(moment) => body.with_moment_of_inertia(moment),
+                None => Ok(body),
+            }
+        });
+        shaped.map_err(|error| self.blame(Table::Body, error))
+    }
+
+    pub(super) fn kinetic_friction(&self, friction: f64) -> Result<f64, Fault> {
+        let kinetic = self.number(Key::KineticFriction).unwrap_or(friction);
+        if kinetic > friction {
+            return Err(Fault::new(Problem::KineticFriction { kinetic, friction }, Key::KineticFriction));
+        }
+        Ok(kinetic)
+    }
+
+    pub(super) fn weight(&self, body: &Body) -> Result<Weight, Fault> {
+        match (self.number(Key::BuoyantWeight), self.number(Key::WeightArm)) {
+            (Some(force), arm) => Ok(Weight::Buoyant { force, arm: arm.unwrap_or(body.heel_distance()) }),
+            (None, None) => Ok(Weight::Total),
+            (None, Some(_)) => Err(Fault::new(Problem::ArmWithoutWeight, Key::WeightArm)),
+        }
+    }
+
+    pub(super) fn water(&self, body: &Body, wave: Option<&Waves>) -> Result<StillWater, Fault> {
+        let sides = (self.number(Key::Level), self.number(Key::WaterLeft), self.number(Key::WaterRight));
+        let (left, right) = match sides {
+            (Some(level), None, None) => (level, level),
+            (None, Some(left), Some(right)) => (left, right),
+            (None, None, None) => return Err(Fault::new(Problem::NoLevel, Table::Water)),
+            (None, Some(_), None) => {
+                return Err(Fault::new(Problem::OneLevel { missing: Key::WaterRight }, Table::Water));
+            }
+            (None, None, Some(_)) => {
+                return Err(Fault::new(Problem::OneLevel { missing: Key::WaterLeft }, Table::Water));
+            }
+            (Some(_), _, _) => return Err(Fault::new(Problem::LevelAndSides, Key::Level)),
+        };
+        let of_wave = wave.map(|wave| wave.sea.water_density);
+        let density = match (self.number(Key::WaterDensity), of_wave) {
+            (Some(density), Some(of_wave)) if (density - of_wave).abs() > SAME_DENSITY => {
+                return Err(disagree((Key::WaterDensity, density), (Key::WaveWaterDensity, of_wave)));
+            }
+            (Some(density), _) | (None, Some(density)) => density,
+            (None, None) => return Err(Fault::new(Problem::NoWaterDensity, Table::Water)),
+        };
+        let right_key = if self.number(Key::Level).is_some() { Key::Level } else { Key::WaterRight };
+        let water = StillWater::new(body, left, right, density).map_err(|error| {
+            let left_is_it = error.value == left && self.number(Key::WaterLeft).is_some();
+            let key = if left_is_it { Key::WaterLeft } else { right_key };
+            let blamed = [key, Key::WaterDensity].into_iter();
+            let fault = self.blame_one_of(blamed, 0, error);
+            fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Table::Water))
+        })?;
+        match wave.map(|wave| wave.section.base_depth) {
+            Some(depth) if (depth - right).abs() > SAME_LENGTH => {
+                Err(disagree((right_key, right), (Key::BaseDepth, depth)))
+            }
+            _ => Ok(water),
+        }
+    }
+
+    pub(super) fn uplift(&self) -> Result<Uplift, Fault> {
+        let (left, right) = (self.required(Key::UpliftLeft)?, self.required(Key::UpliftRight)?);
+        let grows = self.inputs.truth(Key::UpliftGrows).unwrap_or(false);
+        Uplift::new(left, right, grows).map_err(|error| {
+            let key = if error.value == left { Key::UpliftLeft } else { Key::UpliftRight };
+            Fault::new(Problem::Impossible { key, error }, key)
+        })
+    }
+
+    pub(super) fn earthquake(&self) -> Result<Earthquake, Fault> {
+        let horizontal = self.required(Key::Horizontal)?;
+        let vertical = self.number(Key::Vertical).unwrap_or(0.0);
+        Earthquake::new(horizontal, vertical).map_err(|error| {
+            let key = if error.value == horizontal { Key::Horizontal } else { Key::Vertical };
+            Fault::new(Problem::Impossible { key, error }, key)
+        })
+    }
+
+    pub(super) fn added_mass(
+        &self,
+        water: Option<&StillWater>,
+        wave: Option<&Waves>,
+    ) -> Result<AddedMass, Fault> {
+        // The sea, or the water at the right, and the water at the left.
+        let depths = match (water, wave) {
+            (Some(water), _) => Some((water.density(), [water.right(), water.left()])),
+            (None, Some(Waves { sea, section, .. })) => Some((sea.water_density, [section.base_depth; 2])),
+            (None, None) => None,
+        };
+        match (self.number(Key::WaterMass), self.number(Key::WetSides), depths) {
+            (Some(mass), None, _) => AddedMass::of(mass).map_err(|error| self.blame(Table::AddedMass, error)),
+            (None, Some(sides), Some((density, depths))) => {
+                let depths = if sides == 1.0 { &depths[..1] } else { &depths };
+                AddedMass::beside(density, depths).map_err(|error| self.blame(Table::AddedMass, error))
+            }
+            (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
+            (None, None, _) => {
+                let problem = Problem::Neither { one: Key::WaterMass, two: Key::WetSides };
+                Err(Fault::new(problem, Table::AddedMass))
+            }
+            (Some(_), Some(_), _) => {
+                let problem = Problem::Both { one: Key::WaterMass, two: Key::WetSides };
+                Err(Fault::new(problem, Key::WetSides))
+            }
+        }
+    }
+
+    pub(super) fn waves(&self, body: &Body, gravity: f64) -> Result<Waves, Fault> {
+        let sea = Sea {
+            water_depth: self.required(Key::WaterDepth)?,
+            sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
+            period: self.required(Key::Period)?,
+            angle_deg: self.required(Key::AngleDeg)?,
+            water_density: self.required(Key::WaveWaterDensity)?,
+            gravity,
+        };
+        let heights = self.heights()?;
+        let caisson_width = body.base_width();
+        let given_width = self.number(Key::CaissonWidth);
+        if let Some(width) = given_width.filter(|width| (width - caisson_width).abs() > SAME_LENGTH) {
+            let problem = Problem::CaissonWidth { width, base: caisson_width };
+            return Err(Fault::new(problem, Key::CaissonWidth).and(self.base_key()));
+        }
+        let section = Section {
+            base_depth: self.required(Key::BaseDepth)?,
+            depth_above_berm: self.required(Key::DepthAboveBerm)?,
+            crest_height: self.required(Key::CrestHeight)?,
+            berm_width: self.required(Key::BermWidth)?,
+            caisson_width,
+        };
+        let default = Choices::default();
+        let factor = |key, default| self.number(key).unwrap_or(default);
+        let choices = Choices {
+            lambda: [
+                factor(Key::Lambda1, default.lambda[0]),
+                factor(Key::Lambda2, default.lambda[1]),
+                factor(Key::Lambda3, default.lambda[2]),
+            ],
+            impulsive: self.inputs.truth(Key::Impulsive).unwrap_or(default.impulsive),
+            turn_deg: factor(Key::TurnDeg, default.turn_deg),
+            uplift: self.inputs.truth(Key::WaveUplift).unwrap_or(default.uplift),
+        };
+        let goda =
+            goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
+        let Section { base_depth, crest_height, .. } = section;
+        if (base_depth + crest_height - body.height()).abs() > SAME_LENGTH {
+            let problem = Problem::Height { base_depth, crest_height, height: body.height() };
+            return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
+        }
+        Ok(Waves { sea, heights, section, choices, goda })
+    }
+
+    /// The key that says how wide the base is.
+    pub(super) fn base_key(&self) -> Key {
+        let keys = [Key::BaseLeft, Key::BaseRight];
+        keys.into_iter().find(|key| self.number(*key).is_some()).unwrap_or(Key::Width)
+    }
+
+    pub(super) fn heights(&self) -> Result<Heights, Fault> {
+        let one = |missing, at: Key| Err(Fault::new(Problem::OneWaveHeight { missing }, at));
+        match (self.number(Key::DeepWaterHeight), self.number(Key::H13), self.number(Key::Hmax)) {
+            (Some(height), None, None) => Ok(Heights::DeepWater(height)),
+            (None, Some(significant), Some(maximum)) => Ok(Heights::Local { significant, maximum }),
+            (Some(_), _, _) => Err(Fault::new(Problem::DeepAndLocal, Key::DeepWaterHeight)),
+            (None, None, None) => Err(Fault::new(Problem::NoWaveHeight, Table::Wave)),
+            (None, Some(_), None) => one(Key::Hmax, Key::H13),
+            (None, None, Some(_)) => one(Key::H13, Key::Hmax),
+        }
+    }
+}
+
+/// What the mechanics refuses of the case of inputs, at the number that brings it about.
+pub(crate) fn fault(inputs: &Inputs, error: InputError) -> Fault {
+    Given { inputs }.blame(Table::Top, error)
+}
+
+/// Two keys that have to agree and do not.
+fn disagree((one, one_value): (Key, f64), (two, two_value): (Key, f64)) -> Fault {
+    Fault::new(Problem::Disagree { one, one_value, two, two_value }, one).and(two)
+}
