@@ -214,15 +214,10 @@ impl Case {
     /// If there is no such force or combination.
     pub fn situation(&self, acting: Acting, earthquake: Option<Earthquake>) -> Result<Situation, InputError> {
         let mut situation = self.bare()?;
-        for (of, load) in self.loads(earthquake.or(self.earthquake)) {
-            let factor = match (acting, of) {
-                (Acting::Combination(index), of) => self.factor(&self.combinations[index], of, &load),
-                (Acting::Alone(alone), Of::Force(index))
-                    if index != alone && self.forces[index].acts_alone() =>
-                {
-                    0.0
-                }
-                _ => 1.0,
+        for (of, load) in self.loads(acting, earthquake.or(self.earthquake)) {
+            let factor = match acting {
+                Acting::Combination(index) => self.factor(&self.combinations[index], of, &load),
+                Acting::All | Acting::Alone(_) => 1.0,
             };
             if factor != 0.0 {
                 situation = situation.with(load.times(factor));
@@ -238,8 +233,8 @@ impl Case {
             .with_added_mass(self.added_mass.mass())
     }
 
-    /// All loads of the case, and what each is of.
-    fn loads(&self, earthquake: Option<Earthquake>) -> Vec<(Of, Load)> {
+    /// All loads of the case but for alternatives to the one that acts, and what each is of.
+    fn loads(&self, acting: Acting, earthquake: Option<Earthquake>) -> Vec<(Of, Load)> {
         let weight = match self.weight {
             Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
             Weight::Buoyant { force, arm } => {
@@ -265,7 +260,10 @@ impl Case {
             add(Of::Pressure(index), vec![pressure.load()]);
         }
         for (index, force) in self.forces.iter().enumerate() {
-            add(Of::Force(index), vec![force.load(&self.body)]);
+            let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
+            if !replaced {
+                add(Of::Force(index), vec![force.load(&self.body)]);
+            }
         }
         loads
     }
