@@ -189,7 +189,7 @@ impl Assessed {
             Ok(Assessed { index, acting, earthquake, situation, outcome, others: Vec::new() })
         };
         let Some((given, others)) =
-            case.earthquakes().split_first().map(|(given, others)| (*given, others.to_vec()))
+            case.earthquakes(acting).split_first().map(|(given, others)| (*given, others.to_vec()))
         else {
             return shaken(None);
         };

@@ -195,14 +195,23 @@ impl Case {
         if alone.is_empty() { vec![Acting::All] } else { alone }
     }
 
-    /// The accelerations of the base that are tried: as given, and unless that is fixed to the other side, and down for up.
-    pub fn earthquakes(&self) -> Vec<Earthquake> {
-        let Some(given) = self.earthquake else { return Vec::new() };
+    /// The accelerations of the base that are tried: as given, and unless that is fixed to the other side, and down for up; none
+    /// where no earthquake acts.
+    pub fn earthquakes(&self, acting: Acting) -> Vec<Earthquake> {
+        let acts = self.earthquake_factor(acting) != 0.0;
+        let Some(given) = self.earthquake.filter(|_| acts) else { return Vec::new() };
         let signs = |both: bool, value: f64| if both && value != 0.0 { &[1.0, -1.0][..] } else { &[1.0] };
         let (sides, ways) =
             (signs(self.both_sides, given.horizontal()), signs(self.both_ways, given.vertical()));
         let turned = sides.iter().flat_map(|side| ways.iter().map(move |way| given.turned(*side, *way)));
         turned.collect()
+    }
+
+    /// What an earthquake is multiplied by: the factor of a combination, which may be zero.
+    pub fn earthquake_factor(&self, acting: Acting) -> f64 {
+        let Acting::Combination(index) = acting else { return 1.0 };
+        let factors = &self.combinations[index].factors;
+        factors.iter().find(|(name, _)| name == "earthquake").map_or(0.0, |(_, factor)| *factor)
     }
 
     /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
@@ -254,7 +263,7 @@ impl Case {
             add(Of::Named("earthquake"), earthquake.loads(&self.added_mass));
         }
         if let Some(Waves { goda, section, .. }) = &self.wave {
-            add(Of::Named("wave"), goda.loads(&self.body, section.base_depth).into());
+            add(Of::Named("wave"), goda.loads(&self.body, section.base_depth));
         }
         for (index, pressure) in self.pressures.iter().enumerate() {
             add(Of::Pressure(index), vec![pressure.load()]);

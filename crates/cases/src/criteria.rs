@@ -174,6 +174,7 @@ impl Check {
             Some(utilisation) if utilisation.is_finite() && utilisation != 1.0 => {
                 apart(&[utilisation, 1.0])[0].clone()
             }
+            Some(f64::INFINITY) => "infinite".to_owned(),
             Some(utilisation) => digits(utilisation),
             None => "–".to_owned(),
         }

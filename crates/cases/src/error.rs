@@ -146,6 +146,33 @@ pub enum Problem {
         /// The name.
         name: String,
     },
+    /// A load with the name of what a table of the case gives.
+    #[error(
+        "a [[load]] or [[pressure]] is called \"{name}\", and so is what the case itself has of that name"
+    )]
+    TakenName {
+        /// The name.
+        name: String,
+    },
+    /// Two combinations of one name.
+    #[error("another combination is called \"{name}\" as well; expected a name of its own for each")]
+    SameCombination {
+        /// The name.
+        name: String,
+    },
+    /// The weight taken away.
+    #[error(
+        "the factor of the weight is 0; expected a factor above zero: a body without weight does not stand"
+    )]
+    NoWeight,
+    /// A pressure over nothing.
+    #[error("`{}` is {} throughout, where a pressure acts on nothing; expected positions that rise", along.name(), exact(*position))]
+    NoExtent {
+        /// The key of the positions.
+        along: Key,
+        /// The only position, m.
+        position: f64,
+    },
     /// Both are given.
     #[error("{} has both `{}` and `{}`", one.info().table.header(), one.name(), two.name())]
     Both {
@@ -340,6 +367,7 @@ impl Problem {
                  of the corner O"
                     .into()
             }
+            Problem::TakenName { .. } => "call the load otherwise".into(),
             Problem::BesideFace { .. } => "cut the diagram where the face ends".into(),
             Problem::UnknownLoad { name, names } => {
                 let known = format!(
@@ -362,7 +390,10 @@ impl Problem {
             | Problem::KineticFriction { .. }
             | Problem::OneLevel { .. }
             | Problem::Lengths { .. }
+            | Problem::NoExtent { .. }
             | Problem::SameName { .. }
+            | Problem::SameCombination { .. }
+            | Problem::NoWeight
             | Problem::SidesWithoutWater
             | Problem::OneWaveHeight { .. }
             | Problem::CaissonWidth { .. }

@@ -106,8 +106,8 @@ impl Table {
                  `together = true`"
             }
             Table::Combination => {
-                "one such table for each set of loads that act together, times factors; of a case with combinations these alone \
-                 are answered"
+                "one such table for each set of loads that act together, times factors; of the loads not named, the permanent \
+                 ones act as they are and the variable ones not at all; of a case with combinations these alone are answered"
             }
             Table::Criteria => "what is asked of the results, under their names; none is imposed",
         }
@@ -150,6 +150,8 @@ pub enum Range {
     NotNegative,
     /// Above zero.
     Positive,
+    /// Above zero, 1 at most.
+    Share,
 }
 
 impl Range {
@@ -159,6 +161,7 @@ impl Range {
             Range::Finite => true,
             Range::NotNegative => value >= 0.0,
             Range::Positive => value > 0.0,
+            Range::Share => value > 0.0 && value <= 1.0,
         };
         in_range && value.is_finite()
     }
@@ -169,6 +172,7 @@ impl Range {
             Range::Finite => "a finite number",
             Range::NotNegative => "a finite number, zero or more",
             Range::Positive => "a finite number above zero",
+            Range::Share => "a share, above zero and 1 at most",
         }
     }
 }
@@ -310,7 +314,7 @@ const DIRECTIONS: Kind =
     Kind::Choice { of: &["left", "right", "down", "up"], words: "\"left\", \"right\", \"down\" or \"up\"" };
 
 use Kind::{Factors, InGravity, List, Measured, ModeList, OneOfThree, Plain, Sides, Text, Truth};
-use Range::{Finite, NotNegative, Positive};
+use Range::{Finite, NotNegative, Positive, Share};
 use Table::{AddedMass, Body, Combination, Criteria, Earthquake, Load, Pressure, Top, Uplift, Water, Wave};
 
 listed! {
@@ -426,10 +430,10 @@ listed! {
     PressureName = key(Pressure, "name", Text, "", "name of the pressure", "\"backfill\"");
     PressedFace = key(Pressure, "face", FACES, "", "the face it presses on, inwards", "\"right\"");
     PressureElevation =
-        key(Pressure, "elevation", List(Dimension::Length), "", "heights above the base, rising, on a side", "[\"0 m\", \"9 m\"]")
+        key(Pressure, "elevation", List(Dimension::Length), "", "heights above the base, rising, on a side; twice the same for a step", "[\"0 m\", \"9 m\"]")
         .gives(&[Quantity::PressurePosition]);
     PressureDistance =
-        key(Pressure, "distance", List(Dimension::Length), "", "distances to the right of the corner O, rising, on base and top", "[\"0 m\", \"15 m\"]")
+        key(Pressure, "distance", List(Dimension::Length), "", "distances to the right of the corner O, rising, on base and top; twice the same for a step", "[\"0 m\", \"15 m\"]")
         .gives(&[Quantity::PressurePosition]);
     Pressures = key(Pressure, "pressure", List(Dimension::Pressure), "", "pressures there; below zero they pull", "[\"54 kPa\", \"0 kPa\"]")
         .gives(&[Quantity::Pressure]);
@@ -443,9 +447,9 @@ listed! {
         .gives(&[Quantity::Force, Quantity::K]);
     Towards = key(Load, "direction", DIRECTIONS, "", "where it points", "\"left\"").silent("direction: left");
     Elevation = key(Load, "elevation", length(NotNegative), "e", "its height above the base", "\"8 m\"")
-        .silent("height of a vertical force: the crest").gives(&[Quantity::ForceElevation, Quantity::KPrime]);
+        .silent("height: needed to the left and right; of a vertical force the crest").gives(&[Quantity::ForceElevation, Quantity::KPrime]);
     LoadDistance = key(Load, "distance", length(Finite), "x_F", "its distance to the right of the corner O", "\"3 m\"")
-        .silent("distance of a horizontal force from O: mid-width");
+        .silent("distance: needed down and up; of a horizontal force mid-width");
     LoadPermanent = key(Load, "permanent", Truth, "", "whether it is there all the time", "true")
         .silent("load: variable");
     Together = key(Load, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
@@ -453,8 +457,7 @@ listed! {
 
     CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
     LoadFactors = key(Combination, "factors", Factors, "",
-        "what each load is multiplied by, under its name or weight, water, uplift, wave, earthquake; of the loads not named, the \
-         permanent ones act as they are and the variable ones not at all",
+        "what each load is multiplied by, under its name, or weight, water, uplift, wave, earthquake",
         "{ weight = 0.9, wave = 1.3, crane = 1.5 }");
 
     LeastSliding = key(Criteria, "SF_sliding", Plain(Positive), "", "at least: safety factor against sliding", "1.2");
@@ -462,7 +465,7 @@ listed! {
         "at least: safety factor against overturning, the lesser of both corners", "1.2");
     GreatestBearing = key(Criteria, "bearing_max", Measured(Dimension::Pressure, Positive), "",
         "at most: bearing pressure, the larger of both edges", "\"400 kPa\"");
-    LeastContact = key(Criteria, "contact_share", Plain(Positive), "", "at least: share of the base that is pressed", "0.667");
+    LeastContact = key(Criteria, "contact_share", Plain(Share), "", "at least: share of the base that is pressed", "0.667");
     GreatestEccentricity = key(Criteria, "eccentricity", length(Positive), "",
         "at most: distance of the resultant from the middle of the base", "\"2.5 m\"");
     LeastLoadFactor = key(Criteria, "load_factor", Plain(Positive), "",

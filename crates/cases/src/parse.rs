@@ -209,6 +209,11 @@ impl CaseFile {
     }
 }
 
+/// Words in one line, as names stand in tables.
+fn one_line(words: &str) -> String {
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// Refuses every name that a table does not have; the first in the text is reported.
 fn only(found: &DeTable<'_>, table: Table) -> Result<(), At> {
     let allowed = names(table);
@@ -356,9 +361,13 @@ impl Field<'_> {
         entries.sort_by_key(|(name, _)| name.span().start);
         let factors = entries.into_iter().map(|(name, value)| {
             let field = Field { value, ..*self };
-            let number =
-                plain_number(value).ok_or_else(|| field.wrong_type("numbers without unit or quotes"))?;
-            Ok((name.get_ref().to_string(), field.in_range(number, Range::NotNegative)?))
+            let expected = "numbers without unit or quotes; a name with a dot stands in quotes";
+            let number = plain_number(value).ok_or_else(|| field.wrong_type(expected))?;
+            // Beyond, the factor would be the load.
+            if !(0.0..=1e6).contains(&number) {
+                return Err(field.out_of_range("a factor from 0 to 1000000"));
+            }
+            Ok((one_line(name.get_ref()), number + 0.0))
         });
         factors.collect()
     }
@@ -372,9 +381,10 @@ impl Field<'_> {
             return Err(self.wrong_type("one without control characters"));
         }
         Ok(match self.key {
-            Key::LoadName | Key::PressureName | Key::CombinationName => {
-                words.split_whitespace().collect::<Vec<_>>().join(" ")
-            }
+            Key::LoadName | Key::PressureName | Key::CombinationName => match one_line(words) {
+                name if name.is_empty() => return Err(self.out_of_range("a name that is not empty")),
+                name => name,
+            },
             _ => words.to_owned(),
         })
     }

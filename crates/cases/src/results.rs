@@ -166,8 +166,8 @@ listed! {
     ResultantArm = number("resultant_arm", Some(Dimension::Length), "t_e, distance of the resultant from the heel",
         |a| a.outcome.stability.resultant_arm.map_or(ResultValue::Nothing, ResultValue::Number));
 
-    Eccentricity = number("eccentricity", Some(Dimension::Length), "distance of the resultant from the middle of the base",
-        |a| a.outcome.stability.eccentricity(a.situation.body().base_width()).map_or(ResultValue::Nothing, ResultValue::Number));
+    Eccentricity = number("eccentricity", Some(Dimension::Length), "distance of the resultant from the middle of the base, where it meets the base",
+        |a| pressed(a, |_, _, _| a.outcome.stability.eccentricity(a.situation.body().base_width()).unwrap_or_default()));
 
     Heel = word("heel", &["O", "O'"], "the corner that the classical checks call the heel",
         |a| ResultValue::Word(checks::corner(a.outcome.actions.heel)));

@@ -7,9 +7,9 @@ use std::fmt;
 
 use standfast::{Slip, wave};
 
-use crate::key::{Key, Table};
+use crate::key::{Id, Key, Table};
 use crate::layout::{apart, digits};
-use found::{DENSITY, FRICTION, GRAVITY, HEIGHTS, SHAKING, WATER};
+use found::{BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, SHAKING, WATER};
 
 /// A warning about a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +52,20 @@ pub enum Warning {
     UnusualGravity {
         /// m/s².
         gravity: f64,
+    },
+    /// A vertical force acts beside the body.
+    LoadBesideBody {
+        /// The key of its distance.
+        id: Id,
+        /// Its distance to the right of O, m.
+        distance: f64,
+        /// How far it acts beside the body, m.
+        beside: f64,
+    },
+    /// An allowable bearing pressure that nothing stands on.
+    SmallBearing {
+        /// Pa.
+        pressure: f64,
     },
     /// The base is shaken with more than the acceleration of gravity.
     StrongEarthquake {
@@ -111,6 +125,8 @@ impl Warning {
             Warning::WaterDensity { .. } => "water-density",
             Warning::HighFriction { .. } => "high-friction",
             Warning::UnusualGravity { .. } => "unusual-gravity",
+            Warning::LoadBesideBody { .. } => "load-beside-body",
+            Warning::SmallBearing { .. } => "small-bearing",
             Warning::StrongEarthquake { .. } => "strong-earthquake",
             Warning::WaveHeightRatio { .. } => "wave-height-ratio",
             Warning::BuoyantAboveWeight { .. } => "buoyant-above-weight",
@@ -177,6 +193,17 @@ impl fmt::Display for Warning {
                     beyond(*gravity, GRAVITY.limit(*gravity))
                 )
             }
+            Warning::LoadBesideBody { id, distance, beside } => write!(
+                f,
+                "{id} = {} m: the force acts {} m beside the body",
+                digits(*distance),
+                digits(*beside)
+            ),
+            Warning::SmallBearing { pressure } => write!(
+                f,
+                "criteria.bearing_max = {} kPa; {BEARING} kPa at least is usual, and a number without unit is in Pa",
+                digits(*pressure / 1e3)
+            ),
             Warning::StrongEarthquake { key, acceleration, share } => write!(
                 f,
                 "{key} = {} m/s² is {} g; the ground is seldom shaken with more than {SHAKING} g, and a number without \

@@ -350,3 +350,63 @@ fn criteria_decide_what_is_worst() {
     assert_eq!(with.worst_first().iter().map(|assessed| assessed.index).collect::<Vec<_>>(), [1, 0]);
     assert_eq!((with.governing().index, with.checks()[0].assessed.index), (1, 1));
 }
+
+fn names(text: &str) -> Vec<&'static str> {
+    assess(text).case.warnings().iter().map(standfast_cases::Warning::name).collect()
+}
+
+/// Warnings of forces that miss the body and of pressures in the wrong unit, each side of their limits.
+#[test]
+fn slips_of_forces_and_criteria_are_named() {
+    let down = |distance: f64, more: &str| {
+        format!("{STATUE}[[load]]\nforce = 1e3\ndirection = \"down\"\ndistance = {distance}\n{more}")
+    };
+    assert_eq!(names(&down(0.9, "")), [""; 0]);
+    assert_eq!(names(&down(0.901, "")), ["load-beside-body"]);
+    assert_eq!(names(&down(-0.001, "")), ["load-beside-body"]);
+    assert_eq!(names(&down(0.5, "[criteria]\nbearing_max = 20e3\n")), [""; 0]);
+    assert_eq!(names(&down(0.5, "[criteria]\nbearing_max = 19.9e3\n")), ["small-bearing"]);
+}
+
+/// A combination without the earthquake is not shaken, and says so; one with it times a factor keeps the acceleration given.
+#[test]
+fn only_a_combination_with_the_earthquake_is_shaken() {
+    let text = format!(
+        "{STATUE}[earthquake]\nhorizontal = 0.2\nvertical = 0.1\n[[load]]\nname = \"wind\"\nforce = 1e3\nelevation = 2\n\
+         [[combination]]\nfactors = {{ wind = 1 }}\n[[combination]]\nfactors = {{ earthquake = 0 }}\n\
+         [[combination]]\nfactors = {{ earthquake = 1.5 }}\n"
+    );
+    let assessment = assess(&text);
+    let tried: Vec<_> = assessment.all.iter().map(|it| (it.earthquake.is_some(), it.others.len())).collect();
+    assert_eq!(tried, [(false, 0), (false, 0), (true, 3)]);
+    let shaken = &assessment.all[2];
+    let wrench = shaken.outcome.full.wrench;
+    assert!(
+        close(wrench.x.abs(), 1.5 * 7400.0 * 0.2 * 9.81) && close(wrench.p, 7400.0 * 9.81 * (1.0 - 0.15)),
+        "{wrench:?}"
+    );
+    let json = assessment.json(&standfast_cases::View::default(), &[]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert!(json["situations"][0]["earthquake"].is_null());
+    assert!(close(json["situations"][2]["earthquake"]["horizontal"].as_f64().unwrap().abs(), 0.2 * 9.81));
+}
+
+/// Vertical loads off the middle: nothing pushes, and no factor against overturning is made of it.
+#[test]
+fn eccentric_vertical_loads_have_no_factor_but_a_load_factor() {
+    let text = |force: f64, criteria: &str| {
+        format!(
+            "[body]\nwidth = 6\nheight = 4\nmass = 40e3\nfriction = 0.5\n[[load]]\nforce = {force}\ndirection = \"down\"\n\
+                 distance = -0.5\n[criteria]\n{criteria}"
+        )
+    };
+    // The weight at 3 m against the load at half a metre outside: at 40 t/m · 3/0.5 it turns.
+    let turns = 40e3 * 9.81 * 3.0 / 0.5;
+    let before = assess(&text(0.99 * turns, "eccentricity = 10\nload_factor = 1.1\n"));
+    let checks: Vec<_> =
+        before.checks().iter().map(|check| (check.check.criterion.name(), check.check.met)).collect();
+    assert_eq!(checks, [("load_factor", false), ("eccentricity", true)]);
+    assert!(before.text(&standfast_cases::View::default()).contains("No horizontal force turns the body"));
+    let after = assess(&text(1.01 * turns, "eccentricity = 10\nSF_overturning = 0.1\n"));
+    assert!(after.checks().iter().all(|check| !check.check.met), "the resultant misses the base");
+}

@@ -86,10 +86,9 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
     let numbers: Vec<f64> = numbers.chain(list.iter().copied()).filter(|_| shown).collect();
     let count = numbers.len();
     let written = file.written(entry);
-    let written = if written.starts_with('"') {
-        written.trim_matches('"').to_owned()
-    } else {
-        written.replace('"', "")
+    let written = match key.info().kind {
+        Kind::List(_) | Kind::ModeList => written.replace('"', ""),
+        _ => written.trim_matches('"').to_owned(),
     };
     html! {
         tr {

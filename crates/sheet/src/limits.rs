@@ -10,7 +10,7 @@ pub fn words(case: &Case) -> Markup {
             p { "No warning: nothing leaves the ranges that the program checks." }
         } @else {
             p { "Outside the range of the formulas, or unusual:" }
-            ul.warnings { @for warning in &warnings { li { (warning) "." } } }
+            ul.warnings { @for warning in &warnings { li { (warning) " (" code { (warning.name()) } ")." } } }
         }
         p { "The following is not part of this calculation and has to be shown separately where it matters:" }
         ul {

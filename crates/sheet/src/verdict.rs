@@ -15,11 +15,11 @@ fn name(assessment: &Assessment, assessed: &Assessed) -> String {
 
 /// The verdict in short.
 pub fn summary(assessment: &Assessment) -> Markup {
-    let several = assessment.all.len() > 1;
+    let several = is_named(assessment);
     html! {
         section.summary {
             h2 { "Summary" }
-            @for assessed in assessment.worst_first() {
+            @for assessed in assessment.shown(&View { all: false, ..View::default() }) {
                 @let full = &assessed.outcome.full;
                 p.verdict data-mode=(full.mode.map_or("none", Mode::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }
@@ -51,8 +51,13 @@ pub fn summary(assessment: &Assessment) -> Markup {
     }
 }
 
+/// Whether situations are told by name: several, or the only one of a combination.
+fn is_named(assessment: &Assessment) -> bool {
+    assessment.all.len() > 1 || !assessment.case.combinations.is_empty()
+}
+
 fn criteria(assessment: &Assessment) -> Markup {
-    let several = assessment.all.len() > 1;
+    let several = is_named(assessment);
     html! {
         p.verdict data-met=(assessment.met().unwrap_or(true)) { (criteria_met(assessment)) }
         table.numbers data-table="criteria" {
@@ -83,7 +88,7 @@ fn criteria(assessment: &Assessment) -> Markup {
 }
 
 fn table(assessment: &Assessment) -> Markup {
-    let several = assessment.all.len() > 1;
+    let several = is_named(assessment);
     html! {
         table.numbers data-table="summary" {
             thead {
@@ -130,7 +135,7 @@ fn departure(departure: &Departure) -> Markup {
 pub fn full(assessment: &Assessment, view: &View) -> Markup {
     html! {
         @for assessed in assessment.shown(view) {
-            @if assessment.all.len() > 1 { h3 { (name(assessment, assessed)) } }
+            @if is_named(assessment) { h3 { (name(assessment, assessed)) } }
             @for sentence in verdict::full_load(assessed) { p { (sentence) } }
             @for sentence in verdict::path(assessed) { p { (sentence) } }
         }

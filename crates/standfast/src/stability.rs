@@ -97,7 +97,10 @@ pub struct Stability {
 impl Stability {
     /// e = |B_c/2 − t_e|, m: how far from the middle of a base `base_width` wide the resultant acts; `None` if nothing presses.
     pub fn eccentricity(&self, base_width: f64) -> Option<f64> {
-        self.resultant_arm.map(|arm| (base_width / 2.0 - arm).abs())
+        // What rounding leaves of an arm that is half the base is no eccentricity.
+        let rounding = 8.0 * f64::EPSILON * base_width;
+        let eccentricity = self.resultant_arm.map(|arm| (base_width / 2.0 - arm).abs());
+        eccentricity.map(|eccentricity| if eccentricity <= rounding { 0.0 } else { eccentricity })
     }
 
     /// SF_overturning: the lesser of the factors about both corners.
@@ -127,10 +130,15 @@ impl GrossOverturning {
         let buoyancy_moment = 0.0 - resisting(actions.heel, body, buoyancy);
         let buoyancy = 0.0 - buoyancy.p;
         let base = body.base_width();
-        let resisting = buoyant_weight * weight_arm + buoyancy_moment;
-        let turning = buoyancy_moment + uplift_moment + force_moment;
+        // What is sucked down holds the body as its weight does.
+        let (up, down) = match uplift < 0.0 {
+            false => ([uplift, uplift_moment], [0.0; 2]),
+            true => ([0.0; 2], [-uplift, -uplift_moment]),
+        };
+        let resisting = buoyant_weight * weight_arm + buoyancy_moment + down[1];
+        let turning = buoyancy_moment + up[1] + force_moment;
         let about_toe =
-            [(buoyant_weight + buoyancy) * base - resisting, (buoyancy + uplift) * base - turning];
+            [(buoyant_weight + buoyancy + down[0]) * base - resisting, (buoyancy + up[0]) * base - turning];
         GrossOverturning {
             buoyancy,
             buoyancy_moment,
@@ -150,11 +158,11 @@ impl GrossOverturning {
     }
 }
 
-/// A safety factor: infinite where nothing acts, and zero where the body is moved without any action.
+/// A safety factor: zero where the body is moved without any action, else infinite where nothing acts.
 fn ratio(resistance: f64, action: f64) -> f64 {
     match () {
-        () if action > 0.0 => resistance / action,
         () if resistance < 0.0 => 0.0,
+        () if action > 0.0 => resistance / action,
         () => f64::INFINITY,
     }
 }

@@ -129,7 +129,8 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
     assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
 }
 
-/// By gross moments, summed load by load about each corner: what water does under the base turns, what weighs resists. The
+/// By gross moments, summed load by load about each corner: what water does under the base turns, what weighs or is
+/// sucked down resists. The
 /// factor is below 1 just where the reaction would act beside the base.
 #[test]
 fn gross_moments_are_those_of_the_loads() {
@@ -140,6 +141,8 @@ fn gross_moments_are_those_of_the_loads() {
         let outcome = situation.outcome().unwrap();
         let body = situation.body();
         let size = body.mass() * G * body.width();
+        let uplift = situation.loads().iter().filter(|load| load.kind == LoadKind::Uplift);
+        let is_sucked = uplift.map(|load| situation.wrench_of(load).p).sum::<f64>() > 0.0;
         // About O counter-clockwise, about O' clockwise: distance, sense.
         let factors = [(body.heel_distance(), 1.0), (body.toe_distance(), -1.0)].map(|(arm, sense)| {
             let [mut resisting, mut turning] = [0.0; 2];
@@ -148,8 +151,8 @@ fn gross_moments_are_those_of_the_loads() {
                 turning -= sense * x * body.centroid_height();
                 match load.kind {
                     _ if load.source == LoadSource::Buoyancy => turning += sense * m - p * arm,
-                    LoadKind::Uplift => turning += sense * m - p * arm,
-                    Weight => resisting += p * arm - sense * m,
+                    LoadKind::Uplift if !is_sucked => turning += sense * m - p * arm,
+                    LoadKind::Uplift | Weight => resisting += p * arm - sense * m,
                     Horizontal => {
                         resisting += p * arm;
                         turning += sense * m;

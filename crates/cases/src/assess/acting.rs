@@ -73,8 +73,9 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
 
 /// The factors of a combination, as they are given.
 pub fn factors(combination: &Combination) -> String {
-    let factors = combination.factors.iter().map(|(name, factor)| format!("{name} {}", digits(*factor)));
-    factors.collect::<Vec<_>>().join(", ")
+    let factors = combination.factors.iter().map(|(name, factor)| format!("{name} × {}", digits(*factor)));
+    let factors = factors.collect::<Vec<_>>().join("; ");
+    if factors.is_empty() { "none".to_owned() } else { factors }
 }
 
 fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
@@ -132,9 +133,12 @@ pub(super) fn earthquakes(case: &Case, assessed: &Assessed) -> String {
     rows.extend(assessed.others.iter().map(|Shaken { earthquake, outcome }| row(earthquake, outcome)));
     let mut text = "\nAccelerations of the base that were tried, the worst first\n".to_owned();
     text += &columns(&rows, 2, &[0, 1, 3, 4, 5]);
-    text += &paragraph(
-        "All else in this answer is for the first. horizontal_fixed and vertical_fixed keep the signs given.",
-        2,
-    );
+    let factor = match case.earthquake_factor(assessed.acting) {
+        1.0 => String::new(),
+        factor => format!("They act times {}, the factor of the combination. ", digits(factor)),
+    };
+    let first =
+        "All else in this answer is for the first. horizontal_fixed and vertical_fixed keep the signs given.";
+    text += &paragraph(&(factor + first), 2);
     text
 }

@@ -73,10 +73,17 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     rows.extend(bearing(assessed));
     let mut text = columns(&rows, 2, &[]);
     if let Some(gross) = gross {
-        text += &paragraph(&gross_words(gross), 2);
+        text += &paragraph(&gross_words(gross, assessed.outcome.actions.uplift), 2);
     }
     if let Some((reduced, _)) = &effective {
         text += &paragraph(two_factors(reduced), 2);
+    }
+    let on_an_edge =
+        matches!(stability.bearing, Bearing::Pressed { heel, toe, .. } if heel == 0.0 || toe == 0.0);
+    if stability.overturning() == f64::INFINITY
+        && (on_an_edge || matches!(stability.bearing, Bearing::OutsideBase))
+    {
+        text += &paragraph(NO_FACTOR, 2);
     }
     if stability.overturning() == 0.0 && !full.is_lifted() {
         let turned = "An overturning factor of 0 says that uplift or eccentric weight turn the body without any \
@@ -85,6 +92,10 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     }
     text
 }
+
+/// Why there is no factor against overturning of a body that leans all the same.
+pub const NO_FACTOR: &str = "No horizontal force turns the body, so this factor says nothing of how far the vertical loads lie \
+    off the middle: see the load factor, the contact and the eccentricity.";
 
 /// How the classical factor against overturning and that in effective coordinates go together.
 pub fn two_factors(reduced: &Reduced) -> &'static str {
@@ -104,14 +115,17 @@ pub fn two_factors(reduced: &Reduced) -> &'static str {
 /// Overturning by gross moments, where it tells something else than Goda's factor: water presses under the base.
 fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
     let Outcome { full, actions, stability, gross, .. } = &assessed.outcome;
-    let wet = gross.buoyancy != 0.0 || actions.uplift != 0.0;
+    let wet = gross.buoyancy != 0.0 || actions.uplift > 0.0;
     let differs = digits(gross.overturning()) != digits(stability.overturning());
     (wet && differs && !full.is_lifted()).then_some(gross)
 }
 
 /// What the factor by gross moments counts, with its formula.
-fn gross_words(gross: &GrossOverturning) -> String {
+fn gross_words(gross: &GrossOverturning, uplift: f64) -> String {
     let formula = match (gross.is_about_heel(), gross.buoyancy != 0.0) {
+        // What is sucked down resists.
+        (true, _) if uplift < 0.0 => "(W' t + M_s − M_U)/(M_s + M_p)",
+        (false, _) if uplift < 0.0 => "((W' + U_s − U) B_c − W' t − M_s + M_U)/(U_s B_c − M_s − M_p)",
         (true, true) => "(W' t + M_s)/(M_s + M_U + M_p)",
         (true, false) => "W' t/(M_U + M_p)",
         (false, true) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
@@ -137,7 +151,10 @@ fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     match bearing {
         Bearing::Pressed { heel, toe, contact } => {
             let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
-            let larger = |one: f64, other: f64| if one > other { ", the larger" } else { "" };
+            let larger = |one: f64, other: f64| match one > other && digits(one) != digits(other) {
+                true => ", the larger",
+                false => "",
+            };
             rows.push(row!["bearing", "at the heel", kilopascals(heel) + larger(heel, toe)]);
             rows.push(row!["", "at the toe", kilopascals(toe) + larger(toe, heel)]);
             let share = format!("{} m ({} % of the base)", digits(contact), digits(100.0 * contact / base));
@@ -148,7 +165,9 @@ fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     if let Some(arm) = resultant_arm {
         rows.push(row!["resultant", "t_e from the heel", number(arm, " m")]);
     }
-    if let Some(eccentricity) = assessed.outcome.stability.eccentricity(base) {
+    if let (Bearing::Pressed { .. }, Some(eccentricity)) =
+        (bearing, assessed.outcome.stability.eccentricity(base))
+    {
         rows.push(row!["", "eccentricity |B_c/2 − t_e|", number(eccentricity, " m")]);
     }
     rows

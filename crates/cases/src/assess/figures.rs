@@ -79,7 +79,11 @@ impl Plane {
     fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<CaseFigure, InputError> {
         let plane = Diagram::new(assessment.case.body.slenderness(), self.k_prime)?;
         let words = match (self.in_air, suffix.is_empty()) {
-            (false, _) => "k–μ diagram in effective coordinates".to_owned(),
+            (false, true) => "k–μ diagram in effective coordinates".to_owned(),
+            (false, false) => {
+                let names: Vec<_> = self.points.iter().map(|point| point.label.as_str()).collect();
+                format!("k–μ diagram in effective coordinates ({})", names.join("; "))
+            }
             (true, true) => "Diagram".to_owned(),
             (true, false) => format!("Diagram for k' = {}", digits(self.k_prime)),
         };
@@ -102,6 +106,10 @@ fn path(
         stages: &assessed.outcome.path,
         title: &title.join(", "),
     });
+    let words = match (suffix.is_empty(), assessment.name(assessed)) {
+        (false, Some(name)) => format!("Load path ({name})"),
+        _ => "Load path".to_owned(),
+    };
     let suffix = format!("{suffix}-path");
-    Ok(CaseFigure { suffix, words: "Load path".to_owned(), drawn: Drawn::LoadPath, figure })
+    Ok(CaseFigure { suffix, words, drawn: Drawn::LoadPath, figure })
 }

@@ -99,7 +99,7 @@ pub(crate) fn heading(case: &Case) -> String {
 /// Warnings of a kind, each a paragraph.
 pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
     let warnings = case.warnings().into_iter().filter(|warning| of(warning));
-    warnings.map(|warning| paragraph(&format!("Warning: {warning}."), 2)).collect()
+    warnings.map(|warning| paragraph(&format!("Warning ({}): {warning}.", warning.name()), 2)).collect()
 }
 
 fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
@@ -133,7 +133,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     if let Some(motion) = &full.motion {
         text += "\nAt onset\n";
         text += &describe::real_motion(motion, &Scale::of(&case.body, case.gravity));
-        if case.earthquake.is_some() {
+        if assessed.earthquake.is_some() {
             text += &paragraph(describe::RELATIVE, 2);
         }
     }

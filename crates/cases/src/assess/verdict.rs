@@ -97,7 +97,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
 
 /// What happens while the variable loads rise: where the body leaves rest, and how that differs from the full load at once.
 pub fn path(assessed: &Assessed) -> Vec<String> {
-    const NONE: &str = "All loads are permanent; none rises.";
+    const NONE: &str = "No variable load acts; nothing rises.";
     match assessed.departure() {
         Departure::Never if assessed.outcome.path.is_empty() => vec![NONE.to_owned()],
         departure if assessed.outcome.path.is_empty() => vec![NONE.to_owned(), leaving(departure)],
@@ -111,7 +111,7 @@ fn rising(assessed: &Assessed) -> String {
     let names: Vec<_> = variable.map(|component| component.name).collect();
     match names.as_slice() {
         [one] => format!("One load rises alone: {one}."),
-        names => format!("The variable loads rise together, by one factor: {}.", names.join(", ")),
+        names => format!("The variable loads rise together, by one factor: {}.", names.join("; ")),
     }
 }
 

@@ -186,9 +186,17 @@ impl Given<'_> {
         let points = positions.iter().zip(pressures);
         let points = points.map(|(&position, &pressure)| PressureAt { position, pressure: pressure * scale });
         let diagram = PressureDiagram::new(points.collect()).map_err(|error: InputError| {
-            let key = if error.quantity == Quantity::PressurePosition { along } else { Key::Pressures };
+            let key = match error.quantity {
+                Quantity::PressurePosition => along,
+                _ if scale.abs() > 1.0 => Key::PressureFactor,
+                _ => Key::Pressures,
+            };
             Fault::new(Problem::Impossible { key, error }, id(key))
         })?;
+        if positions.first() == positions.last() {
+            let problem = Problem::NoExtent { along, position: positions[0] };
+            return Err(Fault::new(problem, id(along)));
+        }
         let name = self.inputs.text(id(Key::PressureName)).map(str::to_owned);
         let permanent = self.inputs.truth(id(Key::PressurePermanent)).unwrap_or(false);
         Ok(FacePressure { name, face, diagram, scale, permanent })
@@ -213,20 +221,27 @@ impl Given<'_> {
         let tables = tables.into_iter().filter(|(_, table)| self.inputs.has(*table)).map(|(name, _)| name);
         let named =
             forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
-        let names: Vec<&str> =
-            ["weight"].into_iter().chain(tables).chain(named.flatten().map(String::as_str)).collect();
-        for (name, _) in factors {
+        let mut names: Vec<&str> = ["weight"].into_iter().chain(tables).collect();
+        let own = names.len();
+        names.extend(named.flatten().map(String::as_str));
+        for (name, factor) in factors {
             let problem = match names.iter().filter(|known| *known == name).count() {
+                1 if name == "weight" && *factor == 0.0 => Problem::NoWeight,
                 1 => continue,
                 0 => {
                     let names = names.iter().map(|name| (*name).to_owned()).collect();
                     Problem::UnknownLoad { name: name.clone(), names }
                 }
+                _ if names[..own].contains(&name.as_str()) => Problem::TakenName { name: name.clone() },
                 _ => Problem::SameName { name: name.clone() },
             };
             return Err(Fault::new(problem, id(Key::LoadFactors)));
         }
         let name = self.inputs.text(id(Key::CombinationName)).map(str::to_owned);
+        let earlier = |index| self.inputs.text(Id { key: Key::CombinationName, index });
+        if let Some(name) = name.clone().filter(|name| (0..index).any(|index| earlier(index) == Some(name))) {
+            return Err(Fault::new(Problem::SameCombination { name }, id(Key::CombinationName)));
+        }
         Ok(Combination { name, factors: factors.to_vec() })
     }
 

@@ -6,8 +6,9 @@ use standfast::wave::Heights;
 use standfast::{BaseEdges, Slip};
 
 use super::Warning;
-use crate::case::{Case, Waves, Weight};
-use crate::key::Key;
+use crate::case::{Case, Direction, Waves, Weight};
+use crate::criteria::Bound;
+use crate::key::{Id, Key};
 
 /// What is usual, both ends included.
 pub(super) struct Usual {
@@ -53,6 +54,9 @@ pub(super) const FRICTION: f64 = 1.0;
 /// The largest acceleration of the ground, in multiples of that of gravity.
 pub(super) const SHAKING: f64 = 1.0;
 
+/// The smallest pressure that the ground of a structure is asked to bear, kPa: soft clay's.
+pub(super) const BEARING: f64 = 20.0;
+
 /// How far a weight may be off by the rounding of its digits, as a share of m g.
 const ROUNDED: f64 = 1e-3;
 
@@ -73,7 +77,31 @@ impl Case {
         warnings.extend(self.buoyancy());
         warnings.extend(self.shaking());
         warnings.extend(self.waves());
+        warnings.extend(self.forces());
+        warnings.extend(self.asked());
         warnings
+    }
+
+    /// About forces that miss the body.
+    fn forces(&self) -> Vec<Warning> {
+        let left = self.body.base_edges().left - self.body.width() / 2.0;
+        let right = left + self.body.width();
+        let beside = self.forces.iter().enumerate().filter_map(|(index, force)| {
+            let distance = force.distance.filter(|_| !matches!(force.direction, Direction::Sideways(_)))?;
+            let beside = (left - distance).max(distance - right);
+            let id = Id { key: Key::LoadDistance, index };
+            (beside > 0.0).then_some(Warning::LoadBesideBody { id, distance, beside })
+        });
+        beside.collect()
+    }
+
+    /// About what is asked of the results.
+    fn asked(&self) -> Option<Warning> {
+        let bearing = self.criteria.iter().find(|criterion| criterion.key == Key::GreatestBearing)?;
+        match bearing.bound {
+            Bound::AtMost(pressure) if pressure < BEARING * 1e3 => Some(Warning::SmallBearing { pressure }),
+            _ => None,
+        }
     }
 
     /// About what the body stands on.

@@ -16,11 +16,15 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
             "Factors of the combination. Loads that it does not name act as they are if they are permanent, and not at all if \
              they are variable.",
         );
+        let factors = &case.combinations[index].factors;
+        if factors.is_empty() {
+            return steps.note("The combination names no load.");
+        }
         steps.push(html! {
             table.numbers data-table="factors" {
                 thead { tr { th { "Load" } th.n { "Factor" } } }
                 tbody {
-                    @for (name, factor) in &case.combinations[index].factors {
+                    @for (name, factor) in factors {
                         tr { td { (name) } td.n { data value=(factor) { (number(*factor)) } } }
                     }
                 }
@@ -32,6 +36,10 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
         "The base may be shaken to either side and either way, unless the case fixes a sign. These accelerations were tried; all \
          that follows is for the first, the worst.",
     );
+    let factor = case.earthquake_factor(assessed.acting);
+    if factor != 1.0 {
+        steps.note("The accelerations act times the factor of the combination.");
+    }
     let others = assessed.others.iter().map(|Shaken { earthquake, outcome }| (earthquake, outcome));
     let tried: Vec<_> = [(&reported, &assessed.outcome)].into_iter().chain(others).collect();
     steps.push(html! {

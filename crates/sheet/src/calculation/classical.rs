@@ -118,7 +118,10 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Co
     };
     let key = "SF_overturning";
     match lesser {
-        "" => steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key),
+        "" => {
+            steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key);
+            steps.note(checks::NO_FACTOR);
+        }
         formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
     }
     gross(steps, assessed, components);
@@ -166,12 +169,15 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
             steps.told("Its moment about the heel", "M_s", 0.0, MOMENT, "none", "");
         }
     }
-    let formula = match gross.is_about_heel() {
+    let formula = match (gross.is_about_heel(), actions.uplift < 0.0) {
         _ if !gross.overturning().is_finite() || gross.overturning() == 0.0 => {
             return steps.told(about, key, gross.overturning(), NONE, "nothing turns the body", key);
         }
-        true => "(W' t + M_s)/(M_s + M_U + M_p)",
-        false => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
+        // What is sucked down resists.
+        (true, true) => "(W' t + M_s − M_U)/(M_s + M_p)",
+        (false, true) => "((W' + U_s − U) B_c − W' t − M_s + M_U)/(U_s B_c − M_s − M_p)",
+        (true, false) => "(W' t + M_s)/(M_s + M_U + M_p)",
+        (false, false) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
     };
     let corner = if gross.is_about_heel() { "heel" } else { "toe" };
     let about = format!("{about}, about the {corner}");
@@ -196,6 +202,10 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
         let formula = ["t_e", "(W' t − M_U − M_p)/(W' − U)"];
         steps.add("Resultant of all loads, from the heel", "", formula, arm, METRE, "resultant_arm");
     }
+    let Bearing::Pressed { heel, toe, contact } = bearing else {
+        let words = checks::no_bearing(bearing).unwrap_or_default();
+        return steps.note(&format!("Bearing pressure: none; {words}."));
+    };
     if let Some(eccentricity) = stability.eccentricity(base) {
         let formula = ["ε", "|B_c/2 − t_e|"];
         steps.add(
@@ -207,10 +217,6 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
             "eccentricity",
         );
     }
-    let Bearing::Pressed { heel, toe, contact } = bearing else {
-        let words = checks::no_bearing(bearing).unwrap_or_default();
-        return steps.note(&format!("Bearing pressure: none; {words}."));
-    };
     let (about, [of_heel, of_toe, of_contact]) = if toe == 0.0 && contact < base {
         ("for `t_e` < `B_c÷3`: pressed near the heel only", ["2 (W' − U)/(3 t_e)", "0", "3 t_e"])
     } else if heel == 0.0 && contact < base {
@@ -224,8 +230,9 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
     steps.add(&about, "", ["p_heel", of_heel], heel, KILOPASCAL, "heel_pressure");
     steps.add("At the toe", "", ["p_toe", of_toe], toe, KILOPASCAL, "toe_pressure");
     let largest = bearing.largest().unwrap_or(0.0);
+    let equal = (heel - toe).abs() <= 1e-9 * largest;
     let larger = if heel > toe { "The larger, at the heel" } else { "The larger, at the toe" };
-    let larger = if heel == toe { "The larger; they are equal" } else { larger };
+    let larger = if equal { "The larger; they are equal" } else { larger };
     steps.add(larger, "", ["p_max", "max(p_heel, p_toe)"], largest, KILOPASCAL, "bearing_max");
     steps.add("Length of the contact", "", ["l_c", of_contact], contact, METRE, "contact_length");
     steps.add("Share of the base", "", ["ψ", "l_c/B_c"], contact / base, NONE, "contact_share");

@@ -132,15 +132,17 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
     // A factor of the combination stands before what it multiplies.
     let factor = if component.load.factor == 1.0 { "" } else { "γ_F " };
     steps.know("γ_F", component.load.factor, NONE);
-    if let Action::Pressure { diagram, .. } = &component.load.action
+    // Backticks would begin a formula.
+    let mut about = format!("{}  {}", i + 1, name.replace('`', "'"));
+    let sums = ["Q", "S"].map(|letter| format!("{letter}_{}", i + 1));
+    if let Action::Pressure { face, diagram } = &component.load.action
         && component.load.source == LoadSource::Pressure
     {
         let given = case.pressures.iter().find(|pressure| pressure.diagram == *diagram);
-        pressure(steps, diagram, given.map_or(1.0, |pressure| pressure.scale));
+        pressure(steps, &about, &sums, (*face, diagram), given.map_or(1.0, |pressure| pressure.scale));
+        about.clear();
     }
-    let [fx, fv, fm] = formulas(component, [&x, &v], factor);
-    // Backticks would begin a formula.
-    let about = format!("{}  {}", i + 1, name.replace('`', "'"));
+    let [fx, fv, fm] = formulas(component, [&x, &v], &sums, factor);
     let mut about = about.as_str();
     let parts = [(x, fx, wrench.x, KILONEWTON), (v, fv, wrench.p, KILONEWTON), (m, fm, wrench.m, MOMENT)];
     for (name, formula, value, unit) in parts {
@@ -196,7 +198,12 @@ fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
 }
 
 /// X, V and M of a load as formulas; a part that it does not have is none.
-fn formulas(component: &Component, [x, v]: [&str; 2], factor: &str) -> [Option<String>; 3] {
+fn formulas(
+    component: &Component,
+    [x, v]: [&str; 2],
+    [sum, lever]: &[String; 2],
+    factor: &str,
+) -> [Option<String>; 3] {
     // The elevation of a force turns it into a moment, its distance from O as well.
     let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
     let moment_of_v = |arm: &str| format!("−{v} ({arm} − b_1)");
@@ -231,32 +238,41 @@ fn formulas(component: &Component, [x, v]: [&str; 2], factor: &str) -> [Option<S
         },
         LoadSource::Pressure => match component.load.action {
             Action::Pressure { face: Face::Left, .. } => {
-                [some("Q"), None, Some(format!("{x} y_C − {factor}S"))]
+                [some(sum), None, Some(format!("{x} y_C − {factor}{lever}"))]
             }
             Action::Pressure { face: Face::Right, .. } => {
-                [less("Q"), None, Some(format!("{factor}S + {x} y_C"))]
+                [less(sum), None, Some(format!("{factor}{lever} + {x} y_C"))]
             }
             Action::Pressure { face: Face::Base, .. } => {
-                [None, less("Q"), Some(format!("{factor}S + {v} b_1"))]
+                [None, less(sum), Some(format!("{factor}{lever} + {v} b_1"))]
             }
-            _ => [None, some("Q"), Some(format!("{v} b_1 − {factor}S"))],
+            _ => [None, some(sum), Some(format!("{v} b_1 − {factor}{lever}"))],
         },
         _ => [None, None, None],
     }
 }
 
 /// The sum of a pressure along its face, and its moment about where positions begin.
-fn pressure(steps: &mut Steps, diagram: &PressureDiagram, scale: f64) {
+fn pressure(
+    steps: &mut Steps,
+    name: &str,
+    [sum_name, lever_name]: &[String; 2],
+    (face, diagram): (Face, &PressureDiagram),
+    scale: f64,
+) {
     /// How many points a sum is written out for.
     const WRITTEN: usize = 6;
     let points = diagram.points();
     let (force, moment) = diagram.resultant();
-    let [sum, lever] =
-        ["Sum of the pressure along the face", "Its moment about the base, or about the corner O"];
+    let sum = &format!("{name}: sum of the pressure along the face");
+    let lever = match face {
+        Face::Left | Face::Right => "Its moment about the base",
+        Face::Base | Face::Top => "Its moment about the corner O",
+    };
     if points.len() > WRITTEN {
         let words = format!("added up over {} points", points.len());
-        steps.told(sum, "Q", force, KILONEWTON, &words, "");
-        steps.told(lever, "S", moment, MOMENT, &words, "");
+        steps.told(sum, sum_name, force, KILONEWTON, &words, "");
+        steps.told(lever, lever_name, moment, MOMENT, &words, "");
         return;
     }
     for (i, PressureAt { position, pressure }) in points.iter().enumerate() {
@@ -271,8 +287,8 @@ fn pressure(steps: &mut Steps, diagram: &PressureDiagram, scale: f64) {
         if scale == 1.0 { sum } else { format!("f_p ({sum})") }
     };
     let formula = over(|i, j| format!("(q_{i} + q_{j})/2 (s_{j} − s_{i})"));
-    steps.add(sum, "", ["Q", &formula], force, KILONEWTON, "");
+    steps.add(sum, "", [sum_name, &formula], force, KILONEWTON, "");
     let formula =
         over(|i, j| format!("(s_{j} − s_{i})/6 (q_{i} (2 s_{i} + s_{j}) + q_{j} (s_{i} + 2 s_{j}))"));
-    steps.add(lever, "", ["S", &formula], moment, MOMENT, "");
+    steps.add(lever, "", [lever_name, &formula], moment, MOMENT, "");
 }

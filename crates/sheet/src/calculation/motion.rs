@@ -35,7 +35,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     let Some(motion) = &assessed.outcome.full.motion else { return };
     steps.heading("Motion and reactions at onset, full load applied at once");
     steps.write(table(motion));
-    if case.earthquake.is_some() {
+    if assessed.earthquake.is_some() {
         steps.note(RELATIVE);
     }
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;

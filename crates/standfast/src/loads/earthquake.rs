@@ -48,9 +48,17 @@ impl Earthquake {
     pub fn loads(&self, water: &AddedMass) -> Vec<Load> {
         use LoadKind::{Horizontal, Weight};
         let inertia = |right, up| Action::Inertia { right, up };
-        let mut loads =
-            vec![Load::variable(LoadSource::HorizontalInertia, Horizontal, inertia(self.horizontal, 0.0))];
-        if let AddedMass { mass, height: Some(height) } = *water {
+        let mut loads = Vec::new();
+        if self.horizontal != 0.0 {
+            loads.push(Load::variable(
+                LoadSource::HorizontalInertia,
+                Horizontal,
+                inertia(self.horizontal, 0.0),
+            ));
+        }
+        if let AddedMass { mass, height: Some(height) } = *water
+            && self.horizontal != 0.0
+        {
             let push = Action::horizontal(0.0 - mass * self.horizontal, height);
             loads.push(Load::variable(LoadSource::ShakenWater, Horizontal, push));
         }

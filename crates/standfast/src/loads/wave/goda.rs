@@ -169,15 +169,17 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
 
 impl Goda {
     /// The pressures as loads on `body`, whose base lies `base_depth` below still water (m): on its right side, and under its
-    /// base.
-    pub fn loads(&self, body: &Body, base_depth: f64) -> [Load; 2] {
+    /// base, where they press there.
+    pub fn loads(&self, body: &Body, base_depth: f64) -> Vec<Load> {
         let Goda { p1, p3, p4, pu, h_c_star, .. } = *self;
         let diagram = PressureDiagram::through([(0.0, p3), (base_depth, p1), (base_depth + h_c_star, p4)]);
         let wall = Action::Pressure { face: Face::Right, diagram };
-        [
-            Load::variable(LoadSource::WavePressure, LoadKind::Horizontal, wall),
-            Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, Action::base_pressure(body, 0.0, pu)),
-        ]
+        let mut loads = vec![Load::variable(LoadSource::WavePressure, LoadKind::Horizontal, wall)];
+        if pu != 0.0 {
+            let base = Action::base_pressure(body, 0.0, pu);
+            loads.push(Load::variable(LoadSource::WaveUplift, LoadKind::Uplift, base));
+        }
+        loads
     }
 }
 
