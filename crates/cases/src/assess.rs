@@ -47,31 +47,24 @@ pub struct Assessed {
     pub index: usize,
     /// Which of the case's loads act.
     pub acting: Acting,
-    /// The acceleration of the base, the worst of those that are tried.
+    /// The acceleration of the base.
     pub earthquake: Option<Earthquake>,
+    /// Whether that is the worst of those that are tried, which is reported.
+    pub is_reported: bool,
     /// The body under its loads.
     pub situation: Situation,
     /// What becomes of it.
     pub outcome: Outcome,
-    /// The other accelerations of the base, none of them worse.
-    pub others: Vec<Shaken>,
+    /// The same under the other accelerations of the base, none of them worse as a whole.
+    pub others: Vec<Assessed>,
 }
 
-/// A situation with another acceleration of the base.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Shaken {
-    /// The acceleration.
-    pub earthquake: Earthquake,
-    /// What becomes of the body.
-    pub outcome: Outcome,
-}
-
-/// A criterion in the situation that meets it worst.
+/// A criterion where it is met worst.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseCheck<'a> {
     /// The criterion and how far it is met.
     pub check: Check,
-    /// The situation.
+    /// The situation, under the acceleration of the base that is worst for this criterion.
     pub assessed: &'a Assessed,
 }
 
@@ -103,9 +96,14 @@ impl Assessment {
         Ok(Assessment { case: case.clone(), all })
     }
 
-    /// The situation in which a number is least, the first of several.
+    /// All situations under all accelerations of the base that were tried.
+    pub fn tried(&self) -> impl Iterator<Item = &Assessed> {
+        self.all.iter().flat_map(Assessed::tried)
+    }
+
+    /// Of all that was tried, where a number is least, the first of several.
     pub fn least(&self, of: impl Fn(&Assessed) -> f64) -> &Assessed {
-        let least = self.all.iter().min_by(|one, two| of(one).total_cmp(&of(two)));
+        let least = self.tried().min_by(|one, two| of(one).total_cmp(&of(two)));
         least.expect("a case has a situation")
     }
 
@@ -137,27 +135,14 @@ impl Assessment {
         self.case.acting_name(assessed.acting)
     }
 
-    /// The criteria, each in the situation that meets it worst; the governing one first.
+    /// The criteria, each where it is met worst; the governing one first.
     pub fn checks(&self) -> Vec<CaseCheck<'_>> {
-        let mut checks: Vec<_> = self.case.criteria.iter().map(|criterion| self.check(*criterion)).collect();
-        checks.sort_by(|one, two| two.check.urgency().total_cmp(&one.check.urgency()));
-        checks
-    }
-
-    fn check(&self, criterion: Criterion) -> CaseCheck<'_> {
-        let checks = self.all.iter().map(|assessed| CaseCheck { check: criterion.check(assessed), assessed });
-        let worst = checks.reduce(
-            |worst, next| {
-                if next.check.urgency() > worst.check.urgency() { next } else { worst }
-            },
-        );
-        worst.expect("a case has a situation")
+        worst_checks(&self.case.criteria, || self.tried())
     }
 
     /// Whether all criteria are met; `None` where there is none.
     pub fn met(&self) -> Option<bool> {
-        let all = self.all.iter().all(|assessed| assessed.checks(&self.case).iter().all(|check| check.met));
-        (!self.case.criteria.is_empty()).then_some(all)
+        (!self.case.criteria.is_empty()).then(|| self.checks().iter().all(|check| check.check.met))
     }
 
     /// The answer for reading, in lines of at most 88 characters.
@@ -186,7 +171,8 @@ impl Assessed {
         let shaken = |earthquake: Option<Earthquake>| {
             let situation = case.situation(acting, earthquake)?;
             let outcome = situation.outcome()?;
-            Ok(Assessed { index, acting, earthquake, situation, outcome, others: Vec::new() })
+            let others = Vec::new();
+            Ok(Assessed { index, acting, earthquake, is_reported: true, situation, outcome, others })
         };
         let Some((given, others)) =
             case.earthquakes(acting).split_first().map(|(given, others)| (*given, others.to_vec()))
@@ -195,7 +181,7 @@ impl Assessed {
         };
         let tried = |earthquake| {
             let assessed = shaken(Some(earthquake))?;
-            Ok((assessed.severity(case), assessed, earthquake))
+            Ok((assessed.severity(case), assessed))
         };
         let mut worst = tried(given)?;
         let mut others: Vec<_> = others.into_iter().map(tried).collect::<Result<_, InputError>>()?;
@@ -206,10 +192,8 @@ impl Assessed {
             }
         }
         others.sort_by(|(one, ..), (two, ..)| Severity::compare(one, two));
-        let others = others
-            .into_iter()
-            .map(|(_, Assessed { outcome, .. }, earthquake)| Shaken { earthquake, outcome });
-        Ok(Assessed { others: others.collect(), ..worst.1 })
+        let others = others.into_iter().map(|(_, other)| Assessed { is_reported: false, ..other }).collect();
+        Ok(Assessed { others, ..worst.1 })
     }
 
     /// The mode in which the body leaves rest.
@@ -217,11 +201,14 @@ impl Assessed {
         &self.outcome.departure
     }
 
-    /// The criteria of the case, the governing one first.
-    pub fn checks(&self, case: &Case) -> Vec<Check> {
-        let mut checks: Vec<_> = case.criteria.iter().map(|criterion| criterion.check(self)).collect();
-        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
-        checks
+    /// This and the other accelerations of the base that were tried.
+    pub fn tried(&self) -> impl Iterator<Item = &Assessed> {
+        std::iter::once(self).chain(&self.others)
+    }
+
+    /// The criteria of the case, each under the acceleration of the base that meets it worst; the governing one first.
+    pub fn checks(&self, case: &Case) -> Vec<CaseCheck<'_>> {
+        worst_checks(&case.criteria, || self.tried())
     }
 
     fn severity(&self, case: &Case) -> Severity {
@@ -234,6 +221,20 @@ impl Assessed {
         let factors = [sliding.min(overturning), sliding.max(overturning)];
         Severity([-used, self.departure().load_factor(), factors[0], factors[1]])
     }
+}
+
+/// Each criterion where it is met worst of all that was tried.
+fn worst_checks<'a, T: Iterator<Item = &'a Assessed>>(
+    criteria: &[Criterion],
+    tried: impl Fn() -> T,
+) -> Vec<CaseCheck<'a>> {
+    let worst = |criterion: &Criterion| {
+        let checks = tried().map(|assessed| CaseCheck { check: criterion.check(assessed), assessed });
+        checks.reduce(|worst, next| if next.check.urgency() > worst.check.urgency() { next } else { worst })
+    };
+    let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();
+    checks.sort_by(|one, two| two.check.urgency().total_cmp(&one.check.urgency()));
+    checks
 }
 
 /// How bad a situation is; the lesser the worse, the first number that differs counts.

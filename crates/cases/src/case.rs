@@ -36,7 +36,7 @@ pub(crate) use given::fault;
 pub use loads::{Combination, Direction, FacePressure, PointForce};
 
 use crate::criteria::Criterion;
-use crate::error::{Fault, Problem};
+use crate::error::{Fault, Place, Problem};
 use crate::inputs::Inputs;
 use crate::key::{Key, Table};
 
@@ -275,6 +275,27 @@ impl Case {
             }
         }
         loads
+    }
+
+    /// Variable loads that act in no combination: the table each is of, and its place.
+    pub(crate) fn unused(&self) -> Vec<Place> {
+        if self.combinations.is_empty() {
+            return Vec::new();
+        }
+        let loads = self.loads(Acting::All, self.earthquake);
+        let unused = loads.iter().filter(|(of, load)| {
+            !load.permanent
+                && self.combinations.iter().all(|combination| self.factor(combination, *of, load) == 0.0)
+        });
+        let mut places: Vec<_> = unused
+            .map(|(of, _)| match of {
+                Of::Named(name) => Place::Table(Table::named(name), 0),
+                Of::Pressure(index) => Place::Table(Table::Pressure, *index),
+                Of::Force(index) => Place::Table(Table::Load, *index),
+            })
+            .collect();
+        places.dedup();
+        places
     }
 
     /// What a combination multiplies a load by: one that it does not name acts as it is if it is permanent, and else not.

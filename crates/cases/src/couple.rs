@@ -38,6 +38,10 @@ pub struct Unknown {
     pub names: Vec<String>,
 }
 
+/// What does not go with a body or water that is changed.
+pub const STAYS: &str = "What [[load]] and [[pressure]] give keeps its elevations above the base, its distances from O and its \
+    values; a pressure does not grow with its face.";
+
 /// Short names, and the numbers they may stand for, the first that a case has.
 const SHORT_NAMES: [(&str, &[Key]); 6] = [
     ("width", &[Key::Width]),
@@ -163,6 +167,15 @@ impl Variable {
                 notes.push("Friction to slip goes with friction to stick, in proportion.");
             }
             _ => {}
+        }
+        let shaped = matches!(
+            self.moves,
+            Moves::Width | Moves::Height | Moves::WaterLevel | Moves::BaseDepth | Moves::WaterDensity
+        );
+        let shaped = shaped || matches!(self.id.key, Key::BaseLeft | Key::BaseRight);
+        let placed = case.forces.iter().any(|force| force.distance.is_some());
+        if shaped && (placed || !case.pressures.is_empty()) {
+            notes.push(STAYS);
         }
         let resized = matches!(self.moves, Moves::Width | Moves::Height | Moves::Mass);
         if has(Key::MomentOfInertia) && resized {

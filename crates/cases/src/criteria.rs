@@ -1,6 +1,6 @@
 //! What is asked of the results of a case, and how far it is met: required factors, allowable pressures, modes not allowed.
 //!
-//! A criterion is a result of the [one list](crate::results) with a bound. Its utilisation is required/value where the value has
+//! A criterion is a result of the [one list](crate::results) with a bound, or the modes that are not allowed. Its utilisation is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
 
 use standfast::{Departure, Modes};

@@ -151,10 +151,7 @@ impl Inputs {
 
     /// All numbers with their keys, in SI units: table by table, and load by load.
     pub fn numbers(&self) -> impl Iterator<Item = (Id, f64)> {
-        let mut found: Vec<(Id, f64)> =
-            self.values.iter().filter_map(|(id, _)| Some((*id, self.number(*id)?))).collect();
-        found.sort_by_key(|(id, _)| (id.key.info().table, id.index, id.key));
-        found.into_iter()
+        self.values.iter().filter_map(|(id, _)| Some((*id, self.number(*id)?)))
     }
 }
 

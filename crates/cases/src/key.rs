@@ -4,6 +4,7 @@
 //! The parser, errors and their suggestions, `design`, the calculation sheet, the schema and the page of keys come from this
 //! table.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use standfast::Quantity;
@@ -69,6 +70,11 @@ impl Table {
             Table::Combination => "combination",
             Table::Criteria => "criteria",
         }
+    }
+
+    /// The table of a name; the body's, whose weight a combination names, of any other.
+    pub(crate) fn named(name: &str) -> Table {
+        Table::ALL.into_iter().find(|table| table.name() == name).unwrap_or(Table::Body)
     }
 
     /// Its header as it stands in a file; in words for the top.
@@ -492,13 +498,26 @@ impl Key {
 }
 
 /// A key in one of the tables of its kind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Id {
-    /// The place of the table among those of its name, from zero. It is compared first, so that a further table's values stand
-    /// behind all others.
+    /// The place of the table among those of its name, from zero.
     pub index: usize,
     /// The key.
     pub key: Key,
+}
+
+impl Ord for Id {
+    /// Table by table, as they are read, so that further values stand behind all others.
+    fn cmp(&self, other: &Id) -> Ordering {
+        let place = |id: &Id| (id.key.info().table, id.index, id.key);
+        place(self).cmp(&place(other))
+    }
+}
+
+impl PartialOrd for Id {
+    fn partial_cmp(&self, other: &Id) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
 }
 
 impl From<Key> for Id {

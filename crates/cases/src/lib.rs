@@ -47,7 +47,7 @@ pub mod suggest;
 pub mod units;
 mod warning;
 
-pub use assess::{Assessed, Assessment, CaseCheck, CaseFigure, Drawn, Shaken, View};
+pub use assess::{Assessed, Assessment, CaseCheck, CaseFigure, Drawn, View};
 pub use case::{Acting, Case};
 pub use criteria::{Check, Criterion};
 pub use error::{CaseError, Fault, Place, Problem};

@@ -369,7 +369,13 @@ impl Field<'_> {
             }
             Ok((one_line(name.get_ref()), number + 0.0))
         });
-        factors.collect()
+        let factors: Vec<(String, f64)> = factors.collect::<Result<_, _>>()?;
+        let named_before =
+            |(i, (name, _)): &(usize, &(String, f64))| factors[..*i].iter().any(|(before, _)| before == name);
+        match factors.iter().enumerate().find(named_before) {
+            Some(_) => Err(self.out_of_range("each name once")),
+            None => Ok(factors),
+        }
     }
 
     /// Words; the name of a load in one line, as it stands in tables.

@@ -53,6 +53,13 @@ pub enum Warning {
         /// m/s².
         gravity: f64,
     },
+    /// A variable load acts in no combination.
+    LoadInNoCombination {
+        /// Its table.
+        table: Table,
+        /// Its place among those of that name.
+        index: usize,
+    },
     /// A vertical force acts beside the body.
     LoadBesideBody {
         /// The key of its distance.
@@ -125,6 +132,7 @@ impl Warning {
             Warning::WaterDensity { .. } => "water-density",
             Warning::HighFriction { .. } => "high-friction",
             Warning::UnusualGravity { .. } => "unusual-gravity",
+            Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::LoadBesideBody { .. } => "load-beside-body",
             Warning::SmallBearing { .. } => "small-bearing",
             Warning::StrongEarthquake { .. } => "strong-earthquake",
@@ -191,6 +199,14 @@ impl fmt::Display for Warning {
                     f,
                     "gravity = {} m/s²; on the ground it is {GRAVITY} m/s²",
                     beyond(*gravity, GRAVITY.limit(*gravity))
+                )
+            }
+            Warning::LoadInNoCombination { table, index } => {
+                let number = if table.repeats() { format!(" {}", index + 1) } else { String::new() };
+                write!(
+                    f,
+                    "{}{number} acts in no combination, and so nowhere: a combination names it among its factors",
+                    table.header()
                 )
             }
             Warning::LoadBesideBody { id, distance, beside } => write!(

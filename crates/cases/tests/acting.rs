@@ -221,9 +221,8 @@ fn an_earthquake_is_tried_both_ways() {
                     mirrored.all[0].departure().load_factor()
                 ));
                 let earthquake = alone.all[0].earthquake.unwrap();
-                let outcome = [(found.earthquake.unwrap(), &found.outcome)].into_iter();
-                let others = found.others.iter().map(|other| (other.earthquake, &other.outcome));
-                let (_, same) = outcome.chain(others).find(|(tried, _)| *tried == earthquake).unwrap();
+                let same = found.tried().find(|tried| tried.earthquake == Some(earthquake)).unwrap();
+                let same = &same.outcome;
                 assert_eq!(same, &alone.all[0].outcome);
                 each.push(alone.all[0].departure().load_factor());
             }
@@ -368,6 +367,23 @@ fn slips_of_forces_and_criteria_are_named() {
     assert_eq!(names(&down(0.5, "[criteria]\nbearing_max = 19.9e3\n")), ["small-bearing"]);
 }
 
+/// A variable load that no combination names acts nowhere, which is said.
+#[test]
+fn loads_in_no_combination_are_named() {
+    let text = |factors: &str| {
+        format!(
+            "{QUAY}[earthquake]\nhorizontal = 0.01\n[added_mass]\nsides = 1\n[[combination]]\nfactors = {{ {factors} }}\n"
+        )
+    };
+    let all = "surcharge = 1, bollard = 1, crane = 1, earthquake = 1";
+    assert_eq!(names(&text(all)), [""; 0]);
+    // The weight, the water, the soil and the barrier are permanent.
+    assert_eq!(names(&text("surcharge = 1, crane = 1, bollard = 0")), ["load-in-no-combination"; 2]);
+    let both =
+        text("surcharge = 1, bollard = 1") + "[[combination]]\nfactors = { crane = 1, earthquake = 0.3 }\n";
+    assert_eq!(names(&both), [""; 0]);
+}
+
 /// A combination without the earthquake is not shaken, and says so; one with it times a factor keeps the acceleration given.
 #[test]
 fn only_a_combination_with_the_earthquake_is_shaken() {
@@ -409,4 +425,62 @@ fn eccentric_vertical_loads_have_no_factor_but_a_load_factor() {
     assert!(before.text(&standfast_cases::View::default()).contains("No horizontal force turns the body"));
     let after = assess(&text(1.01 * turns, "eccentricity = 10\nSF_overturning = 0.1\n"));
     assert!(after.checks().iter().all(|check| !check.check.met), "the resultant misses the base");
+}
+
+/// `design` says what does not go with a body that is resized.
+#[test]
+fn what_stays_where_it_is_is_said() {
+    let notes = |text: &str, name: &str| {
+        let file = CaseFile::parse("case.toml", text).unwrap();
+        let variable = standfast_cases::couple::Variable::find(name, file.inputs()).unwrap();
+        variable.notes(file.inputs(), &file.case().unwrap()).join(" ")
+    };
+    assert!(notes(QUAY, "width").contains(standfast_cases::couple::STAYS));
+    assert!(!notes(QUAY, "friction").contains(standfast_cases::couple::STAYS));
+    assert!(
+        !notes(&format!("{STATUE}[[load]]\nforce = 1\nelevation = 1\n"), "width")
+            .contains(standfast_cases::couple::STAYS)
+    );
+    // What is asked of the results is no number of the case.
+    let criteria = format!("{QUAY}[criteria]\nSF_sliding = 1.2\n");
+    let file = CaseFile::parse("case.toml", &criteria).unwrap();
+    assert!(standfast_cases::couple::Variable::find("criteria.SF_sliding", file.inputs()).is_err());
+}
+
+/// Every criterion is checked under every acceleration of the base: upwards the base is pressed more, downwards it slides
+/// sooner. `design` asks of all of them, too.
+#[test]
+fn criteria_are_checked_under_every_acceleration() {
+    let text = "[body]\nwidth = 10\nheight = 10\nmass = 230e3\nfriction = 0.6\n[earthquake]\nhorizontal = 0.2\nvertical = 0.3\n\
+        [criteria]\nbearing_max = 400e3\nSF_sliding = 2.2\n";
+    let assessment = assess(text);
+    // By hand: N = m g (1 ± 0.3), t_e = 5 − 0.2 · 5/(1 ± 0.3), the whole base pressed.
+    let [up, down] = [1.3, 0.7].map(|share: f64| {
+        let (pressing, arm) = (230e3 * 9.81 * share, 5.0 - 1.0 / share);
+        (pressing / 10.0 * (4.0 - 0.6 * arm), 0.6 * share / 0.2)
+    });
+    let checks = assessment.checks();
+    let found: Vec<_> =
+        checks.iter().map(|check| (check.check.criterion.name(), check.check.utilisation.unwrap())).collect();
+    let near = |name: &str, expected: f64| {
+        found.iter().any(|(found, used)| *found == name && (used / expected - 1.0).abs() < 1e-12)
+    };
+    assert!(near("bearing_max", up.0 / 400e3) && near("SF_sliding", 2.2 / down.1), "{found:?}");
+    assert!(checks.iter().all(|check| !check.check.met));
+    assert_eq!(checks.iter().filter(|check| check.assessed.is_reported).count(), 1);
+    // Whatever is asked beside, `design` finds the friction that is enough downwards.
+    for criteria in ["", "[criteria]\nbearing_max = 400e3\n"] {
+        let text = text.split("[criteria]").next().unwrap().to_owned() + criteria;
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let request = standfast_cases::design::Request {
+            vary: "friction".into(),
+            target: "factor=2.4".parse().unwrap(),
+            from: None,
+            to: None,
+        };
+        let design = standfast_cases::design::Design::of(&file, request).unwrap().json();
+        let design: serde_json::Value = serde_json::from_str(&design).unwrap();
+        let found = design["found"]["value"].as_f64().unwrap();
+        assert!((found / (2.4 * 0.2 / 0.7) - 1.0).abs() < 1e-6, "{found}");
+    }
 }

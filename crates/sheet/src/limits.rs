@@ -18,9 +18,17 @@ pub fn words(case: &Case) -> Markup {
             li { "pore pressure in the foundation, built up or drained while the load acts;" }
             @if case.wave.is_some() {
                 li { "overtopping, and the pressures that it relieves or adds; impulsive pressures beyond the formulas used;" }
-                li { "wave troughs, seaward loads, and waves of other heights, periods and water levels than those given;" }
+                li {
+                    "wave troughs, seaward loads, and waves of other heights, periods and water levels than those given"
+                    @if !case.pressures.is_empty() { ", but for the pressures given under [[pressure]]" }
+                    ";"
+                }
             } @else {
-                li { "overtopping and wave loads;" }
+                li {
+                    "overtopping and wave loads"
+                    @if !case.pressures.is_empty() { ", but for the pressures given under [[pressure]]" }
+                    ";"
+                }
             }
             li { "scour, loss of base area, stability of the armour;" }
             li { "strength of the body itself, and of its base where a corner alone carries it;" }

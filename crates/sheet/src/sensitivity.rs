@@ -1,13 +1,16 @@
 //! What a small change of every number does to the safety.
 
 use maud::{Markup, html};
+use standfast_cases::couple::STAYS;
 use standfast_cases::design::{Change, Sensitivity, sensitivities};
+use standfast_cases::key::Table;
 use standfast_cases::{CaseError, CaseFile};
 
 use crate::measured::number;
 
 pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
     let rows = sensitivities(file)?;
+    let stays = file.inputs().has(Table::Pressure) || file.inputs().has(Table::Load);
     Ok(html! {
         p.note {
             "Change of the safety factors and of the load factor at which the body first leaves rest, if one input grows by 1 %, \
@@ -16,6 +19,7 @@ pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
              number: " em { "unlimited" } ", a factor has no bound, as it is or then; " em { "at once" } ", the body moves without any \
              share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others."
         }
+        @if stays { p.note { (STAYS) } }
         table.numbers data-table="sensitivity" {
             thead {
                 tr {

@@ -58,6 +58,7 @@ fn is_named(assessment: &Assessment) -> bool {
 
 fn criteria(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
+    let shaken = assessment.checks().iter().any(|check| !check.assessed.is_reported);
     html! {
         p.verdict data-met=(assessment.met().unwrap_or(true)) { (criteria_met(assessment)) }
         table.numbers data-table="criteria" {
@@ -68,7 +69,7 @@ fn criteria(assessment: &Assessment) -> Markup {
                     th.n { "Value" }
                     th.n { "Utilisation" }
                     th {}
-                    @if several { th { "In" } }
+                    @if several || shaken { th { "In" } }
                 }
             }
             tbody {
@@ -79,7 +80,12 @@ fn criteria(assessment: &Assessment) -> Markup {
                         td.n { (check.value_words(assessed)) }
                         td.n { (check.utilisation_words()) }
                         td { span.yes[check.met].no[!check.met] { (check.met_words()) } }
-                        @if several { td { (name(assessment, assessed)) } }
+                        @if several || shaken {
+                            td {
+                                @if several { (name(assessment, assessed)) }
+                                @if !assessed.is_reported { " another acceleration of the base" }
+                            }
+                        }
                     }
                 }
             }

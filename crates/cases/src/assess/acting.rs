@@ -1,9 +1,8 @@
 //! Which loads act in a situation, and which others were tried, for reading.
 
-use standfast::loads::Earthquake;
 use standfast::{Mode, Outcome};
 
-use super::{Assessed, Assessment, Shaken, verdict};
+use super::{Assessed, Assessment, verdict};
 use crate::case::{Acting, Case, Combination, Direction, PointForce};
 use crate::describe::kilonewtons;
 use crate::layout::{columns, digits, paragraph, row};
@@ -22,11 +21,11 @@ pub(super) fn summary(assessment: &Assessment) -> String {
         let mut row = row![assessment.name(assessed).unwrap_or_default()];
         if let Acting::Alone(index) = assessed.acting {
             let PointForce { magnitude, direction, elevation, distance, .. } = &case.forces[index];
-            let at = match direction {
-                Direction::Sideways(_) => *elevation,
-                _ => distance.unwrap_or(0.0),
+            let at = match (direction, distance) {
+                (Direction::Sideways(_), _) | (_, None) => digits(*elevation),
+                (_, Some(distance)) => format!("{} from O", digits(*distance)),
             };
-            row.extend(row![digits(magnitude / 1e3), digits(at)]);
+            row.extend(row![digits(magnitude / 1e3), at]);
         }
         row.extend(results(&assessed.outcome));
         row
@@ -116,21 +115,20 @@ pub(super) fn notes(case: &Case, assessed: &Assessed) -> String {
 
 /// The accelerations of the base that were tried, the one reported first.
 pub(super) fn earthquakes(case: &Case, assessed: &Assessed) -> String {
-    let Some(reported) = assessed.earthquake.filter(|_| !assessed.others.is_empty()) else {
+    if assessed.others.is_empty() {
         return String::new();
-    };
+    }
     let mut rows = vec![
         row!["right", "up", "", "SF", "SF", "leaves", "", ""],
         row!["of g", "of g", "mode", "slide", "turn", "rest at", "into", "unique"],
     ];
     let share = |acceleration: f64| digits(acceleration / case.gravity);
-    let row = |earthquake: &Earthquake, outcome: &Outcome| {
+    rows.extend(assessed.tried().filter_map(|assessed| {
+        let earthquake = assessed.earthquake?;
         let mut row = row![share(earthquake.horizontal()), share(earthquake.vertical())];
-        row.extend(results(outcome));
-        row
-    };
-    rows.push(row(&reported, &assessed.outcome));
-    rows.extend(assessed.others.iter().map(|Shaken { earthquake, outcome }| row(earthquake, outcome)));
+        row.extend(results(&assessed.outcome));
+        Some(row)
+    }));
     let mut text = "\nAccelerations of the base that were tried, the worst first\n".to_owned();
     text += &columns(&rows, 2, &[0, 1, 3, 4, 5]);
     let factor = match case.earthquake_factor(assessed.acting) {

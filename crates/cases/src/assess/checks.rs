@@ -78,12 +78,8 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     if let Some((reduced, _)) = &effective {
         text += &paragraph(two_factors(reduced), 2);
     }
-    let on_an_edge =
-        matches!(stability.bearing, Bearing::Pressed { heel, toe, .. } if heel == 0.0 || toe == 0.0);
-    if stability.overturning() == f64::INFINITY
-        && (on_an_edge || matches!(stability.bearing, Bearing::OutsideBase))
-    {
-        text += &paragraph(NO_FACTOR, 2);
+    if let Some(words) = no_factor(assessed) {
+        text += &paragraph(words, 2);
     }
     if stability.overturning() == 0.0 && !full.is_lifted() {
         let turned = "An overturning factor of 0 says that uplift or eccentric weight turn the body without any \
@@ -93,9 +89,16 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     text
 }
 
-/// Why there is no factor against overturning of a body that leans all the same.
-pub const NO_FACTOR: &str = "No horizontal force turns the body, so this factor says nothing of how far the vertical loads lie \
-    off the middle: see the load factor, the contact and the eccentricity.";
+/// Why there is no factor against overturning of a body that is pressed off its middle all the same.
+pub fn no_factor(assessed: &Assessed) -> Option<&'static str> {
+    let stability = &assessed.outcome.stability;
+    let base = assessed.situation.body().base_width();
+    let is_off = stability.eccentricity(base).is_some_and(|eccentricity| eccentricity > 0.0);
+    (stability.overturning() == f64::INFINITY && is_off).then_some(
+        "No horizontal force turns the body, so this factor says nothing of how far the vertical loads lie off the middle: see \
+         the load factor, the contact and the eccentricity.",
+    )
+}
 
 /// How the classical factor against overturning and that in effective coordinates go together.
 pub fn two_factors(reduced: &Reduced) -> &'static str {

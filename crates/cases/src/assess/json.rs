@@ -10,11 +10,11 @@ use serde::{Serialize, Serializer};
 use standfast::contact::path::{self, Stage};
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
-use standfast::{Departure, Mode, Modes, Motion, Wrench};
+use standfast::{Departure, Mode, Modes, Motion, Outcome, Wrench};
 
-use super::{Assessed, Assessment, Shaken, View};
+use super::{Assessed, Assessment, CaseCheck, View};
 use crate::case::{self, Acting, Case, PointForce, Waves};
-use crate::criteria::{Bound, Check};
+use crate::criteria::Bound;
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue, number_or_word};
 
@@ -195,6 +195,8 @@ struct Criterion {
     met: bool,
     /// The place of the situation.
     situation: usize,
+    /// The acceleration of the base that is worst for it.
+    earthquake: Option<Earthquake>,
 }
 
 /// A number in SI units, or the modes that are not allowed.
@@ -254,11 +256,7 @@ pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> 
             .map(|warning| Warning { name: warning.name(), message: warning.to_string() })
             .collect(),
         met: assessment.met(),
-        criteria: assessment
-            .checks()
-            .iter()
-            .map(|check| Criterion::of(&check.check, check.assessed.index))
-            .collect(),
+        criteria: assessment.checks().iter().map(Criterion::of).collect(),
         governing: governing.index,
         situations: assessment.all.iter().map(|assessed| Situation::of(case, assessed, view)).collect(),
         figures: files,
@@ -329,12 +327,12 @@ impl<'a> Situation<'a> {
                 _ => None,
             },
             earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
-            other_earthquakes: assessed.others.iter().map(OtherEarthquake::of).collect(),
-            criteria: assessed
-                .checks(case)
+            other_earthquakes: assessed
+                .others
                 .iter()
-                .map(|check| Criterion::of(check, assessed.index))
+                .filter_map(|other| Some(OtherEarthquake::of(other.earthquake.as_ref()?, &other.outcome)))
                 .collect(),
+            criteria: assessed.checks(case).iter().map(Criterion::of).collect(),
             results: Results(assessed),
             mode_words: full.mode.map(Mode::words),
             because: assessed.because().iter().map(RelationDocument::of).collect(),
@@ -387,7 +385,7 @@ impl Earthquake {
 }
 
 impl OtherEarthquake {
-    fn of(Shaken { earthquake, outcome }: &Shaken) -> OtherEarthquake {
+    fn of(earthquake: &loads::Earthquake, outcome: &Outcome) -> OtherEarthquake {
         let factor = |factor| results::factor(&outcome.full, factor);
         OtherEarthquake {
             earthquake: Earthquake::of(earthquake),
@@ -403,7 +401,7 @@ impl OtherEarthquake {
 }
 
 impl Criterion {
-    fn of(check: &Check, situation: usize) -> Criterion {
+    fn of(CaseCheck { check, assessed }: &CaseCheck<'_>) -> Criterion {
         let required = match check.criterion.bound {
             Bound::AtLeast(number) | Bound::AtMost(number) => Required::Number(number),
             Bound::NoneOf(modes) => Required::Modes(modes),
@@ -414,7 +412,8 @@ impl Criterion {
             value: check.value,
             utilisation: check.utilisation,
             met: check.met,
-            situation,
+            situation: assessed.index,
+            earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
         }
     }
 }

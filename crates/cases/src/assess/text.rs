@@ -7,7 +7,7 @@ use super::{
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
-use crate::layout::{columns, paragraph, row};
+use crate::layout::{columns, digits, paragraph, row};
 use crate::warning::Warning;
 
 pub(super) fn render(assessment: &Assessment, view: &View) -> String {
@@ -56,14 +56,20 @@ fn criteria(assessment: &Assessment) -> String {
     let several = assessment.all.len() > 1;
     let mut rows = vec![row!["criterion", "required", "value", "utilisation", "", ""]];
     rows.extend(assessment.checks().iter().map(|CaseCheck { check, assessed }| {
-        let situation = assessment.name(assessed).filter(|_| several);
+        let situation = assessment.name(assessed).filter(|_| several).map(|name| format!("in {name}"));
+        let shaken = assessed.earthquake.filter(|_| !assessed.is_reported).map(|earthquake| {
+            let [right, up] =
+                [earthquake.horizontal(), earthquake.vertical()].map(|a| digits(a / assessment.case.gravity));
+            format!("shaken with {right} g, {up} g")
+        });
+        let place: Vec<_> = situation.into_iter().chain(shaken).collect();
         row![
             check.criterion.name(),
             check.criterion.required(),
             check.value_words(assessed),
             check.utilisation_words(),
             check.met_words(),
-            situation.map_or(String::new(), |name| format!("in {name}")),
+            place.join(", "),
         ]
     }));
     columns(&rows, 2, &[3]) + &paragraph(&criteria_met(assessment), 2)

@@ -4,9 +4,9 @@
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-use super::Design;
 use super::search::Below;
 use super::sensitivity::Sensitivity;
+use super::{Design, load_factor};
 use crate::assess::{Assessed, Assessment, SCHEMA};
 use crate::results::{ResultName, ResultValue};
 use crate::units::Dimension;
@@ -44,7 +44,8 @@ struct Worst<'a>(&'a Assessment);
 
 impl Serialize for Worst<'_> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let governing = self.0.governing();
+        // That which leaves rest first.
+        let first = self.0.least(load_factor);
         let mut map = serializer.serialize_map(None)?;
         for result in [ResultName::SfSliding, ResultName::SfOverturning] {
             map.serialize_entry(result.name(), &least(self.0, result))?;
@@ -52,7 +53,7 @@ impl Serialize for Worst<'_> {
         for result in
             [ResultName::Mode, ResultName::Departure, ResultName::LoadFactor, ResultName::DepartureMode]
         {
-            map.serialize_entry(result.name(), &result.of(governing))?;
+            map.serialize_entry(result.name(), &result.of(first))?;
         }
         map.end()
     }

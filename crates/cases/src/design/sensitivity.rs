@@ -95,7 +95,8 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
         Some(change) if !change.is_finite() => Change::Unlimited,
         Some(change) => Change::By(change),
     };
-    let at_once = |answer: &Assessment| matches!(answer.governing().departure(), Departure::AtOnce { .. });
+    let at_once =
+        |answer: &Assessment| matches!(answer.least(load_factor).departure(), Departure::AtOnce { .. });
     let load_factor = match both {
         Some((now, then)) if at_once(now) || at_once(then) => Change::AtOnce,
         _ => change(load_factor),

@@ -68,7 +68,7 @@ impl fmt::Display for Target {
 impl Target {
     /// Whether every situation meets it.
     pub(super) fn is_met(self, answer: &Assessment) -> bool {
-        answer.all.iter().all(|assessed| self.is_met_by(assessed))
+        answer.tried().all(|assessed| self.is_met_by(assessed))
     }
 
     fn is_met_by(self, assessed: &Assessed) -> bool {
@@ -109,7 +109,7 @@ impl Target {
 
     /// What keeps an outcome from meeting the target, in words.
     pub(super) fn binding(self, answer: &Assessment) -> String {
-        let Some(assessed) = answer.all.iter().find(|assessed| !self.is_met_by(assessed)) else {
+        let Some(assessed) = answer.tried().find(|assessed| !self.is_met_by(assessed)) else {
             return "nothing".to_owned();
         };
         match self {

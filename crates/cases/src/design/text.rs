@@ -61,12 +61,14 @@ fn before_and_after(design: &Design) -> String {
         both("SF sliding", &|answer| digits(least(answer, sliding)) + &under(answer, sliding)),
         both("SF overturning", &|answer| digits(least(answer, overturning)) + &under(answer, overturning)),
         both("mode under the full load", &|answer| {
-            symbol(answer.governing().outcome.full.mode) + &under(answer, load_factor)
+            symbol(answer.least(load_factor).outcome.full.mode) + &under(answer, load_factor)
         }),
         both("leaves rest at", &|answer| {
-            departure_word(answer.governing().departure()) + &under(answer, load_factor)
+            departure_word(answer.least(load_factor).departure()) + &under(answer, load_factor)
         }),
-        both("into", &|answer| answer.governing().departure().mode().map_or("", Mode::symbol).to_owned()),
+        both("into", &|answer| {
+            answer.least(load_factor).departure().mode().map_or("", Mode::symbol).to_owned()
+        }),
     ];
     columns(&rows, 2, &[1, 2])
 }

@@ -8,6 +8,7 @@ use standfast::{BaseEdges, Slip};
 use super::Warning;
 use crate::case::{Case, Direction, Waves, Weight};
 use crate::criteria::Bound;
+use crate::error::Place;
 use crate::key::{Id, Key};
 
 /// What is usual, both ends included.
@@ -54,6 +55,9 @@ pub(super) const FRICTION: f64 = 1.0;
 /// The largest acceleration of the ground, in multiples of that of gravity.
 pub(super) const SHAKING: f64 = 1.0;
 
+/// How far a force on the body's edge may be beside it by rounding, m.
+const SLACK: f64 = 1e-6;
+
 /// The smallest pressure that the ground of a structure is asked to bear, kPa: soft clay's.
 pub(super) const BEARING: f64 = 20.0;
 
@@ -79,6 +83,10 @@ impl Case {
         warnings.extend(self.waves());
         warnings.extend(self.forces());
         warnings.extend(self.asked());
+        warnings.extend(self.unused().into_iter().filter_map(|place| match place {
+            Place::Table(table, index) => Some(Warning::LoadInNoCombination { table, index }),
+            Place::Key(_) => None,
+        }));
         warnings
     }
 
@@ -90,7 +98,7 @@ impl Case {
             let distance = force.distance.filter(|_| !matches!(force.direction, Direction::Sideways(_)))?;
             let beside = (left - distance).max(distance - right);
             let id = Id { key: Key::LoadDistance, index };
-            (beside > 0.0).then_some(Warning::LoadBesideBody { id, distance, beside })
+            (beside > SLACK).then_some(Warning::LoadBesideBody { id, distance, beside })
         });
         beside.collect()
     }

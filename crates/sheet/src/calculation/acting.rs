@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast::Mode;
 use standfast::loads::Earthquake;
 use standfast_cases::assess::verdict;
-use standfast_cases::{Acting, Assessed, Assessment, Shaken};
+use standfast_cases::{Acting, Assessed, Assessment};
 
 use crate::measured::{Measured, NONE, number};
 use crate::steps::Steps;
@@ -31,7 +31,9 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
             }
         });
     }
-    let Some(reported) = assessed.earthquake.filter(|_| !assessed.others.is_empty()) else { return };
+    if assessed.others.is_empty() {
+        return;
+    }
     steps.note(
         "The base may be shaken to either side and either way, unless the case fixes a sign. These accelerations were tried; all \
          that follows is for the first, the worst.",
@@ -40,8 +42,8 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
     if factor != 1.0 {
         steps.note("The accelerations act times the factor of the combination.");
     }
-    let others = assessed.others.iter().map(|Shaken { earthquake, outcome }| (earthquake, outcome));
-    let tried: Vec<_> = [(&reported, &assessed.outcome)].into_iter().chain(others).collect();
+    let tried = assessed.tried().filter_map(|tried| Some((tried.earthquake?, &tried.outcome)));
+    let tried: Vec<_> = tried.collect();
     steps.push(html! {
         table.numbers data-table="earthquakes" {
             thead {
@@ -55,7 +57,7 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
                 }
             }
             tbody {
-                @for (earthquake, outcome) in tried {
+                @for (earthquake, outcome) in &tried {
                     tr {
                         (accelerations(earthquake))
                         td { (outcome.full.mode.map_or("none", Mode::symbol)) }

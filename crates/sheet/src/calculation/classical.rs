@@ -120,7 +120,9 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Co
     match lesser {
         "" => {
             steps.told(about, key, stability.overturning(), NONE, "no force turns the body", key);
-            steps.note(checks::NO_FACTOR);
+            if let Some(words) = checks::no_factor(assessed) {
+                steps.note(words);
+            }
         }
         formula => steps.add(about, "", [key, formula], stability.overturning(), NONE, key),
     }
@@ -141,7 +143,7 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
     let Outcome { actions, gross, .. } = &assessed.outcome;
     let key = "SF_overturning_gross";
     let about = "Safety against overturning by gross moments";
-    if gross.buoyancy == 0.0 && actions.uplift == 0.0 {
+    if gross.buoyancy == 0.0 && actions.uplift == 0.0 && actions.uplift_moment == 0.0 {
         let words = "the same: no water presses under the base";
         return steps.told(about, key, gross.overturning(), NONE, words, key);
     }
@@ -170,7 +172,11 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
         }
     }
     let formula = match (gross.is_about_heel(), actions.uplift < 0.0) {
-        _ if !gross.overturning().is_finite() || gross.overturning() == 0.0 => {
+        _ if gross.overturning() == 0.0 => {
+            let words = "uplift or eccentric weight turn the body without any horizontal force";
+            return steps.told(about, key, 0.0, NONE, words, key);
+        }
+        _ if !gross.overturning().is_finite() => {
             return steps.told(about, key, gross.overturning(), NONE, "nothing turns the body", key);
         }
         // What is sucked down resists.

@@ -1,8 +1,9 @@
 //! What is asked of the results, step by step.
 
-use standfast_cases::criteria::{Bound, Check};
-use standfast_cases::{Assessed, Case, Key};
+use standfast_cases::criteria::Bound;
+use standfast_cases::{Assessed, Case, CaseCheck, Key};
 
+use super::mode::capital;
 use crate::measured::{KILOPASCAL, METRE, NONE, Unit};
 use crate::steps::Steps;
 
@@ -13,11 +14,11 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     }
     steps.heading("Criteria: what of each bound is used");
     for check in checks {
-        one(steps, assessed, &check);
+        one(steps, &check);
     }
 }
 
-fn one(steps: &mut Steps, assessed: &Assessed, check: &Check) {
+fn one(steps: &mut Steps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     let criterion = &check.criterion;
     let about = format!("{}, {}: {}", capital(criterion.words()), criterion.required(), check.met_words());
     let name = format!("u_{}", letters(criterion.key));
@@ -31,6 +32,11 @@ fn one(steps: &mut Steps, assessed: &Assessed, check: &Check) {
     };
     let (value, unit) = quantity(criterion.key);
     let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
+    if !assessed.is_reported {
+        let words =
+            format!("{}, under another of the accelerations of the base", check.value_words(assessed));
+        return steps.told(&about, &name, utilisation, NONE, &words, "");
+    }
     if utilisation == 0.0 || utilisation == f64::INFINITY {
         return steps.told(&about, &name, utilisation, NONE, &check.value_words(assessed), "");
     }
@@ -62,9 +68,4 @@ fn letters(key: Key) -> &'static str {
         Key::GreatestEccentricity => "e",
         _ => "λ",
     }
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -138,7 +138,9 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
     if let Action::Pressure { face, diagram } = &component.load.action
         && component.load.source == LoadSource::Pressure
     {
-        let given = case.pressures.iter().find(|pressure| pressure.diagram == *diagram);
+        let given = case.pressures.iter().find(|pressure| {
+            pressure.face == *face && pressure.name == component.load.name && pressure.diagram == *diagram
+        });
         pressure(steps, &about, &sums, (*face, diagram), given.map_or(1.0, |pressure| pressure.scale));
         about.clear();
     }

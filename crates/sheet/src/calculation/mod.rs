@@ -30,10 +30,14 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Ma
     }
     let shown = assessment.shown(view);
     for assessed in &shown {
-        let title = match (assessed.acting, assessment.name(assessed)) {
-            (Acting::Alone(force), Some(name)) => format!("Load {}: {name}", force + 1),
-            (Acting::Combination(index), Some(name)) => format!("Combination {}: {name}", index + 1),
-            _ => "Loads and response".to_owned(),
+        let title = |what: &str, index: usize, name: &Option<String>| {
+            let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
+            format!("{what} {}{name}", index + 1)
+        };
+        let title = match assessed.acting {
+            Acting::Alone(index) => title("Load", index, &case.forces[index].name),
+            Acting::Combination(index) => title("Combination", index, &case.combinations[index].name),
+            Acting::All => "Loads and response".to_owned(),
         };
         steps.part(&title, Some(assessed.index));
         situation(&mut steps, assessment, assessed, view)?;
@@ -64,8 +68,13 @@ fn situation(
     let in_air = assessed.situation.in_air().is_some();
     match &full.effective {
         Some(reduced) => {
-            let reduction = if in_air { mode::in_air } else { mode::effective };
-            reduction(steps, reduced);
+            match in_air {
+                true => {
+                    let factored = assessed.situation.loads().iter().any(|load| load.factor != 1.0);
+                    mode::in_air(steps, reduced, factored);
+                }
+                false => mode::effective(steps, reduced),
+            }
             mode::decision(steps, reduced);
         }
         None => contact::steps(steps, &assessed.situation, &full.wrench)?,

@@ -13,10 +13,12 @@ use crate::measured::{KILONEWTON, Measured, NONE};
 use crate::steps::Steps;
 
 /// k and k' of a lone force in air.
-pub(super) fn in_air(steps: &mut Steps, reduced: &Reduced) {
+pub(super) fn in_air(steps: &mut Steps, reduced: &Reduced, factored: bool) {
     let point = &reduced.point;
     steps.heading("Reduction to the report's plane");
-    steps.add("Force, in weights of the body", "", ["k", "F/(m g)"], point.k(), NONE, "k_eff");
+    // The factor is that of the load last told, the force.
+    let formula = if factored { "γ_F F/(m g)" } else { "F/(m g)" };
+    steps.add("Force, in weights of the body", "", ["k", formula], point.k(), NONE, "k_eff");
     let about = "Height of the force above the centre of mass, in half-heights";
     steps.add(about, "", ["k'", "(e − H)/H"], point.k_prime(), NONE, "k_prime_eff");
     if reduced.mirrored {
@@ -131,7 +133,7 @@ fn arrow(reduced: &Reduced, crossing: &Crossing) -> Markup {
     html! { (reduced.orient(crossing.from)) " → " (reduced.orient(crossing.to)) }
 }
 
-fn capital(words: &str) -> String {
+pub(super) fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -115,6 +115,8 @@ fn more() -> Vec<(String, String)> {
             vertical = 0.02\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
             [criteria]\nload_factor = 1.2\n")),
         ("no standing pressure", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nlambda = [0, 1, 0.5]\n")),
+        ("in air, in a combination", format!("{body}[[load]]\nname = \"push\"\nforce = 90e3\nelevation = 3\n[[combination]]\nfactors = {{ push = 1.5 }}\n")),
+        ("shaken up and down", format!("{body}[earthquake]\nhorizontal = 0.2\nvertical = 0.3\n[criteria]\nbearing_max = \"250 kPa\"\nSF_sliding = 2.2\n")),
         ("never and at once", format!("{body}[criteria]\nload_factor = 1.5\nSF_sliding = 1.2\n[[load]]\nforce = 0\nelevation = 1\n")),
         ("uplift", format!("{body}[uplift]\nleft = 20e3\nright = 60e3\ngrows = true\n[[load]]\nforce = 100e3\nelevation = 5\ndirection = \"right\"\n")),
         ("lifted", format!("{body}[uplift]\nleft = 300e3\nright = 300e3\n")),
