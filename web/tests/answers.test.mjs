@@ -121,7 +121,7 @@ test("a body in units is the same body in numbers", async () => {
   await page.selectOption('[data-unit="length"]', "cm");
   await page.waitForFunction(() => document.getElementById("height").value === "2000");
   await page.selectOption("#direction", "right");
-  await page.waitForFunction(() => document.getElementById("direction").value === "right");
+  await drawn(page);
   assert.equal(await mode(page), "RO'");
   await page.close();
 });

@@ -3,7 +3,7 @@
 //! A criterion is a result of the [one list](crate::results) with a bound, or the modes that are not allowed. Its utilisation is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
 
-use standfast::{Departure, Modes};
+use standfast::{Departure, Mode, Modes};
 
 use crate::assess::Assessed;
 use crate::inputs::Inputs;
@@ -99,7 +99,7 @@ impl Criterion {
         match self.bound {
             Bound::AtLeast(least) => format!("≥ {}", self.with_unit(&digits(self.shown(least)))),
             Bound::AtMost(most) => format!("≤ {}", self.with_unit(&digits(self.shown(most)))),
-            Bound::NoneOf(modes) => format!("none of {modes}"),
+            Bound::NoneOf(modes) => format!("none of {}", listed(modes)),
         }
     }
 
@@ -141,6 +141,11 @@ impl Criterion {
     }
 }
 
+/// Modes by their symbols.
+fn listed(modes: Modes) -> String {
+    modes.iter().map(Mode::symbol).collect::<Vec<_>>().join(", ")
+}
+
 impl Check {
     /// The value as it is read, with as many digits as tell it from the bound.
     pub fn value_words(&self, assessed: &Assessed) -> String {
@@ -162,7 +167,7 @@ impl Check {
                 if value.is_finite() { criterion.with_unit(&text) } else { text }
             }
             (ResultValue::Modes(modes), _) if modes.is_empty() => "none".to_owned(),
-            (ResultValue::Modes(modes), _) => modes.to_string(),
+            (ResultValue::Modes(modes), _) => listed(modes),
             _ => "none".to_owned(),
         }
     }
