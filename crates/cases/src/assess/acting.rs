@@ -13,12 +13,16 @@ pub(super) fn summary(assessment: &Assessment) -> String {
     let alone = case.combinations.is_empty();
     let mut rows = match alone {
         true => vec![row!["", "force", "at"], row!["load", "kN/m", "m"]],
-        false => vec![row![""], row!["combination"]],
+        false => vec![row!["", ""], row!["", "combination"]],
     };
     rows[0].extend(row!["", "SF", "SF", "leaves", "", ""]);
     rows[1].extend(row!["mode", "slide", "turn", "rest at", "into", "unique"]);
     rows.extend(assessment.worst_first().into_iter().map(|assessed| {
-        let mut row = row![assessment.name(assessed).unwrap_or_default()];
+        let mut row = match assessed.acting {
+            Acting::Combination(index) => row![(index + 1).to_string()],
+            _ => Vec::new(),
+        };
+        row.push(assessment.name(assessed).unwrap_or_default());
         if let Acting::Alone(index) = assessed.acting {
             let PointForce { magnitude, direction, elevation, distance, .. } = &case.forces[index];
             let at = match (direction, distance) {
@@ -30,7 +34,7 @@ pub(super) fn summary(assessment: &Assessment) -> String {
         row.extend(results(&assessed.outcome));
         row
     }));
-    let numbers: &[usize] = if alone { &[1, 2, 4, 5, 6] } else { &[2, 3, 4] };
+    let numbers: &[usize] = if alone { &[1, 2, 4, 5, 6] } else { &[0, 3, 4, 5] };
     columns(&rows, 2, numbers)
 }
 

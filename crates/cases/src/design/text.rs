@@ -49,10 +49,17 @@ fn words(target: Target) -> String {
 fn before_and_after(design: &Design) -> String {
     let Design { variable, value, present, found, .. } = design;
     let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol).to_owned();
-    // Of several alternative forces, the one that governs.
+    // Of several situations, the one in which it is worst: said once where it is the same throughout.
+    let name = |answer: &Assessment, of: fn(&Assessed) -> f64| {
+        answer.name(answer.least(of)).filter(|_| answer.all.len() > 1)
+    };
+    let names: Vec<_> = [present, &found.answer]
+        .into_iter()
+        .flat_map(|answer| [sliding, overturning, load_factor].map(|of| name(answer, of)))
+        .collect();
+    let same = names.iter().all(|name| *name == names[0]);
     let under = |answer: &Assessment, of: fn(&Assessed) -> f64| {
-        let name = answer.name(answer.least(of)).filter(|_| answer.all.len() > 1);
-        name.map_or(String::new(), |name| format!(", {name}"))
+        name(answer, of).filter(|_| !same).map_or(String::new(), |name| format!(", {name}"))
     };
     let both = |words: &str, of: &dyn Fn(&Assessment) -> String| row![words, of(present), of(&found.answer)];
     let rows = [
@@ -70,7 +77,9 @@ fn before_and_after(design: &Design) -> String {
             answer.least(load_factor).departure().mode().map_or("", Mode::symbol).to_owned()
         }),
     ];
+    let worst = names.into_iter().next().flatten().filter(|_| same);
     columns(&rows, 2, &[1, 2])
+        + &worst.map_or(String::new(), |name| paragraph(&format!("The worst throughout: {name}."), 2))
 }
 
 fn binding(found: &Found) -> String {
