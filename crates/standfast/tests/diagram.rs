@@ -348,6 +348,29 @@ fn no_force_through_the_base_overcomes_unbounded_friction() {
     assert_eq!(margins.leaves_rest(), None);
 }
 
+/// At k' = 0 the trace is chapter III's, at k' = −1 still chapter IV's, with its order of modes.
+#[test]
+fn chapters_begin_where_they_begin() {
+    let tried = |k_prime: f64| {
+        let trace = Point::new(1.0, k_prime, 2.0, 0.5).unwrap().explain();
+        let first = trace.steps[0].relations[0].equation;
+        (first, trace.steps.iter().map(|step| step.mode).collect::<Vec<_>>())
+    };
+    let third = ("3.4", vec![Mode::Rest, Mode::SlideLeft]);
+    assert_eq!(tried(0.0), third);
+    assert_eq!(tried(-0.0), third);
+    let fourth = ("4.7", vec![Mode::Rest, Mode::SlideRockOPrimeLeft]);
+    assert_eq!((tried(-1.0), tried(-0.9)), (fourth.clone(), fourth));
+    assert_eq!(
+        tried((-1.0_f64).next_down()).1,
+        [Mode::Rest, Mode::SlideLeft, Mode::RockOPrime, Mode::SlideRockOPrimeLeft]
+    );
+    // Of sliding at k' = −1, both inequalities of chapter IV.
+    let slides = Point::new(1.0, -1.0, 2.0, 1.5).unwrap().explain();
+    let equations: Vec<_> = slides.deciding().iter().map(|relation| relation.equation).collect();
+    assert_eq!(equations, ["4.23", "4.19", "4.18"]);
+}
+
 /// One point of every mode in every chapter: what a reader of the trace sees, equation by equation.
 #[test]
 fn the_trace_in_words() {

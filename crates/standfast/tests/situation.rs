@@ -9,7 +9,7 @@ use standfast::contact::plane::regions;
 use standfast::contact::{Block, solve};
 use standfast::initiation::Chart;
 use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
-use standfast::loads::{Action, Load, LoadKind, LoadSource, Pose, StillWater};
+use standfast::loads::{Action, Earthquake, Load, LoadKind, LoadSource, Place, Pose, StillWater};
 use standfast::{Body, ClassicalActions, Corner, Departure, Mode, Modes, Point, Situation, Wrench};
 
 const G: f64 = 9.81;
@@ -596,4 +596,20 @@ fn a_force_in_air_keeps_its_numbers() {
         let by_wrench = situation.effective(&full.wrench).unwrap().point;
         assert!((by_wrench.k_prime() - reduced.point.k_prime()).abs() < 1e-12);
     }
+}
+
+/// A load keeps its name and its factor, a force counts by its direction, and an earthquake turns.
+#[test]
+fn loads_are_named_and_multiplied() {
+    let at = Place { x: 1.0, y: 2.0 };
+    let body = Body::new(4.0, 6.0, 1e4).unwrap();
+    let push = Load::force(at, 3.0, 0.0).named("push").times(2.0).times(1.5);
+    assert_eq!((push.name.as_deref(), push.factor, push.kind), (Some("push"), 3.0, LoadKind::Horizontal));
+    assert_eq!(push.wrench(&body, G, Pose::UPRIGHT), Wrench { x: 9.0, p: 0.0, m: 9.0 });
+    assert_eq!(Load::force(at, 0.0, 5.0).kind, LoadKind::Weight);
+    let earthquake = Earthquake::new(2.0, -0.5).unwrap();
+    let turned = earthquake.turned(-1.0, 1.0);
+    assert_eq!((turned.horizontal(), turned.vertical()), (-2.0, -0.5));
+    let turned = earthquake.turned(3.0, -2.0);
+    assert_eq!((turned.horizontal(), turned.vertical()), (6.0, 1.0));
 }
