@@ -369,6 +369,10 @@ fn chapters_begin_where_they_begin() {
     let slides = Point::new(1.0, -1.0, 2.0, 1.5).unwrap().explain();
     let equations: Vec<_> = slides.deciding().iter().map(|relation| relation.equation).collect();
     assert_eq!(equations, ["4.23", "4.19", "4.18"]);
+    // At k' = 0 those of chapter III alone.
+    let slides = Point::new(1.0, 0.0, 2.0, 0.5).unwrap().explain();
+    let equations: Vec<_> = slides.deciding().iter().map(|relation| relation.equation).collect();
+    assert_eq!(equations, ["3.6", "after 3.8"]);
 }
 
 /// One point of every mode in every chapter: what a reader of the trace sees, equation by equation.
