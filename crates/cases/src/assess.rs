@@ -18,7 +18,6 @@ use standfast::{Departure, InputError, Outcome, Situation};
 
 use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
-pub use acting::factors;
 pub use figures::{CaseFigure, Drawn};
 pub(crate) use json::SCHEMA;
 pub use loads::{Component, added_mass_notes, share};
@@ -174,31 +173,31 @@ impl Assessed {
             let others = Vec::new();
             Ok(Assessed { index, acting, earthquake, is_reported: true, situation, outcome, others })
         };
-        let Some((given, others)) =
-            case.earthquakes(acting).split_first().map(|(given, others)| (*given, others.to_vec()))
-        else {
-            return shaken(None);
-        };
-        let tried = |earthquake| {
+        let tried = case.earthquakes(acting).into_iter().map(|earthquake| {
             let assessed = shaken(Some(earthquake))?;
             Ok((assessed.severity(case), assessed))
-        };
-        let mut worst = tried(given)?;
-        let mut others: Vec<_> = others.into_iter().map(tried).collect::<Result<_, InputError>>()?;
-        for other in &mut others {
-            // Of two that are the same but for rounding the given one stays.
-            if other.0.is_worse_than(&worst.0) {
-                std::mem::swap(other, &mut worst);
-            }
+        });
+        let mut tried: Vec<(Severity, Assessed)> = tried.collect::<Result<_, InputError>>()?;
+        if tried.is_empty() {
+            return shaken(None);
         }
-        others.sort_by(|(one, ..), (two, ..)| Severity::compare(one, two));
-        let others = others.into_iter().map(|(_, other)| Assessed { is_reported: false, ..other }).collect();
-        Ok(Assessed { others, ..worst.1 })
+        // Of two that are the same but for rounding the given one, which is the first, stays.
+        let is_worse = |one: usize, than: usize| tried[one].0.is_worse_than(&tried[than].0);
+        let worst = (1..tried.len()).fold(0, |worst, next| if is_worse(next, worst) { next } else { worst });
+        let (_, worst) = tried.remove(worst);
+        tried.sort_by(|(one, _), (two, _)| Severity::compare(one, two));
+        let others = tried.into_iter().map(|(_, other)| Assessed { is_reported: false, ..other }).collect();
+        Ok(Assessed { others, ..worst })
     }
 
     /// The mode in which the body leaves rest.
     pub fn departure(&self) -> &Departure {
         &self.outcome.departure
+    }
+
+    /// Whether a combination multiplies a load by another factor than 1.
+    pub fn is_factored(&self) -> bool {
+        self.situation.loads().iter().any(|load| load.factor != 1.0)
     }
 
     /// This and the other accelerations of the base that were tried.

@@ -209,9 +209,10 @@ impl Case {
 
     /// What an earthquake is multiplied by: the factor of a combination, which may be zero.
     pub fn earthquake_factor(&self, acting: Acting) -> f64 {
-        let Acting::Combination(index) = acting else { return 1.0 };
-        let factors = &self.combinations[index].factors;
-        factors.iter().find(|(name, _)| name == "earthquake").map_or(0.0, |(_, factor)| *factor)
+        match (acting, Table::Earthquake.in_combination()) {
+            (Acting::Combination(index), Some(name)) => self.combinations[index].factor(name).unwrap_or(0.0),
+            _ => 1.0,
+        }
     }
 
     /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
@@ -251,19 +252,19 @@ impl Case {
                 Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
             }
         };
-        let mut loads = vec![(Of::Named("weight"), weight)];
+        let mut loads = vec![(Of::Table(Table::Body), weight)];
         let mut add = |of, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
         if let Some(water) = &self.water {
-            add(Of::Named("water"), water.loads(&self.body, self.gravity));
+            add(Of::Table(Table::Water), water.loads(&self.body, self.gravity));
         }
         if let Some(uplift) = &self.uplift {
-            add(Of::Named("uplift"), vec![uplift.load(&self.body)]);
+            add(Of::Table(Table::Uplift), vec![uplift.load(&self.body)]);
         }
         if let Some(earthquake) = earthquake {
-            add(Of::Named("earthquake"), earthquake.loads(&self.added_mass));
+            add(Of::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
         }
         if let Some(Waves { goda, section, .. }) = &self.wave {
-            add(Of::Named("wave"), goda.loads(&self.body, section.base_depth));
+            add(Of::Table(Table::Wave), goda.loads(&self.body, section.base_depth));
         }
         for (index, pressure) in self.pressures.iter().enumerate() {
             add(Of::Pressure(index), vec![pressure.load()]);
@@ -289,7 +290,7 @@ impl Case {
         });
         let mut places: Vec<_> = unused
             .map(|(of, _)| match of {
-                Of::Named(name) => Place::Table(Table::named(name), 0),
+                Of::Table(table) => Place::Table(*table, 0),
                 Of::Pressure(index) => Place::Table(Table::Pressure, *index),
                 Of::Force(index) => Place::Table(Table::Load, *index),
             })
@@ -301,12 +302,12 @@ impl Case {
     /// What a combination multiplies a load by: one that it does not name acts as it is if it is permanent, and else not.
     fn factor(&self, combination: &Combination, of: Of, load: &Load) -> f64 {
         let name = match of {
-            Of::Named(name) => Some(name),
+            Of::Table(table) => table.in_combination(),
             Of::Pressure(index) => self.pressures[index].name.as_deref(),
             Of::Force(index) => self.forces[index].name.as_deref(),
         };
-        let named = combination.factors.iter().find(|(named, _)| Some(named.as_str()) == name);
-        named.map_or(if load.permanent { 1.0 } else { 0.0 }, |(_, factor)| *factor)
+        let factor = name.and_then(|name| combination.factor(name));
+        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
     }
 
     /// What a situation is called: its force that acts alone or its combination, or the number of it, counted from one.
@@ -327,8 +328,8 @@ impl Case {
 /// What a load is of: what a combination calls it by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Of {
-    /// A table of the case, under this name.
-    Named(&'static str),
+    /// A table of the case.
+    Table(Table),
     /// A pressure, by its place.
     Pressure(usize),
     /// A force, by its place.

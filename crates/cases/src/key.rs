@@ -72,9 +72,13 @@ impl Table {
         }
     }
 
-    /// The table of a name; the body's, whose weight a combination names, of any other.
-    pub(crate) fn named(name: &str) -> Table {
-        Table::ALL.into_iter().find(|table| table.name() == name).unwrap_or(Table::Body)
+    /// What a combination calls the loads of this table; `None` for one whose loads have names of their own, or that has none.
+    pub fn in_combination(self) -> Option<&'static str> {
+        match self {
+            Table::Body => Some("weight"),
+            Table::Water | Table::Uplift | Table::Wave | Table::Earthquake => Some(self.name()),
+            _ => None,
+        }
     }
 
     /// Its header as it stands in a file; in words for the top.

@@ -207,7 +207,7 @@ fn mode(mode: Option<Mode>) -> ResultValue {
 }
 
 /// Whether a body leaves rest, in a word.
-pub(crate) fn departure(departure: &Departure) -> &'static str {
+fn departure(departure: &Departure) -> &'static str {
     match departure {
         Departure::Never => "never",
         Departure::AtOnce { .. } => "at-once",
@@ -216,7 +216,7 @@ pub(crate) fn departure(departure: &Departure) -> &'static str {
 }
 
 /// A safety factor; one of a lifted body means nothing.
-pub(crate) fn factor(full: &Response, factor: f64) -> ResultValue {
+fn factor(full: &Response, factor: f64) -> ResultValue {
     if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
 }
 

@@ -19,7 +19,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
     html! {
         section.summary {
             h2 { "Summary" }
-            @for assessed in assessment.shown(&View { all: false, ..View::default() }) {
+            @for assessed in assessment.shown(&View::default()) {
                 @let full = &assessed.outcome.full;
                 p.verdict data-mode=(full.mode.map_or("none", Mode::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }

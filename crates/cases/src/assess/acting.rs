@@ -75,7 +75,7 @@ pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
 }
 
 /// The factors of a combination, as they are given.
-pub fn factors(combination: &Combination) -> String {
+fn factors(combination: &Combination) -> String {
     let factors = combination.factors.iter().map(|(name, factor)| format!("{name} × {}", digits(*factor)));
     let factors = factors.collect::<Vec<_>>().join("; ");
     if factors.is_empty() { "none".to_owned() } else { factors }

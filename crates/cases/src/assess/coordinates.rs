@@ -30,7 +30,7 @@ pub(super) fn text(assessed: &Assessed) -> String {
     let Some(reduced) = &assessed.outcome.full.effective else { return paragraph(NO_POINT, 2) };
     let point = &reduced.point;
     let (k, k_prime) = match assessed.situation.in_air() {
-        Some(_) if assessed.situation.loads().iter().any(|load| load.factor != 1.0) => {
+        Some(_) if assessed.is_factored() => {
             (["k", "γ_F F/(m g), γ_F the factor of the combination"], ["k'", "(e − H)/H"])
         }
         Some(_) => (["k", "F/(m g)"], ["k'", "(e − H)/H"]),

@@ -10,13 +10,13 @@ use serde::{Serialize, Serializer};
 use standfast::contact::path::{self, Stage};
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
-use standfast::{Departure, Mode, Modes, Motion, Outcome, Wrench};
+use standfast::{Mode, Modes, Motion, Wrench};
 
 use super::{Assessed, Assessment, CaseCheck, View};
 use crate::case::{self, Acting, Case, PointForce, Waves};
 use crate::criteria::Bound;
 use crate::point::{PointDocument, RelationDocument};
-use crate::results::{self, ResultName, ResultValue, number_or_word};
+use crate::results::{ResultName, ResultValue, number_or_word};
 
 /// The version of the document.
 pub(crate) const SCHEMA: u32 = 1;
@@ -174,10 +174,10 @@ struct Earthquake {
 struct OtherEarthquake {
     #[serde(flatten)]
     earthquake: Earthquake,
-    mode: Option<Mode>,
-    departure: &'static str,
-    load_factor: Option<f64>,
-    departure_mode: Option<Mode>,
+    mode: ResultValue,
+    departure: ResultValue,
+    load_factor: ResultValue,
+    departure_mode: ResultValue,
     #[serde(rename = "SF_sliding")]
     sliding: ResultValue,
     #[serde(rename = "SF_overturning")]
@@ -330,7 +330,7 @@ impl<'a> Situation<'a> {
             other_earthquakes: assessed
                 .others
                 .iter()
-                .filter_map(|other| Some(OtherEarthquake::of(other.earthquake.as_ref()?, &other.outcome)))
+                .filter_map(|other| Some(OtherEarthquake::of(other.earthquake.as_ref()?, other)))
                 .collect(),
             criteria: assessed.checks(case).iter().map(Criterion::of).collect(),
             results: Results(assessed),
@@ -385,17 +385,15 @@ impl Earthquake {
 }
 
 impl OtherEarthquake {
-    fn of(earthquake: &loads::Earthquake, outcome: &Outcome) -> OtherEarthquake {
-        let factor = |factor| results::factor(&outcome.full, factor);
+    fn of(earthquake: &loads::Earthquake, other: &Assessed) -> OtherEarthquake {
         OtherEarthquake {
             earthquake: Earthquake::of(earthquake),
-            mode: outcome.full.mode,
-            departure: results::departure(&outcome.departure),
-            load_factor: Some(outcome.departure.load_factor())
-                .filter(|_| matches!(outcome.departure, Departure::At { .. })),
-            departure_mode: outcome.departure.mode(),
-            sliding: factor(outcome.stability.sliding),
-            overturning: factor(outcome.stability.overturning()),
+            mode: ResultName::Mode.of(other),
+            departure: ResultName::Departure.of(other),
+            load_factor: ResultName::LoadFactor.of(other),
+            departure_mode: ResultName::DepartureMode.of(other),
+            sliding: ResultName::SfSliding.of(other),
+            overturning: ResultName::SfOverturning.of(other),
         }
     }
 }

@@ -61,6 +61,13 @@ pub struct Combination {
     pub factors: Vec<(String, f64)>,
 }
 
+impl Combination {
+    /// The factor under a name, where the combination has it.
+    pub fn factor(&self, name: &str) -> Option<f64> {
+        self.factors.iter().find(|(named, _)| named == name).map(|(_, factor)| *factor)
+    }
+}
+
 impl FacePressure {
     /// The load.
     pub fn load(&self) -> Load {
@@ -212,17 +219,11 @@ impl Given<'_> {
         let id = |key| Id { key, index };
         let factors = self.inputs.factors(id(Key::LoadFactors));
         let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
-        let tables = [
-            ("water", Table::Water),
-            ("uplift", Table::Uplift),
-            ("wave", Table::Wave),
-            ("earthquake", Table::Earthquake),
-        ];
-        let tables = tables.into_iter().filter(|(_, table)| self.inputs.has(*table)).map(|(name, _)| name);
+        let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
+        let mut names: Vec<&str> = tables.filter_map(Table::in_combination).collect();
+        let own = names.len();
         let named =
             forces.iter().map(|force| &force.name).chain(pressures.iter().map(|pressure| &pressure.name));
-        let mut names: Vec<&str> = ["weight"].into_iter().chain(tables).collect();
-        let own = names.len();
         names.extend(named.flatten().map(String::as_str));
         for (name, factor) in factors {
             let problem = match names.iter().filter(|known| *known == name).count() {

@@ -13,7 +13,8 @@ fn batch(directory: &Path, arguments: &[&str]) -> Output {
         .expect("the program starts")
 }
 
-fn files(directory: &Path) -> Vec<String> {
+/// The names of the files in a directory, in order.
+pub fn files(directory: &Path) -> Vec<String> {
     let mut names: Vec<_> = fs::read_dir(directory)
         .expect("a directory")
         .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())

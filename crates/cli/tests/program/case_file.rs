@@ -5,6 +5,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use super::batch::files;
+
 const CASE: &str = include_str!("../../../../examples/goda-2000.toml");
 
 /// The program in a folder, with a text on its standard input.
@@ -24,14 +26,6 @@ fn run(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
 
 fn words(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut names: Vec<_> =
-        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    names
 }
 
 /// Read from a file or from standard input, a case has the same answer in every command.

@@ -69,10 +69,7 @@ fn situation(
     match &full.effective {
         Some(reduced) => {
             match in_air {
-                true => {
-                    let factored = assessed.situation.loads().iter().any(|load| load.factor != 1.0);
-                    mode::in_air(steps, reduced, factored);
-                }
+                true => mode::in_air(steps, reduced, assessed.is_factored()),
                 false => mode::effective(steps, reduced),
             }
             mode::decision(steps, reduced);
