@@ -1,4 +1,4 @@
-//! A body in SI units, per metre run: its geometry and its inertia.
+//! A body in SI units, per metre run or as a whole: its geometry and its inertia.
 //!
 //! ```text
 //!      ┌───────────────┐ ─┬─
@@ -10,9 +10,11 @@
 //! ```
 
 use crate::error::InputError;
+use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
 
-/// A rectangular body, per metre run of its length; uniform unless told otherwise.
+/// A rectangular body; uniform, and described per metre run of its length, unless told otherwise. Of a body of a given
+/// [length](Body::with_length), and of a [cylinder](Body::cylinder), masses, forces and moments are those of the whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     width: f64,
@@ -23,6 +25,7 @@ pub struct Body {
     base_left: f64,
     base_right: f64,
     moment_of_inertia: f64,
+    plan: Plan,
 }
 
 /// How far a base reaches from mid-width, m.
@@ -52,7 +55,28 @@ impl Body {
             base_left: width / 2.0,
             base_right: width / 2.0,
             moment_of_inertia: mass * (width * width + height * height) / 12.0,
+            plan: Plan::PER_METRE,
         })
+    }
+
+    /// A uniform upright cylinder of `diameter` (m), `height` (m) and `mass` (kg).
+    ///
+    /// ```
+    /// use standfast::{Body, Plan};
+    ///
+    /// let drum = Body::cylinder(2.0, 3.0, 25e3)?;
+    /// assert_eq!(drum.plan(), Plan::Circle);
+    /// // m (3 r² + h²)/12
+    /// assert_eq!(drum.moment_of_inertia(), 25e3);
+    /// # Ok::<(), standfast::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If one of them is not a finite number above zero.
+    pub fn cylinder(diameter: f64, height: f64, mass: f64) -> Result<Body, InputError> {
+        let body = Body::new(diameter, height, mass)?;
+        let moment_of_inertia = mass * (0.75 * diameter * diameter + height * height) / 12.0;
+        Ok(Body { moment_of_inertia, plan: Plan::Circle, ..body })
     }
 
     /// A uniform body of `width` (m), `height` (m) and `density` (kg/m³).
@@ -62,6 +86,16 @@ impl Body {
     pub fn of_density(width: f64, height: f64, density: f64) -> Result<Body, InputError> {
         let density = InputError::positive(Quantity::Density, density)?;
         Body::new(width, height, density * width * height)
+    }
+
+    /// The same body `length` long out of the plane (m): pressures act on that length, and its mass and all forces are those of
+    /// the whole.
+    ///
+    /// # Errors
+    /// If it is not a finite number above zero.
+    pub fn with_length(self, length: f64) -> Result<Body, InputError> {
+        let length = InputError::positive(Quantity::Length, length)?;
+        Ok(Body { plan: Plan::Rectangle { length }, ..self })
     }
 
     /// The same body with its centre of mass `offset` to the right of mid-width and `height` above the base (m).
@@ -112,6 +146,11 @@ impl Body {
         BaseEdges { left: self.base_left, right: self.base_right }
     }
 
+    /// How it looks from above.
+    pub fn plan(&self) -> Plan {
+        self.plan
+    }
+
     /// 2B, m.
     pub fn width(&self) -> f64 {
         self.width
@@ -122,7 +161,7 @@ impl Body {
         self.height
     }
 
-    /// m, kg per metre run.
+    /// m, kg per metre run, or kg of a body of a given length.
     pub fn mass(&self) -> f64 {
         self.mass
     }
@@ -162,8 +201,14 @@ impl Body {
         self.base_left + self.base_right
     }
 
-    /// Whether the body is the report's: uniform, and touching its base over its whole width.
+    /// The area of the base, m².
+    pub fn base_area(&self) -> f64 {
+        self.plan.area(self.base_width())
+    }
+
+    /// Whether the body is the report's: a uniform rectangle that touches its base over its whole width.
     pub fn is_uniform(&self) -> bool {
-        Body::new(self.width, self.height, self.mass) == Ok(*self)
+        let uniform = Body::new(self.width, self.height, self.mass);
+        uniform.is_ok_and(|uniform| Body { plan: self.plan, ..uniform } == *self)
     }
 }

@@ -414,7 +414,7 @@ impl Situation {
         let path = if varies { self.path()? } else { Vec::new() };
         let departure = self.departure(&path, &sums.permanent)?;
         let actions = self.actions(&sums.by_kind);
-        let stability = actions.stability(self.static_friction, self.body.base_width());
+        let stability = actions.stability(self.static_friction, &self.body);
         let gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
         Ok(Outcome { full, departure, path, actions, stability, gross })
     }

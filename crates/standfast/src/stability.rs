@@ -26,6 +26,7 @@
 
 use crate::body::Body;
 use crate::mode::Corner;
+use crate::plan::{CirclePressure, Plan, circle_pressure};
 use crate::wrench::Wrench;
 
 /// Vertical and horizontal actions on a caisson as a designer adds them up; N and N·m per metre run, about the heel.
@@ -61,6 +62,8 @@ pub enum Bearing {
         toe: f64,
         /// The length of the contact, m.
         contact: f64,
+        /// The share of the base's area that is in contact.
+        share: f64,
     },
     /// The resultant of all loads misses the base: the base cannot carry it at rest.
     OutsideBase,
@@ -185,8 +188,9 @@ impl ClassicalActions {
         }
     }
 
-    /// Safety factors with friction μ, and the pressure on a base `base_width` wide (m).
-    pub fn stability(&self, friction: f64, base_width: f64) -> Stability {
+    /// Safety factors with friction μ, and the pressure on the base of `body`.
+    pub fn stability(&self, friction: f64, body: &Body) -> Stability {
+        let base_width = body.base_width();
         let ClassicalActions {
             buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment, ..
         } = *self;
@@ -199,7 +203,8 @@ impl ClassicalActions {
             overturning_about_heel: ratio(resisting, force_moment),
             overturning_about_toe: ratio(about_toe, -force_moment),
             resultant_arm,
-            bearing: resultant_arm.map_or(Bearing::Lifted, |arm| bearing(pressing, arm, base_width)),
+            bearing: resultant_arm
+                .map_or(Bearing::Lifted, |arm| bearing(pressing, arm, base_width, body.plan())),
         }
     }
 }
@@ -218,25 +223,37 @@ fn resisting(heel: Corner, body: &Body, wrench: &Wrench) -> f64 {
     wrench.p * arm - σ * wrench.m
 }
 
-/// The pressure of W_e = `pressing` at t_e = `arm` from the heel.
-fn bearing(pressing: f64, arm: f64, base_width: f64) -> Bearing {
+/// The pressure of W_e = `pressing` at t_e = `arm` from the heel, on a base of this plan.
+fn bearing(pressing: f64, arm: f64, base_width: f64, plan: Plan) -> Bearing {
+    let share = arm / base_width;
+    if !(share > 0.0 && share < 1.0) {
+        return Bearing::OutsideBase;
+    }
+    match plan {
+        Plan::Rectangle { length } => bearing_of_rectangle(pressing / length, arm, base_width),
+        Plan::Circle => {
+            let r = base_width / 2.0;
+            let CirclePressure { most, least, contact, share } =
+                circle_pressure(pressing, (arm - r).abs(), r);
+            let [heel, toe] = if arm < r { [most, least] } else { [least, most] };
+            Bearing::Pressed { heel, toe, contact, share }
+        }
+    }
+}
+
+/// The pressure of W_e, per metre of length.
+fn bearing_of_rectangle(pressing: f64, arm: f64, base_width: f64) -> Bearing {
     let share = arm / base_width;
     let mean = pressing / base_width;
-    match share {
-        share if !(share > 0.0 && share < 1.0) => Bearing::OutsideBase,
-        share if share < 1.0 / 3.0 => {
-            Bearing::Pressed { heel: 2.0 * pressing / (3.0 * arm), toe: 0.0, contact: 3.0 * arm }
-        }
-        share if share > 2.0 / 3.0 => {
-            let from_toe = base_width - arm;
-            Bearing::Pressed { heel: 0.0, toe: 2.0 * pressing / (3.0 * from_toe), contact: 3.0 * from_toe }
-        }
-        share => Bearing::Pressed {
-            heel: (mean * (4.0 - 6.0 * share)).max(0.0),
-            toe: (mean * (6.0 * share - 2.0)).max(0.0),
-            contact: base_width,
-        },
-    }
+    let [heel, toe, contact] = if share < 1.0 / 3.0 {
+        [2.0 * pressing / (3.0 * arm), 0.0, 3.0 * arm]
+    } else if share > 2.0 / 3.0 {
+        let from_toe = base_width - arm;
+        [0.0, 2.0 * pressing / (3.0 * from_toe), 3.0 * from_toe]
+    } else {
+        [(mean * (4.0 - 6.0 * share)).max(0.0), (mean * (6.0 * share - 2.0)).max(0.0), base_width]
+    };
+    Bearing::Pressed { heel, toe, contact, share: contact / base_width }
 }
 
 #[cfg(test)]
@@ -246,7 +263,10 @@ mod tests {
     /// The published check: W_e = 2196 kN/m at 8.618 m of 15 m gives 80.9 kPa at the heel and 211.9 kPa at the toe.
     #[test]
     fn both_edges_of_a_caisson() {
-        let Bearing::Pressed { heel, toe, contact } = bearing(2196e3, 8.618, 15.0) else { panic!() };
+        let Bearing::Pressed { heel, toe, contact, .. } = bearing(2196e3, 8.618, 15.0, Plan::PER_METRE)
+        else {
+            panic!()
+        };
         assert!((heel / 1e3 - 80.9).abs() < 0.05 && (toe / 1e3 - 211.9).abs() < 0.05, "{heel} {toe}");
         assert_eq!(contact, 15.0);
     }
@@ -257,7 +277,8 @@ mod tests {
         let (pressing, base) = (3e5, 12.0);
         for i in 1..1200 {
             let arm = f64::from(i) * 0.01;
-            let Bearing::Pressed { heel, toe, contact } = bearing(pressing, arm, base) else {
+            let Bearing::Pressed { heel, toe, contact, .. } = bearing(pressing, arm, base, Plan::PER_METRE)
+            else {
                 panic!("{arm}")
             };
             assert!(heel >= 0.0 && toe >= 0.0 && contact <= base);
@@ -269,7 +290,7 @@ mod tests {
             assert!((moment / (pressing * arm) - 1.0).abs() < 1e-12, "{arm}");
         }
         for arm in [0.0, -1.0, 12.0, 13.0, f64::NAN] {
-            assert_eq!(bearing(pressing, arm, base), Bearing::OutsideBase);
+            assert_eq!(bearing(pressing, arm, base, Plan::PER_METRE), Bearing::OutsideBase);
         }
     }
 }

@@ -99,8 +99,8 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
         let base = body.base_width();
         let inside = arm > 0.0 && arm < base;
         match stability.bearing {
-            Bearing::Pressed { heel, toe, contact } => {
-                assert!(inside && heel >= 0.0 && toe >= 0.0 && contact <= base);
+            Bearing::Pressed { heel, toe, contact, share } => {
+                assert!(inside && heel >= 0.0 && toe >= 0.0 && contact <= base && share == contact / base);
                 assert_eq!(stability.bearing.largest(), Some(heel.max(toe)));
                 let start = if heel == 0.0 { base - contact } else { 0.0 };
                 let sum = (heel + toe) / 2.0 * contact;

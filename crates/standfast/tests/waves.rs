@@ -154,7 +154,7 @@ fn goda_s_worked_example() {
         force: result.force,
         force_moment: result.force_moment,
     };
-    let stability = actions.stability(case.friction.unwrap(), 15.0);
+    let stability = actions.stability(case.friction.unwrap(), &wide(15.0));
     let (sliding, overturning) = (stability.sliding, stability.overturning());
     // Given to four figures.
     assert!(agrees(sliding, case.recomputed["SF_sliding"], 1e-3, 0.0), "{sliding}");
@@ -177,7 +177,7 @@ fn published_cases_of_a_vertical_wall() {
             force: result.force,
             force_moment: result.force_moment,
         };
-        let stability = actions.stability(case.friction.unwrap(), width);
+        let stability = actions.stability(case.friction.unwrap(), &wide(width));
         let Bearing::Pressed { heel, .. } = stability.bearing else { panic!("{}", case.name) };
         for (name, found) in [
             ("P", result.force / 1e3),
@@ -260,7 +260,7 @@ fn the_weight_s_arm_is_its_own() {
         force: 30.0,
         force_moment: 100.0,
     };
-    let stability = actions.stability(0.6, 9.0);
+    let stability = actions.stability(0.6, &wide(9.0));
     assert_eq!(stability.overturning(), 2.8);
     assert_eq!(stability.sliding, 0.6 * 80.0 / 30.0);
     assert_eq!(stability.resultant_arm, Some(180.0 / 80.0));
@@ -279,7 +279,7 @@ fn what_is_in_balance_does_not_turn() {
             force: 0.0,
             force_moment,
         };
-        actions.stability(0.6, 4.0)
+        actions.stability(0.6, &wide(4.0))
     };
     let factors = |uplift_moment: f64, force_moment: f64| {
         let stability = stability(uplift_moment, force_moment);
@@ -298,6 +298,11 @@ fn what_is_in_balance_does_not_turn() {
     assert_eq!(factors(0.0, -1.0), (inf, 0.0));
 }
 
+/// A body whose base is so wide, m.
+fn wide(width: f64) -> Body {
+    Body::new(width, 1.0, 1.0).unwrap()
+}
+
 /// The three ranges of the pressure join, and there is none without contact.
 #[test]
 fn bearing_pressure_has_its_ranges() {
@@ -311,7 +316,7 @@ fn bearing_pressure_has_its_ranges() {
             force: 0.0,
             force_moment: 0.0,
         };
-        actions.stability(0.6, 9.0).bearing
+        actions.stability(0.6, &wide(9.0)).bearing
     };
     for (arm, mirrored) in [(3.0, false), (6.0, true)] {
         for nudge in [-1e-9, 1e-9] {
@@ -320,7 +325,7 @@ fn bearing_pressure_has_its_ranges() {
             assert!((largest - 20.0).abs() < 1e-6 && (heel + toe - 20.0).abs() < 1e-6); // 2W/B
         }
     }
-    let even = Bearing::Pressed { heel: 10.0, toe: 10.0, contact: 9.0 };
+    let even = Bearing::Pressed { heel: 10.0, toe: 10.0, contact: 9.0, share: 1.0 };
     assert_eq!(at(4.5), even); // W/B
     assert_eq!([at(0.0), at(-1.0), at(9.0)], [Bearing::OutsideBase; 3]);
 }

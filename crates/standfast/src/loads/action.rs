@@ -12,7 +12,7 @@
 //! Weight, forces and forces of inertia keep their direction in space while the body turns; pressures turn with the face
 //! they press on.
 //!
-//! A pressure linear from p₁ at s₁ to p₂ at s₂ adds up to
+//! A pressure linear from p₁ at s₁ to p₂ at s₂ adds up, per metre of the body's [length](crate::Plan), to
 //!
 //! ```text
 //! F = (p₁ + p₂)/2 (s₂ − s₁)        S = ∫p s ds = (s₂ − s₁)/6 [p₁(2s₁ + s₂) + p₂(s₁ + 2s₂)]
@@ -20,6 +20,7 @@
 
 use crate::body::Body;
 use crate::error::InputError;
+use crate::plan::strip;
 use crate::quantity::{Expected, Quantity};
 use crate::wrench::Wrench;
 
@@ -103,13 +104,8 @@ impl PressureDiagram {
 
     /// ∫p ds (N per metre run), and ∫p s ds (N·m per metre run), about the origin of positions.
     pub fn resultant(&self) -> (f64, f64) {
-        self.points.windows(2).fold((0.0, 0.0), |(force, moment), pair| {
-            let [PressureAt { position: s1, pressure: p1 }, PressureAt { position: s2, pressure: p2 }] =
-                [pair[0], pair[1]];
-            let length = s2 - s1;
-            let lever = p1 * (2.0 * s1 + s2) + p2 * (s1 + 2.0 * s2);
-            (force + (p1 + p2) / 2.0 * length, moment + lever / 6.0 * length)
-        })
+        let pairs = self.points.windows(2).map(|pair| strip(&pair[0], &pair[1]));
+        pairs.fold((0.0, 0.0), |sum, (force, moment)| (sum.0 + force, sum.1 + moment))
     }
 }
 
@@ -195,7 +191,15 @@ impl Action {
 
 /// The wrench of a pressure on a body that stands upright.
 fn pressed(body: &Body, face: Face, diagram: &PressureDiagram) -> Wrench {
-    let (force, moment) = diagram.resultant();
+    let plan = body.plan();
+    let (force, moment) = match face {
+        Face::Left | Face::Right => {
+            let (force, moment) = diagram.resultant();
+            let side = plan.side(body.width());
+            (force * side, moment * side)
+        }
+        Face::Base | Face::Top => plan.resultant(diagram.points(), body.base_width()),
+    };
     // About C: of a side by its height, of the base and the top by the distance to the right.
     let about_height = moment - force * body.centroid_height();
     match face {

@@ -53,6 +53,8 @@ pub enum LoadSource {
     Buoyancy,
     /// Still water on the sides.
     StillWater,
+    /// Still water that stands on steps and slopes of the sides, or lifts where the body overhangs.
+    WaterOnSides,
     /// Pressures under the base, as given.
     Uplift,
     /// The body's inertia against a horizontal acceleration of the base.

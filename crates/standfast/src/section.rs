@@ -1,0 +1,543 @@
+//! A cross-section of parts: what it weighs, where, and what stands in water of it.
+//!
+//! ```text
+//!          ┌──────┐            y ▲
+//!          │ wall │ ~~~~~~       │    frame of the drawing: x from any
+//!    ~~~~~~│      │  water       └──► origin, y from the base
+//!    ┌─────┴──────┴───┐
+//!    │    footing     │
+//!    O────────────────O'
+//! ```
+//!
+//! Of a polygon with the corners (x_i, y_i), counter-clockwise, with a_i = x_i y_{i+1} − x_{i+1} y_i (Green's theorem)
+//!
+//! ```text
+//! A    = Σ a_i / 2
+//! A x̄  = Σ (x_i + x_{i+1}) a_i / 6                        and ȳ alike
+//! J_0  = Σ (x_i² + x_i x_{i+1} + x_{i+1}² + y_i² + y_i y_{i+1} + y_{i+1}²) a_i / 12
+//! ```
+//!
+//! J_0 about the origin; I = Σ ρ J_0 − m |C|² about the centre of mass.
+//!
+//! Parts touch: they neither overlap nor leave gaps, so that a horizontal cut through the body is one piece, with one left and
+//! one right end, x_l(y) and x_r(y). A cavity is a part of density 0. What water stands on the left of the body, above its
+//! sloping side and its steps, presses down with
+//!
+//! ```text
+//! V = ρ g ∫ (x_l − x_O) dy        M_O = ρ g ∫ (x_l² − x_O²)/2 dy        from 0 to its level
+//! ```
+//!
+//! (x from O; upwards where the body overhangs), and sideways as on an upright wall. The right is its mirror image.
+
+use crate::body::Body;
+use crate::error::InputError;
+use crate::loads::{Action, Load, LoadKind, LoadSource, Place, StillWater};
+use crate::plan::Plan;
+
+/// A corner of a part's outline, m: to the right of the origin of the drawing, and above the base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// To the right.
+    pub x: f64,
+    /// Above the base.
+    pub y: f64,
+}
+
+/// A part of a section, all of one material.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    outline: Vec<Vertex>,
+    density: f64,
+    density_below_water: f64,
+}
+
+/// A line under which the parts of a body are wet: straight from the water at the left to the water at the right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WaterTable {
+    /// Above the base at the left end of the section, m.
+    pub left: f64,
+    /// Above the base at the right end.
+    pub right: f64,
+}
+
+/// Why an outline is no part, or parts are no section.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SectionError {
+    /// A number that no length or density can be.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// Fewer than three corners, or corners in a line.
+    #[error("the outline encloses no area")]
+    NoArea,
+    /// Sides that cross or touch.
+    #[error("its sides {one} and {two} cross or touch")]
+    Crossing {
+        /// The side that begins at this corner, counted from one.
+        one: usize,
+        /// The other.
+        two: usize,
+    },
+    /// A part that lies below the base, y = 0.
+    #[error("it reaches {depth} m below the base, y = 0")]
+    BelowBase {
+        /// How far, m.
+        depth: f64,
+    },
+    /// No part stands on the base along a length.
+    #[error("the lowest part is {height} m above the base, y = 0, or touches it in a point")]
+    NotOnBase {
+        /// Of the lowest corner, m.
+        height: f64,
+    },
+    /// Two parts in one place.
+    #[error("parts {one} and {two} overlap at {at:?}")]
+    Overlap {
+        /// A part, counted from zero.
+        one: usize,
+        /// The other.
+        two: usize,
+        /// A place that both have.
+        at: Vertex,
+    },
+    /// A place between parts, or above them, that is in none.
+    #[error("between parts there is a gap at {at:?}")]
+    Gap {
+        /// A place in it.
+        at: Vertex,
+    },
+}
+
+impl Part {
+    /// A part with an outline, its corners one after the other in either sense, a density (kg/m³) where it is dry and one
+    /// where it is under water. A cavity has density 0.
+    ///
+    /// # Errors
+    /// If a number is not finite, a density is below zero, the outline encloses no area or crosses itself.
+    pub fn new(
+        mut outline: Vec<Vertex>,
+        density: f64,
+        density_below_water: f64,
+    ) -> Result<Part, SectionError> {
+        use crate::quantity::Quantity;
+        for vertex in &outline {
+            InputError::finite(Quantity::PartCorner, vertex.x)?;
+            InputError::finite(Quantity::PartCorner, vertex.y)?;
+        }
+        let density = InputError::not_negative(Quantity::Density, density)?;
+        let density_below_water = InputError::not_negative(Quantity::Density, density_below_water)?;
+        let size = extent(outline.iter());
+        let area = areas(&outline).area;
+        if outline.len() < 3 || area.abs() <= TOUCHING * size * size {
+            return Err(SectionError::NoArea);
+        }
+        if let Some((one, two)) = crossing(&outline) {
+            return Err(SectionError::Crossing { one: one + 1, two: two + 1 });
+        }
+        if area < 0.0 {
+            outline.reverse();
+        }
+        Ok(Part { outline, density, density_below_water })
+    }
+
+    /// Its corners, counter-clockwise.
+    pub fn outline(&self) -> &[Vertex] {
+        &self.outline
+    }
+
+    /// Where it is dry, kg/m³.
+    pub fn density(&self) -> f64 {
+        self.density
+    }
+
+    /// Where it is under water, kg/m³.
+    pub fn density_below_water(&self) -> f64 {
+        self.density_below_water
+    }
+}
+
+/// A cross-section of parts that stand on a level base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    parts: Vec<Part>,
+    slices: Vec<Slice>,
+    size: f64,
+}
+
+/// What is between two levels that hold no corner, cut across.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Slice {
+    bottom: f64,
+    top: f64,
+    /// The left end at the bottom and at the top.
+    left: [f64; 2],
+    /// The right end.
+    right: [f64; 2],
+}
+
+/// Mass, centre and inertia of a section, per metre of its length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionMass {
+    /// kg/m.
+    pub mass: f64,
+    /// The centre of mass.
+    pub centre: Vertex,
+    /// About it, kg m²/m.
+    pub moment_of_inertia: f64,
+}
+
+/// How far outlines may be apart, or overlap, that touch: as a share of the section's size, for the rounding of numbers such as
+/// 0.1 + 0.2.
+const TOUCHING: f64 = 1e-9;
+
+impl Section {
+    /// A section of parts.
+    ///
+    /// # Errors
+    /// If they do not stand on the base y = 0 along a length, or overlap, or leave gaps.
+    pub fn new(parts: Vec<Part>) -> Result<Section, SectionError> {
+        let size = extent(parts.iter().flat_map(|part| &part.outline));
+        let corners = || parts.iter().flat_map(|part| &part.outline);
+        let lowest = corners().map(|vertex| vertex.y).fold(f64::INFINITY, f64::min);
+        if lowest < -TOUCHING * size {
+            return Err(SectionError::BelowBase { depth: 0.0 - lowest });
+        }
+        if parts.is_empty() || lowest > TOUCHING * size {
+            return Err(SectionError::NotOnBase { height: lowest });
+        }
+        let slices = slices(&parts, size)?;
+        let section = Section { parts, slices, size };
+        let [left, right] = section.base();
+        if right - left <= TOUCHING * size {
+            return Err(SectionError::NotOnBase { height: lowest });
+        }
+        Ok(section)
+    }
+
+    /// The parts.
+    pub fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+
+    /// The left and the right end of all parts, m.
+    pub fn ends(&self) -> [f64; 2] {
+        let x = || self.parts.iter().flat_map(|part| &part.outline).map(|vertex| vertex.x);
+        [x().fold(f64::INFINITY, f64::min), x().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// The corners of the base O and O', m from the origin of the drawing.
+    pub fn base(&self) -> [f64; 2] {
+        let lowest = self.slices[0];
+        [lowest.left[0], lowest.right[0]]
+    }
+
+    /// Of the highest corner above the base, m.
+    pub fn height(&self) -> f64 {
+        self.slices.last().map_or(0.0, |slice| slice.top)
+    }
+
+    /// The area of all parts, m².
+    pub fn area(&self) -> f64 {
+        self.parts.iter().map(|part| areas(&part.outline).area).sum()
+    }
+
+    /// The area of what lies under a level, cavities with it, m²: what displaces water.
+    pub fn area_below(&self, level: f64) -> f64 {
+        let widths = |slice: Slice| {
+            (slice.top - slice.bottom) * (slice.right[0] - slice.left[0] + slice.right[1] - slice.left[1])
+        };
+        self.slices.iter().filter_map(|slice| slice.below(level)).map(|slice| widths(slice) / 2.0).sum()
+    }
+
+    /// Its mass with the parts under the water table wet, or with all dry.
+    pub fn mass(&self, water: Option<WaterTable>) -> SectionMass {
+        let ends = self.ends();
+        let mut sum = Areas::default();
+        for part in &self.parts {
+            let whole = areas(&part.outline);
+            sum.add(&whole, part.density);
+            if let Some(water) = water.filter(|_| part.density != part.density_below_water) {
+                let wet = areas(&under(&part.outline, water, ends));
+                sum.add(&wet, part.density_below_water - part.density);
+            }
+        }
+        let centre = Vertex { x: sum.x / sum.area, y: sum.y / sum.area };
+        let about_centre = sum.polar - sum.area * (centre.x * centre.x + centre.y * centre.y);
+        SectionMass { mass: sum.area, centre, moment_of_inertia: about_centre }
+    }
+
+    /// The body of this section and plan, with the parts under the water table wet.
+    ///
+    /// # Errors
+    /// If it has no mass, or its centre of mass does not lie between the corners of the base.
+    pub fn body(&self, water: Option<WaterTable>, plan: Plan) -> Result<Body, InputError> {
+        let length = match plan {
+            Plan::Rectangle { length } => length,
+            Plan::Circle => 1.0,
+        };
+        let ([left, right], height) = (self.ends(), self.height());
+        // From the middle of the body, so that nothing is lost where the drawing begins far away.
+        let middle = (left + right) / 2.0;
+        let centred = self.moved(-middle);
+        let SectionMass { mass, centre, moment_of_inertia } = centred.mass(water);
+        let body = Body::new(right - left, height, mass * length)?.with_length(length)?;
+        if self.is_uniform() {
+            // As the report's body, to the last bit.
+            return Ok(body);
+        }
+        let [base_left, base_right] = centred.base();
+        body.with_base(0.0 - base_left, base_right)?
+            .with_centroid(centre.x, centre.y)?
+            .with_moment_of_inertia(moment_of_inertia * length)
+    }
+
+    /// Whether it is an upright rectangle of one density, wet or dry.
+    fn is_uniform(&self) -> bool {
+        let [left, right] = self.ends();
+        let near = |one: f64, two: f64| (one - two).abs() <= TOUCHING * self.size;
+        let first = &self.parts[0];
+        self.parts
+            .iter()
+            .all(|part| part.density == first.density && part.density_below_water == first.density)
+            && self.slices.iter().all(|slice| {
+                slice.left.iter().all(|x| near(*x, left)) && slice.right.iter().all(|x| near(*x, right))
+            })
+    }
+
+    /// The same with everything so much farther right, m.
+    fn moved(&self, by: f64) -> Section {
+        let mut moved = self.clone();
+        let outlines = moved.parts.iter_mut().flat_map(|part| &mut part.outline);
+        outlines.for_each(|vertex| vertex.x += by);
+        for slice in &mut moved.slices {
+            slice.left.iter_mut().chain(&mut slice.right).for_each(|x| *x += by);
+        }
+        moved
+    }
+
+    /// The water that stands on the steps and slopes of the body's sides and presses them down: its weight, or the lift where
+    /// the body overhangs; none on upright sides.
+    pub fn water_on_sides(&self, body: &Body, water: &StillWater, gravity: f64) -> Vec<Load> {
+        let unit_weight = water.density() * gravity * body.plan().side(body.width());
+        let [o, o_prime] = self.base();
+        let sides = [
+            (water.left(), 1.0, self.standing(water.left(), |slice| slice.left.map(|x| x - o))),
+            (water.right(), -1.0, self.standing(water.right(), |slice| slice.right.map(|x| o_prime - x))),
+        ];
+        let [edge_left, edge_right] = [0.0 - body.base_edges().left, body.base_edges().right];
+        let loads = sides.into_iter().filter_map(|(level, to_right, standing)| {
+            let Standing { area, moment } = standing;
+            // What rounding leaves of an upright side is no water.
+            if area.abs() <= TOUCHING * self.size * level {
+                return None;
+            }
+            let corner = if to_right > 0.0 { edge_left } else { edge_right };
+            let at = Place { x: corner + to_right * moment / area, y: level };
+            let action = Action::Force { at, right: 0.0, up: 0.0 - unit_weight * area };
+            Some(Load::permanent(LoadSource::WaterOnSides, LoadKind::Weight, action))
+        });
+        loads.collect()
+    }
+
+    /// The area between a side and the upright through its corner of the base, and its moment about that, up to a level.
+    fn standing(&self, level: f64, from_corner: impl Fn(&Slice) -> [f64; 2]) -> Standing {
+        let below = self.slices.iter().filter_map(|slice| slice.below(level));
+        below.fold(Standing { area: 0.0, moment: 0.0 }, |sum, slice| {
+            let ([a, b], thickness) = (from_corner(&slice), slice.top - slice.bottom);
+            Standing {
+                area: sum.area + thickness * (a + b) / 2.0,
+                moment: sum.moment + thickness * (a * a + a * b + b * b) / 6.0,
+            }
+        })
+    }
+}
+
+/// An area beside an upright line, m², and its moment about it, m³.
+struct Standing {
+    area: f64,
+    moment: f64,
+}
+
+impl Slice {
+    /// What of it lies under a level.
+    fn below(&self, level: f64) -> Option<Slice> {
+        if level <= self.bottom {
+            return None;
+        }
+        let share = ((level - self.bottom) / (self.top - self.bottom)).min(1.0);
+        let cut = |[bottom, top]: [f64; 2]| [bottom, bottom + share * (top - bottom)];
+        Some(Slice { top: self.top.min(level), left: cut(self.left), right: cut(self.right), ..*self })
+    }
+}
+
+/// ∫dA, ∫x dA, ∫y dA and ∫(x² + y²) dA; or the same times a density.
+#[derive(Debug, Clone, Copy, Default)]
+struct Areas {
+    area: f64,
+    x: f64,
+    y: f64,
+    polar: f64,
+}
+
+impl Areas {
+    fn add(&mut self, of: &Areas, density: f64) {
+        self.area += density * of.area;
+        self.x += density * of.x;
+        self.y += density * of.y;
+        self.polar += density * of.polar;
+    }
+}
+
+fn sides(outline: &[Vertex]) -> impl Iterator<Item = (Vertex, Vertex)> + '_ {
+    outline.iter().copied().zip(outline.iter().copied().cycle().skip(1))
+}
+
+fn areas(outline: &[Vertex]) -> Areas {
+    let mut sum = Areas::default();
+    for (p, q) in sides(outline) {
+        let a = p.x * q.y - q.x * p.y;
+        sum.area += a / 2.0;
+        sum.x += (p.x + q.x) * a / 6.0;
+        sum.y += (p.y + q.y) * a / 6.0;
+        let squares = p.x * p.x + p.x * q.x + q.x * q.x + p.y * p.y + p.y * q.y + q.y * q.y;
+        sum.polar += squares * a / 12.0;
+    }
+    sum
+}
+
+/// The size of what has these corners, m.
+fn extent<'a>(corners: impl Iterator<Item = &'a Vertex>) -> f64 {
+    let mut ends = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+    for Vertex { x, y } in corners {
+        ends = [ends[0].min(*x), ends[1].max(*x), ends[2].min(*y), ends[3].max(*y)];
+    }
+    (ends[1] - ends[0]).max(ends[3] - ends[2]).max(0.0)
+}
+
+/// On which side of the line from p to q a place is: left above zero.
+fn side(p: Vertex, q: Vertex, at: Vertex) -> f64 {
+    (q.x - p.x) * (at.y - p.y) - (q.y - p.y) * (at.x - p.x)
+}
+
+/// Two sides of an outline that meet where they should not.
+fn crossing(outline: &[Vertex]) -> Option<(usize, usize)> {
+    let n = outline.len();
+    let sides: Vec<_> = sides(outline).collect();
+    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+    let meets = |(i, j): &(usize, usize)| {
+        let ((p, q), (r, s)) = (sides[*i], sides[*j]);
+        let neighbours = *j == i + 1 || (*i == 0 && *j == n - 1);
+        if neighbours {
+            // They share a corner; they must not fold back, nor be of no length.
+            let (before, shared, after) = if *j == i + 1 { (p, q, s) } else { (r, s, q) };
+            let back = side(before, shared, after) == 0.0
+                && (shared.x - before.x) * (after.x - shared.x)
+                    + (shared.y - before.y) * (after.y - shared.y)
+                    <= 0.0;
+            return back;
+        }
+        let (a, b, c, d) = (side(p, q, r), side(p, q, s), side(r, s, p), side(r, s, q));
+        let on = |p: Vertex, q: Vertex, at: Vertex, side: f64| {
+            let within = |a: f64, b: f64, at: f64| a.min(b) <= at && at <= a.max(b);
+            side == 0.0 && within(p.x, q.x, at.x) && within(p.y, q.y, at.y)
+        };
+        (a * b < 0.0 && c * d < 0.0) || on(p, q, r, a) || on(p, q, s, b) || on(r, s, p, c) || on(r, s, q, d)
+    };
+    pairs.into_iter().find(meets)
+}
+
+/// What of an outline lies under a water table, by cutting its sides at the line.
+fn under(outline: &[Vertex], water: WaterTable, [left, right]: [f64; 2]) -> Vec<Vertex> {
+    let above = |at: Vertex| {
+        let share = (at.x - left) / (right - left);
+        at.y - (water.left + share * (water.right - water.left))
+    };
+    let mut cut = Vec::with_capacity(outline.len() + 2);
+    for (p, q) in sides(outline) {
+        let (of_p, of_q) = (above(p), above(q));
+        if of_p <= 0.0 {
+            cut.push(p);
+        }
+        if (of_p < 0.0) != (of_q < 0.0) && of_p != of_q {
+            let share = of_p / (of_p - of_q);
+            cut.push(Vertex { x: p.x + share * (q.x - p.x), y: p.y + share * (q.y - p.y) });
+        }
+    }
+    cut
+}
+
+/// Where a part is cut by a level: from its left to its right side, at the bottom, in the middle and at the top of a slice.
+struct Cut {
+    part: usize,
+    left: [f64; 3],
+    right: [f64; 3],
+}
+
+/// The section cut into slices at all corners, which are in order if parts touch.
+fn slices(parts: &[Part], size: f64) -> Result<Vec<Slice>, SectionError> {
+    let mut levels: Vec<f64> = parts.iter().flat_map(|part| &part.outline).map(|vertex| vertex.y).collect();
+    levels.extend(crossings_between(parts));
+    levels.sort_by(f64::total_cmp);
+    levels.dedup_by(|next, before| *next - *before <= TOUCHING * size);
+    let slices = levels.windows(2).map(|pair| slice(parts, pair[0], pair[1], size));
+    slices.collect()
+}
+
+/// The levels at which sides of different parts cross: parts that overlap, where a slice may not see it in its middle.
+fn crossings_between(parts: &[Part]) -> Vec<f64> {
+    let mut levels = Vec::new();
+    for (i, one) in parts.iter().enumerate() {
+        for two in &parts[i + 1..] {
+            for (p, q) in sides(&one.outline) {
+                for (r, s) in sides(&two.outline) {
+                    let (a, b) = (side(p, q, r), side(p, q, s));
+                    let (c, d) = (side(r, s, p), side(r, s, q));
+                    if a * b < 0.0 && c * d < 0.0 {
+                        levels.push(r.y + a / (a - b) * (s.y - r.y));
+                    }
+                }
+            }
+        }
+    }
+    levels
+}
+
+fn slice(parts: &[Part], bottom: f64, top: f64, size: f64) -> Result<Slice, SectionError> {
+    let middle = (bottom + top) / 2.0;
+    let mut cuts = Vec::new();
+    for (part, Part { outline, .. }) in parts.iter().enumerate() {
+        let crossed = sides(outline).filter(|(p, q)| (p.y < middle) != (q.y < middle));
+        let mut crossed: Vec<[f64; 3]> = crossed
+            .map(|(p, q)| [bottom, middle, top].map(|y| p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x)))
+            .collect();
+        crossed.sort_by(|one, two| one[1].total_cmp(&two[1]));
+        let pairs = crossed.chunks_exact(2);
+        cuts.extend(pairs.map(|pair| Cut { part, left: pair[0], right: pair[1] }));
+    }
+    cuts.sort_by(|one, two| one.left[1].total_cmp(&two.left[1]));
+    for pair in cuts.windows(2) {
+        let [one, two] = [&pair[0], &pair[1]];
+        let apart = two.left[1] - one.right[1];
+        let at = Vertex { x: (two.left[1] + one.right[1]) / 2.0, y: middle };
+        if apart > TOUCHING * size {
+            return Err(SectionError::Gap { at });
+        }
+        if apart < -TOUCHING * size {
+            return Err(SectionError::Overlap {
+                one: one.part.min(two.part),
+                two: one.part.max(two.part),
+                at,
+            });
+        }
+    }
+    match (cuts.first(), cuts.last()) {
+        (Some(first), Some(last)) => {
+            let ends = |x: [f64; 3]| [x[0], x[2]];
+            Ok(Slice { bottom, top, left: ends(first.left), right: ends(last.right) })
+        }
+        _ => {
+            let x = parts[0].outline[0].x;
+            Err(SectionError::Gap { at: Vertex { x, y: middle } })
+        }
+    }
+}
