@@ -18,9 +18,10 @@ use standfast::{Departure, InputError, Outcome, Situation};
 
 use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
+use crate::units::Extent;
 pub use figures::{CaseFigure, Drawn};
 pub(crate) use json::SCHEMA;
-pub use loads::{Component, added_mass_notes, share};
+pub use loads::{Component, left_out, share};
 pub use text::criteria_met;
 pub(crate) use text::heading;
 
@@ -46,6 +47,8 @@ pub struct Assessed {
     pub index: usize,
     /// Which of the case's loads act.
     pub acting: Acting,
+    /// What its forces and moments are of.
+    pub extent: Extent,
     /// The acceleration of the base.
     pub earthquake: Option<Earthquake>,
     /// Whether that is the worst of those that are tried, which is reported.
@@ -171,7 +174,8 @@ impl Assessed {
             let situation = case.situation(acting, earthquake)?;
             let outcome = situation.outcome()?;
             let others = Vec::new();
-            Ok(Assessed { index, acting, earthquake, is_reported: true, situation, outcome, others })
+            let extent = case.extent;
+            Ok(Assessed { index, acting, extent, earthquake, is_reported: true, situation, outcome, others })
         };
         let tried = case.earthquakes(acting).into_iter().map(|earthquake| {
             let assessed = shaken(Some(earthquake))?;

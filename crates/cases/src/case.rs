@@ -26,9 +26,11 @@
 
 mod given;
 mod loads;
+mod section;
 
 use standfast::loads::{Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, StillWater, Uplift};
-use standfast::wave::{Choices, Goda, Heights, Sea, Section};
+use standfast::section::{Part, Section, WaterTable};
+use standfast::wave::{self, Choices, Goda, Heights, Sea};
 use standfast::{Body, InputError, Situation};
 
 use given::Given;
@@ -39,6 +41,7 @@ use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::Inputs;
 use crate::key::{Key, Table};
+use crate::units::Extent;
 
 /// A case: one body and the loads on it.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,8 +52,16 @@ pub struct Case {
     pub note: Option<String>,
     /// Acceleration of gravity, m/s².
     pub gravity: f64,
+    /// What forces, masses and moments are of.
+    pub extent: Extent,
     /// The body.
     pub body: Body,
+    /// Its section, where it is made of parts.
+    pub section: Option<Section>,
+    /// Under which line they are wet.
+    pub water_table: Option<WaterTable>,
+    /// The names of its parts.
+    pub part_names: Vec<Option<String>>,
     /// Coulomb friction μ between body and base, to stick.
     pub friction: f64,
     /// Coulomb friction μ to slip.
@@ -114,7 +125,7 @@ pub struct Waves {
     /// The wave heights as they are given.
     pub heights: Heights,
     /// The caisson and its berm.
-    pub section: Section,
+    pub section: wave::Section,
     /// The choices in the formulas.
     pub choices: Choices,
     /// The pressures, forces and moments.
@@ -133,7 +144,7 @@ impl Case {
             return Err(Fault::new(Problem::MissingTable { table: Table::Body }, Table::Top));
         }
         let gravity = inputs.gravity();
-        let body = given.body()?;
+        let (body, section) = given.body()?;
         let friction = given.required(Key::Friction)?;
         let kinetic_friction = given.kinetic_friction(friction)?;
         let weight = given.weight(&body)?;
@@ -146,8 +157,8 @@ impl Case {
         };
         let uplift = given.in_table(Table::Uplift, Given::uplift)?;
         let earthquake = given.in_table(Table::Earthquake, Given::earthquake)?;
-        let added_mass =
-            given.in_table(Table::AddedMass, |given| given.added_mass(water.as_ref(), wave.as_ref()))?;
+        let added_mass = given
+            .in_table(Table::AddedMass, |given| given.added_mass(&body, water.as_ref(), wave.as_ref()))?;
         const OTHER_LOADS: [Table; 5] =
             [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave, Table::Pressure];
         if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
@@ -165,7 +176,11 @@ impl Case {
             title: inputs.text(Key::Title).map(str::to_owned),
             note: inputs.text(Key::Note).map(str::to_owned),
             gravity,
+            extent: inputs.extent(),
             body,
+            section,
+            water_table: given.water_table(),
+            part_names: given.part_names(),
             friction,
             kinetic_friction,
             weight,
@@ -236,6 +251,12 @@ impl Case {
         Ok(situation)
     }
 
+    /// The parts of the body, with their names.
+    pub fn parts(&self) -> impl Iterator<Item = (Option<&str>, &Part)> {
+        let parts = self.section.iter().flat_map(Section::parts);
+        self.part_names.iter().map(Option::as_deref).zip(parts)
+    }
+
     /// The body without loads.
     fn bare(&self) -> Result<Situation, InputError> {
         Situation::new(self.body, self.friction, self.gravity)?
@@ -256,6 +277,10 @@ impl Case {
         let mut add = |of, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
         if let Some(water) = &self.water {
             add(Of::Table(Table::Water), water.loads(&self.body, self.gravity));
+            if let Some(section) = &self.section {
+                let on_sides = section.water_on_sides(&self.body, water, self.gravity);
+                add(Of::Table(Table::Water), on_sides);
+            }
         }
         if let Some(uplift) = &self.uplift {
             add(Of::Table(Table::Uplift), vec![uplift.load(&self.body)]);

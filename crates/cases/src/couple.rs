@@ -9,11 +9,13 @@
 
 use std::fmt;
 
+use standfast::Plan;
+
 use crate::case::{Case, Weight};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Moves, Table};
 use crate::suggest::closest;
-use crate::units::{Dimension, UnitError};
+use crate::units::{Dimension, Extent, UnitError};
 
 /// A number of a case that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +27,8 @@ pub struct Variable {
     by_density: bool,
     /// Whether a level of the sea moves the water on the other side as well.
     both_sides: bool,
+    /// What its forces and masses are of.
+    extent: Extent,
 }
 
 /// A name that is no number of a case.
@@ -62,7 +66,7 @@ impl Variable {
         let by_short = short.and_then(|(_, keys)| keys.iter().find(|key| inputs.number(**key).is_some()));
         let by_key = || Variable::all(inputs).find(|id| id.to_string() == name);
         if let Some(id) = by_short.map(|key| Id::from(*key)).or_else(by_key) {
-            let variable = Variable { name: name.to_owned(), ..Variable::of(id) };
+            let variable = Variable { name: name.to_owned(), ..Variable::of(id, inputs) };
             return Ok(match name {
                 "water_level" => Variable { moves: Moves::WaterLevel, both_sides: true, ..variable },
                 "mass" => Variable { by_density: id.key == Key::Density, ..variable },
@@ -81,11 +85,11 @@ impl Variable {
         inputs.numbers().map(|(id, _)| id).filter(varied)
     }
 
-    /// The number under a key.
-    pub fn of(id: Id) -> Variable {
+    /// The number under a key of inputs.
+    pub fn of(id: Id, inputs: &Inputs) -> Variable {
         let moves = id.key.info().moves;
         let both_sides = id.key == Key::Level;
-        Variable { name: id.to_string(), id, moves, by_density: false, both_sides }
+        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, extent: inputs.extent() }
     }
 
     /// What it is called.
@@ -100,7 +104,8 @@ impl Variable {
 
     /// What it measures; `None` for a plain number.
     pub fn dimension(&self) -> Option<Dimension> {
-        if self.by_density { Some(Dimension::Mass) } else { self.id.key.info().dimension() }
+        let dimension = if self.by_density { Some(Dimension::Mass) } else { self.id.key.info().dimension() };
+        dimension.map(|dimension| self.extent.of(dimension))
     }
 
     /// Its value in a case, SI.
@@ -132,6 +137,11 @@ impl Variable {
                 }
                 if buoyant {
                     notes.push("The buoyant weight goes with the width, and its arm as well.");
+                }
+            }
+            Moves::Length => {
+                if has(Key::Mass) {
+                    notes.push("The mass goes with the length: the density is kept.");
                 }
             }
             Moves::Height | Moves::BaseDepth => {
@@ -170,14 +180,19 @@ impl Variable {
         }
         let shaped = matches!(
             self.moves,
-            Moves::Width | Moves::Height | Moves::WaterLevel | Moves::BaseDepth | Moves::WaterDensity
+            Moves::Width
+                | Moves::Height
+                | Moves::Length
+                | Moves::WaterLevel
+                | Moves::BaseDepth
+                | Moves::WaterDensity
         );
         let shaped = shaped || matches!(self.id.key, Key::BaseLeft | Key::BaseRight);
         let placed = case.forces.iter().any(|force| force.distance.is_some());
         if shaped && (placed || !case.pressures.is_empty()) {
             notes.push(STAYS);
         }
-        let resized = matches!(self.moves, Moves::Width | Moves::Height | Moves::Mass);
+        let resized = matches!(self.moves, Moves::Width | Moves::Height | Moves::Mass | Moves::Length);
         if has(Key::MomentOfInertia) && resized {
             notes.push("The moment of inertia goes with the mass: the radius of gyration is kept.");
         }
@@ -231,20 +246,25 @@ impl Moved {
         let (by, ratio) = (value - present, value / present);
         match variable.moves {
             Moves::Alone => {}
-            Moves::Width => self.scale(
-                ratio,
-                &[
-                    Key::Width,
-                    Key::CaissonWidth,
-                    Key::BaseLeft,
-                    Key::BaseRight,
-                    Key::CentroidOffset,
-                    Key::WeightArm,
-                    Key::Mass,
-                    Key::BuoyantWeight,
-                    Key::MomentOfInertia,
-                ],
-            ),
+            Moves::Width => {
+                self.scale(
+                    ratio,
+                    &[
+                        Key::Width,
+                        Key::CaissonWidth,
+                        Key::BaseLeft,
+                        Key::BaseRight,
+                        Key::CentroidOffset,
+                        Key::WeightArm,
+                    ],
+                );
+                // A cylinder is as long as it is wide.
+                let weight = if case.body.plan() == Plan::Circle { ratio * ratio } else { ratio };
+                self.scale(weight, &[Key::Mass, Key::BuoyantWeight, Key::MomentOfInertia]);
+            }
+            Moves::Length => {
+                self.scale(ratio, &[Key::Mass, Key::BuoyantWeight, Key::MomentOfInertia, Key::WaterMass])
+            }
             Moves::Height => {
                 self.level(by, &[Key::CrestHeight, Key::Height]);
                 self.heighten(case, by);
@@ -292,7 +312,15 @@ impl Moved {
     fn drown(&mut self, case: &Case, by: f64) {
         let Some(wave) = &case.wave else { return };
         let unit_weight = wave.sea.water_density * case.gravity;
-        self.level(-unit_weight * by * case.body.base_width(), &[Key::BuoyantWeight]);
+        let displaced = match &case.section {
+            Some(section) => {
+                let depth = wave.section.base_depth;
+                let area = section.area_below(depth + by) - section.area_below(depth);
+                area * case.body.plan().side(case.body.width())
+            }
+            None => by * case.body.base_area(),
+        };
+        self.level(-unit_weight * displaced, &[Key::BuoyantWeight]);
     }
 }
 

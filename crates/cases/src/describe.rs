@@ -3,9 +3,11 @@
 use standfast::initiation::Crossing;
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
-use standfast::{Body, Mode, Motion, Point};
+use standfast::{Mode, Motion, Point};
 
+use crate::case::Case;
 use crate::layout::{apart, columns, digits, paragraph, row};
+use crate::units::Extent;
 
 /// What the non-dimensional numbers of a point are measured in: m, m g, g, B and g/B of the real body.
 #[derive(Debug, Clone, Copy)]
@@ -14,20 +16,18 @@ pub struct Scale {
     pub acceleration: f64,
     /// B, m.
     pub length: f64,
-    /// m g, N per metre run.
+    /// m g, N per metre run or of the whole object.
     pub weight: f64,
+    /// What forces are of.
+    pub extent: Extent,
 }
 
 impl Scale {
-    /// The scale of a body under gravity (m/s²).
-    pub fn of(body: &Body, gravity: f64) -> Scale {
-        Scale { acceleration: gravity, length: body.width() / 2.0, weight: body.mass() * gravity }
+    /// The scale of the body of a case.
+    pub fn of(Case { body, gravity, extent, .. }: &Case) -> Scale {
+        let weight = body.mass() * gravity;
+        Scale { acceleration: *gravity, length: body.width() / 2.0, weight, extent: *extent }
     }
-}
-
-/// A force in kN per metre run.
-pub fn kilonewtons(force: f64) -> String {
-    format!("{} kN/m", digits(force / 1e3))
 }
 
 /// The mode as a sentence, with the report's symbol.
@@ -96,10 +96,19 @@ pub struct MotionPart {
     pub of: fn(&Motion) -> f64,
     /// What it is measured in where it is non-dimensional.
     pub unit: &'static str,
-    /// The unit of a real body's.
+    /// The unit of a real body's, per metre run.
     pub si_unit: &'static str,
     /// How many SI units make one `si_unit`.
     pub si_units: f64,
+}
+
+const FORCE: (&str, f64) = ("kN/m", 1e3);
+
+impl MotionPart {
+    /// The unit of a real body's in a case of this extent.
+    pub fn unit_in(&self, extent: Extent) -> String {
+        if self.si_unit == FORCE.0 { extent.force_unit() } else { self.si_unit.to_owned() }
+    }
 }
 
 /// The quantities of a motion in the order they are printed.
@@ -116,7 +125,6 @@ pub const MOTION: [MotionPart; 9] = {
     }
     const LINEAR: (&str, f64) = ("m/s²", 1.0);
     const ANGULAR: (&str, f64) = ("rad/s²", 1.0);
-    const FORCE: (&str, f64) = ("kN/m", 1e3);
     [
         part("x_ddot", "ẍ", "of the centre of mass, to the right", |m| m.x_ddot, "g", LINEAR),
         part("y_ddot", "ÿ", "of the centre of mass, upwards", |m| m.y_ddot, "g", LINEAR),
@@ -133,7 +141,8 @@ pub const MOTION: [MotionPart; 9] = {
 /// Accelerations and reactions of a real body: in units of g, B and m g, and in SI units.
 pub fn real_motion(motion: &Motion, scale: &Scale) -> String {
     let reduced = motion.scaled(1.0 / scale.acceleration, 1.0 / scale.length, 1.0 / scale.weight);
-    let rows = MOTION.map(|MotionPart { symbol, words, of, unit, si_unit, si_units, .. }| {
+    let rows = MOTION.map(|part @ MotionPart { symbol, words, of, unit, si_units, .. }| {
+        let si_unit = part.unit_in(scale.extent);
         row![symbol, words, digits(of(&reduced)), unit, digits(of(motion) / si_units), si_unit]
     });
     columns(&rows, 2, &[2, 4])

@@ -3,15 +3,16 @@
 use std::ops::Range as Span;
 
 use miette::{Diagnostic, LabeledSpan, SourceCode};
-use standfast::InputError;
 use standfast::number::exact;
+use standfast::section::{SectionError, Vertex};
+use standfast::{InputError, Quantity};
 use thiserror::Error;
 
 use crate::excerpt::Excerpt;
 use crate::key::{Id, Key, Kind, Range, Table};
-use crate::layout::{plain, shortened};
+use crate::layout::{digits, plain, shortened};
 use crate::suggest::closest;
-use crate::units::UnitError;
+use crate::units::{Dimension, Extent, UnitError};
 
 /// What is wrong.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -75,10 +76,12 @@ pub enum Problem {
         expected: &'static str,
     },
     /// A text that is no quantity of the kind needed.
-    #[error("`{}` is {written}, and {error}; expected {}", key.entry(), expected(*key))]
+    #[error("`{}` is {written}, and {error}; expected {}", key.entry(), dimension.words())]
     Unit {
         /// The key.
         key: Key,
+        /// What it measures.
+        dimension: Dimension,
         /// The value as it stands in the file.
         written: String,
         /// What is wrong with it.
@@ -195,6 +198,51 @@ pub enum Problem {
         /// The table that may stand several times.
         table: Table,
     },
+    /// What [body] says of a body of parts, beside them.
+    #[error("[body] has `{}`, which follows from the parts", key.name())]
+    FollowsFromParts {
+        /// The key.
+        key: Key,
+    },
+    /// A scale of parts that there are not.
+    #[error("`width_scale` multiplies the widths of parts, and there is no [[part]]")]
+    ScaleWithoutParts,
+    /// A part without outline.
+    #[error("the part has no outline")]
+    NoOutline,
+    /// Lists of corners that do not go together.
+    #[error("`x` and `y` have {x} and {y} numbers; expected as many of each, three at least")]
+    Corners {
+        /// How many x.
+        x: usize,
+        /// How many y.
+        y: usize,
+    },
+    /// An outline that is no part's.
+    #[error("part {}: {error}", index + 1)]
+    Part {
+        /// Its place, from zero.
+        index: usize,
+        /// What is wrong with it.
+        error: SectionError,
+    },
+    /// Parts that are no section.
+    #[error("{}", parts(*.0))]
+    Parts(SectionError),
+    /// A key that a cylinder does not have.
+    #[error("a cylinder has no `{key}`")]
+    NotOfCylinder {
+        /// The key.
+        key: Key,
+    },
+    /// Parts of a cylinder.
+    #[error("[[part]] does not go with `shape = \"cylinder\"`")]
+    PartsOfCylinder,
+    /// Goda's waves on a single object.
+    #[error(
+        "[wave] does not go with a single object, of a `length` or a cylinder: Goda's formulas are those of a long wall"
+    )]
+    WavesOnObject,
     /// Slip with more friction than stick.
     #[error("`kinetic_friction` is {kinetic}; expected no more than `friction`, which is {friction}")]
     KineticFriction {
@@ -287,11 +335,6 @@ pub enum Problem {
     Mechanics(InputError),
 }
 
-/// What a key takes, in words.
-fn expected(key: Key) -> &'static str {
-    key.info().dimension().map_or("a number", |dimension| dimension.words())
-}
-
 /// A value in the unit of plain numbers.
 fn with_unit(key: Key, value: f64) -> String {
     key.info().dimension().map_or(exact(value), |dimension| format!("{} {}", exact(value), dimension.si()))
@@ -321,8 +364,7 @@ impl Problem {
             ),
             Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
-            Problem::Unit { key, error, .. } => {
-                let dimension = key.info().dimension()?;
+            Problem::Unit { key, dimension, error, .. } => {
                 let (also, bare) = match key.info().kind {
                     Kind::InGravity => ("g, ", "g"),
                     _ => ("", dimension.si()),
@@ -333,6 +375,10 @@ impl Problem {
                     UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
                         format!("{units}; this key says what g is, for example {}", line(*key))
                     }
+                    UnitError::Unknown(unit) => match other_extent(*dimension, unit) {
+                        Some(words) => format!("{units}; {words}"),
+                        None => units,
+                    },
                     _ => units,
                 }
             }
@@ -379,6 +425,33 @@ impl Problem {
                     None => known,
                 }
             }
+            Problem::FollowsFromParts { .. } => {
+                "remove it; to vary the width of all parts, give `width_scale`".into()
+            }
+            Problem::ScaleWithoutParts => "remove it; a body of one piece has its `width`".into(),
+            Problem::NoOutline => {
+                "give left, width, bottom and height, for a rectangle or, with top_left and top_width, a trapezoid; or the \
+                 corners of a polygon, x and y"
+                    .into()
+            }
+            Problem::Parts(SectionError::Gap { .. }) => {
+                "parts touch each other; what is empty between them is a part of density 0".into()
+            }
+            Problem::NotOfCylinder { key: Key::WaterLeft } => {
+                "water stands around it: give `level` in place of left and right".into()
+            }
+            Problem::NotOfCylinder { key: Key::WetSides } => {
+                "`sides` are those of a long wall; give the `mass` of the water that moves with it".into()
+            }
+            Problem::NotOfCylinder { .. } => {
+                "its `width` is its diameter, and it stands on the whole of its circle".into()
+            }
+            Problem::WavesOnObject => {
+                "describe one metre of a long wall; or give the forces on the object as [[load]]s".into()
+            }
+            Problem::PartsOfCylinder => {
+                "leave out the shape, or describe the cylinder by its width, height and mass".into()
+            }
             Problem::LevelAndSides | Problem::Both { .. } => "keep one of them".into(),
             Problem::ArmWithoutWeight => "the arm is that of W'; add buoyant_weight, or remove it".into(),
             Problem::Disagree { .. } => "keep one of them, or make them equal".into(),
@@ -390,6 +463,9 @@ impl Problem {
             | Problem::KineticFriction { .. }
             | Problem::OneLevel { .. }
             | Problem::Lengths { .. }
+            | Problem::Corners { .. }
+            | Problem::Part { .. }
+            | Problem::Parts(_)
             | Problem::NoExtent { .. }
             | Problem::SameName { .. }
             | Problem::SameCombination { .. }
@@ -411,6 +487,45 @@ impl Problem {
 /// A line of a file that has a key right.
 fn line(key: Key) -> String {
     format!("{} = {}", key.entry(), key.info().example)
+}
+
+/// What is wrong with parts together, counted from one as they stand in the file.
+fn parts(error: SectionError) -> String {
+    let place = |at: Vertex| format!("x = {} m, {} m above the base", digits(at.x), digits(at.y));
+    match error {
+        SectionError::Overlap { one, two, at } => {
+            format!("parts {} and {} overlap, at {}", one + 1, two + 1, place(at))
+        }
+        SectionError::Gap { at } => format!("the parts leave a gap, at {}", place(at)),
+        SectionError::BelowBase { depth } => {
+            format!("the part reaches {} m below the base, which is at height 0", digits(depth))
+        }
+        SectionError::NotOnBase { height: 0.0 } => {
+            "the body touches its base, at height 0, in a point; expected a length to stand on".to_owned()
+        }
+        SectionError::NotOnBase { height } => {
+            format!("the lowest part begins {} m above the base, which is at height 0", digits(height))
+        }
+        SectionError::Input(error) if error.quantity == Quantity::CentroidOffset => format!(
+            "the centre of mass lies {} m to the right of mid-width, not between the corners of the base",
+            digits(error.value)
+        ),
+        error => format!("the parts make no body: {error}"),
+    }
+}
+
+/// What to do about a unit of whole objects in a case per metre run, and the other way round.
+fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
+    const PER_METRE: [Dimension; 3] = [Dimension::Mass, Dimension::Force, Dimension::Inertia];
+    let fits = |dimension: Dimension| dimension.parse(&format!("1 {unit}")).is_ok();
+    let per_metre = PER_METRE.into_iter().find(|of| Extent::Whole.of(*of) == dimension);
+    if PER_METRE.contains(&dimension) && fits(Extent::Whole.of(dimension)) {
+        Some("all is per metre run; a single object has its `length` in [body]")
+    } else if per_metre.is_some_and(fits) {
+        Some("[body] has a `length` or is a cylinder, so all is of the whole object")
+    } else {
+        None
+    }
 }
 
 /// Criteria of results that are not computed, and what they ask for.

@@ -3,6 +3,7 @@
 use standfast::Modes;
 
 use crate::key::{Id, Key, Table};
+use crate::units::{Dimension, Extent};
 
 /// A value under a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,6 +140,17 @@ impl Inputs {
 
     pub(crate) fn add_table(&mut self, table: Table) {
         self.tables[table as usize] += 1;
+    }
+
+    /// What its forces, masses and moments are of: the whole object where its length is given, or it is a cylinder.
+    pub fn extent(&self) -> Extent {
+        let whole = self.get(Key::Length).is_some() || self.choice(Key::Shape) == Some("cylinder");
+        if whole { Extent::Whole } else { Extent::PerMetre }
+    }
+
+    /// What the numbers under a key measure; `None` for plain numbers and for what is no number.
+    pub fn dimension(&self, key: Key) -> Option<Dimension> {
+        key.info().dimension().map(|dimension| self.extent().of(dimension))
     }
 
     /// The acceleration of gravity, m/s².

@@ -19,6 +19,8 @@ pub enum Table {
     Top,
     /// The body and its friction.
     Body,
+    /// What the body is made of.
+    Part,
     /// Waves from the right.
     Wave,
     /// Still water.
@@ -41,9 +43,10 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 11] = [
+    pub const ALL: [Table; 12] = [
         Table::Top,
         Table::Body,
+        Table::Part,
         Table::Wave,
         Table::Water,
         Table::Uplift,
@@ -60,6 +63,7 @@ impl Table {
         match self {
             Table::Top => "",
             Table::Body => "body",
+            Table::Part => "part",
             Table::Wave => "wave",
             Table::Water => "water",
             Table::Uplift => "uplift",
@@ -86,6 +90,7 @@ impl Table {
         match self {
             Table::Top => "the case file",
             Table::Body => "[body]",
+            Table::Part => "[[part]]",
             Table::Wave => "[wave]",
             Table::Water => "[water]",
             Table::Uplift => "[uplift]",
@@ -103,6 +108,10 @@ impl Table {
         match self {
             Table::Top => "above all tables",
             Table::Body => "the body and its friction",
+            Table::Part => {
+                "one such table for each part of the section: a rectangle or trapezoid, or a polygon; parts touch, and a cavity \
+                 is a part of density 0; mass, centre of mass and moment of inertia follow"
+            }
             Table::Wave => "waves by Goda's formulas, with the sea at the right",
             Table::Water => "still water on both sides and under the base",
             Table::Uplift => "pressures under the base that are not buoyancy",
@@ -125,7 +134,7 @@ impl Table {
 
     /// Whether a file may have it more than once.
     pub fn repeats(self) -> bool {
-        matches!(self, Table::Pressure | Table::Load | Table::Combination)
+        matches!(self, Table::Part | Table::Pressure | Table::Load | Table::Combination)
     }
 
     /// Its keys, in their order.
@@ -138,6 +147,10 @@ impl Table {
         match self {
             Table::Body => {
                 "[body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6"
+            }
+            Table::Part => {
+                "[[part]]\nname = \"footing\"\nleft = 0\nwidth = \"15 m\"\nbottom = 0\nheight = \"1.5 m\"\n\
+                 density = \"2400 kg/m3\""
             }
             Table::Water => "[water]\nlevel = \"7.1 m\"",
             Table::Pressure => {
@@ -228,6 +241,8 @@ pub enum Moves {
     Width,
     /// The height at constant density, and so the crest above the sea.
     Height,
+    /// The length out of the plane, and the mass, at constant density.
+    Length,
     /// Everything that weighs.
     Mass,
     /// Friction to stick and to slip.
@@ -277,7 +292,8 @@ impl KeyInfo {
         KeyInfo { gives, ..self }
     }
 
-    /// What its numbers measure; `None` for plain numbers and for what is no number.
+    /// What its numbers measure in a case per metre run, see [`Inputs::dimension`](crate::Inputs::dimension) for any; `None` for
+    /// plain numbers and for what is no number.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.kind {
             Kind::Measured(dimension, _) | Kind::List(dimension) => Some(dimension),
@@ -322,10 +338,13 @@ const FACES: Kind =
     Kind::Choice { of: &["left", "right", "base", "top"], words: "\"left\", \"right\", \"base\" or \"top\"" };
 const DIRECTIONS: Kind =
     Kind::Choice { of: &["left", "right", "down", "up"], words: "\"left\", \"right\", \"down\" or \"up\"" };
+const SHAPES: Kind = Kind::Choice { of: &["block", "cylinder"], words: "\"block\" or \"cylinder\"" };
 
 use Kind::{Factors, InGravity, List, Measured, ModeList, OneOfThree, Plain, Sides, Text, Truth};
 use Range::{Finite, NotNegative, Positive, Share};
-use Table::{AddedMass, Body, Combination, Criteria, Earthquake, Load, Pressure, Top, Uplift, Water, Wave};
+use Table::{
+    AddedMass, Body, Combination, Criteria, Earthquake, Load, Part, Pressure, Top, Uplift, Water, Wave,
+};
 
 listed! {
     /// A key of a case file.
@@ -340,7 +359,11 @@ listed! {
         .moves(Moves::Width).gives(&[Quantity::Width]);
     Height = key(Body, "height", length(Positive), "h_w", "height of the body", "\"12 m\"")
         .moves(Moves::Height).gives(&[Quantity::Height]);
-    Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass, per metre run", "\"370 t/m\"")
+    Length = key(Body, "length", length(Positive), "L_b", "length out of the plane of a single object, whose masses are in kg and forces in N", "\"0.8 m\"")
+        .silent("length: all per metre run").moves(Moves::Length).gives(&[Quantity::Length]);
+    Shape = key(Body, "shape", SHAPES, "", "a block, or an upright cylinder whose diameter is the width; masses of it are in kg and forces in N", "\"cylinder\"")
+        .silent("shape: a block");
+    Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass, per metre run or of the whole object", "\"370 t/m\"")
         .moves(Moves::Mass).gives(&[Quantity::Mass]);
     Density = key(Body, "density", Measured(Dimension::Density, Positive), "ρ_b", "mean density of the body", "\"2.1 t/m3\"")
         .moves(Moves::Mass).gives(&[Quantity::Density, Quantity::Mass]);
@@ -363,6 +386,30 @@ listed! {
         .gives(&[Quantity::BuoyantWeight]);
     WeightArm = key(Body, "weight_arm", length(Positive), "t_g", "its arm to the left corner O", "\"7.5 m\"")
         .silent("arm of the buoyant weight: below the centre of mass").gives(&[Quantity::WeightArm]);
+    WidthScale = key(Body, "width_scale", Plain(Positive), "f_w", "what the lengths of all parts along the base are multiplied by", "1.1")
+        .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
+
+    PartName = key(Part, "name", Text, "", "name of the part", "\"footing\"");
+    PartLeft = key(Part, "left", length(Finite), "x_l", "left end of its bottom, to the right of the origin of the section", "\"1.5 m\"")
+        .gives(&[Quantity::PartCorner]);
+    PartWidth = key(Part, "width", length(Positive), "w_b", "width of its bottom", "\"12 m\"")
+        .gives(&[Quantity::PartCorner]);
+    PartBottom = key(Part, "bottom", length(NotNegative), "y_b", "its bottom above the base", "\"1.5 m\"")
+        .gives(&[Quantity::PartCorner]);
+    PartHeight = key(Part, "height", length(Positive), "h_p", "height from its bottom to its top", "\"9 m\"")
+        .gives(&[Quantity::PartCorner]);
+    PartTopLeft = key(Part, "top_left", length(Finite), "x_t", "left end of its top, to the right of the origin of the section", "\"2 m\"")
+        .silent("left end of the top: above that of the bottom").gives(&[Quantity::PartCorner]);
+    PartTopWidth = key(Part, "top_width", length(NotNegative), "w_t", "width of its top; 0 for a triangle", "\"8 m\"")
+        .silent("width of the top: that of the bottom").gives(&[Quantity::PartCorner]);
+    PartX = key(Part, "x", List(Dimension::Length), "", "corners of a polygon, one after the other, to the right of the origin of the section", "[\"0 m\", \"4 m\", \"4 m\"]")
+        .gives(&[Quantity::PartCorner]);
+    PartY = key(Part, "y", List(Dimension::Length), "", "the same corners above the base", "[0, 0, \"3 m\"]")
+        .gives(&[Quantity::PartCorner]);
+    PartDensity = key(Part, "density", Measured(Dimension::Density, NotNegative), "ρ_p", "density; 0 for a cavity", "\"2400 kg/m3\"")
+        .gives(&[Quantity::Density]);
+    PartDensityBelow = key(Part, "density_below_water", Measured(Dimension::Density, NotNegative), "ρ_pw", "density under still water, its water with it", "\"2100 kg/m3\"")
+        .silent("density under still water: the same as above it").gives(&[Quantity::Density]);
 
     WaterDepth = key(Wave, "water_depth", length(Positive), "h", "depth at the wall", "\"10.1 m\"")
         .gives(&[Quantity::WaterDepth]);
@@ -453,7 +500,7 @@ listed! {
         .silent("pressure: variable");
 
     LoadName = key(Load, "name", Text, "", "name of the load", "\"breaking wave\"");
-    Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force, per metre run", "\"450 kN/m\"")
+    Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force, per metre run or on the whole object", "\"450 kN/m\"")
         .gives(&[Quantity::Force, Quantity::K]);
     Towards = key(Load, "direction", DIRECTIONS, "", "where it points", "\"left\"").silent("direction: left");
     Elevation = key(Load, "elevation", length(NotNegative), "e", "its height above the base", "\"8 m\"")

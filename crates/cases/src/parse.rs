@@ -14,7 +14,7 @@ use crate::error::{CaseError, Fault, Place, Problem, UNANSWERABLE, expected_type
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
-use crate::units::in_gravity;
+use crate::units::{Dimension, Extent, in_gravity};
 
 /// A case file: what it says, and where it says it.
 #[derive(Debug, Clone)]
@@ -24,6 +24,7 @@ pub struct CaseFile {
     inputs: Inputs,
     entries: Vec<Entry>,
     headers: BTreeMap<(Table, usize), Span<usize>>,
+    extent: Extent,
 }
 
 /// An entry of a case file.
@@ -53,6 +54,7 @@ impl CaseFile {
             inputs: Inputs::default(),
             entries: Vec::new(),
             headers: BTreeMap::new(),
+            extent: Extent::PerMetre,
         };
         let read = if text.trim().is_empty() {
             Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 })
@@ -154,6 +156,7 @@ impl CaseFile {
         let top = document.get_ref();
         self.headers.insert((Table::Top, 0), document.span());
         only(top, Table::Top)?;
+        self.extent = extent(top);
         self.read_table(text, top, Table::Top, 0)?;
         for table in Table::ALL.into_iter().filter(|table| *table != Table::Top) {
             let Some(value) = top.get(table.name()) else { continue };
@@ -193,7 +196,7 @@ impl CaseFile {
     fn read_table(&mut self, text: &str, table: &DeTable<'_>, kind: Table, index: usize) -> Result<(), At> {
         for (name, value) in table.iter() {
             let Some(key) = Key::find(kind, name.get_ref()) else { continue };
-            let field = Field { key, value, text };
+            let field = Field { key, value, text, extent: self.extent };
             match key.info().kind {
                 Kind::OneOfThree => {
                     let keys = [Key::Lambda1, Key::Lambda2, Key::Lambda3];
@@ -207,6 +210,14 @@ impl CaseFile {
         }
         Ok(())
     }
+}
+
+/// What forces and masses of a document are of, which its units depend on wherever they stand; see [`Inputs::extent`].
+fn extent(top: &DeTable<'_>) -> Extent {
+    let body = top.get(Table::Body.name()).and_then(|body| body.get_ref().as_table());
+    let has = |key: Key| body.and_then(|body| body.get(key.name()));
+    let cylinder = has(Key::Shape).is_some_and(|shape| shape.get_ref().as_str() == Some("cylinder"));
+    if has(Key::Length).is_some() || cylinder { Extent::Whole } else { Extent::PerMetre }
 }
 
 /// Words in one line, as names stand in tables.
@@ -270,6 +281,7 @@ struct Field<'a> {
     key: Key,
     value: &'a Spanned<DeValue<'a>>,
     text: &'a str,
+    extent: Extent,
 }
 
 impl Field<'_> {
@@ -387,7 +399,8 @@ impl Field<'_> {
             return Err(self.wrong_type("one without control characters"));
         }
         Ok(match self.key {
-            Key::LoadName | Key::PressureName | Key::CombinationName => match one_line(words) {
+            Key::LoadName | Key::PressureName | Key::CombinationName | Key::PartName => match one_line(words)
+            {
                 name if name.is_empty() => return Err(self.out_of_range("a name that is not empty")),
                 name => name,
             },
@@ -395,14 +408,19 @@ impl Field<'_> {
         })
     }
 
+    fn dimension(&self) -> Option<Dimension> {
+        self.key.info().dimension().map(|dimension| self.extent.of(dimension))
+    }
+
     /// A number with its unit.
     fn measured(&self) -> Result<f64, At> {
         let info = self.key.info();
-        let (Some(text), Some(dimension)) = (self.value.get_ref().as_str(), info.dimension()) else {
+        let (Some(text), Some(dimension)) = (self.value.get_ref().as_str(), self.dimension()) else {
             return Err(self.wrong_type(expected_type(info.kind)));
         };
         dimension.parse(text).map_err(|error| {
-            self.problem(Problem::Unit { key: self.key, written: self.written(self.value), error })
+            let written = self.written(self.value);
+            self.problem(Problem::Unit { key: self.key, dimension, written, error })
         })
     }
 

@@ -156,10 +156,9 @@ listed! {
     BearingMax = number("bearing_max", Some(Dimension::Pressure), "the larger of both", |a| pressed(a, |heel, toe, _| heel.max(toe)));
     ContactLength = number("contact_length", Some(Dimension::Length), "the length of the base that is pressed",
         |a| pressed(a, |_, _, contact| contact));
-    ContactShare = number("contact_share", None, "the share of the base that is pressed", |a| {
-        let base = a.situation.body().base_width();
+    ContactShare = number("contact_share", None, "the share of the base's area that is pressed", |a| {
         match a.outcome.stability.bearing {
-            Bearing::Pressed { contact, .. } => ResultValue::Number(contact / base),
+            Bearing::Pressed { share, .. } => ResultValue::Number(share),
             _ => ResultValue::Nothing,
         }
     });
@@ -222,7 +221,7 @@ fn factor(full: &Response, factor: f64) -> ResultValue {
 
 fn pressed(assessed: &Assessed, of: impl Fn(f64, f64, f64) -> f64) -> ResultValue {
     match assessed.outcome.stability.bearing {
-        Bearing::Pressed { heel, toe, contact } => ResultValue::Number(of(heel, toe, contact)),
+        Bearing::Pressed { heel, toe, contact, .. } => ResultValue::Number(of(heel, toe, contact)),
         _ => ResultValue::Nothing,
     }
 }

@@ -1,10 +1,77 @@
 //! Quantities as people write them, "450 kN/m", to SI.
 //!
-//! Forces, masses and weights are per metre run of the body, as in a cross-section.
+//! Forces, masses and weights are per metre run of the body, as in a cross-section; those of an object of a given length, and of
+//! a cylinder, are those of the whole.
 
 use thiserror::Error;
 
-use crate::layout::shortened;
+use crate::layout::{digits, shortened};
+
+/// What forces, masses and moments of a case are of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Extent {
+    /// One metre of a long body.
+    PerMetre,
+    /// The whole object.
+    Whole,
+}
+
+impl Extent {
+    /// In a word, as in the JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Extent::PerMetre => "per-metre",
+            Extent::Whole => "whole",
+        }
+    }
+
+    /// The unit in which forces are printed, 10³ N.
+    pub fn force_unit(self) -> String {
+        format!("k{}", self.of(Dimension::Force).si())
+    }
+
+    /// The unit in which moments are printed, 10³ N m.
+    pub fn moment_unit(self) -> String {
+        format!("k{}", self.of(Dimension::Moment).si())
+    }
+
+    /// A force in kN.
+    pub fn kilonewtons(self, force: f64) -> String {
+        format!("{} {}", digits(force / 1e3), self.force_unit())
+    }
+
+    /// A moment in kN m.
+    pub fn kilonewton_metres(self, moment: f64) -> String {
+        format!("{} {}", digits(moment / 1e3), self.moment_unit())
+    }
+
+    /// A mass, in t per metre run or in kg.
+    pub fn mass(self, mass: f64) -> String {
+        match self {
+            Extent::PerMetre => format!("{} t/m", digits(mass / 1e3)),
+            Extent::Whole => format!("{} kg", digits(mass)),
+        }
+    }
+
+    /// A moment of inertia, in t m² per metre run or in kg m².
+    pub fn inertia(self, moment: f64) -> String {
+        match self {
+            Extent::PerMetre => format!("{} t m²/m", digits(moment / 1e3)),
+            Extent::Whole => format!("{} kg m²", digits(moment)),
+        }
+    }
+
+    /// What a quantity of a case of this extent measures.
+    pub fn of(self, dimension: Dimension) -> Dimension {
+        match (self, dimension) {
+            (Extent::Whole, Dimension::Mass) => Dimension::WholeMass,
+            (Extent::Whole, Dimension::Force) => Dimension::WholeForce,
+            (Extent::Whole, Dimension::Inertia) => Dimension::WholeInertia,
+            (Extent::Whole, Dimension::Moment) => Dimension::WholeMoment,
+            (_, dimension) => dimension,
+        }
+    }
+}
 
 /// What a number measures, and so which units fit it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +94,14 @@ pub enum Dimension {
     Time,
     /// N·m per metre run.
     Moment,
+    /// kg.
+    WholeMass,
+    /// N.
+    WholeForce,
+    /// kg m².
+    WholeInertia,
+    /// N·m.
+    WholeMoment,
 }
 
 /// How a value in some unit becomes SI. Small units divide by a whole number, so that "123 mm" is the f64 nearest to
@@ -61,6 +136,12 @@ impl Dimension {
             }
             Dimension::Time => &[("s", Times(1.0))],
             Dimension::Moment => &[("N m/m", Times(1.0)), ("kN m/m", Times(1e3)), ("MN m/m", Times(1e6))],
+            Dimension::WholeMass => &[("kg", Times(1.0)), ("t", Times(1e3))],
+            Dimension::WholeForce => &[("N", Times(1.0)), ("kN", Times(1e3)), ("MN", Times(1e6))],
+            Dimension::WholeInertia => {
+                &[("kg m2", Times(1.0)), ("t m2", Times(1e3)), ("kg m²", Times(1.0)), ("t m²", Times(1e3))]
+            }
+            Dimension::WholeMoment => &[("N m", Times(1.0)), ("kN m", Times(1e3)), ("MN m", Times(1e6))],
         }
     }
 
@@ -76,6 +157,10 @@ impl Dimension {
             Dimension::Pressure => "a pressure",
             Dimension::Time => "a time",
             Dimension::Moment => "a moment per metre run",
+            Dimension::WholeMass => "a mass of the whole object",
+            Dimension::WholeForce => "a force on the whole object",
+            Dimension::WholeInertia => "a moment of inertia of the whole object",
+            Dimension::WholeMoment => "a moment on the whole object",
         }
     }
 
@@ -91,6 +176,10 @@ impl Dimension {
             Dimension::Pressure => "Pa",
             Dimension::Time => "s",
             Dimension::Moment => "N m/m",
+            Dimension::WholeMass => "kg",
+            Dimension::WholeForce => "N",
+            Dimension::WholeInertia => "kg m2",
+            Dimension::WholeMoment => "N m",
         }
     }
 

@@ -9,7 +9,8 @@ use standfast::{Slip, wave};
 
 use crate::key::{Id, Key, Table};
 use crate::layout::{apart, digits};
-use found::{BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, SHAKING, WATER};
+use crate::units::Extent;
+use found::{BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, SHAKING, WATER};
 
 /// A warning about a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +34,10 @@ pub enum Warning {
     },
     /// The body is lighter or heavier than what is built.
     MeanDensity {
-        /// Mass over width and height, kg/m³.
+        /// Mass over volume, kg/m³.
         density: f64,
+        /// What it is the density of.
+        extent: Extent,
     },
     /// The water is lighter or heavier than water is.
     WaterDensity {
@@ -92,19 +95,32 @@ pub enum Warning {
     },
     /// The weight less buoyancy is more than the weight.
     BuoyantAboveWeight {
-        /// W', N per metre run.
+        /// W', N.
         buoyant: f64,
-        /// m g, N per metre run.
+        /// m g, N.
         weight: f64,
+        /// What both are of.
+        extent: Extent,
     },
     /// The weight less buoyancy is not the weight less the water that the section displaces.
     BuoyantBesideDisplacement {
-        /// W', N per metre run.
+        /// W', N.
         buoyant: f64,
-        /// m g, N per metre run.
+        /// m g, N.
         weight: f64,
-        /// ρ g × width of the base × depth of the base, N per metre run.
+        /// ρ g × area of the base × depth of the base, N.
         displaced: f64,
+        /// What they are of.
+        extent: Extent,
+    },
+    /// The weight less buoyancy is not that of the parts.
+    BuoyantBesideParts {
+        /// W', as given, N.
+        buoyant: f64,
+        /// The weight of the parts less the water they displace, N.
+        of_parts: f64,
+        /// What both are of.
+        extent: Extent,
     },
     /// A wall is shaken in water that presses on it as if it were still.
     EarthquakeWithoutAddedMass {
@@ -139,6 +155,7 @@ impl Warning {
             Warning::WaveHeightRatio { .. } => "wave-height-ratio",
             Warning::BuoyantAboveWeight { .. } => "buoyant-above-weight",
             Warning::BuoyantBesideDisplacement { .. } => "buoyant-beside-displacement",
+            Warning::BuoyantBesideParts { .. } => "buoyant-beside-parts",
             Warning::EarthquakeWithoutAddedMass { .. } => "earthquake-without-added-mass",
             Warning::UpliftBesideWave { .. } => "uplift-beside-wave",
             Warning::Wave(warning) => warning.name(),
@@ -159,7 +176,6 @@ impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // A value is told apart from the limit that it is beyond.
         let beyond = |value: f64, limit: f64| apart(&[value, limit]).swap_remove(0);
-        let kilonewtons = |force: f64| format!("{} kN/m", digits(force / 1e3));
         let kilopascals = |pressure: f64| format!("{} kPa", digits(pressure / 1e3));
         match self {
             Warning::BaseBeyondBody { side, edge, beyond } => {
@@ -176,11 +192,17 @@ impl fmt::Display for Warning {
                 digits(*arm),
                 digits(*base)
             ),
-            Warning::MeanDensity { density } => write!(
+            Warning::MeanDensity { density, extent: Extent::PerMetre } => write!(
                 f,
                 "the mean density, mass/(width × height), is {} kg/m³; what is built has {DENSITY} kg/m³: see mass or \
                  density, width and height, and their units",
                 beyond(*density, DENSITY.limit(*density))
+            ),
+            Warning::MeanDensity { density, extent: Extent::Whole } => write!(
+                f,
+                "the mean density, mass/volume, is {} kg/m³; objects have {OBJECT} kg/m³: see mass or density, the \
+                 dimensions, and their units",
+                beyond(*density, OBJECT.limit(*density))
             ),
             Warning::WaterDensity { key, density } => {
                 write!(
@@ -234,21 +256,32 @@ impl fmt::Display for Warning {
                 beyond(maximum / significant, HEIGHTS.limit(maximum / significant)),
                 digits(*significant)
             ),
-            Warning::BuoyantAboveWeight { buoyant, weight } => write!(
+            Warning::BuoyantAboveWeight { buoyant, weight, extent } => write!(
                 f,
                 "buoyant_weight = {} is more than the weight m g = {}, from which buoyancy only takes",
-                kilonewtons(*buoyant),
-                kilonewtons(*weight)
+                extent.kilonewtons(*buoyant),
+                extent.kilonewtons(*weight)
             ),
-            Warning::BuoyantBesideDisplacement { buoyant, weight, displaced } => write!(
+            Warning::BuoyantBesideDisplacement { buoyant, weight, displaced, extent } => write!(
                 f,
                 "buoyant_weight = {}, but the weight m g = {} less the water displaced, ρ g × width of the base × \
                  base_depth = {}, is {}",
-                kilonewtons(*buoyant),
-                kilonewtons(*weight),
-                kilonewtons(*displaced),
-                kilonewtons(weight - displaced)
+                extent.kilonewtons(*buoyant),
+                extent.kilonewtons(*weight),
+                extent.kilonewtons(*displaced),
+                extent.kilonewtons(weight - displaced)
             ),
+            Warning::BuoyantBesideParts { buoyant, of_parts, extent } => {
+                let [given, parts] = [buoyant, of_parts].map(|force| extent.kilonewtons(*force));
+                let off = 100.0 * (buoyant / of_parts - 1.0);
+                write!(
+                    f,
+                    "buoyant_weight = {given}, but the parts less the water they displace weigh {parts}: {} % {}; \
+                     buoyant_weight is what counts",
+                    digits(off.abs()),
+                    if off > 0.0 { "less" } else { "more" }
+                )
+            }
             Warning::EarthquakeWithoutAddedMass { acceleration } => write!(
                 f,
                 "earthquake.horizontal = {} m/s² shakes a wall in water, and there is no [added_mass]: the water's share \

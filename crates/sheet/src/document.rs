@@ -3,6 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use standfast_cases::units::Extent;
 use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, View};
 
 use crate::{Date, SheetError, calculation, inputs, limits, method, sensitivity, verdict};
@@ -35,6 +36,10 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
     let calculation = calculation::steps(assessment, source.case_file.inputs(), view)?;
     let inputs = inputs::tables(case, source.case_file);
+    let of = match case.extent {
+        Extent::PerMetre => "per metre run",
+        Extent::Whole => "those of the whole object",
+    };
     let document = html! {
         (DOCTYPE)
         html lang="en" {
@@ -55,8 +60,8 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                         h2 { "3 Calculation" }
                         p.note {
                             "Each step: the formula, the same with numbers put in, the result. Numbers are carried at full \
-                             precision and shown to five significant digits; forces, masses and moments are per metre run. \
-                             Numbers in parentheses are the report’s equations."
+                             precision and shown to five significant digits; forces, masses and moments are "
+                            (of) ". Numbers in parentheses are the report’s equations."
                         }
                         (calculation)
                     }

@@ -100,7 +100,7 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
                     @if i > 0 { ", " }
                     data value=(value) { (number(value)) }
                     @if key.entry().ends_with("_deg") { "°" }
-                    @if let Some(dimension) = key.info().dimension().filter(|_| i + 1 == count) {
+                    @if let Some(dimension) = file.inputs().dimension(key).filter(|_| i + 1 == count) {
                         "\u{a0}" span.unit { (dimension.symbol()) }
                     }
                 }
@@ -117,7 +117,7 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
         (Key::Gravity, Measured::of(case.gravity, ACCELERATION).html("")),
         (Key::KineticFriction, Measured::of(case.kinetic_friction, NONE).html("")),
     ];
-    if !case.body.is_uniform() {
+    if !case.body.is_uniform() && case.section.is_none() {
         taken.extend([
             (Key::BaseLeft, Measured::of(left, METRE).html("")),
             (Key::BaseRight, Measured::of(right, METRE).html("")),

@@ -2,6 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::number::{Significant, significant};
+use standfast_cases::units::Extent;
 
 /// Significant digits in the calculation, enough to follow it by hand.
 const DIGITS: usize = 5;
@@ -31,9 +32,20 @@ units! {
     MOMENT = "kN m/m", 1e3;
     INERTIA = "t m²/m", 1e3;
     KILOPASCAL = "kPa", 1e3;
+    AREA = "m²", 1.0;
     DENSITY = "kg/m³", 1.0;
     ACCELERATION = "m/s²", 1.0;
     ROTATION = "rad/s²", 1.0;
+}
+
+impl Unit {
+    /// Of a case per metre run, or without that of a whole object.
+    pub fn in_extent(self, extent: Extent) -> Unit {
+        match (extent, self.text.strip_suffix("/m")) {
+            (Extent::Whole, Some(text)) => Unit { text, ..self },
+            _ => self,
+        }
+    }
 }
 
 /// A number in the unit it is shown in.
@@ -50,6 +62,11 @@ impl Measured {
     pub fn of(si: f64, unit: Unit) -> Measured {
         // `+ 0.0` turns −0 into 0.
         Measured { value: si / unit.si + 0.0, unit }
+    }
+
+    /// The same of a case of this extent, where forces and masses are per metre run or of the whole.
+    pub fn in_extent(self, extent: Extent) -> Measured {
+        Measured { unit: self.unit.in_extent(extent), ..self }
     }
 
     /// The number at full precision for machines, rounded for people, with its unit. `name` says which number of the case it

@@ -2,6 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::relation::Relation;
+use standfast_cases::units::Extent;
 
 use crate::fault::Fault;
 use crate::formula::{Formula, FormulaError, Scope};
@@ -13,6 +14,7 @@ use crate::measured::{Measured, NONE, Unit, number};
 /// What cannot be drawn is no gap: the first fault is kept, and [`finish`](Steps::finish), the only way to what is written,
 /// gives it instead.
 pub struct Steps {
+    extent: Extent,
     scope: Scope,
     done: Vec<Markup>,
     part: Part,
@@ -60,9 +62,10 @@ pub struct Step<'a> {
 }
 
 impl Steps {
-    /// No steps yet, in a part of this title.
-    pub fn new(title: &str) -> Steps {
+    /// No steps yet of a case of this extent, in a part of this title.
+    pub fn new(title: &str, extent: Extent) -> Steps {
         Steps {
+            extent,
             scope: Scope::new(),
             done: Vec::new(),
             part: Part::of(title, None),
@@ -88,9 +91,15 @@ impl Steps {
         }
     }
 
+    /// A value of the case, SI, in the unit it is shown in.
+    fn measured(&self, si: f64, unit: Unit) -> Measured {
+        Measured::of(si, unit).in_extent(self.extent)
+    }
+
     /// A quantity that later formulas may use.
     pub fn know(&mut self, name: &str, si: f64, unit: Unit) {
-        self.scope.insert(name.to_owned(), Measured::of(si, unit));
+        let known = self.measured(si, unit);
+        self.scope.insert(name.to_owned(), known);
     }
 
     /// Writes what could be drawn, or keeps why it could not.
@@ -108,11 +117,12 @@ impl Steps {
         let drawn = self.draw(step);
         self.write(drawn);
         step.reference.clone_into(&mut self.reference);
-        self.scope.insert(step.name.to_owned(), step.result);
+        self.scope.insert(step.name.to_owned(), step.result.in_extent(self.extent));
     }
 
     fn draw(&self, step: &Step<'_>) -> Result<Markup, Fault> {
         let Step { about, reference, name, formula, result, key } = *step;
+        let result = result.in_extent(self.extent);
         let place = format!("the step for `{name}`");
         let shown = if about.is_empty() && reference == self.reference { "" } else { reference };
         let symbols = read(&place, formula)?;
@@ -149,12 +159,13 @@ impl Steps {
         unit: Unit,
         key: &str,
     ) {
-        self.step(&Step { about, reference, name, formula, result: Measured::of(si, unit), key });
+        let result = self.measured(si, unit);
+        self.step(&Step { about, reference, name, formula, result, key });
     }
 
     /// Writes a result that no formula on a line gives, with words in place of it.
     pub fn told(&mut self, about: &str, name: &str, si: f64, unit: Unit, words: &str, key: &str) {
-        let result = Measured::of(si, unit);
+        let result = self.measured(si, unit);
         self.write(head(about, "").map(|head| {
             html! {
                 div.step {
@@ -256,7 +267,7 @@ mod tests {
 
     /// Steps of which one, in the middle, is `wrong`.
     fn with(wrong: impl Fn(&mut Steps)) -> Result<String, Fault> {
-        let mut steps = Steps::new("Part");
+        let mut steps = Steps::new("Part", Extent::PerMetre);
         steps.know("a", 3.0, METRE);
         steps.add("Half of `a`", "", ["b", "a/2"], 1.5, METRE, "");
         wrong(&mut steps);

@@ -125,6 +125,18 @@ impl Body {
         body.check()
     }
 
+    /// The same of a section of parts, whose base may lie on one side of mid-width: its centre of mass comes with it.
+    pub(crate) fn standing(self, base: BaseEdges, offset: f64, height: f64) -> Result<Body, InputError> {
+        let body = Body {
+            centroid_offset: InputError::finite(Quantity::CentroidOffset, offset)?,
+            centroid_height: InputError::positive(Quantity::CentroidHeight, height)?,
+            base_left: base.left,
+            base_right: base.right,
+            ..self
+        };
+        body.check()
+    }
+
     /// The same body with a moment of inertia about its centre of mass of `moment` (kg m² per metre run).
     ///
     /// # Errors

@@ -57,7 +57,7 @@ pub use mode::{Corner, Mode, Modes, ParseModeError, Slip};
 pub use motion::{CornerAcceleration, Motion};
 pub use plan::Plan;
 pub use quantity::{Expected, Quantity};
-pub use section::{Part, Section, SectionError, SectionMass, Vertex, WaterTable};
+pub use section::Section;
 pub use situation::{Departure, Outcome, Response, Situation};
 pub use stability::{Bearing, ClassicalActions, GrossOverturning, Stability};
 pub use wrench::Wrench;

@@ -29,7 +29,7 @@
 //!
 //! (x from O; upwards where the body overhangs), and sideways as on an upright wall. The right is its mirror image.
 
-use crate::body::Body;
+use crate::body::{BaseEdges, Body};
 use crate::error::InputError;
 use crate::loads::{Action, Load, LoadKind, LoadSource, Place, StillWater};
 use crate::plan::Plan;
@@ -140,6 +140,11 @@ impl Part {
         Ok(Part { outline, density, density_below_water })
     }
 
+    /// The area it encloses, m².
+    pub fn area(&self) -> f64 {
+        areas(&self.outline).area
+    }
+
     /// Its corners, counter-clockwise.
     pub fn outline(&self) -> &[Vertex] {
         &self.outline
@@ -178,6 +183,21 @@ struct Slice {
 /// Mass, centre and inertia of a section, per metre of its length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectionMass {
+    /// kg/m.
+    pub mass: f64,
+    /// The centre of mass.
+    pub centre: Vertex,
+    /// About it, kg m²/m.
+    pub moment_of_inertia: f64,
+}
+
+/// Areas, mass, centre and inertia of a part, per metre of its length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartMass {
+    /// The area above the water table, or the whole where its density is the same below, m².
+    pub dry: f64,
+    /// The area below, m².
+    pub wet: f64,
     /// kg/m.
     pub mass: f64,
     /// The centre of mass.
@@ -238,7 +258,7 @@ impl Section {
 
     /// The area of all parts, m².
     pub fn area(&self) -> f64 {
-        self.parts.iter().map(|part| areas(&part.outline).area).sum()
+        self.parts.iter().map(Part::area).sum()
     }
 
     /// The area of what lies under a level, cavities with it, m²: what displaces water.
@@ -251,19 +271,39 @@ impl Section {
 
     /// Its mass with the parts under the water table wet, or with all dry.
     pub fn mass(&self, water: Option<WaterTable>) -> SectionMass {
-        let ends = self.ends();
         let mut sum = Areas::default();
         for part in &self.parts {
-            let whole = areas(&part.outline);
-            sum.add(&whole, part.density);
-            if let Some(water) = water.filter(|_| part.density != part.density_below_water) {
-                let wet = areas(&under(&part.outline, water, ends));
-                sum.add(&wet, part.density_below_water - part.density);
+            for (areas, density) in self.dry_and_wet(part, water) {
+                sum.add(&areas, density);
             }
         }
-        let centre = Vertex { x: sum.x / sum.area, y: sum.y / sum.area };
-        let about_centre = sum.polar - sum.area * (centre.x * centre.x + centre.y * centre.y);
-        SectionMass { mass: sum.area, centre, moment_of_inertia: about_centre }
+        sum.mass()
+    }
+
+    /// The same of its parts one by one. A cavity has its centre where its area has it.
+    pub fn masses(&self, water: Option<WaterTable>) -> Vec<PartMass> {
+        let masses = self.parts.iter().map(|part| {
+            let [(dry, density), (wet, below)] = self.dry_and_wet(part, water);
+            let mut sum = Areas::default();
+            sum.add(&dry, density);
+            sum.add(&wet, below);
+            let weightless = sum.area == 0.0;
+            let SectionMass { mass, centre, moment_of_inertia } =
+                if weightless { areas(&part.outline).mass() } else { sum.mass() };
+            let [mass, moment_of_inertia] = if weightless { [0.0; 2] } else { [mass, moment_of_inertia] };
+            PartMass { dry: dry.area, wet: wet.area, mass, centre, moment_of_inertia }
+        });
+        masses.collect()
+    }
+
+    /// What of a part is dry and what is wet, with the density of each; all is dry where both are the same.
+    fn dry_and_wet(&self, part: &Part, water: Option<WaterTable>) -> [(Areas, f64); 2] {
+        let whole = areas(&part.outline);
+        let wet = match water.filter(|_| part.density != part.density_below_water) {
+            Some(water) => areas(&under(&part.outline, water, self.ends())),
+            None => Areas::default(),
+        };
+        [(whole.less(&wet), part.density), (wet, part.density_below_water)]
     }
 
     /// The body of this section and plan, with the parts under the water table wet.
@@ -285,10 +325,9 @@ impl Section {
             // As the report's body, to the last bit.
             return Ok(body);
         }
-        let [base_left, base_right] = centred.base();
-        body.with_base(0.0 - base_left, base_right)?
-            .with_centroid(centre.x, centre.y)?
-            .with_moment_of_inertia(moment_of_inertia * length)
+        let [o, o_prime] = centred.base();
+        let base = BaseEdges { left: 0.0 - o, right: o_prime };
+        body.standing(base, centre.x, centre.y)?.with_moment_of_inertia(moment_of_inertia * length)
     }
 
     /// Whether it is an upright rectangle of one density, wet or dry.
@@ -321,11 +360,21 @@ impl Section {
         let unit_weight = water.density() * gravity * body.plan().side(body.width());
         let [o, o_prime] = self.base();
         let sides = [
-            (water.left(), 1.0, self.standing(water.left(), |slice| slice.left.map(|x| x - o))),
-            (water.right(), -1.0, self.standing(water.right(), |slice| slice.right.map(|x| o_prime - x))),
+            (
+                LoadSource::WaterOnLeft,
+                water.left(),
+                1.0,
+                self.standing(water.left(), |slice| slice.left.map(|x| x - o)),
+            ),
+            (
+                LoadSource::WaterOnRight,
+                water.right(),
+                -1.0,
+                self.standing(water.right(), |slice| slice.right.map(|x| o_prime - x)),
+            ),
         ];
         let [edge_left, edge_right] = [0.0 - body.base_edges().left, body.base_edges().right];
-        let loads = sides.into_iter().filter_map(|(level, to_right, standing)| {
+        let loads = sides.into_iter().filter_map(|(source, level, to_right, standing)| {
             let Standing { area, moment } = standing;
             // What rounding leaves of an upright side is no water.
             if area.abs() <= TOUCHING * self.size * level {
@@ -334,7 +383,7 @@ impl Section {
             let corner = if to_right > 0.0 { edge_left } else { edge_right };
             let at = Place { x: corner + to_right * moment / area, y: level };
             let action = Action::Force { at, right: 0.0, up: 0.0 - unit_weight * area };
-            Some(Load::permanent(LoadSource::WaterOnSides, LoadKind::Weight, action))
+            Some(Load::permanent(source, LoadKind::Weight, action))
         });
         loads.collect()
     }
@@ -385,6 +434,19 @@ impl Areas {
         self.x += density * of.x;
         self.y += density * of.y;
         self.polar += density * of.polar;
+    }
+
+    fn less(&self, part: &Areas) -> Areas {
+        let mut rest = *self;
+        rest.add(part, -1.0);
+        rest
+    }
+
+    /// Of areas times densities.
+    fn mass(&self) -> SectionMass {
+        let centre = Vertex { x: self.x / self.area, y: self.y / self.area };
+        let about_centre = self.polar - self.area * (centre.x * centre.x + centre.y * centre.y);
+        SectionMass { mass: self.area, centre, moment_of_inertia: about_centre }
     }
 }
 

@@ -4,7 +4,6 @@ use standfast::{Mode, Outcome};
 
 use super::{Assessed, Assessment, verdict};
 use crate::case::{Acting, Case, Combination, Direction, PointForce};
-use crate::describe::kilonewtons;
 use crate::layout::{columns, digits, paragraph, row};
 
 /// One line for each situation, the worst first.
@@ -12,7 +11,7 @@ pub(super) fn summary(assessment: &Assessment) -> String {
     let case = &assessment.case;
     let alone = case.combinations.is_empty();
     let mut rows = match alone {
-        true => vec![row!["", "force", "at"], row!["load", "kN/m", "m"]],
+        true => vec![row!["", "force", "at"], row!["load", case.extent.force_unit(), "m"]],
         false => vec![row!["", ""], row!["", "combination"]],
     };
     rows[0].extend(row!["", "SF", "SF", "leaves", "", ""]);
@@ -88,7 +87,8 @@ fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
         "down" => ("↓", "downwards"),
         _ => ("↑", "upwards"),
     };
-    let mut rows = vec![row!["force F", format!("{} {arrow} {towards}", kilonewtons(force.magnitude))]];
+    let mut rows =
+        vec![row!["force F", format!("{} {arrow} {towards}", case.extent.kilonewtons(force.magnitude))]];
     match (force.direction, force.distance) {
         (Direction::Sideways(_), _) | (_, None) => {
             let above = force.elevation - case.body.centroid_height();

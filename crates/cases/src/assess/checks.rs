@@ -4,7 +4,6 @@ use standfast::loads::Reduced;
 use standfast::{Bearing, ClassicalActions, Corner, GrossOverturning, Outcome, Stability};
 
 use super::Assessed;
-use crate::describe::kilonewtons;
 use crate::layout::{columns, digits, paragraph, row};
 
 /// A corner of the base by its letter.
@@ -31,7 +30,8 @@ fn number(x: f64, unit: &str) -> String {
 pub(super) fn actions(assessed: &Assessed) -> String {
     let ClassicalActions { heel, buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } =
         assessed.outcome.actions;
-    let kilonewton_metres = |x: f64| format!("{} kN m/m", digits(x / 1e3));
+    let kilonewtons = |x: f64| assessed.extent.kilonewtons(x);
+    let kilonewton_metres = |x: f64| assessed.extent.kilonewton_metres(x);
     let rows = [
         row![
             "W'",
@@ -73,7 +73,7 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     rows.extend(bearing(assessed));
     let mut text = columns(&rows, 2, &[]);
     if let Some(gross) = gross {
-        text += &paragraph(&gross_words(gross, assessed.outcome.actions.uplift), 2);
+        text += &paragraph(&gross_words(gross, assessed), 2);
     }
     if let Some((reduced, _)) = &effective {
         text += &paragraph(two_factors(reduced), 2);
@@ -124,7 +124,8 @@ fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
 }
 
 /// What the factor by gross moments counts, with its formula.
-fn gross_words(gross: &GrossOverturning, uplift: f64) -> String {
+fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
+    let uplift = assessed.outcome.actions.uplift;
     let formula = match (gross.is_about_heel(), gross.buoyancy != 0.0) {
         // What is sucked down resists.
         (true, _) if uplift < 0.0 => "(W' t + M_s − M_U)/(M_s + M_p)",
@@ -137,8 +138,9 @@ fn gross_words(gross: &GrossOverturning, uplift: f64) -> String {
     let buoyancy = match gross.buoyancy {
         0.0 => String::new(),
         force => {
-            let moment = digits(gross.buoyancy_moment / 1e3);
-            format!("; of buoyancy, U_s = {} and M_s = {moment} kN m/m about the heel", kilonewtons(force))
+            let force = assessed.extent.kilonewtons(force);
+            let moment = assessed.extent.kilonewton_metres(gross.buoyancy_moment);
+            format!("; of buoyancy, U_s = {force} and M_s = {moment} about the heel")
         }
     };
     format!(
@@ -152,7 +154,7 @@ fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
     let base = assessed.situation.body().base_width();
     let mut rows = Vec::new();
     match bearing {
-        Bearing::Pressed { heel, toe, contact } => {
+        Bearing::Pressed { heel, toe, contact, share } => {
             let kilopascals = |p: f64| format!("{} kPa", digits(p / 1e3));
             let larger = |one: f64, other: f64| match one > other && digits(one) != digits(other) {
                 true => ", the larger",
@@ -160,7 +162,7 @@ fn bearing(assessed: &Assessed) -> Vec<Vec<String>> {
             };
             rows.push(row!["bearing", "at the heel", kilopascals(heel) + larger(heel, toe)]);
             rows.push(row!["", "at the toe", kilopascals(toe) + larger(toe, heel)]);
-            let share = format!("{} m ({} % of the base)", digits(contact), digits(100.0 * contact / base));
+            let share = format!("{} m ({} % of the base)", digits(contact), digits(100.0 * share));
             rows.push(row!["", "contact", share]);
         }
         other => rows.push(row!["bearing", no_bearing(other).unwrap_or_default(), "none"]),

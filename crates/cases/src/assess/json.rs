@@ -10,13 +10,14 @@ use serde::{Serialize, Serializer};
 use standfast::contact::path::{self, Stage};
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
-use standfast::{Mode, Modes, Motion, Wrench};
+use standfast::{Mode, Modes, Motion, Plan, Wrench, section};
 
 use super::{Assessed, Assessment, CaseCheck, View};
 use crate::case::{self, Acting, Case, PointForce, Waves};
 use crate::criteria::Bound;
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{ResultName, ResultValue, number_or_word};
+use crate::units::Extent;
 
 /// The version of the document.
 pub(crate) const SCHEMA: u32 = 1;
@@ -27,7 +28,9 @@ struct Document<'a> {
     title: Option<&'a str>,
     note: Option<&'a str>,
     gravity: f64,
-    body: Body,
+    /// What forces, masses and moments are of: `per-metre` or `whole`.
+    extent: &'static str,
+    body: Body<'a>,
     weight_counted_as: &'static str,
     water: Option<Water>,
     wave: Option<Wave>,
@@ -43,9 +46,12 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
-struct Body {
+struct Body<'a> {
+    shape: &'static str,
     width: f64,
     height: f64,
+    /// Out of the plane; null of a body per metre run, and of a cylinder.
+    length: Option<f64>,
     mass: f64,
     weight: f64,
     slenderness: f64,
@@ -56,6 +62,17 @@ struct Body {
     heel_distance: f64,
     toe_distance: f64,
     moment_of_inertia: f64,
+    /// Empty where the body is of one piece.
+    parts: Vec<Part<'a>>,
+}
+
+#[derive(Serialize)]
+struct Part<'a> {
+    name: Option<&'a str>,
+    density: f64,
+    density_below_water: f64,
+    /// Its corners, counter-clockwise: to the right of the origin of the section, and above the base.
+    outline: Vec<[f64; 2]>,
 }
 
 #[derive(Serialize)]
@@ -242,6 +259,7 @@ pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> 
         title: case.title.as_deref(),
         note: case.note.as_deref(),
         gravity: case.gravity,
+        extent: case.extent.name(),
         body: Body::of(case),
         weight_counted_as: case.weight_words(),
         water: case.water.map(|water| Water {
@@ -263,10 +281,16 @@ pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> 
     })
 }
 
-impl Body {
-    fn of(case: &Case) -> Body {
+impl Body<'_> {
+    fn of(case: &Case) -> Body<'_> {
         let body = &case.body;
+        let (shape, length) = match body.plan() {
+            Plan::Rectangle { length } => ("block", Some(length).filter(|_| case.extent == Extent::Whole)),
+            _ => ("cylinder", None),
+        };
         Body {
+            shape,
+            length,
             width: body.width(),
             height: body.height(),
             mass: body.mass(),
@@ -279,6 +303,18 @@ impl Body {
             heel_distance: body.heel_distance(),
             toe_distance: body.toe_distance(),
             moment_of_inertia: body.moment_of_inertia(),
+            parts: case.parts().map(|(name, part)| Part::of(name, part)).collect(),
+        }
+    }
+}
+
+impl<'a> Part<'a> {
+    fn of(name: Option<&'a str>, part: &section::Part) -> Part<'a> {
+        Part {
+            name,
+            density: part.density(),
+            density_below_water: part.density_below_water(),
+            outline: part.outline().iter().map(|corner| [corner.x, corner.y]).collect(),
         }
     }
 }

@@ -1,12 +1,12 @@
 //! The body and its loads one by one, for reading.
 
-use standfast::Wrench;
 use standfast::loads::{Load, LoadSource};
+use standfast::{Plan, Wrench};
 
 use super::Assessed;
 use crate::case::{Case, Weight};
-use crate::describe::kilonewtons;
 use crate::layout::{columns, digits, paragraph, row};
+use crate::units::Extent;
 
 /// What added mass leaves out.
 const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of the centre of mass; that it acts at \
@@ -16,9 +16,17 @@ const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of t
 const SHAKEN_WATER: &str = "The pressure of the water on the shaken wall is not among the loads, because its height is \
     not given: give sides in [added_mass] in place of the mass, or add it as a [[load]].";
 
-/// What added mass leaves out, in sentences; empty without it.
-pub fn added_mass_notes(case: &Case) -> Vec<&'static str> {
+/// What the answer to a cylinder leaves out.
+const WOBBLE: &str = "The answer is that of the plane of the loads. A cylinder may leave it: once it rocks it rolls on its rim and \
+    wobbles, in which it comes down later, and elsewhere, than the plane motion says. When it begins to move is not changed by \
+    that.";
+
+/// What the answer to a case leaves out, in sentences.
+pub fn left_out(case: &Case) -> Vec<&'static str> {
     let mut notes = Vec::new();
+    if case.body.plan() == Plan::Circle {
+        notes.push(WOBBLE);
+    }
     if case.added_mass.mass() > 0.0 {
         notes.push(ADDED_MASS);
         if case.earthquake.is_some() && case.added_mass.height().is_none() {
@@ -38,6 +46,8 @@ fn load_words(load: &Load) -> String {
         LoadSource::BuoyantWeight => "buoyant weight W'",
         LoadSource::Buoyancy => "buoyancy",
         LoadSource::StillWater => "still water on the sides",
+        LoadSource::WaterOnLeft => "water standing on the left side",
+        LoadSource::WaterOnRight => "water standing on the right side",
         LoadSource::Uplift => "uplift",
         LoadSource::HorizontalInertia => "earthquake, horizontal",
         LoadSource::ShakenWater => "water on the shaken wall",
@@ -92,19 +102,21 @@ impl Case {
 }
 
 pub(super) fn body(case: &Case) -> String {
-    let body = &case.body;
+    let Case { body, extent, .. } = case;
     let metres = |x: f64| format!("{} m", digits(x));
-    let mut rows = vec![
-        row!["width 2B", metres(body.width())],
-        row!["height 2H", metres(body.height())],
-        row!["mass m", format!("{} t/m", digits(body.mass() / 1e3))],
-    ];
+    let across = if body.plan() == Plan::Circle { "diameter 2B" } else { "width 2B" };
+    let mut rows = vec![row![across, metres(body.width())], row!["height 2H", metres(body.height())]];
+    if let (Extent::Whole, Plan::Rectangle { length }) = (extent, body.plan()) {
+        rows.push(row!["length out of the plane", metres(length)]);
+    }
+    rows.push(row!["mass m", extent.mass(body.mass())]);
     let gravity = format!("g = {} m/s²", digits(case.gravity));
-    rows.push(row!["weight m g", format!("{} ({gravity})", kilonewtons(body.mass() * case.gravity))]);
+    rows.push(row!["weight m g", format!("{} ({gravity})", extent.kilonewtons(body.mass() * case.gravity))]);
     if case.added_mass.mass() > 0.0 {
-        let mass = format!("{} t/m, moves with the body horizontally", digits(case.added_mass.mass() / 1e3));
+        let mass = format!("{}, moves with the body horizontally", extent.mass(case.added_mass.mass()));
         rows.push(row!["added mass of water", mass]);
     }
+    rows.extend(parts(case));
     rows.push(row!["slenderness γ = H/B", digits(body.slenderness())]);
     if !body.is_uniform() {
         let place = format!(
@@ -114,7 +126,7 @@ pub(super) fn body(case: &Case) -> String {
             metres(body.toe_distance())
         );
         rows.push(row!["centre of mass", place]);
-        let inertia = format!("{} t m²/m about it", digits(body.moment_of_inertia() / 1e3));
+        let inertia = format!("{} about it", extent.inertia(body.moment_of_inertia()));
         rows.push(row!["moment of inertia", inertia]);
     }
     if case.kinetic_friction == case.friction {
@@ -137,6 +149,22 @@ pub(super) fn body(case: &Case) -> String {
     columns(&rows, 2, &[])
 }
 
+/// The parts of the body: of each its density, dry and wet.
+fn parts(case: &Case) -> Vec<Vec<String>> {
+    let rows = case.parts().enumerate().map(|(index, (name, part))| {
+        let name = name.map_or_else(|| format!("part {}", index + 1), str::to_owned);
+        let (dry, wet) = (digits(part.density()), digits(part.density_below_water()));
+        let density = match part.density() {
+            0.0 if part.density_below_water() == 0.0 => "a cavity".to_owned(),
+            _ if dry == wet => format!("{dry} kg/m³"),
+            _ => format!("{dry} kg/m³ above still water, {wet} kg/m³ below"),
+        };
+        let area = digits(part.area());
+        row![if index == 0 { "parts" } else { "" }, format!("{name}: {area} m², {density}")]
+    });
+    rows.collect()
+}
+
 /// Whether a load is permanent or variable, and the factor it is multiplied by.
 pub fn share(load: &Load) -> String {
     let share = if load.permanent { "permanent" } else { "variable" };
@@ -145,8 +173,11 @@ pub fn share(load: &Load) -> String {
 
 /// The loads one by one, and their sum under the full load.
 pub(super) fn components(assessed: &Assessed) -> String {
-    let mut rows =
-        vec![row!["", "", "left", "down", "moment at C"], row!["load", "", "kN/m", "kN/m", "kN m/m"]];
+    let [force, moment] = [assessed.extent.force_unit(), assessed.extent.moment_unit()];
+    let mut rows = vec![
+        row!["", "", "left", "down", "moment at C"],
+        row!["load", "", force.as_str(), force.as_str(), moment],
+    ];
     let numbers = |wrench: &Wrench| {
         // `0.0 −` rather than `−`, so that nothing becomes −0.
         [0.0 - wrench.x, wrench.p, wrench.m].map(|x| digits(x / 1e3))

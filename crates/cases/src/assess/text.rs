@@ -112,7 +112,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     let full = &assessed.outcome.full;
     let mut text = "Forces and moments\n".to_owned();
     text += &loads::components(assessed);
-    for note in loads::added_mass_notes(case) {
+    for note in loads::left_out(case) {
         text += &paragraph(note, 2);
     }
     text += &acting::notes(case, assessed);
@@ -138,7 +138,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     }
     if let Some(motion) = &full.motion {
         text += "\nAt onset\n";
-        text += &describe::real_motion(motion, &Scale::of(&case.body, case.gravity));
+        text += &describe::real_motion(motion, &Scale::of(case));
         if assessed.earthquake.is_some() {
             text += &paragraph(describe::RELATIVE, 2);
         }

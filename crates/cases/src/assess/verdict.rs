@@ -4,8 +4,8 @@ use standfast::contact::path;
 use standfast::{Departure, Mode, Response};
 
 use super::{Assessed, View};
-use crate::describe::kilonewtons;
 use crate::layout::{columns, digits, row};
+use crate::units::Extent;
 
 /// A mode, or the lack of one, as a predicate with its symbol.
 pub fn predicate(mode: Option<Mode>) -> String {
@@ -20,7 +20,7 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
     let full = &assessed.outcome.full;
     let mut sentences = Vec::new();
     if full.is_lifted() {
-        sentences.push(lifted(full));
+        sentences.push(lifted(full, assessed.extent));
     }
     let factor = factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
     sentences.push(format!("Applied at once, the full load: the body {}{factor}.", predicate(full.mode)));
@@ -39,8 +39,8 @@ pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
     rests.then(|| format!("with a safety factor of {} against {against}", digits(factor)))
 }
 
-fn lifted(full: &Response) -> String {
-    let lift = kilonewtons(0.0 - full.wrench.p);
+fn lifted(full: &Response, extent: Extent) -> String {
+    let lift = extent.kilonewtons(0.0 - full.wrench.p);
     if full.wrench.p == 0.0 {
         "The loads carry the whole weight: nothing presses the body on its base, and safety factors mean nothing.".to_owned()
     } else if full.mode == Some(Mode::Flight) {
@@ -87,7 +87,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
         let force = in_air.filter(|_| stage.from > 0.0).map(|reduced| {
             let weight = assessed.situation.body().mass() * assessed.situation.gravity();
             let k = stage.from * reduced.point.k();
-            format!("from F = {} (k = {}) on", kilonewtons(k * weight), digits(k))
+            format!("from F = {} (k = {}) on", assessed.extent.kilonewtons(k * weight), digits(k))
         });
         let mode = stage.mode.map_or("none", Mode::symbol);
         row![digits(stage.from), digits(stage.to), mode, force.unwrap_or_default(), also]

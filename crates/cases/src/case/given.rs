@@ -83,35 +83,6 @@ impl Given<'_> {
         said.or_else(|| Some(Fault::new(Problem::Mechanics(error), farthest()?.0)))
     }
 
-    pub(super) fn body(&self) -> Result<Body, Fault> {
-        let (width, height) = (self.required(Key::Width)?, self.required(Key::Height)?);
-        let body = match (self.number(Key::Mass), self.number(Key::Density)) {
-            (Some(_), Some(_)) => {
-                let problem = Problem::Both { one: Key::Mass, two: Key::Density };
-                return Err(Fault::new(problem, Key::Density));
-            }
-            (None, None) => {
-                let problem = Problem::Neither { one: Key::Mass, two: Key::Density };
-                return Err(Fault::new(problem, Table::Body));
-            }
-            (Some(mass), None) => Body::new(width, height, mass),
-            (None, Some(density)) => Body::of_density(width, height, density),
-        };
-        let half = width / 2.0;
-        let shaped = body.and_then(|body| {
-            let left = self.number(Key::BaseLeft).unwrap_or(half);
-            let right = self.number(Key::BaseRight).unwrap_or(half);
-            let offset = self.number(Key::CentroidOffset).unwrap_or(0.0);
-            let height = self.number(Key::CentroidHeight).unwrap_or(body.centroid_height());
-            let body = body.with_base(left, right)?.with_centroid(offset, height)?;
-            match self.number(Key::MomentOfInertia) {
-                Some(moment) => body.with_moment_of_inertia(moment),
-                None => Ok(body),
-            }
-        });
-        shaped.map_err(|error| self.blame(Table::Body, error))
-    }
-
     pub(super) fn kinetic_friction(&self, friction: f64) -> Result<f64, Fault> {
         let kinetic = self.number(Key::KineticFriction).unwrap_or(friction);
         if kinetic > friction {
@@ -186,6 +157,7 @@ impl Given<'_> {
 
     pub(super) fn added_mass(
         &self,
+        body: &Body,
         water: Option<&StillWater>,
         wave: Option<&Waves>,
     ) -> Result<AddedMass, Fault> {
@@ -199,7 +171,8 @@ impl Given<'_> {
             (Some(mass), None, _) => AddedMass::of(mass).map_err(|error| self.blame(Table::AddedMass, error)),
             (None, Some(sides), Some((density, depths))) => {
                 let depths = if sides == 1.0 { &depths[..1] } else { &depths };
-                AddedMass::beside(density, depths).map_err(|error| self.blame(Table::AddedMass, error))
+                let side = body.plan().side(body.width());
+                AddedMass::beside(density * side, depths).map_err(|error| self.blame(Table::AddedMass, error))
             }
             (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
             (None, None, _) => {

@@ -9,7 +9,7 @@ use super::{Varied, least, load_factor, overturning, sliding};
 use crate::assess::{Assessed, Assessment};
 use crate::couple::Variable;
 use crate::error::CaseError;
-use crate::key::Key;
+use crate::key::{Key, Table};
 use crate::parse::CaseFile;
 
 /// By how much, relatively, a number grows.
@@ -78,8 +78,13 @@ pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
 /// The sensitivity to every number but zeros, which have no percent, beside the present answer.
 pub(super) fn all(varied: &Varied<'_>, present: Option<&Assessment>) -> Vec<Sensitivity> {
     // The caisson's width is the body's.
-    let variables = Variable::all(varied.inputs()).filter(|id| id.key != Key::CaissonWidth).map(Variable::of);
-    variables.filter_map(|variable| of(varied, present, variable)).collect()
+    let variables = Variable::all(varied.inputs())
+        .filter(|id| id.key != Key::CaissonWidth)
+        .map(|id| Variable::of(id, varied.inputs()));
+    let rows = variables.filter_map(|variable| of(varied, present, variable));
+    // A part alone seldom changes without leaving a gap or an overlap.
+    rows.filter(|row| row.variable.id().key.info().table != Table::Part || row.sliding != Change::NoCase)
+        .collect()
 }
 
 fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> Option<Sensitivity> {

@@ -10,6 +10,7 @@ use crate::case::{Case, Direction, Waves, Weight};
 use crate::criteria::Bound;
 use crate::error::Place;
 use crate::key::{Id, Key};
+use crate::units::Extent;
 
 /// What is usual, both ends included.
 pub(super) struct Usual {
@@ -39,6 +40,12 @@ impl fmt::Display for Usual {
 
 /// Of bodies that are built, from light concrete or cells filled with water to stone, kg/m³.
 pub(super) const DENSITY: Usual = Usual { from: 1000.0, to: 3000.0 };
+
+/// Of objects, from an empty cabinet or tank to bronze, kg/m³.
+pub(super) const OBJECT: Usual = Usual { from: 50.0, to: 9000.0 };
+
+/// How far a weight less buoyancy may be from that of the parts, as a share.
+const OF_PARTS: f64 = 0.01;
 
 /// Of water, from warm and fresh to brine, kg/m³.
 pub(super) const WATER: Usual = Usual { from: 950.0, to: 1100.0 };
@@ -134,9 +141,14 @@ impl Case {
     /// About numbers that are unusual by themselves.
     fn numbers(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        let density = self.body.mass() / (self.body.width() * self.body.height());
-        if !DENSITY.contains(density) {
-            warnings.push(Warning::MeanDensity { density });
+        let area = match &self.section {
+            Some(section) => section.area() * self.body.plan().side(self.body.width()),
+            None => self.body.plan().area(self.body.width()) * self.body.height(),
+        };
+        let (density, extent) = (self.body.mass() / area, self.extent);
+        let usual = if extent == Extent::PerMetre { DENSITY } else { OBJECT };
+        if !usual.contains(density) {
+            warnings.push(Warning::MeanDensity { density, extent });
         }
         let of_wave = self.wave.as_ref().map(|wave| (Key::WaveWaterDensity, wave.sea.water_density));
         let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
@@ -155,15 +167,23 @@ impl Case {
     /// About a weight from which buoyancy is taken off already.
     fn buoyancy(&self) -> Option<Warning> {
         let Weight::Buoyant { force: buoyant, .. } = self.weight else { return None };
+        let extent = self.extent;
         let weight = self.body.mass() * self.gravity;
         if buoyant > weight * (1.0 + ROUNDED) {
-            return Some(Warning::BuoyantAboveWeight { buoyant, weight });
+            return Some(Warning::BuoyantAboveWeight { buoyant, weight, extent });
         }
         let Waves { sea, section, .. } = self.wave.as_ref()?;
-        let displaced = sea.water_density * self.gravity * self.body.base_width() * section.base_depth;
+        let unit_weight = sea.water_density * self.gravity;
+        if let Some(parts) = &self.section {
+            let area = parts.area_below(section.base_depth);
+            let of_parts = weight - unit_weight * area * self.body.plan().side(self.body.width());
+            let off = (buoyant / of_parts - 1.0).abs();
+            return (off > OF_PARTS).then_some(Warning::BuoyantBesideParts { buoyant, of_parts, extent });
+        }
+        let displaced = unit_weight * self.body.base_area() * section.base_depth;
         let off = (weight - displaced - buoyant).abs();
         let near = (SHAPE * displaced).max(SHALLOW * weight);
-        (off > near).then_some(Warning::BuoyantBesideDisplacement { buoyant, weight, displaced })
+        (off > near).then_some(Warning::BuoyantBesideDisplacement { buoyant, weight, displaced, extent })
     }
 
     /// About an earthquake.

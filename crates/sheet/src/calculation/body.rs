@@ -1,9 +1,11 @@
 //! The body: what follows from its dimensions.
 
-use standfast::{BaseEdges, Body};
+use standfast::section::PartMass;
+use standfast::{BaseEdges, Body, Plan, Section};
+use standfast_cases::units::Extent;
 use standfast_cases::{Case, Inputs, Key};
 
-use crate::measured::{ACCELERATION, DENSITY, INERTIA, KILONEWTON, METRE, NONE, TONNE};
+use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, METRE, NONE, TONNE};
 use crate::steps::Steps;
 
 pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
@@ -17,9 +19,20 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     steps.add("Half width", "", ["B", "w/2"], body.width() / 2.0, METRE, "");
     steps.add("Half height", "", ["H", "h_w/2"], body.height() / 2.0, METRE, "");
     steps.add("Slenderness", "", ["γ", "H/B"], body.slenderness(), NONE, "slenderness");
+    if let Some(length) = inputs.number(Key::Length) {
+        steps.know("L_b", length, METRE);
+    }
+    if let Some(section) = &case.section {
+        return of_parts(steps, case, section);
+    }
     if let Some(density) = inputs.number(Key::Density) {
         steps.know("ρ_b", density, DENSITY);
-        steps.add("Mass, per metre run", "", ["m", "ρ_b w h_w"], body.mass(), TONNE, "mass");
+        let (about, formula) = match (body.plan(), case.extent) {
+            (Plan::Circle, _) => ("Mass", "ρ_b π w^2/4 h_w"),
+            (_, Extent::Whole) => ("Mass", "ρ_b w h_w L_b"),
+            (_, Extent::PerMetre) => ("Mass, per metre run", "ρ_b w h_w"),
+        };
+        steps.add(about, "", ["m", formula], body.mass(), TONNE, "mass");
     } else {
         steps.know("m", body.mass(), TONNE);
     }
@@ -32,10 +45,79 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     if inputs.number(Key::MomentOfInertia).is_some() {
         steps.know("I", body.moment_of_inertia(), INERTIA);
     } else {
-        let about = "Moment of inertia about the centre of mass, of a uniform rectangle";
-        let formula = ["I", "m (w^2 + h_w^2)/12"];
+        let (about, formula) = match body.plan() {
+            Plan::Circle => ("of a uniform cylinder", "m (3/4 w^2 + h_w^2)/12"),
+            _ => ("of a uniform rectangle", "m (w^2 + h_w^2)/12"),
+        };
+        let about = &format!("Moment of inertia about the centre of mass, {about}");
+        let formula = ["I", formula];
         steps.add(about, "", formula, body.moment_of_inertia(), INERTIA, "moment_of_inertia");
     }
+}
+
+/// What follows from parts: of each its mass and centre, then those of all.
+fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
+    let body = &case.body;
+    let masses = section.masses(case.water_table);
+    let long = if case.extent == Extent::Whole { " L_b" } else { "" };
+    let [end, _] = section.ends();
+    steps.note(
+        "Of each part the area, its centre and its own moment of inertia are those of its outline (Green’s theorem); a part that \
+         reaches under still water is wet below it. `x` counts from the middle of the body’s width.",
+    );
+    let middle = end + body.width() / 2.0;
+    for (i, ((name, part), PartMass { dry, wet, mass, centre, moment_of_inertia })) in
+        case.parts().zip(&masses).enumerate()
+    {
+        let n = i + 1;
+        let of = |letter: &str| format!("{letter}_{n}");
+        let about = format!(
+            "Part {n}{}: area above still water",
+            name.map_or(String::new(), |name| format!(", {}", name.replace('`', "'")))
+        );
+        steps.told(&about, &of("A"), *dry, AREA, "of its outline", "");
+        steps.know(&of("ρ"), part.density(), DENSITY);
+        let formula = if *wet == 0.0 {
+            format!("ρ_{n} A_{n}{long}")
+        } else {
+            steps.told("Its area below", &format!("A'_{n}"), *wet, AREA, "of its outline", "");
+            steps.know(&format!("ρ'_{n}"), part.density_below_water(), DENSITY);
+            match long {
+                "" => format!("ρ_{n} A_{n} + ρ'_{n} A'_{n}"),
+                long => format!("(ρ_{n} A_{n} + ρ'_{n} A'_{n}){long}"),
+            }
+        };
+        let times = case.body.plan().side(body.width());
+        steps.add("Its mass", "", [&of("m"), &formula], mass * times, TONNE, "");
+        steps.told(
+            "Its centre, right of mid-width",
+            &of("x"),
+            centre.x - middle,
+            METRE,
+            "of its outline",
+            "",
+        );
+        steps.told("above the base", &of("y"), centre.y, METRE, "of its outline", "");
+        let words = "of its outline, about its own centre";
+        steps.told("Its moment of inertia", &of("I"), moment_of_inertia * times, INERTIA, words, "");
+    }
+    let sum = |term: &dyn Fn(usize) -> String| (1..=masses.len()).map(term).collect::<Vec<_>>().join(" + ");
+    steps.add("Mass", "", ["m", &sum(&|n| format!("m_{n}"))], body.mass(), TONNE, "mass");
+    steps.add("Weight", "", ["G", "m g"], body.mass() * case.gravity, KILONEWTON, "weight");
+    let x = format!("({})/m", sum(&|n| format!("m_{n} x_{n}")));
+    steps.add("Centre of mass, right of mid-width", "", ["x_C", &x], body.centroid_offset(), METRE, "");
+    let y = format!("({})/m", sum(&|n| format!("m_{n} y_{n}")));
+    steps.add("above the base", "", ["y_C", &y], body.centroid_height(), METRE, "centroid_height");
+    let BaseEdges { left, right } = body.base_edges();
+    steps.know("e_l", left, METRE);
+    steps.know("e_r", right, METRE);
+    let about = "Width of the base, from its edges left and right of mid-width";
+    steps.add(about, "", ["B_c", "e_l + e_r"], body.base_width(), METRE, "");
+    steps.add(CORNERS, "", ["b_1", "e_l + x_C"], body.heel_distance(), METRE, "heel_distance");
+    steps.add("", "", ["b_2", "e_r − x_C"], body.toe_distance(), METRE, "toe_distance");
+    let inertia = sum(&|n| format!("I_{n} + m_{n} ((x_{n} − x_C)^2 + (y_{n} − y_C)^2)"));
+    let about = "Moment of inertia about the centre of mass";
+    steps.add(about, "", ["I", &inertia], body.moment_of_inertia(), INERTIA, "moment_of_inertia");
 }
 
 const CORNERS: &str = "Centre of mass from the corners O (left) and O′ (right)";

@@ -1,8 +1,9 @@
 //! The classical checks: actions, safety factors, bearing pressure at both edges of the base.
 
 use standfast::loads::{LoadKind, LoadSource};
-use standfast::{Bearing, ClassicalActions, Corner, Outcome, Stability, Wrench};
+use standfast::{Bearing, ClassicalActions, Corner, Outcome, Plan, Stability, Wrench};
 use standfast_cases::assess::{Component, checks};
+use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
 use super::loads::{grouped, parts, sum};
@@ -208,7 +209,7 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
         let formula = ["t_e", "(W' t − M_U − M_p)/(W' − U)"];
         steps.add("Resultant of all loads, from the heel", "", formula, arm, METRE, "resultant_arm");
     }
-    let Bearing::Pressed { heel, toe, contact } = bearing else {
+    let Bearing::Pressed { heel, toe, contact, share } = bearing else {
         let words = checks::no_bearing(bearing).unwrap_or_default();
         return steps.note(&format!("Bearing pressure: none; {words}."));
     };
@@ -223,23 +224,81 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
             "eccentricity",
         );
     }
-    let (about, [of_heel, of_toe, of_contact]) = if toe == 0.0 && contact < base {
-        ("for `t_e` < `B_c÷3`: pressed near the heel only", ["2 (W' − U)/(3 t_e)", "0", "3 t_e"])
-    } else if heel == 0.0 && contact < base {
-        let formulas = ["0", "2 (W' − U)/(3 (B_c − t_e))", "3 (B_c − t_e)"];
-        ("for `t_e` > `2 B_c÷3`: pressed near the toe only", formulas)
-    } else {
-        let formulas = ["(W' − U)/B_c (4 − 6 t_e/B_c)", "(W' − U)/B_c (6 t_e/B_c − 2)", "B_c"];
-        ("for `t_e` from `B_c÷3` to `2 B_c÷3`: the whole base is pressed", formulas)
-    };
+    let whole = contact == base;
+    let plan = assessed.situation.body().plan();
+    let BearingFormulas { about, heel: of_heel, toe: of_toe, contact: of_contact, share: of_share } =
+        match plan {
+            Plan::Circle => circle(steps, (heel, toe), whole, resultant_arm.unwrap_or_default(), base),
+            _ => rectangle((heel, toe), whole, if assessed.extent == Extent::Whole { " L_b" } else { "" }),
+        };
     let about = format!("Bearing pressure at the heel, {about}");
-    steps.add(&about, "", ["p_heel", of_heel], heel, KILOPASCAL, "heel_pressure");
-    steps.add("At the toe", "", ["p_toe", of_toe], toe, KILOPASCAL, "toe_pressure");
+    steps.add(&about, "", ["p_heel", &of_heel], heel, KILOPASCAL, "heel_pressure");
+    steps.add("At the toe", "", ["p_toe", &of_toe], toe, KILOPASCAL, "toe_pressure");
     let largest = bearing.largest().unwrap_or(0.0);
     let equal = (heel - toe).abs() <= 1e-9 * largest;
     let larger = if heel > toe { "The larger, at the heel" } else { "The larger, at the toe" };
     let larger = if equal { "The larger; they are equal" } else { larger };
     steps.add(larger, "", ["p_max", "max(p_heel, p_toe)"], largest, KILOPASCAL, "bearing_max");
-    steps.add("Length of the contact", "", ["l_c", of_contact], contact, METRE, "contact_length");
-    steps.add("Share of the base", "", ["ψ", "l_c/B_c"], contact / base, NONE, "contact_share");
+    steps.add("Length of the contact", "", ["l_c", &of_contact], contact, METRE, "contact_length");
+    steps.add("Share of the base that is pressed", "", ["ψ", of_share], share, NONE, "contact_share");
+}
+
+/// How the pressure on the base and its contact follow from the resultant.
+struct BearingFormulas {
+    /// Which of them holds.
+    about: &'static str,
+    heel: String,
+    toe: String,
+    contact: String,
+    share: &'static str,
+}
+
+/// On a rectangle, `long` behind its width where it has a length.
+fn rectangle((heel, toe): (f64, f64), whole: bool, long: &str) -> BearingFormulas {
+    let near = |arm: &str| (format!("2 (W' − U)/(3 {arm}{long})"), format!("3 {arm}"));
+    let share = "l_c/B_c";
+    if toe == 0.0 && !whole {
+        let (heel, contact) = near("t_e");
+        let about = "for `t_e` < `B_c÷3`: pressed near the heel only";
+        return BearingFormulas { about, heel, toe: "0".to_owned(), contact, share };
+    }
+    if heel == 0.0 && !whole {
+        let (toe, contact) = near("(B_c − t_e)");
+        let about = "for `t_e` > `2 B_c÷3`: pressed near the toe only";
+        return BearingFormulas { about, heel: "0".to_owned(), toe, contact, share };
+    }
+    let mean = if long.is_empty() { "(W' − U)/B_c".to_owned() } else { format!("(W' − U)/(B_c{long})") };
+    BearingFormulas {
+        about: "for `t_e` from `B_c÷3` to `2 B_c÷3`: the whole base is pressed",
+        heel: format!("{mean} (4 − 6 t_e/B_c)"),
+        toe: format!("{mean} (6 t_e/B_c − 2)"),
+        contact: "B_c".to_owned(),
+        share,
+    }
+}
+
+/// On a circle; where part of it is pressed, the angle at which the contact ends is known to later steps.
+fn circle(steps: &mut Steps, (heel, toe): (f64, f64), whole: bool, arm: f64, base: f64) -> BearingFormulas {
+    if whole {
+        return BearingFormulas {
+            about: "for `ε` up to `B_c÷8`: the whole circle is pressed",
+            heel: "(W' − U)/(π B_c^2/4) (5 − 8 t_e/B_c)".to_owned(),
+            toe: "(W' − U)/(π B_c^2/4) (8 t_e/B_c − 3)".to_owned(),
+            contact: "B_c".to_owned(),
+            share: "1",
+        };
+    }
+    let angle = standfast::plan::contact_angle((arm - base / 2.0).abs() / (base / 2.0));
+    let words = "in radians, from the equilibrium of moments of a pressure linear from there to the edge";
+    steps.told("Angle at which the contact of the circle ends, from the edge", "α_c", angle, NONE, words, "");
+    let sin = "sqrt(1 − cos(α_c)^2)";
+    let most = format!("4 (W' − U) (1 − cos(α_c))/(B_c^2 (2/3 {sin}^3 − cos(α_c) (α_c − {sin} cos(α_c))))");
+    let [of_heel, of_toe] = if heel > toe { [most, "0".to_owned()] } else { ["0".to_owned(), most] };
+    BearingFormulas {
+        about: "for `ε` > `B_c÷8`: part of the circle is pressed",
+        heel: of_heel,
+        toe: of_toe,
+        contact: "B_c/2 (1 − cos(α_c))".to_owned(),
+        share: "(α_c − sqrt(1 − cos(α_c)^2) cos(α_c))/π",
+    }
 }

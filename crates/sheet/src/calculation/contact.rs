@@ -55,13 +55,15 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
 mod tests {
     use standfast::Body;
 
+    use standfast_cases::units::Extent;
+
     use super::*;
 
     #[test]
     fn a_contact_problem_without_an_answer_leaves_no_sheet() -> Result<(), InputError> {
         let situation = Situation::new(Body::new(6.0, 7.0, 100e3)?, 0.6, 9.81)?;
         let wrench = Wrench { x: f64::NAN, p: 981e3, m: 0.0 };
-        assert!(steps(&mut Steps::new("Loads"), &situation, &wrench).is_err());
+        assert!(steps(&mut Steps::new("Loads", Extent::PerMetre), &situation, &wrench).is_err());
         Ok(())
     }
 }

@@ -1,14 +1,15 @@
 //! Each load as a wrench at the centre of mass, and their sum.
 
 use maud::{Markup, html};
-use standfast::Wrench;
 use standfast::loads::{Action, Face, Load, LoadSource, PressureAt, PressureDiagram};
-use standfast_cases::assess::{Component, added_mass_notes, share};
+use standfast::{Body, Plan, Wrench};
+use standfast_cases::assess::{Component, left_out, share};
 use standfast_cases::case::Weight;
+use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
 use crate::measured::{
-    ACCELERATION, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, TONNE, number,
+    ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, TONNE, number,
 };
 use crate::steps::{Step, Steps};
 
@@ -50,7 +51,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, compone
         ("V", "downwards", total.p, KILONEWTON, of(|wrench| wrench.p, 1)),
         ("M", "moment at C", total.m, MOMENT, of(|wrench| wrench.m, 2)),
     ];
-    table(steps, components, total);
+    table(steps, case.extent, components, total);
     for (name, words, value, unit, formula) in sums {
         let about = format!("Sum under the full load, {words}");
         match formula {
@@ -58,16 +59,17 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, compone
             None => steps.told(&about, name, value, unit, "no load has such a part", ""),
         }
     }
-    for note in added_mass_notes(case) {
+    for note in left_out(case) {
         steps.note(note);
     }
 }
 
 /// The loads one by one, in a table.
-fn table(steps: &mut Steps, components: &[Component], total: &Wrench) {
+fn table(steps: &mut Steps, extent: Extent, components: &[Component], total: &Wrench) {
+    let (force, moment) = (extent.force_unit(), extent.moment_unit());
     steps.push(html! {
         table.numbers data-table="components" {
-            thead { tr { th { "Load" } th { "Share" } th.n { "X" br; "kN/m" } th.n { "V" br; "kN/m" } th.n { "M" br; "kN m/m" } } }
+            thead { tr { th { "Load" } th { "Share" } th.n { "X" br; (force) } th.n { "V" br; (force) } th.n { "M" br; (moment) } } }
             tbody {
                 @for (i, Component { name, load, wrench }) in components.iter().enumerate() {
                     tr {
@@ -109,11 +111,15 @@ fn added_mass(steps: &mut Steps, case: &Case) {
     steps.know("ρ_w", density, DENSITY);
     steps.know("h_r", right, METRE);
     steps.know("h_l", left, METRE);
-    let one_side = standfast::wave::added_mass(1, density, right) == mass;
+    let one_side =
+        standfast::wave::added_mass(1, density * case.body.plan().side(case.body.width()), right) == mass;
     // ζ(3) to the digits of a double; the coefficient is 0.54275.
     let coefficient = "14 1.2020569031595942/π^3 ρ_w";
-    let formula =
-        if one_side { format!("{coefficient} h_r^2") } else { format!("{coefficient} (h_r^2 + h_l^2)") };
+    let long = along(&case.body, case.extent).side;
+    let formula = match one_side {
+        true => format!("{coefficient} h_r^2{long}"),
+        false => format!("{coefficient} (h_r^2 + h_l^2){long}"),
+    };
     let about = "Added mass of water, 14ζ(3)/π³ `ρ_w h^2` a side";
     steps.add(about, "Westergaard's problem", ["M_a", &formula], mass, TONNE, "added_mass");
     let depths = if one_side { "h_r" } else { "(h_r^3 + h_l^3)/(h_r^2 + h_l^2)" };
@@ -141,10 +147,12 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
         let given = case.pressures.iter().find(|pressure| {
             pressure.face == *face && pressure.name == component.load.name && pressure.diagram == *diagram
         });
-        pressure(steps, &about, &sums, (*face, diagram), given.map_or(1.0, |pressure| pressure.scale));
+        let scale = given.map_or(1.0, |pressure| pressure.scale);
+        pressure(steps, case, &about, &sums, (*face, diagram), scale);
         about.clear();
     }
-    let [fx, fv, fm] = formulas(component, [&x, &v], &sums, factor);
+    let long = along(&case.body, case.extent);
+    let [fx, fv, fm] = formulas(component, [&x, &v], &sums, factor, &long);
     let mut about = about.as_str();
     let parts = [(x, fx, wrench.x, KILONEWTON), (v, fv, wrench.p, KILONEWTON), (m, fm, wrench.m, MOMENT)];
     for (name, formula, value, unit) in parts {
@@ -176,6 +184,20 @@ fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
                 steps.know("ρ_w", water.density(), DENSITY);
             }
         }
+        LoadSource::WaterOnLeft | LoadSource::WaterOnRight => {
+            if let (Some(water), Action::Force { at, up, .. }) = (&case.water, &load.action) {
+                let unit_weight = water.density() * case.gravity * case.body.plan().side(case.body.width());
+                let [area, place] = match load.source {
+                    LoadSource::WaterOnLeft => ["A_l", "x_l"],
+                    _ => ["A_r", "x_r"],
+                };
+                let words = "between the outline of the parts and the upright through the corner of the base";
+                steps.told("Area of the water on the side", area, 0.0 - up / unit_weight, AREA, words, "");
+                let arm = at.x + case.body.base_edges().left;
+                steps.told("Its centre, to the right of O", place, arm, METRE, "of that area", "");
+                steps.know("ρ_w", water.density(), DENSITY);
+            }
+        }
         LoadSource::Uplift => {
             if let Some(uplift) = &case.uplift {
                 steps.know("p_l", uplift.left(), KILOPASCAL);
@@ -199,19 +221,45 @@ fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
     }
 }
 
+/// What a pressure is multiplied by for how far the body reaches out of the plane.
+struct Along {
+    /// Behind the formula of a pressure on a side, or on a rectangular base.
+    side: &'static str,
+    /// Whether the base is a circle.
+    circle: bool,
+}
+
+fn along(body: &Body, extent: Extent) -> Along {
+    match (body.plan(), extent) {
+        (Plan::Circle, _) => Along { side: " w", circle: true },
+        (_, Extent::Whole) => Along { side: " L_b", circle: false },
+        (_, Extent::PerMetre) => Along { side: "", circle: false },
+    }
+}
+
 /// X, V and M of a load as formulas; a part that it does not have is none.
 fn formulas(
     component: &Component,
     [x, v]: [&str; 2],
     [sum, lever]: &[String; 2],
     factor: &str,
+    long: &Along,
 ) -> [Option<String>; 3] {
     // The elevation of a force turns it into a moment, its distance from O as well.
     let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
     let moment_of_v = |arm: &str| format!("−{v} ({arm} − b_1)");
-    let pressure = |left: &str, right: &str, of: &str| {
-        let force = format!("−{factor}{of}({left} + {right})/2 B_c");
-        [None, Some(force), Some(format!("{factor}{of}({left} + 2 {right})/6 B_c^2 + {v} b_1"))]
+    let Along { side, circle } = *long;
+    let pressure = |left: &str, right: &str, of: &str| match circle {
+        false => {
+            let force = format!("−{factor}{of}({left} + {right})/2 B_c{side}");
+            let moment = format!("{factor}{of}({left} + 2 {right})/6 B_c^2{side} + {v} b_1");
+            [None, Some(force), Some(moment)]
+        }
+        true => {
+            let force = format!("−{factor}{of}({left} + {right})/2 π B_c^2/4");
+            let turned = format!("π B_c^3/16 (({left} + {right}) + ({right} − {left})/4)");
+            [None, Some(force), Some(format!("{factor}{of}{turned} + {v} b_1"))]
+        }
     };
     let some = |text: &str| Some(format!("{factor}{text}"));
     let less = |text: &str| Some(format!("−{factor}{text}"));
@@ -220,9 +268,11 @@ fn formulas(
         LoadSource::BuoyantWeight => [None, some("W_g"), Some(moment_of_v("t_g"))],
         LoadSource::Buoyancy => pressure("h_l", "h_r", "ρ_w g "),
         LoadSource::StillWater => {
-            let moment = "ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C))";
-            [some("ρ_w g (h_l^2 − h_r^2)/2"), None, some(moment)]
+            let moment = format!("ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C)){side}");
+            [some(&format!("ρ_w g (h_l^2 − h_r^2)/2{side}")), None, some(&moment)]
         }
+        LoadSource::WaterOnLeft => [None, some(&format!("ρ_w g A_l{side}")), Some(moment_of_v("x_l"))],
+        LoadSource::WaterOnRight => [None, some(&format!("ρ_w g A_r{side}")), Some(moment_of_v("x_r"))],
         LoadSource::Uplift => pressure("p_l", "p_r", ""),
         LoadSource::HorizontalInertia => [less("m a_h"), None, None],
         LoadSource::VerticalInertia => [None, some("m a_v"), None],
@@ -257,6 +307,7 @@ fn formulas(
 /// The sum of a pressure along its face, and its moment about where positions begin.
 fn pressure(
     steps: &mut Steps,
+    case: &Case,
     name: &str,
     [sum_name, lever_name]: &[String; 2],
     (face, diagram): (Face, &PressureDiagram),
@@ -265,14 +316,17 @@ fn pressure(
     /// How many points a sum is written out for.
     const WRITTEN: usize = 6;
     let points = diagram.points();
-    let (force, moment) = diagram.resultant();
+    let (force, moment) = diagram.resultant_on(&case.body, face);
+    let Along { side, circle } = along(&case.body, case.extent);
+    let on_circle = circle && matches!(face, Face::Base | Face::Top);
     let sum = &format!("{name}: sum of the pressure along the face");
     let lever = match face {
         Face::Left | Face::Right => "Its moment about the base",
         Face::Base | Face::Top => "Its moment about the corner O",
     };
-    if points.len() > WRITTEN {
-        let words = format!("added up over {} points", points.len());
+    if points.len() > WRITTEN || on_circle {
+        let over = if on_circle { ", across the circle of the base" } else { "" };
+        let words = format!("added up over {} points{over}", points.len());
         steps.told(sum, sum_name, force, KILONEWTON, &words, "");
         steps.told(lever, lever_name, moment, MOMENT, &words, "");
         return;
@@ -286,7 +340,11 @@ fn pressure(
     steps.know("f_p", scale, NONE);
     let over = |piece: fn(usize, usize) -> String| {
         let sum = (1..points.len()).map(|i| piece(i, i + 1)).collect::<Vec<_>>().join(" + ");
-        if scale == 1.0 { sum } else { format!("f_p ({sum})") }
+        match (scale == 1.0, side) {
+            (true, "") => sum,
+            (true, side) => format!("({sum}){side}"),
+            (false, side) => format!("f_p ({sum}){side}"),
+        }
     };
     let formula = over(|i, j| format!("(q_{i} + q_{j})/2 (s_{j} − s_{i})"));
     steps.add(sum, "", [sum_name, &formula], force, KILONEWTON, "");

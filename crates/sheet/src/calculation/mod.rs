@@ -22,7 +22,7 @@ use crate::steps::Steps;
 /// The calculation of the situations shown.
 pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Markup, SheetError> {
     let case = &assessment.case;
-    let mut steps = Steps::new("Body");
+    let mut steps = Steps::new("Body", case.extent);
     body::steps(&mut steps, case, inputs);
     if let Some(wave) = &case.wave {
         steps.part("Waves and pressures (Goda, Takahashi)", None);

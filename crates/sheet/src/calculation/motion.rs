@@ -11,7 +11,7 @@ use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, METRE, ROTATION, TONNE,
 use crate::steps::Steps;
 
 /// The motion of the body.
-fn table(motion: &Motion) -> Result<Markup, Fault> {
+fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
     Ok(html! {
         table.numbers data-table="motion" {
             thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
@@ -22,7 +22,7 @@ fn table(motion: &Motion) -> Result<Markup, Fault> {
                         td { (PreEscaped(symbol(part.symbol))) }
                         td { (prose(&part.words.replace("f_y", "`f_y`"))?) }
                         td.n { data value=(value) data-quantity={ "motion." (part.key) } { (number(value)) } }
-                        td { (part.si_unit) }
+                        td { (part.unit_in(case.extent)) }
                     }
                 }
             }
@@ -34,7 +34,7 @@ fn table(motion: &Motion) -> Result<Markup, Fault> {
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     let Some(motion) = &assessed.outcome.full.motion else { return };
     steps.heading("Motion and reactions at onset, full load applied at once");
-    steps.write(table(motion));
+    steps.write(table(case, motion));
     if assessed.earthquake.is_some() {
         steps.note(RELATIVE);
     }

@@ -182,8 +182,10 @@ pub fn steps(html: &Html) -> Vec<Step> {
 /// What a unit is in SI units.
 fn unit(text: &str) -> f64 {
     match text.replace(['\u{a0}', '\u{202f}', ' '], " ").trim() {
-        "" | "m" | "s" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
+        "" | "m" | "s" | "m²" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
+        "kg" | "N" | "kg m²" => 1.0,
         "t/m" | "kN/m" | "kPa" | "kN m/m" | "t m²/m" => 1e3,
+        "t" | "kN" | "kN m" | "t m²" => 1e3,
         "°" => PI / 180.0,
         // A sum of units, or what follows a number in a sentence.
         other => panic!("`{other}` is no unit"),

@@ -107,6 +107,19 @@ impl PressureDiagram {
         let pairs = self.points.windows(2).map(|pair| strip(&pair[0], &pair[1]));
         pairs.fold((0.0, 0.0), |sum, (force, moment)| (sum.0 + force, sum.1 + moment))
     }
+
+    /// ∫p dA (N) and ∫p s dA (N·m) on a face of `body`, about the origin of positions.
+    pub fn resultant_on(&self, body: &Body, face: Face) -> (f64, f64) {
+        let plan = body.plan();
+        match face {
+            Face::Left | Face::Right => {
+                let (force, moment) = self.resultant();
+                let side = plan.side(body.width());
+                (force * side, moment * side)
+            }
+            Face::Base | Face::Top => plan.resultant(&self.points, body.base_width()),
+        }
+    }
 }
 
 /// What acts on a body, and where.
@@ -191,15 +204,7 @@ impl Action {
 
 /// The wrench of a pressure on a body that stands upright.
 fn pressed(body: &Body, face: Face, diagram: &PressureDiagram) -> Wrench {
-    let plan = body.plan();
-    let (force, moment) = match face {
-        Face::Left | Face::Right => {
-            let (force, moment) = diagram.resultant();
-            let side = plan.side(body.width());
-            (force * side, moment * side)
-        }
-        Face::Base | Face::Top => plan.resultant(diagram.points(), body.base_width()),
-    };
+    let (force, moment) = diagram.resultant_on(body, face);
     // About C: of a side by its height, of the base and the top by the distance to the right.
     let about_height = moment - force * body.centroid_height();
     match face {

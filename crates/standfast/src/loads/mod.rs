@@ -53,8 +53,10 @@ pub enum LoadSource {
     Buoyancy,
     /// Still water on the sides.
     StillWater,
-    /// Still water that stands on steps and slopes of the sides, or lifts where the body overhangs.
-    WaterOnSides,
+    /// Still water that stands on steps and slopes of the left side, or lifts where the body overhangs.
+    WaterOnLeft,
+    /// The same of the right side.
+    WaterOnRight,
     /// Pressures under the base, as given.
     Uplift,
     /// The body's inertia against a horizontal acceleration of the base.

@@ -1,0 +1,299 @@
+//! Bodies of parts, objects of a given length and cylinders, as case files give them.
+
+use standfast::Mode;
+use standfast_cases::results::{ResultName, ResultValue};
+use standfast_cases::{Assessment, CaseFile};
+
+fn assess(text: &str) -> Assessment {
+    let case = CaseFile::parse("t.toml", text).unwrap().case().unwrap();
+    Assessment::of(&case).unwrap()
+}
+
+fn number(assessment: &Assessment, result: ResultName) -> f64 {
+    match result.of(assessment.governing()) {
+        ResultValue::Number(number) => number,
+        other => panic!("{}: {other:?}", result.name()),
+    }
+}
+
+/// The same results, but for forces and moments that are `times` as large.
+fn same(one: &str, two: &str, times: f64) {
+    let (one, two) = (assess(one), assess(two));
+    for result in ResultName::ALL {
+        let whole = ["P", "M_p", "U", "M_U", "buoyant_weight"].contains(&result.name());
+        let times = if whole { times } else { 1.0 };
+        match (result.of(one.governing()), result.of(two.governing())) {
+            (ResultValue::Number(one), ResultValue::Number(two)) => {
+                let off = (one * times - two).abs();
+                assert!(one == two || off <= 1e-9 * two.abs().max(1e-9), "{}: {one} {two}", result.name());
+            }
+            (one, two) => assert_eq!(one, two, "{}", result.name()),
+        }
+    }
+}
+
+fn error(text: &str) -> String {
+    let error = CaseFile::parse("t.toml", text).and_then(|file| file.case()).unwrap_err();
+    standfast_cases::report(&error)
+}
+
+const LOAD: &str = "[[load]]\nforce = 300e3\nelevation = 8\n";
+
+/// Two rectangles and two triangles that make up a uniform block answer as it does, the report's diagram included.
+#[test]
+fn parts_of_a_block_are_the_block() {
+    let block = format!("[body]\nwidth = 15\nheight = 12\ndensity = 2100\nfriction = 0.6\n{LOAD}");
+    let parts = format!(
+        "[body]\nfriction = 0.6\n\
+         [[part]]\nleft = 3\nwidth = 6\nbottom = 0\nheight = 4\ndensity = 2100\n\
+         [[part]]\nleft = 9\nwidth = 9\nbottom = 0\nheight = 4\ndensity = 2100\n\
+         [[part]]\nx = [3, 18, 18]\ny = [4, 4, 12]\ndensity = 2100\n\
+         [[part]]\nleft = 3\nwidth = 15\nbottom = 4\nheight = 8\ntop_width = 0\ndensity = 0\n{LOAD}"
+    );
+    // The last part is the other triangle: its bottom would overlap, so it is given by its corners.
+    let parts = parts.replace(
+        "[[part]]\nleft = 3\nwidth = 15\nbottom = 4\nheight = 8\ntop_width = 0\ndensity = 0\n",
+        "[[part]]\nx = [3, 18, 3]\ny = [4, 12, 12]\ndensity = 2100\n",
+    );
+    same(&block, &parts, 1.0);
+    assert!(assess(&parts).governing().outcome.full.effective.is_some());
+}
+
+/// Goda's densities, 2400 above still water and 2100 below, give the weight that his example has by hand, and the answer of the
+/// case that gives it so, with its centre and moment of inertia by hand.
+#[test]
+fn a_caisson_of_parts_has_godas_weight() {
+    let parts = include_str!("../../../examples/caisson-of-parts.toml");
+    let assessment = assess(parts);
+    assert!((number(&assessment, ResultName::BuoyantWeight) / 1e3 - 2318.64).abs() < 0.005);
+    let ((upper, lower), width) = ((3.4 * 2400.0, 7.1 * 2100.0), 15.0);
+    let y = (upper * 8.8 + lower * 3.55) / (upper + lower);
+    let own = |mass: f64, height: f64, at: f64| {
+        mass * width * ((width * width + height * height) / 12.0 + (at - y) * (at - y))
+    };
+    let inertia = own(upper, 3.4, 8.8) + own(lower, 7.1, 3.55);
+    let begin = parts.find("[[part]]").unwrap();
+    let end = parts.find("[water]").unwrap();
+    let by_hand = format!(
+        "{}width = 15\nheight = 10.5\nmass = {}\ncentroid_height = {y}\nmoment_of_inertia = {inertia}\n{}",
+        &parts[..begin],
+        (upper + lower) * width,
+        &parts[end..]
+    );
+    same(&by_hand, parts, 1.0);
+}
+
+/// A wall on a wider footing in water that differs from side to side, against forces by hand.
+#[test]
+fn water_stands_on_a_footing() {
+    let parts = "gravity = 10\n[body]\nfriction = 0.6\n[water]\nleft = 3\nright = 5\ndensity = 1000\n\
+         [[part]]\nleft = -4\nwidth = 8\nbottom = 0\nheight = 1\ndensity = 2400\n\
+         [[part]]\nleft = -2\nwidth = 4\nbottom = 1\nheight = 8\ndensity = 2400\n";
+    let assessment = assess(parts);
+    // 960 kN of parts, 40 kN of water at the left and 80 kN at the right, less 8 m of 40 kPa.
+    assert!((number(&assessment, ResultName::BuoyantWeight) / 1e3 - 760.0).abs() < 1e-9);
+    assert!((number(&assessment, ResultName::P) / 1e3 - 80.0).abs() < 1e-9);
+    // About O: 960·4 + 40·1 + 80·7, less 8·30·4 and 8·20/2·16/3.
+    let arm = (960.0 * 4.0 + 40.0 + 560.0 - 960.0 - 80.0 * 16.0 / 3.0) / 760.0;
+    assert!((number(&assessment, ResultName::WeightArm) - arm).abs() < 1e-9);
+    assert!(assessment.text(&Default::default()).contains("water standing on the left side"));
+}
+
+/// All widths at once, in the file and by hand; what moves with the width moves.
+#[test]
+fn widths_of_parts_are_scaled_together() {
+    let parts = |scale: &str, [foot, left, wall]: [f64; 3]| {
+        format!(
+            "[body]\nfriction = 0.6\n{scale}[[part]]\nleft = 0\nwidth = {foot}\nbottom = 0\nheight = 1\ndensity = 2400\n\
+             [[part]]\nleft = {left}\nwidth = {wall}\nbottom = 1\nheight = 8\ndensity = 2300\ndensity_below_water = 2000\n\
+             [water]\nlevel = 4\ndensity = 1000\n{LOAD}"
+        )
+    };
+    same(&parts("", [12.0, 3.0, 6.0]), &parts("width_scale = 1.5\n", [8.0, 2.0, 4.0]), 1.0);
+}
+
+/// A block 20 m long under the forces of 20 m is one metre of it under those of a metre.
+#[test]
+fn an_object_of_a_length() {
+    let case = |length: &str, times: f64| {
+        format!(
+            "[body]\nwidth = 3\nheight = 5\nmass = {}\nfriction = 0.5\n{length}[water]\nleft = 2\nright = 1\ndensity = 1000\n\
+             [uplift]\nleft = 1e3\nright = 3e3\n[earthquake]\nhorizontal = 0.1\n[added_mass]\nsides = 2\n\
+             [[pressure]]\nface = \"right\"\nelevation = [0, 4]\npressure = [9e3, 1e3]\n\
+             [[pressure]]\nface = \"top\"\ndistance = [0, 2]\npressure = [9e3, 1e3]\n\
+             [[load]]\nforce = {}\nelevation = 2\n",
+            33e3 * times,
+            20e3 * times
+        )
+    };
+    same(&case("", 1.0), &case("length = 20\n", 20.0), 20.0);
+}
+
+/// A drum under a push: it tips where the moment about its rim does, slides where friction is used up, and bears as a circle.
+#[test]
+fn a_drum_by_hand() {
+    let drum = |force: f64| {
+        format!(
+            "gravity = 10\n[body]\nshape = \"cylinder\"\nwidth = 2\nheight = 3\nmass = \"10 t\"\nfriction = 0.5\n\
+             [[load]]\nforce = \"{force} kN\"\nelevation = 2.5\n"
+        )
+    };
+    // 100 kN · 1 m against F · 2.5 m.
+    let assessment = assess(&drum(20.0));
+    assert!((number(&assessment, ResultName::SfOverturning) - 2.0).abs() < 1e-12);
+    assert!((number(&assessment, ResultName::SfSliding) - 2.5).abs() < 1e-12);
+    assert!((number(&assessment, ResultName::LoadFactor) - 2.0).abs() < 1e-12);
+    // At r/4 the far edge is unloaded: p = 2 W/A, and all is in contact.
+    let limit = assess(&drum(10.0));
+    let most = 2.0 * 100e3 / std::f64::consts::PI;
+    assert!((number(&limit, ResultName::BearingMax) / most - 1.0).abs() < 1e-9);
+    assert!((number(&limit, ResultName::ContactShare) - 1.0).abs() < 1e-6);
+    assert_eq!(assess(&drum(41.0)).governing().outcome.full.mode, Some(Mode::RockO));
+    let text = assessment.text(&Default::default());
+    assert!(text.contains("diameter 2B") && text.contains("wobbles") && text.contains("20 kN ←"));
+}
+
+/// What is wrong with parts is shown at the part, or at both.
+#[test]
+fn faults_of_parts_are_shown_where_they_are() {
+    let with = |parts: &str| format!("[body]\nfriction = 0.6\n{parts}{LOAD}");
+    let block = "[[part]]\nleft = 0\nwidth = 8\nbottom = 0\nheight = 1\ndensity = 2400\n";
+    let cases = [
+        (
+            "[[part]]\nname = \"wall\"\nleft = 2\nwidth = 4\nbottom = 0.9\nheight = 8\ndensity = 2400\n",
+            "parts 1 and 2 overlap, at x = ",
+        ),
+        (
+            "[[part]]\nleft = 2\nwidth = 4\nbottom = 1.5\nheight = 8\ndensity = 2400\n",
+            "the parts leave a gap, at x = ",
+        ),
+        ("[[part]]\nleft = 2\nwidth = 4\nbottom = 1\ndensity = 2400\n", "[[part]] lacks `height`"),
+        ("[[part]]\nleft = 2\nwidth = 4\nbottom = 1\nheight = 8\n", "[[part]] lacks `density`"),
+        ("[[part]]\ndensity = 2400\n", "the part has no outline"),
+        ("[[part]]\nx = [0, 8, 8]\ny = [1, 1]\ndensity = 2400\n", "`x` and `y` have 3 and 2 numbers"),
+        (
+            "[[part]]\nx = [0, 8, 8]\ny = [1, 1, 2]\nleft = 3\ndensity = 2400\n",
+            "[[part]] has both `x` and `left`",
+        ),
+        (
+            "[[part]]\nx = [0, 8, 0, 6]\ny = [1, 3, 2, 1]\ndensity = 2400\n",
+            "part 2: its sides 1 and 3 cross or touch",
+        ),
+        ("[[part]]\nx = [0, 4, 8]\ny = [1, 1, 1]\ndensity = 2400\n", "part 2: the outline encloses no area"),
+        (
+            "[[part]]\nleft = 0\nwidth = 1\nbottom = 1\nheight = 1\ndensity = -2400\n",
+            "`density` is -2400; expected a finite number",
+        ),
+        ("[[part]]\nleft = 30\nwidth = 1\nbottom = 0\nheight = 1\ndensity = 2400\n", "gap"),
+    ];
+    for (part, expected) in cases {
+        let error = error(&with(&format!("{block}{part}")));
+        assert!(error.contains(expected), "{expected}\n{error}");
+    }
+    let overlapping = error(&with(&format!("{block}{}", cases[0].0)));
+    assert_eq!(overlapping.matches("────────").count(), 2, "{overlapping}");
+    for (file, expected) in [
+        (
+            with("[[part]]\nleft = 0\nwidth = 8\nbottom = \"20 cm\"\nheight = 1\ndensity = 2400\n"),
+            "the lowest part begins 0.2 m above the base",
+        ),
+        (
+            with("[[part]]\nx = [0, 1, -1]\ny = [0, 1, 1]\ndensity = 2400\n"),
+            "touches its base, at height 0, in a point",
+        ),
+        (
+            with("[[part]]\nx = [0, 1, 1]\ny = [-1, 0, 1]\ndensity = 2400\n"),
+            "the part reaches 1 m below the base",
+        ),
+        (with("[[part]]\nx = [0, 1, 9, 9]\ny = [0, 0, 3, 4]\ndensity = 2400\n"), "not between the corners"),
+        (with(&format!("{block}{block}")), "parts 1 and 2 overlap"),
+        (
+            with(block).replace("friction = 0.6", "friction = 0.6\nmass = 3"),
+            "[body] has `mass`, which follows from the parts",
+        ),
+        (with("width_scale = 2\n"), "`width_scale` multiplies the widths of parts, and there is no [[part]]"),
+    ] {
+        let error = error(&file);
+        assert!(error.contains(expected), "{expected}\n{error}");
+    }
+}
+
+#[test]
+fn units_are_those_of_a_metre_or_of_the_whole() {
+    let body = |rest: &str| format!("[body]\nwidth = 3\nheight = 5\nfriction = 0.5\n{rest}");
+    let load = "[[load]]\nelevation = 2\n";
+    for (file, expected) in [
+        (body(&format!("mass = \"33 t\"\n{load}force = 1\n")), "expected a mass per metre run"),
+        (body(&format!("mass = \"33 t\"\n{load}force = 1\n")), "a single object"),
+        (
+            body(&format!("mass = 33e3\nlength = 2\n{load}force = \"9 kN/m\"\n")),
+            "expected a force on the whole",
+        ),
+        (body(&format!("mass = 33e3\nlength = 2\n{load}force = \"9 kN/m\"\n")), "or is a cylinder"),
+        (
+            body(&format!("mass = 33e3\nlength = 0\n{load}force = 9\n")),
+            "`length` is 0; expected a finite number above zero",
+        ),
+    ] {
+        let error = error(&file);
+        assert!(error.contains(expected), "{expected}\n{error}");
+    }
+    let whole = assess(&body(&format!("mass = \"33 t\"\nlength = \"50 cm\"\n{load}force = \"9 kN\"\n")));
+    let text = whole.text(&Default::default());
+    assert!(text.contains("33000 kg") && text.contains("9 kN ←") && !text.contains("/m "), "{text}");
+    assert!(whole.json(&Default::default(), &[]).contains("\"extent\": \"whole\""));
+}
+
+#[test]
+fn a_cylinder_is_no_wall() {
+    let drum = |rest: &str| {
+        format!(
+            "[body]\nshape = \"cylinder\"\nwidth = 2\nheight = 3\nmass = 10e3\nfriction = 0.5\n{rest}{LOAD}"
+        )
+        .replace("elevation = 8", "elevation = 2")
+    };
+    for (rest, expected) in [
+        ("length = 2\n", "a cylinder has no `body.length`"),
+        ("base_left = 1\n", "a cylinder has no `body.base_left`"),
+        ("[water]\nleft = 2\nright = 1\ndensity = 1000\n", "a cylinder has no `water.left`"),
+        (
+            "[water]\nlevel = 1\ndensity = 1000\n[added_mass]\nsides = 2\n",
+            "a cylinder has no `added_mass.sides`",
+        ),
+        (
+            "[[part]]\nx = [0, 1, 1]\ny = [0, 0, 1]\ndensity = 1\n",
+            "[[part]] does not go with `shape = \"cylinder\"`",
+        ),
+    ] {
+        let error = error(&drum(rest));
+        assert!(error.contains(expected), "{expected}\n{error}");
+    }
+    let waves = include_str!("../../../examples/goda-2000.toml");
+    let waves =
+        waves.replace("[body]", "[body]\nlength = 20").replace("t/m\"", "t\"").replace("kN/m\"", "kN\"");
+    assert!(error(&waves).contains("[wave] does not go with a single object"), "{}", error(&waves));
+}
+
+/// W' as given against the parts: a warning with both from 1 % on.
+#[test]
+fn a_given_weight_is_compared_with_the_parts() {
+    let parts = include_str!("../../../examples/caisson-of-parts.toml");
+    let water = parts.find("[water]").unwrap();
+    let wave = parts.find("[wave]").unwrap();
+    let with = |weight: f64| {
+        let body = parts[..water].replace("[body]", &format!("[body]\nbuoyant_weight = {weight}"));
+        let case = CaseFile::parse("t.toml", &format!("{body}{}", &parts[wave..])).unwrap().case().unwrap();
+        case.warnings()
+            .iter()
+            .find(|warning| warning.name() == "buoyant-beside-parts")
+            .map(ToString::to_string)
+    };
+    let weight = 15.0 * (3.4 * 2400.0 + 7.1 * (2100.0 - 1030.0)) * 9.81;
+    for share in [0.9901, 1.0, 1.0099] {
+        assert_eq!(with(weight * share), None);
+    }
+    for share in [0.9899, 1.0101] {
+        let message = with(weight * share).unwrap();
+        assert!(message.contains("2319 kN/m: 1.01 % "), "{message}");
+    }
+}
