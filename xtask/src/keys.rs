@@ -8,8 +8,8 @@ pub fn page() -> String {
     let mut page = String::from(
         "# The case file\n\n\
          A case is a TOML file: a body, and what acts on it. Quantities are numbers with a unit, as in\n\
-         `\"450 kN/m\"`; a number without one is in SI units. Forces, masses and moments are per metre run. `standfast assess --help` has\n\
-         an example, the folder `examples` has more. This page is written by `cargo xtask gallery` from the table of keys that the\n\
+         `\"450 kN/m\"`; a number without one is in SI units. Forces, masses and moments are per metre run; those of an object of a\n\
+         given `length`, and of a cylinder, are those of the whole, in kN, kg or t. `standfast assess --help` has an example, the folder `examples` has more. This page is written by `cargo xtask gallery` from the table of keys that the\n\
          program itself reads, and a test fails when it is stale. A key is named in `design` by its table and name: `body.width`,\n\
          `load[2].force`.\n",
     );
@@ -76,7 +76,10 @@ fn takes(kind: Kind) -> String {
 fn moves(moves: Moves) -> &'static str {
     match moves {
         Moves::Alone => "nothing",
-        Moves::Width => "all dimensions along the base, and the mass, at constant density",
+        Moves::Width => {
+            "all dimensions along the base, and the mass, at constant density; of a cylinder in both directions"
+        }
+        Moves::Length => "the mass, at constant density",
         Moves::Height => "the mass at constant density, and so the crest above the sea",
         Moves::Mass => "everything that weighs",
         Moves::Friction => "friction to stick and to slip",

@@ -74,8 +74,12 @@ pub enum Command {
         \u{20}               side, distance right of O on base and top; pressure = [\"54 kPa\", 0]; name;\n\
         \u{20}               permanent = true; scale\n\
         \u{20} [added_mass]  sides = 1 or 2, or mass\n\
-        \u{20} [body]        kinetic_friction, centroid_offset, centroid_height, moment_of_inertia, base_left,\n\
-        \u{20}               base_right; buoyant_weight and weight_arm in place of [water]\n\n\
+        \u{20} [[part]]      in place of width, height and mass: left, width, bottom, height, top_left,\n\
+        \u{20}               top_width, or corners x and y; density, density_below_water; name\n\
+        \u{20} [body]        length, for a single object with masses in kg and forces in kN;\n\
+        \u{20}               shape = \"cylinder\"; kinetic_friction, centroid_offset, centroid_height,\n\
+        \u{20}               moment_of_inertia, base_left, base_right; buoyant_weight and weight_arm\n\
+        \u{20}               in place of [water]\n\n\
         Which loads act, and what is asked of the results:\n\
         \u{20} [[combination]]  name; factors = { weight = 0.9, wave = 1.3, crane = 1.5 }, by the names of\n\
         \u{20}               loads, or weight, water, uplift, wave, earthquake; of the loads not named the\n\

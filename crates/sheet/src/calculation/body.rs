@@ -11,8 +11,14 @@ use crate::steps::Steps;
 pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     let body = &case.body;
     steps.know("g", case.gravity, ACCELERATION);
-    steps.know("w", body.width(), METRE);
-    steps.know("h_w", body.height(), METRE);
+    if case.section.is_some() {
+        let words = "from the outlines of the parts";
+        steps.told("Width of the body", "w", body.width(), METRE, words, "width");
+        steps.told("Its height above the base", "h_w", body.height(), METRE, words, "height");
+    } else {
+        steps.know("w", body.width(), METRE);
+        steps.know("h_w", body.height(), METRE);
+    }
     steps.know("μ", case.friction, NONE);
     steps.know("μ_s", case.friction, NONE);
     steps.know("μ_k", case.kinetic_friction, NONE);
@@ -109,12 +115,10 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
     let y = format!("({})/m", sum(&|n| format!("m_{n} y_{n}")));
     steps.add("above the base", "", ["y_C", &y], body.centroid_height(), METRE, "centroid_height");
     let BaseEdges { left, right } = body.base_edges();
-    steps.know("e_l", left, METRE);
-    steps.know("e_r", right, METRE);
-    let about = "Width of the base, from its edges left and right of mid-width";
-    steps.add(about, "", ["B_c", "e_l + e_r"], body.base_width(), METRE, "");
-    steps.add(CORNERS, "", ["b_1", "e_l + x_C"], body.heel_distance(), METRE, "heel_distance");
-    steps.add("", "", ["b_2", "e_r − x_C"], body.toe_distance(), METRE, "toe_distance");
+    let words = "from the outlines of the parts that stand on the base";
+    steps.told("Edge of the base left of mid-width", "e_l", left, METRE, words, "");
+    steps.told("right of it", "e_r", right, METRE, words, "");
+    base(steps, body);
     let inertia = sum(&|n| format!("I_{n} + m_{n} ((x_{n} − x_C)^2 + (y_{n} − y_C)^2)"));
     let about = "Moment of inertia about the centre of mass";
     steps.add(about, "", ["I", &inertia], body.moment_of_inertia(), INERTIA, "moment_of_inertia");
@@ -138,6 +142,11 @@ fn of_any_shape(steps: &mut Steps, body: &Body) {
     steps.know("e_r", right, METRE);
     steps.know("x_C", body.centroid_offset(), METRE);
     steps.know("y_C", body.centroid_height(), METRE);
+    base(steps, body);
+}
+
+/// The width of the base, and its corners, from its edges.
+fn base(steps: &mut Steps, body: &Body) {
     let about = "Width of the base, from its edges left and right of mid-width";
     steps.add(about, "", ["B_c", "e_l + e_r"], body.base_width(), METRE, "");
     steps.add(CORNERS, "", ["b_1", "e_l + x_C"], body.heel_distance(), METRE, "heel_distance");

@@ -194,8 +194,9 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
 /// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.
 fn overturning(steps: &mut Steps, about: &str, formula: [&str; 2], factor: f64, pushed: bool, key: &str) {
     let words = match factor {
-        _ if pushed => return steps.add(about, "", formula, factor, NONE, key),
+        // As well where a force pushes on, and the formula gives less than nothing.
         0.0 => "uplift or eccentric weight turn the body without any horizontal force",
+        _ if pushed => return steps.add(about, "", formula, factor, NONE, key),
         _ => "no force turns the body that way",
     };
     steps.told(about, formula[0], factor, NONE, words, key);

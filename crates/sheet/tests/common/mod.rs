@@ -119,6 +119,17 @@ fn more() -> Vec<(String, String)> {
         ("shaken up and down", format!("{body}[earthquake]\nhorizontal = 0.2\nvertical = 0.3\n[criteria]\nbearing_max = \"250 kPa\"\nSF_sliding = 2.2\n")),
         ("never and at once", format!("{body}[criteria]\nload_factor = 1.5\nSF_sliding = 1.2\n[[load]]\nforce = 0\nelevation = 1\n")),
         ("uplift", format!("{body}[uplift]\nleft = 20e3\nright = 60e3\ngrows = true\n[[load]]\nforce = 100e3\nelevation = 5\ndirection = \"right\"\n")),
+        ("drum in water", "[body]\nshape = \"cylinder\"\nwidth = 2.4\nheight = 3\ndensity = 2400\nfriction = 0.6\ncentroid_offset = 0.05\n[water]\nlevel = 1.5\n\
+            density = 1000\n[uplift]\nleft = 1e3\nright = 4e3\n[[pressure]]\nface = \"right\"\nelevation = [0, 2]\npressure = [5e3, 1e3]\n\
+            [[pressure]]\nface = \"top\"\ndistance = [0.5, 2]\npressure = [5e3, 1e3]\nscale = 1.5\n".to_owned()),
+        ("drum on its rim", "[body]\nshape = \"cylinder\"\nwidth = 2\nheight = 3\nmass = \"10 t\"\nfriction = 0.6\n[[load]]\nforce = \"30 kN\"\nelevation = 2.5\n\
+            direction = \"right\"\n[criteria]\nbearing_max = \"300 kPa\"\n".to_owned()),
+        ("tank of a length", format!("{body}length = 4\n[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.1\n[added_mass]\nsides = 2\n\
+            [uplift]\nleft = 1e3\nright = 2e3\n[[pressure]]\nname = \"fill\"\nface = \"left\"\nelevation = [0, 7]\npressure = [3e3, 0]\nscale = 0.5\n\
+            [[combination]]\nfactors = {{ fill = 1.5, earthquake = 0.5, weight = 0.9 }}\n")),
+        ("parts in water", "[body]\nfriction = 0.6\nwidth_scale = 1.1\n[water]\nleft = 6\nright = 4\ndensity = 1000\n[[part]]\nname = \"`foot`\"\nleft = 3\nwidth = 9\nbottom = 0\n\
+            height = 1.5\ndensity = 2400\n[[part]]\nleft = 5\nwidth = 4\nbottom = 1.5\nheight = 8\ntop_left = 4.5\ntop_width = 3\ndensity = 2300\n\
+            density_below_water = 2100\n[[part]]\nname = \"cavity\"\nx = [9, 12, 8.71875]\ny = [1.5, 1.5, 3]\ndensity = 0\n[[load]]\nforce = 90e3\nelevation = 5\n".to_owned()),
         ("lifted", format!("{body}[uplift]\nleft = 300e3\nright = 300e3\n")),
         ("weight alone", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 1.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
         ("weight at the toe", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 5.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
