@@ -139,10 +139,8 @@ impl Variable {
                     notes.push("The buoyant weight goes with the width, and its arm as well.");
                 }
             }
-            Moves::Length => {
-                if has(Key::Mass) {
-                    notes.push("The mass goes with the length: the density is kept.");
-                }
+            Moves::Length if has(Key::Mass) => {
+                notes.push("The mass goes with the length: the density is kept.");
             }
             Moves::Height | Moves::BaseDepth => {
                 if has(Key::Mass) {
