@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL};
 use crate::drawing::Drawing;
 use crate::labels::Lines;
-use crate::margins::{self, Tab};
+use crate::margins::{self, Numbers, Tab};
 use crate::palette::{FAINT, INK, MARK, PAPER, symbol, tint};
 use crate::plot::{Arc, Frame, Piece, arcs_path, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
@@ -50,8 +50,10 @@ pub(crate) struct Draft<'a> {
 impl Drawing<'_> {
     /// Draws it.
     pub(crate) fn figure(&self) -> Figure {
+        let numbers = self.numbered.then(|| Numbers::of(&self.window, PLOT.0, PLOT.1));
         let mu_tabs = self.mu_marks();
-        let left = margins::mu_width(mu_tabs.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
+        let named_width = || margins::mu_width(mu_tabs.iter().map(|(_, tab)| tab));
+        let left = numbers.as_ref().map_or_else(named_width, Numbers::width).max(34.0) + 6.0;
         let frame = Frame {
             area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 },
             window: self.window,
@@ -60,11 +62,14 @@ impl Drawing<'_> {
         draft.tints();
         draft.drop_lines();
         draft.traces();
-        margins::axes(&mut draft.canvas.scene, &frame, &margins::PLANE);
-        let tabs = mu_tabs.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
-        margins::beside_mu_axis(&mut draft.canvas.scene, &frame, tabs);
+        let scene = &mut draft.canvas.scene;
+        margins::axes(scene, &frame, if self.numbered { &margins::NUMBERED } else { &margins::PLANE });
+        if numbers.is_none() {
+            let tabs = mu_tabs.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
+            margins::beside_mu_axis(scene, &frame, tabs);
+        }
         draft.marks();
-        draft.finish()
+        draft.finish(numbers)
     }
 
     fn areas(&self) -> Vec<Area> {
@@ -231,6 +236,10 @@ impl<'a> Draft<'a> {
             let text = Text::new(&format!("${letter}$"), LETTER);
             self.at_edge(line, text);
         }
+        if self.given.numbered && self.given.sheet.mu_marks.contains(&Mark::Asymptote) {
+            let text = Text::new(Line::Asymptote.formula(self.given.diagram.chart()), FORMULA);
+            self.at_edge(Line::Asymptote, text);
+        }
     }
 
     /// Puts a label where a line leaves the window; gives it back if the line ends inside.
@@ -353,8 +362,8 @@ impl<'a> Draft<'a> {
         self.canvas.place(text, place, INK)
     }
 
-    /// Edges, caption, and the document.
-    fn finish(mut self) -> Figure {
+    /// The named values under the k axis; their formulas in the caption for want of room. Returns the y below.
+    fn k_marks(&mut self) -> f64 {
         let frame = self.canvas.board.frame;
         let chart = self.given.diagram.chart();
         let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
@@ -368,11 +377,21 @@ impl<'a> Draft<'a> {
             let text = |&(name, value)| equation(name, if full { value } else { "" });
             marks.iter().map(|(at, markup)| Tab { at: *at, text: text(markup) }).collect()
         };
-        self.legend.extend(caption::hatching(self.given.hatched));
         let (bottom, full) = margins::under_k_axis(&mut self.canvas.scene, &frame, tabs(true), tabs(false));
         if !full {
             self.legend.extend(marks.iter().map(|(_, (name, value))| format!("${name} = {value}$")));
         }
+        bottom
+    }
+
+    /// Edges, caption, and the document.
+    fn finish(mut self, numbers: Option<Numbers>) -> Figure {
+        let frame = self.canvas.board.frame;
+        self.legend.extend(caption::hatching(self.given.hatched));
+        let bottom = match numbers {
+            Some(numbers) => numbers.draw(&mut self.canvas.scene, &frame),
+            None => self.k_marks(),
+        };
         let right = std::mem::take(&mut self.right);
         let right = margins::right_of(&mut self.canvas.scene, &frame, right).unwrap_or(frame.area.x1);
         margins::above(&mut self.canvas.scene, &frame, std::mem::take(&mut self.above));

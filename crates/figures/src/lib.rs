@@ -18,7 +18,7 @@
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
-//! | Where does it lie on the page? | `plot`, `canvas`, `chart` (of a `drawing`), `inset` |
+//! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render` |
 //! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
@@ -48,6 +48,7 @@ mod plot;
 #[cfg(feature = "render")]
 mod render;
 mod report;
+mod scale;
 mod scene;
 mod screen;
 mod sheet;
@@ -147,6 +148,7 @@ pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
         preface: "",
         points,
         hatched: if undecided { &unresolved } else { &[] },
+        numbered: true,
     }
     .figure()
 }
