@@ -68,12 +68,21 @@ pub(crate) fn under_k_axis(scene: &mut Scene, frame: &Frame, full: Vec<Tab>, sho
     (bottom, is_full)
 }
 
+/// Whether labels beside the μ axis would stand so close that fractions among them read as one.
+pub(crate) fn is_crowded(tabs: &[Tab]) -> bool {
+    const APART: f64 = 9.0;
+    let overlap = |one: &Tab, other: &Tab| {
+        (one.at - other.at).abs() < (one.text.height() + other.text.height()) / 2.0 + APART
+    };
+    tabs.iter().enumerate().any(|(i, tab)| tabs[i + 1..].iter().any(|other| overlap(tab, other)))
+}
+
 /// The width that labels beside the μ axis take.
 pub(crate) fn mu_width<'a>(tabs: impl Iterator<Item = &'a Tab>) -> f64 {
     tabs.fold(0.0, |m: f64, tab| m.max(tab.text.width)) + 17.0
 }
 
-/// Ticks and labels beside the μ axis. Labels of the same value share a place side by side.
+/// Ticks and labels beside the μ axis.
 pub(crate) fn beside_mu_axis(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) {
     let Rect { x0, y0, y1, .. } = frame.area;
     let tabs = sorted(tabs);
@@ -166,11 +175,11 @@ pub(crate) struct Numbers {
 impl Numbers {
     /// As many as a plot of this width and height has room for.
     pub(crate) fn of(window: &View, width: f64, height: f64) -> Numbers {
-        // A number takes about 50 units across, and 34 up.
+        // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
         let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
         Numbers {
-            across: Scale::new(window.k_min, window.k_max, most(width, 62.0)),
-            up: Scale::new(window.mu_min, window.mu_max, most(height, 44.0)),
+            across: Scale::new(window.k_min, window.k_max, most(width, 52.0)),
+            up: Scale::new(window.mu_min, window.mu_max, most(height, 38.0)),
         }
     }
 

@@ -264,9 +264,7 @@ impl LoadPath {
         }
         canvas.board.reserve(Rect { x0, y0: y - 2.0, x1, y1: y + 2.0 });
         for (at, pair) in self.changes() {
-            // A change of the modes beside the one reported is a smaller event.
-            let reach = if pair[0].mode == pair[1].mode { 3.5 } else { 6.5 };
-            let at = x(at);
+            let (at, reach) = (x(at), reach(&frame, at, pair));
             canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(PAPER, 3.6));
             canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(MARK, 1.6));
             canvas.board.reserve(Rect::around(at, y, 3.0, 2.0 * reach + 1.0));
@@ -283,12 +281,13 @@ impl LoadPath {
         let frame = canvas.board.frame;
         let (lesser, greater): (Vec<_>, Vec<_>) =
             self.changes().partition(|(_, pair)| pair[0].mode == pair[1].mode);
-        for (at, _) in greater.into_iter().chain(lesser) {
+        for (at, pair) in greater.into_iter().chain(lesser) {
+            let tip = reach(&frame, at, pair) + 3.0;
             let text = Text::new(&self.number(at), NUMBER);
             let (x, size) = (frame.x(at), (text.width, text.height()));
             let ways = [0.0, 1.0, -1.0].into_iter().flat_map(|across| [-1.0, 1.0].map(|down| (across, down)));
             let places = ways.map(|(across, down)| {
-                let centre = y + down * (10.0 + text.height() / 2.0);
+                let centre = y + down * (tip + text.height() / 2.0);
                 Rect::around(x + across * (4.0 + text.width / 2.0), centre, size.0, size.1)
             });
             let clear = places.clone().find(|rect| canvas.board.clear(rect, 1.8));
@@ -296,8 +295,8 @@ impl LoadPath {
                 continue;
             }
             // From either end of the tick.
-            let tips = [-1.0, 1.0].map(|down| (x, y + down * 9.0));
-            let joined = tips.into_iter().find_map(|tip| canvas.board.near(tip, size, 8, Lines::Cross));
+            let tips = [-1.0, 1.0].map(|down| (x, y + down * tip));
+            let joined = tips.into_iter().find_map(|tip| canvas.board.near(tip, 0.0, size, 8, Lines::Cross));
             if let Some((rect, leader)) = joined {
                 canvas.leader(&leader);
                 canvas.place(&text, Some(rect), MARK);
@@ -353,6 +352,15 @@ impl LoadPath {
         }
         caption
     }
+}
+
+/// How far a tick reaches to either side of the path. A change of the modes beside the one reported is a smaller event;
+/// the diamond of the full load must not hide a tick.
+fn reach(frame: &Frame, at: f64, pair: &[Stage]) -> f64 {
+    const DIAMOND: f64 = 5.2;
+    let reach = if pair[0].mode == pair[1].mode { 3.5 } else { 6.5 };
+    let is_under = frame.window.k_max >= 1.0 && (frame.x(at) - frame.x(1.0)).abs() < DIAMOND + 2.0;
+    if is_under { reach + DIAMOND } else { reach }
 }
 
 /// The figure in words.
