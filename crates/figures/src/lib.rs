@@ -20,7 +20,7 @@
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
-//! | How is it written down? | `text`, `font`, `scene`, `render` |
+//! | How is it written down? | `text`, `font`, `scene`, `render`, `pdf` |
 //! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
 //!
 //! All geometry is the library's: curves and points of [`standfast::initiation::Chart`], regions of [`Diagram`].
@@ -43,6 +43,8 @@ mod margins;
 mod number;
 pub mod outlines;
 mod palette;
+#[cfg(feature = "render")]
+mod pdf;
 mod plane;
 mod plot;
 #[cfg(feature = "render")]
