@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use resvg::usvg;
+use resvg::{tiny_skia, usvg};
 use standfast::Diagram;
 use standfast_figures::{DesignPoint, FigureId, RenderError, diagram, report_figure};
 
@@ -83,4 +83,25 @@ fn the_text_of_a_pdf_lies_where_the_letters_are_drawn_and_is_not_seen() {
         });
         assert!(placed, "{label:?}");
     }
+}
+
+/// At true scale the lens A–B′ of Fig. 4.5a is some three pixels high; the lines that bound it must leave some of it.
+#[test]
+fn the_lens_is_seen_at_true_scale() {
+    const LENS: [u8; 3] = [0xf0, 0xab, 0x6b];
+    let figure = report_figure("4.5a".parse().expect("a figure"));
+    let png = tiny_skia::Pixmap::decode_png(&figure.png(2.0).expect("a PNG")).expect("a picture");
+    let place = |name: &str| {
+        let label = figure.labels().iter().rfind(|label| label.text == name).expect(name);
+        (2.0 * label.rect.x1, 2.0 * label.rect.y1)
+    };
+    // From the letter A to the letter B′, which stand above the ends of the lens.
+    let (a, b) = (place("A"), place("B′"));
+    let seen = (a.0 as u32..b.0 as u32).flat_map(|x| (b.1 as u32..a.1 as u32).map(move |y| (x, y)));
+    let seen = seen.filter_map(|(x, y)| png.pixel(x, y)).filter(|pixel| {
+        let pixel = pixel.demultiply();
+        [pixel.red(), pixel.green(), pixel.blue()] == LENS
+    });
+    let count = seen.count();
+    assert!(count > 150, "{count} pixels of the lens");
 }
