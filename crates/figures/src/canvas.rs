@@ -43,6 +43,8 @@ impl Canvas {
     /// What a design point is called, as [`letter`](Canvas::letter), but never on a line.
     pub(crate) fn design_label(&mut self, text: &Text, at: (f64, f64)) -> bool {
         let found = self.beside(at, text, 8.0);
+        // Two numbers side by side would read as one.
+        found.iter().for_each(|rect| self.board.reserve(rect.grown(4.0)));
         self.place(text, found, MARK)
     }
 

@@ -160,6 +160,26 @@ fn what_a_point_is_called_keeps_off_the_line_of_sliding() {
     }
 }
 
+#[test]
+fn numbers_of_crowded_points_are_told_apart() {
+    let body = Diagram::new(2.0, 0.3).expect("a valid body");
+    let points: Vec<_> = [0.2, 0.2165]
+        .iter()
+        .map(|&k| DesignPoint { k, mu: 0.3, label: "W".repeat(60), mirrored: false })
+        .collect();
+    let figure = diagram(&body, &points);
+    let numbers: Vec<_> =
+        figure.labels().iter().filter(|label| ["1", "2"].contains(&label.text.as_str())).collect();
+    assert_eq!(numbers.len(), 2, "{numbers:?}");
+    for (i, one) in numbers.iter().enumerate() {
+        for other in &numbers[i + 1..] {
+            let apart = (other.rect.x0 - one.rect.x1).max(one.rect.x0 - other.rect.x1);
+            let level = one.rect.y0 < other.rect.y1 && other.rect.y0 < one.rect.y1;
+            assert!(!level || apart > 4.0, "{one:?} {other:?}");
+        }
+    }
+}
+
 fn number(text: &str) -> f64 {
     text.parse().expect("a number")
 }
