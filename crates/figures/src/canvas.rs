@@ -32,6 +32,34 @@ impl Canvas {
         place.is_some()
     }
 
+    /// The letter of a point: beside it, or on a line rather than not at all.
+    pub(crate) fn letter(&mut self, text: &Text, at: (f64, f64)) {
+        const GAP: f64 = 5.0;
+        let found = self.beside(at, text, GAP).or_else(|| self.board.over(at, text, GAP));
+        self.place(text, found, INK);
+        self.board.letters.extend(found);
+    }
+
+    /// What a design point is called, as [`letter`](Canvas::letter), but never on a line.
+    pub(crate) fn design_label(&mut self, text: &Text, at: (f64, f64)) -> bool {
+        let found = self.beside(at, text, 8.0);
+        // Two numbers side by side would read as one.
+        found.iter().for_each(|rect| self.board.reserve(rect.grown(4.0)));
+        self.place(text, found, MARK)
+    }
+
+    /// A place beside a point that is clear of all else, or farther away with a leader, which is drawn.
+    fn beside(&mut self, at: (f64, f64), text: &Text, gap: f64) -> Option<Rect> {
+        if let Some(rect) = self.board.beside(at, text, gap) {
+            return Some(rect);
+        }
+        let size = (text.width, text.height());
+        let near = |lines| self.board.near(at, gap - 1.5, size, 5, lines);
+        let (rect, leader) = near(Lines::Avoid).or_else(|| near(Lines::Cross))?;
+        self.leader(&leader);
+        Some(rect)
+    }
+
     /// Draws a leader and keeps labels off it.
     pub(crate) fn leader(&mut self, leader: &Leader) {
         self.scene.line(leader.from, leader.to, Pen::solid(INK, 0.6));
@@ -73,7 +101,7 @@ impl Canvas {
             None => {
                 let text = Text::new(name, 0.85 * largest);
                 let Some((rect, leader)) =
-                    self.board.near(heart, (text.width, text.height()), 13, Lines::Cross)
+                    self.board.near(heart, 0.0, (text.width, text.height()), 13, Lines::Cross)
                 else {
                     return;
                 };

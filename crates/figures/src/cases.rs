@@ -5,10 +5,11 @@ use std::ops::Range;
 use standfast::initiation::{Chart, ChartCase};
 
 use crate::Figure;
+use crate::margins::NUMBER;
 use crate::number;
 use crate::palette::{FAINT, INK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
-use crate::screen::{Axis, Picture, fixed};
+use crate::screen::{Axis, Picture};
 use crate::text::Text;
 
 /// The slenderness shown, γ from squat to slender, and the elevation, k' from base to crest.
@@ -115,10 +116,10 @@ fn axes(scene: &mut Scene, picture: &Picture) {
         let text = Text::new(shown, SMALL);
         scene.text(&text, (x - text.width / 2.0).min(x1 + 6.0 - text.width), y1 + 16.0, INK);
     }
-    for (k_prime, decimals) in [(-1.0, 0), (-0.5, 1), (0.0, 0), (0.5, 1), (1.0, 0)] {
+    for k_prime in [-1.0, -0.5, 0.0, 0.5, 1.0] {
         let (_, y) = picture.place(1.0, k_prime);
         scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
-        let text = fixed(k_prime, decimals);
+        let text = Text::new(&format!("${}$", number::digits(k_prime)), NUMBER);
         scene.text(&text, x0 - 7.0 - text.width, y + 4.0, INK);
     }
     let name = Text::new("$γ$", 14.0);

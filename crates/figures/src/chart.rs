@@ -11,9 +11,9 @@ use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL};
 use crate::drawing::Drawing;
 use crate::labels::Lines;
-use crate::margins::{self, Tab};
-use crate::palette::{FAINT, INK, MARK, PAPER, symbol, tint};
-use crate::plot::{Arc, Frame, Piece, arcs_path, clip, clip_strips, hatch, level, outline};
+use crate::margins::{self, Numbers, Tab};
+use crate::palette::{FAINT, INK, PAPER, symbol, tint};
+use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
@@ -50,21 +50,22 @@ pub(crate) struct Draft<'a> {
 impl Drawing<'_> {
     /// Draws it.
     pub(crate) fn figure(&self) -> Figure {
+        let numbers = self.numbered.then(|| Numbers::of(&self.window, PLOT.0, PLOT.1));
         let mu_tabs = self.mu_marks();
-        let left = margins::mu_width(mu_tabs.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
-        let frame = Frame {
-            area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 },
-            window: self.window,
-        };
+        let named_width = || margins::mu_width(mu_tabs.iter());
+        let left = numbers.as_ref().map_or_else(named_width, Numbers::width).max(34.0) + 6.0;
+        let frame = frame_at(left, self.window);
         let mut draft = Draft::new(self, Canvas::new(frame));
         draft.tints();
         draft.drop_lines();
         draft.traces();
-        margins::axes(&mut draft.canvas.scene, &frame, &margins::PLANE);
-        let tabs = mu_tabs.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
-        margins::beside_mu_axis(&mut draft.canvas.scene, &frame, tabs);
+        let scene = &mut draft.canvas.scene;
+        margins::axes(scene, &frame, if self.numbered { &margins::NUMBERED } else { &margins::PLANE });
+        if numbers.is_none() {
+            margins::beside_mu_axis(scene, &frame, mu_tabs);
+        }
         draft.marks();
-        draft.finish()
+        draft.finish(numbers)
     }
 
     fn areas(&self) -> Vec<Area> {
@@ -105,14 +106,19 @@ impl Drawing<'_> {
         areas
     }
 
-    fn mu_marks(&self) -> Vec<(f64, Tab)> {
+    /// The named values beside the μ axis; fractions take a solidus where bars would pile up.
+    fn mu_marks(&self) -> Vec<Tab> {
         let chart = self.diagram.chart();
         let marks = self.sheet.mu_marks.iter().filter_map(|mark| {
             let mu = mark.mu(chart).filter(|mu| (self.window.mu_min..self.window.mu_max).contains(mu))?;
-            let (name, value) = mark.markup(chart);
-            Some((mu, Tab { at: 0.0, text: equation(name, value) }))
+            Some((frame_at(0.0, self.window).y(mu), equation(mark.markup(chart))))
         });
-        marks.collect()
+        let marks: Vec<(f64, String)> = marks.collect();
+        let tabs = |set: fn(&str, f64) -> Text| -> Vec<Tab> {
+            marks.iter().map(|(at, markup)| Tab { at: *at, text: set(markup, FORMULA) }).collect()
+        };
+        let built = tabs(Text::new);
+        if margins::is_crowded(&built) { tabs(Text::inline) } else { built }
     }
 
     /// The named points of the sheet, with their coordinates.
@@ -127,9 +133,14 @@ impl Drawing<'_> {
     }
 }
 
-fn equation(name: &str, value: &str) -> Text {
-    let markup = if value.is_empty() { format!("${name}$") } else { format!("${name} = {value}$") };
-    Text::new(&markup, FORMULA)
+/// A plot with its left edge at `left`.
+fn frame_at(left: f64, window: View) -> Frame {
+    Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window }
+}
+
+/// `name = value` in markup; the value may be empty.
+fn equation((name, value): (&str, &str)) -> String {
+    if value.is_empty() { format!("${name}$") } else { format!("${name} = {value}$") }
 }
 
 impl<'a> Draft<'a> {
@@ -224,12 +235,15 @@ impl<'a> Draft<'a> {
         }
         for point in &shown {
             let text = Text::new(&letter_markup(point.name), LETTER);
-            let place = self.canvas.board.beside(frame.at(point.k, point.mu), &text, 5.0);
-            self.canvas.place(&text, place, INK);
+            self.canvas.letter(&text, frame.at(point.k, point.mu));
         }
         for &(letter, line) in self.given.sheet.ends {
             let text = Text::new(&format!("${letter}$"), LETTER);
             self.at_edge(line, text);
+        }
+        if self.given.numbered && self.given.sheet.mu_marks.contains(&Mark::Asymptote) {
+            let text = Text::new(Line::Asymptote.formula(self.given.diagram.chart()), FORMULA);
+            self.at_edge(Line::Asymptote, text);
         }
     }
 
@@ -266,15 +280,13 @@ impl<'a> Draft<'a> {
             self.canvas.diamond(at(point));
         }
         for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
-            let text = Text::verbatim(point.label.trim(), FORMULA);
-            let place = self.canvas.board.beside(at(point), &text, 8.0);
-            if point.label.trim().is_empty() || self.canvas.place(&text, place, MARK) {
+            let label = point.label.trim();
+            if label.is_empty() || self.canvas.design_label(&Text::verbatim(label, FORMULA), at(point)) {
                 continue;
             }
             // No room for the name: a number, which the caption explains.
-            let text = Text::verbatim(&(i + 1).to_string(), FORMULA);
-            let place = self.canvas.board.beside(at(point), &text, 8.0);
-            if self.canvas.place(&text, place, MARK) {
+            let number = Text::verbatim(&(i + 1).to_string(), FORMULA);
+            if self.canvas.design_label(&number, at(point)) {
                 self.numbered.push(i);
             }
         }
@@ -328,7 +340,7 @@ impl<'a> Draft<'a> {
         let joined = [0.5, 0.7, 0.3].into_iter().find_map(|share| {
             let k = longest.from + share * (longest.to - longest.from);
             let to = self.canvas.board.frame.at(k, longest.curve.at(k));
-            self.canvas.board.near(to, (text.width, text.height()), 6, Lines::Avoid)
+            self.canvas.board.near(to, 0.0, (text.width, text.height()), 6, Lines::Avoid)
         });
         if let Some((rect, leader)) = joined {
             self.canvas.leader(&leader);
@@ -336,7 +348,9 @@ impl<'a> Draft<'a> {
             return;
         }
         let Some(short) = line.short() else {
-            if self.at_edge(line, text).is_some() {
+            // Where the line ends its letter stands, and the caption may speak of the line by its letters.
+            let is_lettered = self.given.sheet.ends.iter().any(|&(_, lettered)| lettered == line);
+            if is_lettered || self.at_edge(line, text).is_some() {
                 self.legend.push(format!("{}: {markup}", line.name(chart)));
             }
             return;
@@ -353,8 +367,8 @@ impl<'a> Draft<'a> {
         self.canvas.place(text, place, INK)
     }
 
-    /// Edges, caption, and the document.
-    fn finish(mut self) -> Figure {
+    /// The named values under the k axis; their formulas in the caption for want of room. Returns the y below.
+    fn k_marks(&mut self) -> f64 {
         let frame = self.canvas.board.frame;
         let chart = self.given.diagram.chart();
         let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
@@ -365,14 +379,24 @@ impl<'a> Draft<'a> {
         });
         let marks: Vec<_> = marks.collect();
         let tabs = |full: bool| {
-            let text = |&(name, value)| equation(name, if full { value } else { "" });
+            let text = |&(name, value)| Text::new(&equation((name, if full { value } else { "" })), FORMULA);
             marks.iter().map(|(at, markup)| Tab { at: *at, text: text(markup) }).collect()
         };
-        self.legend.extend(caption::hatching(self.given.hatched));
         let (bottom, full) = margins::under_k_axis(&mut self.canvas.scene, &frame, tabs(true), tabs(false));
         if !full {
-            self.legend.extend(marks.iter().map(|(_, (name, value))| format!("${name} = {value}$")));
+            self.legend.extend(marks.iter().map(|(_, markup)| equation(*markup)));
         }
+        bottom
+    }
+
+    /// Edges, caption, and the document.
+    fn finish(mut self, numbers: Option<Numbers>) -> Figure {
+        let frame = self.canvas.board.frame;
+        self.legend.extend(caption::hatching(self.given.hatched));
+        let bottom = match numbers {
+            Some(numbers) => numbers.draw(&mut self.canvas.scene, &frame),
+            None => self.k_marks(),
+        };
         let right = std::mem::take(&mut self.right);
         let right = margins::right_of(&mut self.canvas.scene, &frame, right).unwrap_or(frame.area.x1);
         margins::above(&mut self.canvas.scene, &frame, std::mem::take(&mut self.above));

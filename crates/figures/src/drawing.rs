@@ -21,4 +21,6 @@ pub(crate) struct Drawing<'a> {
     pub points: &'a [DesignPoint],
     /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
     pub hatched: &'a [Unresolved],
+    /// Whether the axes carry round numbers; if not, the sheet's named values.
+    pub numbered: bool,
 }

@@ -33,6 +33,23 @@ pub(crate) enum Lines {
     Avoid,
 }
 
+/// From a point to its letter: right and left above first.
+const DIRECTIONS: [(f64, f64); 8] =
+    [(1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)];
+/// Between them.
+const SLANTS: [(f64, f64); 8] =
+    [(1.0, -0.4), (-1.0, -0.4), (1.0, 0.4), (-1.0, 0.4), (0.4, -1.0), (-0.4, -1.0), (0.4, 1.0), (-0.4, 1.0)];
+
+/// Rectangles for a text around a point, at each distance in turn.
+fn places_around((x, y): (f64, f64), text: &Text, distances: &[f64], directions: &[(f64, f64)]) -> Vec<Rect> {
+    let place = |distance: f64, (dx, dy): (f64, f64)| {
+        let reach = if dx != 0.0 && dy != 0.0 { 0.75 * distance } else { distance };
+        let (cx, cy) = (x + dx * (reach + text.width / 2.0), y + dy * (reach + text.height() / 2.0));
+        Rect::around(cx, cy, text.width, text.height())
+    };
+    distances.iter().flat_map(|&distance| directions.iter().map(move |&way| place(distance, way))).collect()
+}
+
 /// Everything a label has to keep clear of.
 #[derive(Debug)]
 pub(crate) struct Board {
@@ -40,12 +57,14 @@ pub(crate) struct Board {
     pub arcs: Vec<Arc>,
     /// Vertical lines: x and the y they run between.
     pub verticals: Vec<(f64, f64, f64)>,
+    /// Letters of points: with a name close by on the same line they would read as one word.
+    pub letters: Vec<Rect>,
     boxes: Vec<Rect>,
 }
 
 impl Board {
     pub(crate) fn new(frame: Frame) -> Board {
-        Board { frame, arcs: Vec::new(), verticals: Vec::new(), boxes: Vec::new() }
+        Board { frame, arcs: Vec::new(), verticals: Vec::new(), letters: Vec::new(), boxes: Vec::new() }
     }
 
     /// Keeps later labels off a rectangle.
@@ -78,33 +97,32 @@ impl Board {
         self.off_boxes(rect, margin) && self.off_lines(rect, margin)
     }
 
-    /// A place for a point's letter: eight directions, near first; on a line rather than not at all.
-    pub(crate) fn beside(&self, (x, y): (f64, f64), text: &Text, gap: f64) -> Option<Rect> {
-        const DIRECTIONS: [(f64, f64); 8] = [
-            (1.0, -1.0),
-            (-1.0, -1.0),
-            (1.0, 1.0),
-            (-1.0, 1.0),
-            (0.0, -1.0),
-            (1.0, 0.0),
-            (-1.0, 0.0),
-            (0.0, 1.0),
-        ];
-        let candidates = |distance: f64| {
-            DIRECTIONS.map(|(dx, dy)| {
-                let reach = if dx != 0.0 && dy != 0.0 { 0.75 * distance } else { distance };
-                let (cx, cy) = (x + dx * (reach + text.width / 2.0), y + dy * (reach + text.height() / 2.0));
-                Rect::around(cx, cy, text.width, text.height())
-            })
+    /// Whether a region's name in a rectangle reads apart from the letters of points.
+    fn off_letters(&self, rect: &Rect) -> bool {
+        const APART: (f64, f64) = (22.0, 9.0);
+        let wide = Rect {
+            x0: rect.x0 - APART.0,
+            x1: rect.x1 + APART.0,
+            y0: rect.y0 - APART.1,
+            y1: rect.y1 + APART.1,
         };
-        let near = [gap, gap + 3.0, gap + 7.0];
-        let find = |distances: &[f64], fits: &dyn Fn(&Rect) -> bool| {
-            distances.iter().flat_map(|&distance| candidates(distance)).find(fits)
-        };
-        find(&near, &|rect| self.clear(rect, 1.2))
-            .or_else(|| find(&near, &|rect| self.off_boxes(rect, 1.2) && self.off_lines(rect, 0.2)))
-            .or_else(|| find(&[gap + 12.0], &|rect| self.clear(rect, 1.2)))
-            .or_else(|| find(&near, &|rect| self.off_boxes(rect, 1.0)))
+        !self.letters.iter().any(|letter| letter.overlaps(&wide))
+    }
+
+    /// A place next to a point, clear of everything: eight directions, near first, then flatter and steeper ones.
+    pub(crate) fn beside(&self, at: (f64, f64), text: &Text, gap: f64) -> Option<Rect> {
+        let near = places_around(at, text, &[gap, gap + 3.0, gap + 7.0], &DIRECTIONS);
+        let far = places_around(at, text, &[gap, gap + 3.0, gap + 7.0, gap + 12.0, gap + 16.0], &SLANTS);
+        let clear =
+            |margin: f64| move |rect: &&Rect| self.off_boxes(rect, 1.2) && self.off_lines(rect, margin);
+        let found = near.iter().find(clear(1.2)).or_else(|| far.iter().find(clear(1.2)));
+        found.or_else(|| near.iter().find(clear(0.2))).copied()
+    }
+
+    /// A place next to a point, on a line rather than not at all.
+    pub(crate) fn over(&self, at: (f64, f64), text: &Text, gap: f64) -> Option<Rect> {
+        let near = places_around(at, text, &[gap, gap + 3.0, gap + 7.0], &DIRECTIONS);
+        near.into_iter().find(|rect| self.off_boxes(rect, 1.0))
     }
 
     /// The place inside a region with enough room around it that is nearest to the region's middle, for a box of
@@ -128,7 +146,9 @@ impl Board {
         for (i, j) in places {
             let (x, y) = place(i, j);
             let rect = Rect::around(x, y, across, down);
-            let fits = |margin: f64| self.holds(pieces, &rect.grown(margin)) && self.clear(&rect, margin);
+            let apart = self.off_letters(&rect);
+            let fits =
+                |margin: f64| apart && self.holds(pieces, &rect.grown(margin)) && self.clear(&rect, margin);
             while fits(room) {
                 best = Some(rect);
                 if room >= ENOUGH {
@@ -226,10 +246,11 @@ impl Board {
     }
 
     /// Free paper for a rectangle of this size near a point, and the leader that joins the two: rings of candidates,
-    /// 12 pixels apart. The leader runs over no label and, if `lines` says so, over no line.
+    /// 12 pixels apart. The leader ends `reach` before the point, and runs over no label and, if `lines` says so, over no line.
     pub(crate) fn near(
         &self,
         to: (f64, f64),
+        reach: f64,
         size: (f64, f64),
         rings: u32,
         lines: Lines,
@@ -241,10 +262,14 @@ impl Board {
                 Rect::around(to.0 + across, to.1 + (radius + size.1 / 2.0) * angle.sin(), size.0, size.1)
             })
         };
-        let places = (1..=rings).flat_map(|step| ring(12.0 * f64::from(step)));
+        let places = (1..=rings).flat_map(|step| ring(reach + 12.0 * f64::from(step)));
         let joined = places.filter(|rect| self.clear(rect, 2.5)).map(|rect| {
-            let Rect { x0, y0, x1, y1 } = rect.grown(2.0);
-            (rect, Leader { from: (to.0.clamp(x0, x1), to.1.clamp(y0, y1)), to })
+            // Closer, a leader would lengthen the minus of a subscript.
+            let Rect { x0, y0, x1, y1 } = rect.grown(4.0);
+            let from = (to.0.clamp(x0, x1), to.1.clamp(y0, y1));
+            let share = reach / (from.0 - to.0).hypot(from.1 - to.1).max(reach).max(f64::MIN_POSITIVE);
+            let end = (to.0 + share * (from.0 - to.0), to.1 + share * (from.1 - to.1));
+            (rect, Leader { from, to: end })
         });
         let mut joined = joined
             .filter(|(_, leader)| !leader.dots().any(|dot| self.boxes.iter().any(|b| b.overlaps(&dot))));

@@ -18,9 +18,9 @@
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
-//! | Where does it lie on the page? | `plot`, `canvas`, `chart` (of a `drawing`), `inset` |
+//! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
-//! | How is it written down? | `text`, `font`, `scene`, `render` |
+//! | How is it written down? | `text`, `font`, `scene`, `render`, `pdf` |
 //! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
 //!
 //! All geometry is the library's: curves and points of [`standfast::initiation::Chart`], regions of [`Diagram`].
@@ -43,11 +43,14 @@ mod margins;
 mod number;
 pub mod outlines;
 mod palette;
+#[cfg(feature = "render")]
+mod pdf;
 mod plane;
 mod plot;
 #[cfg(feature = "render")]
 mod render;
 mod report;
+mod scale;
 mod scene;
 mod screen;
 mod sheet;
@@ -147,6 +150,7 @@ pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
         preface: "",
         points,
         hatched: if undecided { &unresolved } else { &[] },
+        numbered: true,
     }
     .figure()
 }

@@ -163,7 +163,8 @@ pub(crate) fn sheet(case: ChartCase) -> (&'static Sheet, &'static str) {
 /// The window of a diagram: A, unless it is at infinity or next to it, the other named points up to some times its distance, and all
 /// design points.
 pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
-    const FAR: f64 = 7.0;
+    // With points to be read off, what is far from them would squeeze them into the corner.
+    let far = if points.iter().any(DesignPoint::is_drawable) { 4.0 } else { 7.0 };
     let chart = diagram.chart();
     let unit = 1.0 / chart.gamma();
     let (k_a, k_d) = (chart.k_a(), chart.k_d());
@@ -174,7 +175,7 @@ pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
     let mut mu = 1.5 * base;
     let shown = diagram.chart().points().into_iter();
     for point in shown.filter(|point| point.name != PointName::F && point.name != PointName::CPrime) {
-        if point.k <= FAR * base && point.mu <= FAR * base {
+        if point.k <= far * base && point.mu <= far * base {
             k = k.max(1.28 * point.k);
             mu = mu.max(1.2 * point.mu);
         }

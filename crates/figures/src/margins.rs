@@ -1,14 +1,18 @@
 //! The labels around the plot: values under the k axis and beside the μ axis, letters and formulas at the ends of
-//! lines along the right and upper edges, the caption below.
+//! lines along the right and upper edges, the caption below. An axis has the report's named values or round numbers.
 
 use crate::labels::spread;
 use crate::palette::{FAINT, INK};
-use crate::plot::Frame;
+use crate::plot::{Frame, View};
+use crate::scale::Scale;
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
 const LEADER: Pen = Pen::solid(FAINT, 0.6);
 const TICK: Pen = Pen::solid(INK, 0.9);
+const SMALL_TICK: Pen = Pen::solid(INK, 0.6);
+/// The type size of an axis's numbers.
+pub(crate) const NUMBER: f64 = 12.5;
 
 /// A label that belongs to a place on an edge of the plot, given by x or y on the page.
 #[derive(Debug)]
@@ -64,12 +68,21 @@ pub(crate) fn under_k_axis(scene: &mut Scene, frame: &Frame, full: Vec<Tab>, sho
     (bottom, is_full)
 }
 
+/// Whether labels beside the μ axis would stand so close that fractions among them read as one.
+pub(crate) fn is_crowded(tabs: &[Tab]) -> bool {
+    const APART: f64 = 9.0;
+    let overlap = |one: &Tab, other: &Tab| {
+        (one.at - other.at).abs() < (one.text.height() + other.text.height()) / 2.0 + APART
+    };
+    tabs.iter().enumerate().any(|(i, tab)| tabs[i + 1..].iter().any(|other| overlap(tab, other)))
+}
+
 /// The width that labels beside the μ axis take.
 pub(crate) fn mu_width<'a>(tabs: impl Iterator<Item = &'a Tab>) -> f64 {
     tabs.fold(0.0, |m: f64, tab| m.max(tab.text.width)) + 17.0
 }
 
-/// Ticks and labels beside the μ axis. Labels of the same value share a place side by side.
+/// Ticks and labels beside the μ axis.
 pub(crate) fn beside_mu_axis(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) {
     let Rect { x0, y0, y1, .. } = frame.area;
     let tabs = sorted(tabs);
@@ -130,8 +143,11 @@ pub(crate) struct Axes {
     pub origin: &'static str,
 }
 
-/// The axes of the k–μ plane.
+/// The axes of the k–μ plane, as the report names them.
 pub(crate) const PLANE: Axes = Axes { right: "$k$", up: "$μ$", origin: "$O$" };
+/// The same with numbers, from the origin or from elsewhere.
+pub(crate) const NUMBERED: Axes = Axes { origin: "$0$", ..PLANE };
+pub(crate) const AWAY_FROM_ORIGIN: Axes = Axes { origin: "", ..PLANE };
 
 /// Axes with arrowheads, their names, and the origin.
 pub(crate) fn axes(scene: &mut Scene, frame: &Frame, names: &Axes) {
@@ -150,27 +166,53 @@ pub(crate) fn axes(scene: &mut Scene, frame: &Frame, names: &Axes) {
     scene.text_in(&origin, &rect, INK);
 }
 
-/// Round numbers above zero and up to `limit`, for the ticks of an axis: a few steps of 1, 2 or 5 times a power of ten.
-pub(crate) fn ticks(limit: f64) -> Vec<f64> {
-    const MOST: f64 = 7.0;
-    let power = 10f64.powf((limit / MOST).log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].map(|step| step * power).into_iter().find(|step| limit / step <= MOST);
-    let step = step.unwrap_or(limit);
-    let count = (limit / step * (1.0 + 1e-9)).floor() as u32;
-    (1..=count).map(|i| f64::from(i) * step).collect()
+/// The round numbers of both axes of a plot.
+pub(crate) struct Numbers {
+    across: Scale,
+    up: Scale,
 }
 
-/// Round numbers from `least` to `greatest`, at most `most` of them, and how many decimals tell them apart.
-pub(crate) fn ticks_between(least: f64, greatest: f64, most: f64) -> (Vec<f64>, usize) {
-    let range = greatest - least;
-    let exponent = (range / most).log10().floor();
-    let power = 10f64.powf(exponent);
-    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| range / (factor * power) <= most);
-    let (step, exponent) = factor.map_or((10.0 * power, exponent + 1.0), |factor| (factor * power, exponent));
-    let (first, last) = ((least / step - 1e-9).ceil(), (greatest / step + 1e-9).floor());
-    let count = (last - first).max(-1.0) as i64;
-    let ticks = (0..=count).map(|i| (first + i as f64) * step).collect();
-    (ticks, (-exponent).clamp(0.0, 12.0) as usize)
+impl Numbers {
+    /// As many as a plot of this width and height has room for.
+    pub(crate) fn of(window: &View, width: f64, height: f64) -> Numbers {
+        // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
+        let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
+        Numbers {
+            across: Scale::new(window.k_min, window.k_max, most(width, 52.0)),
+            up: Scale::new(window.mu_min, window.mu_max, most(height, 38.0)),
+        }
+    }
+
+    /// The width they take left of the plot.
+    pub(crate) fn width(&self) -> f64 {
+        let numbers = self.up.numbers().into_iter();
+        numbers.fold(0.0, |most: f64, mu| most.max(number(&self.up, mu).width)) + 17.0
+    }
+
+    /// Draws them, and smaller ticks between them. Returns the y below.
+    pub(crate) fn draw(&self, scene: &mut Scene, frame: &Frame) -> f64 {
+        let Rect { x0, y0, y1, .. } = frame.area;
+        for k in self.across.between() {
+            scene.line((frame.x(k), y1), (frame.x(k), y1 + 2.2), SMALL_TICK);
+        }
+        for mu in self.up.between() {
+            scene.line((x0 - 2.2, frame.y(mu)), (x0, frame.y(mu)), SMALL_TICK);
+        }
+        // The origin has one zero for both axes; a number at the very top would run into the name of the axis.
+        let is_origin = |value: f64| frame.window.is_from_origin() && value == 0.0;
+        let across = || {
+            let shown = self.across.numbers().into_iter().filter(|k| !is_origin(*k));
+            shown.map(|k| Tab { at: frame.x(k), text: number(&self.across, k) }).collect()
+        };
+        let up = self.up.numbers().into_iter().map(|mu| (mu, frame.y(mu)));
+        let up = up.filter(|(mu, y)| !is_origin(*mu) && *y > y0 + 6.0);
+        beside_mu_axis(scene, frame, up.map(|(mu, at)| Tab { at, text: number(&self.up, mu) }).collect());
+        under_k_axis(scene, frame, across(), across()).0
+    }
+}
+
+fn number(scale: &Scale, value: f64) -> Text {
+    Text::new(&scale.markup(value), NUMBER)
 }
 
 /// A paragraph between `left` and `right` with its first line's top at `top`; breaks at the spaces of words.

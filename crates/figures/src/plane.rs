@@ -10,7 +10,7 @@ use standfast::{Mode, Modes};
 use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL, also, shortened};
 use crate::labels::Lines;
-use crate::margins::{self, Axes, Tab};
+use crate::margins::{self, Axes, NUMBER, Numbers, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::palette::{INK, MARK, PAPER, symbol, tint};
 use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip_strips, level, outline};
@@ -20,9 +20,8 @@ use crate::{Figure, LoadPlane};
 
 const PLOT: (f64, f64) = (430.0, 310.0);
 const TOP: f64 = 42.0;
-const TICK: f64 = 12.5;
 const BOUNDARY: Pen = Pen::solid(INK, 1.3);
-const AXES: Axes = Axes { right: "", up: "$μ$", origin: "$0$" };
+const AXES: Axes = Axes { right: "", ..margins::NUMBERED };
 /// What counts as one load factor, as a share of the window: far below a pixel.
 const SAME: f64 = 1e-6;
 
@@ -52,15 +51,8 @@ pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
 
 fn drawn(given: &LoadPlane, across: f64, scene: Scene) -> Figure {
     let window = window(given);
-    let ticks = |limit: f64| margins::ticks(limit).into_iter().map(|at| (at, format!("${}$", digits(at))));
-    let tab = |at: f64, markup: &str| Tab { at, text: Text::new(markup, TICK) };
-    // A tick at the very top has no room for its number.
-    let top = window.mu_max * (1.0 - 6.0 / PLOT.1);
-    let mu_ticks: Vec<_> = ticks(window.mu_max)
-        .filter(|(mu, _)| *mu < top)
-        .map(|(mu, markup)| (mu, tab(0.0, &markup)))
-        .collect();
-    let left = margins::mu_width(mu_ticks.iter().map(|(_, tab)| tab)).max(34.0) + 6.0;
+    let numbers = Numbers::of(&window, across, PLOT.1);
+    let left = numbers.width().max(34.0) + 6.0;
     let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + across, y1: TOP + PLOT.1 }, window };
     let areas = areas(given, &window);
     let mut canvas = Canvas::new(frame);
@@ -71,20 +63,20 @@ fn drawn(given: &LoadPlane, across: f64, scene: Scene) -> Figure {
     }
     boundaries(&mut canvas, given, &areas);
     margins::axes(&mut canvas.scene, &frame, &AXES);
-    let tabs = mu_ticks.into_iter().map(|(mu, tab)| Tab { at: frame.y(mu), ..tab }).collect();
-    margins::beside_mu_axis(&mut canvas.scene, &frame, tabs);
+    let below = numbers.draw(&mut canvas.scene, &frame);
     let path = LoadPath::of(given, window.k_max);
     path.draw(&mut canvas);
     for area in &areas {
         canvas.name(&area.pieces, symbol(area.mode), 15.5, None);
     }
 
-    let tabs = || ticks(window.k_max).map(|(at, markup)| tab(frame.x(at), &markup)).collect();
-    let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, tabs(), tabs());
     let name = Text::new("load factor $λ$", 13.5);
     let baseline = below + 8.0 + name.ascent;
     canvas.scene.text(&name, (frame.area.x0 + frame.area.x1 - name.width) / 2.0, baseline, INK);
-    let right = path.friction.map(|mu| tab(frame.y(mu), &format!("$μ = {}$", digits(mu))));
+    let right = path.friction.map(|mu| {
+        let text = Text::new(&format!("$μ = {}$", digits(mu)), NUMBER);
+        Tab { at: frame.y(mu), text }
+    });
     let right = margins::right_of(&mut canvas.scene, &frame, right.into_iter().collect());
 
     let width = (right.unwrap_or(frame.area.x1) + 12.0).max(frame.area.x1 + 46.0);
@@ -272,9 +264,7 @@ impl LoadPath {
         }
         canvas.board.reserve(Rect { x0, y0: y - 2.0, x1, y1: y + 2.0 });
         for (at, pair) in self.changes() {
-            // A change of the modes beside the one reported is a smaller event.
-            let reach = if pair[0].mode == pair[1].mode { 3.5 } else { 6.5 };
-            let at = x(at);
+            let (at, reach) = (x(at), reach(&frame, at, pair));
             canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(PAPER, 3.6));
             canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(MARK, 1.6));
             canvas.board.reserve(Rect::around(at, y, 3.0, 2.0 * reach + 1.0));
@@ -291,12 +281,13 @@ impl LoadPath {
         let frame = canvas.board.frame;
         let (lesser, greater): (Vec<_>, Vec<_>) =
             self.changes().partition(|(_, pair)| pair[0].mode == pair[1].mode);
-        for (at, _) in greater.into_iter().chain(lesser) {
-            let text = Text::new(&self.number(at), TICK);
+        for (at, pair) in greater.into_iter().chain(lesser) {
+            let tip = reach(&frame, at, pair) + 3.0;
+            let text = Text::new(&self.number(at), NUMBER);
             let (x, size) = (frame.x(at), (text.width, text.height()));
             let ways = [0.0, 1.0, -1.0].into_iter().flat_map(|across| [-1.0, 1.0].map(|down| (across, down)));
             let places = ways.map(|(across, down)| {
-                let centre = y + down * (10.0 + text.height() / 2.0);
+                let centre = y + down * (tip + text.height() / 2.0);
                 Rect::around(x + across * (4.0 + text.width / 2.0), centre, size.0, size.1)
             });
             let clear = places.clone().find(|rect| canvas.board.clear(rect, 1.8));
@@ -304,8 +295,8 @@ impl LoadPath {
                 continue;
             }
             // From either end of the tick.
-            let tips = [-1.0, 1.0].map(|down| (x, y + down * 9.0));
-            let joined = tips.into_iter().find_map(|tip| canvas.board.near(tip, size, 8, Lines::Cross));
+            let tips = [-1.0, 1.0].map(|down| (x, y + down * tip));
+            let joined = tips.into_iter().find_map(|tip| canvas.board.near(tip, 0.0, size, 8, Lines::Cross));
             if let Some((rect, leader)) = joined {
                 canvas.leader(&leader);
                 canvas.place(&text, Some(rect), MARK);
@@ -318,7 +309,7 @@ impl LoadPath {
         let frame = canvas.board.frame;
         for stage in &self.stages {
             let Some(mode) = stage.mode else { continue };
-            let text = Text::new(symbol(mode), TICK);
+            let text = Text::new(symbol(mode), NUMBER);
             let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k_max)));
             let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
             let mut places =
@@ -361,6 +352,15 @@ impl LoadPath {
         }
         caption
     }
+}
+
+/// How far a tick reaches to either side of the path. A change of the modes beside the one reported is a smaller event;
+/// the diamond of the full load must not hide a tick.
+fn reach(frame: &Frame, at: f64, pair: &[Stage]) -> f64 {
+    const DIAMOND: f64 = 5.2;
+    let reach = if pair[0].mode == pair[1].mode { 3.5 } else { 6.5 };
+    let is_under = frame.window.k_max >= 1.0 && (frame.x(at) - frame.x(1.0)).abs() < DIAMOND + 2.0;
+    if is_under { reach + DIAMOND } else { reach }
 }
 
 /// The figure in words.

@@ -27,6 +27,10 @@ impl View {
         View { k_min: 0.0, k_max: k, mu_min: 0.0, mu_max: mu }
     }
 
+    pub(crate) fn is_from_origin(&self) -> bool {
+        self.k_min == 0.0 && self.mu_min == 0.0
+    }
+
     pub(crate) fn width(&self) -> f64 {
         self.k_max - self.k_min
     }

@@ -1,4 +1,4 @@
-//! PNG and PDF from the SVG.
+//! PNG from the SVG, and what may go wrong there and in the PDF.
 
 use resvg::{tiny_skia, usvg};
 
@@ -44,17 +44,7 @@ impl Figure {
         canvas.encode_png().map_err(|error| RenderError::Png(error.to_string()))
     }
 
-    /// The figure as a PDF page of its own size; a unit of the SVG is 0.75 pt.
-    ///
-    /// # Errors
-    /// If the writer fails; no figure of this crate makes it fail.
-    pub fn pdf(&self) -> Result<Vec<u8>, RenderError> {
-        let page = svg2pdf::PageOptions { dpi: 96.0 };
-        svg2pdf::to_pdf(&self.tree()?, svg2pdf::ConversionOptions::default(), page)
-            .map_err(|error| RenderError::Pdf(error.to_string()))
-    }
-
-    fn tree(&self) -> Result<usvg::Tree, RenderError> {
+    pub(crate) fn tree(&self) -> Result<usvg::Tree, RenderError> {
         usvg::Tree::from_str(&self.svg, &usvg::Options::default())
             .map_err(|error| RenderError::Svg(error.to_string()))
     }

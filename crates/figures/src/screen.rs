@@ -10,7 +10,7 @@ use standfast::{Diagram, Mode};
 use crate::canvas::Canvas;
 use crate::chart::Draft;
 use crate::drawing::Drawing;
-use crate::margins::{self, Axes, Tab};
+use crate::margins::{self, NUMBER, Numbers};
 use crate::number;
 use crate::palette::INK;
 use crate::plot::{Frame, View, clip};
@@ -140,9 +140,6 @@ const LEFT: f64 = 54.0;
 const RIGHT: f64 = 46.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 44.0;
-const TICK: f64 = 12.5;
-const AXES: Axes = Axes { right: "$k$", up: "$μ$", origin: "" };
-const FROM_ORIGIN: Axes = Axes { origin: "$0$", ..AXES };
 
 /// The map of all modes, or a chart of the report, in a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,7 +184,7 @@ impl Map<'_> {
             arcs.into_iter().map(|arc| {
                 let k = |i: usize| arc.from + (arc.to - arc.from) * i as f64 / (count.max(2) - 1) as f64;
                 let points = (0..count.max(2)).map(|i| (k(i), arc.curve.at(k(i)))).collect();
-                (Text::inline(trace.line.formula(chart), TICK).plain, points)
+                (Text::inline(trace.line.formula(chart), NUMBER).plain, points)
             })
         });
         traces.collect()
@@ -228,6 +225,7 @@ impl Map<'_> {
             preface: "",
             points: point.map_or(&[], std::slice::from_ref),
             hatched: &unresolved,
+            numbered: true,
         };
         let area = Rect {
             x0: LEFT,
@@ -241,7 +239,12 @@ impl Map<'_> {
         let mut draft = Draft::new(&drawing, canvas);
         draft.tints();
         draft.traces();
-        axes(&mut draft.canvas.scene, &frame);
+        let scene = &mut draft.canvas.scene;
+        let names = if view.is_from_origin() { &margins::NUMBERED } else { &margins::AWAY_FROM_ORIGIN };
+        margins::axes(scene, &frame, names);
+        Numbers::of(view, area.x1 - area.x0, area.y1 - area.y0).draw(scene, &frame);
+        let name = Text::new("force $k = F/(mg)$", NUMBER);
+        scene.text(&name, area.x1 - name.width, area.y1 + 36.0, INK);
         draft.marks();
         let scene = &mut draft.canvas.scene;
         // A formula too long for the margin is left out; a letter or a short name is not.
@@ -260,44 +263,11 @@ impl Map<'_> {
 }
 
 fn named_points(drawing: &Drawing) -> String {
-    let digits = |value: f64| Text::inline(&format!("${}$", number::digits(value)), TICK).plain;
+    let digits = |value: f64| Text::inline(&format!("${}$", number::digits(value)), NUMBER).plain;
     let point = |point: standfast::initiation::NamedPoint| {
         format!("{} ({}, {})", point.name.letter().replace('\'', "′"), digits(point.k), digits(point.mu))
     };
     format!("Named points: {}.", drawing.named().map(point).collect::<Vec<_>>().join(", "))
-}
-
-/// Axes with numbers.
-fn axes(scene: &mut Scene, frame: &Frame) {
-    let Rect { x0, y0, x1, y1 } = frame.area;
-    let View { k_min, k_max, mu_min, mu_max } = frame.window;
-    let from_origin = k_min == 0.0 && mu_min == 0.0;
-    margins::axes(scene, frame, if from_origin { &FROM_ORIGIN } else { &AXES });
-    // The origin has one zero for both axes; a number at the very top would run into the name of the axis.
-    let shown = |value: f64, end: f64| !(from_origin && value.abs() < 1e-12) && value < end;
-    // A number takes about 50 units across, and 34 up.
-    let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
-    let (ks, decimals) = margins::ticks_between(k_min, k_max, most(x1 - x0, 62.0));
-    let tabs = || {
-        let shown = ks.iter().filter(|k| shown(**k, f64::INFINITY));
-        shown.map(|&k| Tab { at: frame.x(k), text: fixed(k, decimals) }).collect::<Vec<_>>()
-    };
-    margins::under_k_axis(scene, frame, tabs(), tabs());
-    let (mus, decimals) = margins::ticks_between(mu_min, mu_max, most(y1 - y0, 44.0));
-    let tab = |mu: f64| Tab { at: frame.y(mu), text: fixed(mu, decimals) };
-    let top = mu_max - 6.0 / (y1 - y0) * (mu_max - mu_min);
-    margins::beside_mu_axis(scene, frame, mus.into_iter().filter(|mu| shown(*mu, top)).map(tab).collect());
-    let name = Text::new("force $k = F/(mg)$", TICK);
-    scene.text(&name, x1 - name.width, y1 + 36.0, INK);
-}
-
-/// A number of an axis.
-pub(crate) fn fixed(number: f64, decimals: usize) -> Text {
-    let number = if number.abs() < 1e-12 { 0.0 } else { number };
-    if number.abs() >= 1e5 || decimals > 5 {
-        return Text::new(&format!("${}$", number::digits(number)), TICK);
-    }
-    Text::new(&format!("${number:.decimals$}$").replace('-', "−"), TICK)
 }
 
 /// The tint of a mode as CSS, for legends beside a picture.

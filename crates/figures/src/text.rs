@@ -132,6 +132,7 @@ impl Text {
     fn mathematics(&mut self, source: &str, size: f64, drop: f64, spaced: bool) {
         let mut before = Before::Nothing;
         let mut previous = None;
+        let mut in_bars = false;
         let mut rest = source;
         while let Some(character) = rest.chars().next() {
             let tail = &rest[character.len_utf8()..];
@@ -160,6 +161,11 @@ impl Text {
                     before = Before::Ordinary;
                 }
                 ' ' => rest = tail,
+                '|' => {
+                    in_bars = !in_bars;
+                    before = self.bar(in_bars, before, size, drop);
+                    rest = tail;
+                }
                 _ => {
                     before = self.character(character, before, size, drop, spaced);
                     rest = tail;
@@ -169,12 +175,22 @@ impl Text {
         }
     }
 
+    /// A bar of an absolute value, kept off its neighbours by thin spaces, or |k′| would read as letters.
+    fn bar(&mut self, opens: bool, before: Before, size: f64, drop: f64) -> Before {
+        const THIN: f64 = 0.07;
+        let behind_letter = !opens || before == Before::Ordinary;
+        self.width += if behind_letter { THIN * size } else { 0.0 };
+        self.plain.push('|');
+        self.glyph(Face::Upright, '|', size, drop);
+        self.width += THIN * size;
+        if opens { Before::Nothing } else { Before::Ordinary }
+    }
+
     fn character(&mut self, character: char, before: Before, size: f64, drop: f64, spaced: bool) -> Before {
         let face = if character.is_alphabetic() && character != 'Δ' { Face::Italic } else { Face::Upright };
         let (space, after) = match character {
             '=' | '<' | '>' | '≤' | '≥' => (0.26, Before::Operator),
             '+' | '−' | '×' if before == Before::Ordinary => (0.16, Before::Operator),
-            '(' | '|' if before != Before::Ordinary => (0.0, Before::Nothing),
             '(' | '/' | ',' | '+' | '−' => (0.0, Before::Nothing),
             _ => (0.0, Before::Ordinary),
         };
@@ -328,6 +344,15 @@ mod tests {
         let [unary, binary] = ["$−1$", "$k−1$"].map(|m| Text::new(m, 10.0));
         let k = Text::new("$k$", 10.0);
         assert!((binary.width - unary.width - k.width - 3.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn bars_keep_off_their_neighbours() {
+        let width = |markup: &str| Text::new(markup, 10.0).width;
+        let bar = Face::Upright.glyph('|').advance / 100.0;
+        assert!((width("$k|k′|$") - width("$k$") - width("$k′$") - 2.0 * bar - 4.0 * 0.7).abs() < 1e-9);
+        assert_eq!(Text::new("$k|k′|$", 10.0).plain, "k|k′|");
+        assert_eq!(Text::new("$−|a|k + b$", 10.0).plain, "−|a|k + b");
     }
 
     #[test]

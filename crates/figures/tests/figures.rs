@@ -1,7 +1,7 @@
 //! What a figure is beside its drawing: words, names, colours.
 
 use standfast::Diagram;
-use standfast_figures::{DesignPoint, FigureId, diagram, report_figure};
+use standfast_figures::{DesignPoint, Figure, FigureId, Rect, diagram, report_figure};
 
 #[test]
 fn the_description_puts_modes_and_points_in_words() {
@@ -89,4 +89,55 @@ fn every_figure_says_what_its_specification_asks() {
         }
     }
     assert!(missing.is_empty(), "{}", missing.join("\n"));
+}
+
+/// The numbers along an axis, as (value, place on the page), from the labels that stand in a row or a column.
+fn numbers(figure: &Figure, across: bool) -> Vec<(f64, f64)> {
+    let (_, height) = figure.size();
+    let numbers = figure.labels().iter().filter_map(|label| Some((label.text.parse().ok()?, label.rect)));
+    let all: Vec<(f64, Rect)> = numbers.filter(|(value, _)| *value > 0.0).collect();
+    // Those of the k axis stand lower than all others that are not in the caption.
+    let lowest = all.iter().map(|(_, rect)| rect.y1).filter(|y| *y < height).fold(0.0, f64::max);
+    let place = |(value, rect): &(f64, Rect)| {
+        let (x, y) = rect.centre();
+        (*value, if across { x } else { y })
+    };
+    all.iter().filter(|(_, rect)| (rect.y1 > lowest - 1.0) == across).map(place).collect()
+}
+
+/// The value at a place, by the two numbers farthest apart.
+fn read_off(numbers: &[(f64, f64)], place: f64) -> f64 {
+    let ((first, from), (last, to)) = (numbers[0], numbers[numbers.len() - 1]);
+    first + (place - from) / (to - from) * (last - first)
+}
+
+#[test]
+fn a_point_can_be_read_off_the_numbers_of_the_axes() {
+    for (gamma, k_prime, k, mu) in
+        [(0.8, 0.9167, 0.728, 0.6), (3.0, 0.8, 0.3, 0.1), (1.0, -0.6, 1.9, 1.2), (1.2, -1.7, 0.03, 2.0)]
+    {
+        let body = Diagram::new(gamma, k_prime).expect("a valid body");
+        let figure = diagram(&body, &[DesignPoint { k, mu, label: "storm".into(), mirrored: false }]);
+        let (ks, mus) = (numbers(&figure, true), numbers(&figure, false));
+        assert!(ks.len() >= 3 && mus.len() >= 3, "{ks:?} {mus:?} in {:?}", figure.title());
+        // The diamond's path begins at its upper tip.
+        let diamond = figure.svg().split_once("\" fill=\"#a3123f\"/>").expect("a diamond").0;
+        let tip = diamond.rsplit_once("d=\"M").expect("a path").1.split_once('L').expect("a line").0;
+        let (x, y) = tip.split_once(' ').expect("two numbers");
+        let (x, y): (f64, f64) = (x.parse().expect("x"), y.parse().expect("y"));
+        let read = (read_off(&ks, x), read_off(&mus, y + 5.2));
+        // A pixel of some 400 by 310; numbers are set by the middle of their ink.
+        let (wide, high) =
+            (1.5 * ks[ks.len() - 1].0 / 300.0, 1.5 * mus[0].0.max(mus[mus.len() - 1].0) / 200.0);
+        assert!((read.0 - k).abs() < wide, "k = {k} is read as {} in {:?}", read.0, figure.title());
+        assert!((read.1 - mu).abs() < high, "μ = {mu} is read as {} in {:?}", read.1, figure.title());
+    }
+}
+
+#[test]
+fn the_report_s_axes_have_no_numbers() {
+    for id in FigureId::ALL {
+        let figure = report_figure(id);
+        assert_eq!(numbers(&figure, true).len() + numbers(&figure, false).len(), 0, "{id}");
+    }
 }

@@ -132,3 +132,85 @@ fn a_minus_is_never_a_hyphen() {
         }
     }
 }
+
+#[test]
+fn what_a_point_is_called_keeps_off_the_line_of_sliding() {
+    for (slenderness, k_prime) in [(0.7, 0.23), (1.17, 0.17), (2.0, 0.5), (1.0, -0.6), (0.7, -3.9)] {
+        let body = Diagram::new(slenderness, k_prime).expect("a valid body");
+        let k_a = body.chart().k_a();
+        for share in [0.3, 0.45, 0.6, 0.8] {
+            for aside in [-0.1, -0.04, 0.04, 0.1] {
+                let (k, mu) = ((share + aside) * k_a, (share - aside) * k_a);
+                let point = DesignPoint { k, mu, label: "full load".into(), mirrored: false };
+                let figure = diagram(&body, &[point]);
+                let label = figure.labels().iter().find(|label| label.text == "full load");
+                let rect = label.unwrap_or_else(|| panic!("no name in {:?}", figure.title())).rect;
+                // The line through the origin and A, from their places on the page.
+                let dot = |name: &str| {
+                    let circle = figure.svg().split("<circle cx=\"").nth(1).expect(name);
+                    let (x, rest) = circle.split_once("\" cy=\"").expect(name);
+                    (number(x), number(rest.split_once('"').expect(name).0))
+                };
+                let (a, origin) = (dot("A"), origin(&figure));
+                let y = |x: f64| origin.1 + (x - origin.0) / (a.0 - origin.0) * (a.1 - origin.1);
+                let crosses = rect.x0 < a.0 && y(rect.x0) > rect.y0 && y(rect.x1.min(a.0)) < rect.y1;
+                assert!(!crosses, "{rect:?} lies on μ = k in {:?} with {k}, {mu}", figure.title());
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_of_crowded_points_are_told_apart() {
+    let body = Diagram::new(2.0, 0.3).expect("a valid body");
+    let points: Vec<_> = [0.2, 0.2165]
+        .iter()
+        .map(|&k| DesignPoint { k, mu: 0.3, label: "W".repeat(60), mirrored: false })
+        .collect();
+    let figure = diagram(&body, &points);
+    let numbers: Vec<_> =
+        figure.labels().iter().filter(|label| ["1", "2"].contains(&label.text.as_str())).collect();
+    assert_eq!(numbers.len(), 2, "{numbers:?}");
+    for (i, one) in numbers.iter().enumerate() {
+        for other in &numbers[i + 1..] {
+            let apart = (other.rect.x0 - one.rect.x1).max(one.rect.x0 - other.rect.x1);
+            let level = one.rect.y0 < other.rect.y1 && other.rect.y0 < one.rect.y1;
+            assert!(!level || apart > 4.0, "{one:?} {other:?}");
+        }
+    }
+}
+
+fn number(text: &str) -> f64 {
+    text.parse().expect("a number")
+}
+
+/// Where the axes meet: the k axis is the longest level line of their weight.
+fn origin(figure: &Figure) -> (f64, f64) {
+    let axis = figure.svg().lines().find(|line| line.contains("stroke-width=\"1.1\"")).expect("an axis");
+    let start = axis.split_once("d=\"M").expect("a path").1.split_once('L').expect("a line").0;
+    let (x, y) = start.split_once(' ').expect("two numbers");
+    (number(x), number(y))
+}
+
+/// `D SRO₋` and `D Slide-rock` would read as one name.
+#[test]
+fn names_of_regions_read_apart_from_letters() {
+    for id in FigureId::ALL {
+        let figure = report_figure(id);
+        let is_letter = |text: &str| text.trim_end_matches(['′', '″']).chars().count() == 1;
+        let is_name =
+            |text: &str| ["RE", "SL", "RO", "SRO", "Re", "Sl", "Ro"].iter().any(|s| text.starts_with(s));
+        let (letters, names): (Vec<_>, Vec<_>) = figure
+            .labels()
+            .iter()
+            .filter(|label| is_letter(&label.text) || is_name(&label.text))
+            .partition(|label| is_letter(&label.text));
+        for name in names {
+            let side_by_side = letters.iter().find(|letter| {
+                let level = letter.rect.y0 < name.rect.y1 && name.rect.y0 < letter.rect.y1;
+                level && letter.rect.x0 < name.rect.x1 + 15.0 && name.rect.x0 < letter.rect.x1 + 15.0
+            });
+            assert_eq!(side_by_side, None, "{:?} in {:?}", name.text, figure.title());
+        }
+    }
+}

@@ -244,6 +244,26 @@ fn load_factors_that_nearly_agree_are_told_apart() {
     );
 }
 
+/// The diamond of the full load reaches 5.2 units up and down; a tick under it is seen beyond, and its number too.
+#[test]
+fn a_tick_is_seen_beside_the_diamond() {
+    let stage = |from, to, mode| Stage { from, to, mode: Some(mode), modes: [mode].into_iter().collect() };
+    let ticks = |at: f64| -> f64 {
+        let stages = [stage(0.0, at, Mode::Rest), stage(at, 2.0, Mode::SlideLeft)];
+        let figure =
+            load_plane(&LoadPlane { regions: &[], up_to: 2.0, friction: 0.6, stages: &stages, title: "" });
+        assert_tidy(&figure);
+        assert!(figure.labels().iter().any(|label| label.text == at.to_string()), "{at} is not at its tick");
+        let tick = figure.svg().lines().find(|line| line.contains("stroke=\"#a3123f\" stroke-width=\"1.6\""));
+        let path =
+            tick.expect("a tick").split_once("d=\"M").expect("a path").1.split_once('"').expect("its end").0;
+        let ends: Vec<f64> = path.split(['L', ' ']).map(|number| number.parse().expect("a number")).collect();
+        (ends[3] - ends[1]) / 2.0
+    };
+    assert!(ticks(0.995) > 5.2 + 4.0 && ticks(1.01) > 5.2 + 4.0);
+    assert!((ticks(1.3) - 6.5).abs() < 1e-9);
+}
+
 /// Mirrored loads give mirrored modes in the tints of the partners the report has.
 #[test]
 fn a_force_to_the_right_has_the_same_lines() {

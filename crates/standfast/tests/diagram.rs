@@ -5,7 +5,7 @@ mod common;
 use std::ops::Range;
 
 use common::{Boundary, Random, tries};
-use standfast::initiation::{Bounds, Chart, ChartCase, PointName, enumerate};
+use standfast::initiation::{Bounds, Chart, ChartCase, Crossing, PointName, enumerate};
 use standfast::{Diagram, Mode, Modes, Point};
 
 /// Bodies and elevations of every case, thresholds and special values included.
@@ -338,6 +338,61 @@ fn a_point_lies_between_its_bounds() {
             assert!(above.is_none_or(|crossing| crossing.at >= value * (1.0 - 1e-9)), "{point:?} {above:?}");
             assert!(below.is_none_or(|crossing| crossing.to == point.mode()), "{point:?} {below:?}");
             assert!(above.is_none_or(|crossing| crossing.from == point.mode()), "{point:?} {above:?}");
+        }
+    }
+}
+
+/// Where μ* is level to the last digits, the force at which it is crossed cannot be computed in floating point; it is
+/// located all the same.
+#[test]
+fn a_crossing_of_a_level_curve_is_found() {
+    let given = [4.655584828409483, 0.34871240981731433, 0.15925988661319604];
+    let [gamma, k_prime, mu] = given;
+    let margins = Point::new(gamma, k_prime, 1.0, mu).unwrap().margins();
+    // k = (dμ − b)/(a − cμ) in rational arithmetic.
+    let last = margins.along_k.last().unwrap();
+    assert_eq!((last.from, last.to), (Mode::RockO, Mode::SlideRockOLeft), "{margins:?}");
+    assert!((last.at - 0.702372142703078).abs() <= 1e-12, "{margins:?}");
+
+    let mut random = Random(38);
+    let mut beyond_a: u32 = 0;
+    for i in 0..tries(20_000) {
+        let gamma = random.uniform(0.8, 5.0);
+        let level = (1.0 + gamma * gamma) / (3.0 * gamma * gamma);
+        let shares = [0.0, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6];
+        let k_prime = level * (1.0 + random.pick(&shares) * random.uniform(-1.0, 1.0));
+        let k_a = Chart::new(gamma, k_prime).unwrap().k_a();
+        let mu = [random.nudge(k_a), k_a * (1.0 + random.pick(&shares) * random.uniform(-1.0, 1.0))]
+            [usize::from(i % 2 == 0)];
+        let point = Point::new(gamma, k_prime, random.uniform(0.0, 3.0), mu).unwrap();
+        let margins = point.margins();
+        assert_located(&margins.along_k, |k| Point::new(gamma, k_prime, k, mu).unwrap().mode());
+        let k = point.k();
+        assert_located(&margins.along_mu, |mu| Point::new(gamma, k_prime, k, mu).unwrap().mode());
+        beyond_a += u32::from(margins.along_k.iter().any(|crossing| crossing.at > 1.01 * k_a));
+    }
+    assert!(beyond_a > tries(20_000) / 10, "{beyond_a} crossings away from A");
+}
+
+/// The mode is that of the list between its crossings and next to each, as near as crossings are told apart.
+fn assert_located(crossings: &[Crossing], mode: impl Fn(f64) -> Mode) {
+    const ASIDE: f64 = 1e-11;
+    for (i, crossing) in crossings.iter().enumerate() {
+        let before = i.checked_sub(1).map_or(0.0, |before| crossings[before].at);
+        assert!(before <= crossing.at, "{crossings:?}");
+        assert!(i == 0 || crossings[i - 1].to == crossing.from, "{crossings:?}");
+        if crossing.at - before <= 4.0 * ASIDE * crossing.at {
+            continue;
+        }
+        let from = if i == 0 { 0.0 } else { before * (1.0 + ASIDE) };
+        let to = crossing.at * (1.0 - ASIDE);
+        for value in [from, from + 0.01 * (to - from), (from + to) / 2.0, to] {
+            assert_eq!(mode(value), crossing.from, "at {value}: {crossings:?}");
+        }
+    }
+    if let Some(last) = crossings.last() {
+        for value in [last.at * (1.0 + ASIDE), 1.5 * last.at, 1e3 * last.at] {
+            assert_eq!(mode(value), last.to, "at {value}: {crossings:?}");
         }
     }
 }

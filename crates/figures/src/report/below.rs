@@ -5,7 +5,7 @@ use standfast::initiation::PointName;
 
 use super::{Content, Entry, Sample, entry};
 use crate::map::{DELTA_NOT_POSITIVE, DELTA_POSITIVE};
-use crate::sheet::At::{A, D, F, Far, Pole, Zero};
+use crate::sheet::At::{A, BPrime, D, F, Far, Pole, Zero};
 use crate::sheet::Line::{Diagonal, Lower, Middle, MuStar, MuStarStar, Upper, VerticalA};
 use crate::sheet::Style::{Dashed, Dotted, Solid, Thin};
 use crate::sheet::{Mark, Naming, Note, Part, Sheet, Trace, trace};
@@ -71,6 +71,16 @@ const ROCK_A: Sheet = Sheet {
 
 const SLIDE_ROCK_A: Sheet = Sheet {
     shaded: &[Part::Whole(SlideRockOLeft), Part::Unresolved(SlideRockOLeft)],
+    // Solid lines would cover the lens that they bound.
+    traces: &[
+        OA,
+        AE,
+        trace(Upper, A, BPrime, Thin),
+        trace(Upper, BPrime, Far, Solid),
+        DC,
+        trace(MuStar, A, BPrime, Thin),
+        trace(MuStar, BPrime, Far, Solid),
+    ],
     naming: Naming::Symbols,
     ..ROCK_A
 };
@@ -97,6 +107,7 @@ const ABOUT_O_PRIME_B: Sheet = Sheet {
 
 const ABOUT_O_PRIME_A: Sheet = Sheet {
     points: &[PointName::A, PointName::BPrime, PointName::D, PointName::F],
+    ends: &[("B", Upper), ("μ*", MuStar), ("C", Lower)],
     mu_marks: &[Mark::Of(PointName::A), Mark::Of(PointName::BPrime)],
     lens: true,
     ..ABOUT_O_PRIME_B
@@ -115,7 +126,7 @@ pub(super) const FIGURES: [Entry; 11] = [
         "Rock region (about $O$), $|k′| < (1+γ^2)/(4+γ^2)$, before resolution",
         ROCK_A,
         LENS,
-        (9.0, 4.9),
+        (7.9, 4.2),
     ),
     entry(
         "4.4b",
@@ -129,7 +140,7 @@ pub(super) const FIGURES: [Entry; 11] = [
         r"Slide-rock region (about $O$, $\ddot{x}_O < 0$), $|k′| < (1+γ^2)/(4+γ^2)$, before resolution",
         SLIDE_ROCK_A,
         LENS,
-        (9.0, 4.9),
+        (7.9, 4.2),
     ),
     entry(
         "4.5b",

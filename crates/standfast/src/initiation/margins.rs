@@ -8,7 +8,7 @@ use crate::region::Curve;
 /// A change of mode along a line of the k–μ plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crossing {
-    /// The critical value of the quantity that varies.
+    /// The critical value of the quantity that varies, right to 1e-12 of itself.
     pub at: f64,
     /// The mode just below it; at zero, the mode there.
     pub from: Mode,
@@ -80,16 +80,17 @@ impl Margins {
 }
 
 fn bounds(crossings: &[Crossing], value: f64, mode: Mode) -> Bounds {
-    // A crossing within rounding of the value lies below it if it leads into the point's mode.
-    let near = |at: f64| (at - value).abs() <= NEAR * value;
-    let is_below =
-        |crossing: &Crossing| if near(crossing.at) { crossing.to == mode } else { crossing.at < value };
+    // One at the value itself lies below it if it leads into the point's mode.
+    let is_below = |crossing: &Crossing| crossing.at < value || crossing.at == value && crossing.to == mode;
     let above = crossings.iter().position(|crossing| !is_below(crossing)).unwrap_or(crossings.len());
     Bounds { below: above.checked_sub(1).map(|below| crossings[below]), above: crossings.get(above).copied() }
 }
 
 /// Two values of k or μ that are this close, relatively, may be one crossing computed in two ways.
 const NEAR: f64 = 16.0 * f64::EPSILON;
+
+/// How far on either side of a crossing, relatively, its modes are asked for: farther off, what was computed is not it.
+const ASIDE: f64 = 1e-12;
 
 /// Every curve that bounds a region of this chart, the vertical at A excepted.
 fn boundary_curves(chart: &Chart) -> Vec<Curve> {
@@ -102,13 +103,13 @@ fn boundary_curves(chart: &Chart) -> Vec<Curve> {
     curves
 }
 
-/// The changes of `mode` from zero upwards, which happen at `candidates` only.
+/// The changes of `mode` from zero upwards, which happen at `candidates` or where rounding has moved them from.
 ///
 /// The mode is asked for, exactly, between neighbouring candidates, at `value` itself and far out; between two such
-/// samples that differ lies a crossing, at the candidate between them. A candidate where the mode does not change is
-/// dropped, so it does no harm that a curve also runs where it bounds nothing. Candidates that are one crossing
-/// computed in two ways (at A, four curves meet) are taken as one. Where a curve is nearly level its candidate may be
-/// lost to rounding; then bisection finds the crossing.
+/// samples that differ lies a crossing, at the candidate between them if the mode changes there. A candidate where the
+/// mode does not change is dropped, so it does no harm that a curve also runs where it bounds nothing. Candidates that
+/// are one crossing computed in two ways (at A, four curves meet) are taken as one. Where a curve is nearly level, its
+/// candidate is lost to rounding; then bisection finds the crossing.
 fn crossings(candidates: impl Iterator<Item = f64>, value: f64, mode: impl Fn(f64) -> Mode) -> Vec<Crossing> {
     let mut at: Vec<f64> =
         candidates.filter(|at| at.is_finite() && *at > 0.0 && *at < LARGEST).chain([0.0]).collect();
@@ -121,28 +122,62 @@ fn crossings(candidates: impl Iterator<Item = f64>, value: f64, mode: impl Fn(f6
     samples.sort_by(f64::total_cmp);
 
     let mut crossings = Vec::new();
-    let mut previous = (0.0, mode(0.0));
+    let mut previous = Sample { at: 0.0, mode: mode(0.0) };
     for sample in samples {
-        let (low, from) = previous;
-        let to = mode(sample);
-        if to != from {
-            let known = at.iter().copied().rfind(|at| (low..=sample).contains(at));
-            crossings.push(Crossing { at: known.unwrap_or_else(|| bisect(low, sample, &mode)), from, to });
+        let next = Sample { at: sample, mode: mode(sample) };
+        if next.mode != previous.mode {
+            let known = at.iter().copied().rfind(|at| (previous.at..=sample).contains(at));
+            changes(previous, next, known, &mode, &mut crossings);
         }
-        previous = (sample, to);
+        previous = next;
     }
     crossings
 }
 
-/// Where the mode stops being that at `low`, between `low` and `high`, to the last bit.
-fn bisect(mut low: f64, mut high: f64, mode: impl Fn(f64) -> Mode) -> f64 {
-    let from = mode(low);
+/// A value and the mode there.
+#[derive(Clone, Copy)]
+struct Sample {
+    at: f64,
+    mode: Mode,
+}
+
+/// Records the changes between two samples of different modes: at the candidate, if the mode below it is that of the
+/// lower sample and another one above it, and by bisection for what is then left, with each mode on the way.
+fn changes(
+    mut low: Sample,
+    high: Sample,
+    known: Option<f64>,
+    mode: &impl Fn(f64) -> Mode,
+    crossings: &mut Vec<Crossing>,
+) {
+    if let Some(at) = known {
+        let asked = |at: f64| match at {
+            _ if at <= low.at => low,
+            _ if at >= high.at => high,
+            _ => Sample { at, mode: mode(at) },
+        };
+        let (below, above) = (asked(at * (1.0 - ASIDE)), asked(at.max(f64::MIN_POSITIVE) * (1.0 + ASIDE)));
+        if below.mode == low.mode && above.mode != low.mode {
+            crossings.push(Crossing { at, from: low.mode, to: above.mode });
+            low = above;
+        }
+    }
+    while low.mode != high.mode {
+        let next = bisect(low, high, mode);
+        crossings.push(Crossing { at: next.at, from: low.mode, to: next.mode });
+        low = next;
+    }
+}
+
+/// The first value with another mode than that of `low`, between it and `high`, to the last bit.
+fn bisect(mut low: Sample, mut high: Sample, mode: &impl Fn(f64) -> Mode) -> Sample {
     loop {
-        let middle = low + (high - low) / 2.0;
-        if middle <= low || middle >= high {
+        let at = low.at + (high.at - low.at) / 2.0;
+        if at <= low.at || at >= high.at {
             return high;
         }
-        if mode(middle) == from {
+        let middle = Sample { at, mode: mode(at) };
+        if middle.mode == low.mode {
             low = middle;
         } else {
             high = middle;
