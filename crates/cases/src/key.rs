@@ -333,6 +333,12 @@ listed! {
 
     Title = key(Top, "title", Text, "", "what the case is called", "\"Caisson in air\"");
     Note = key(Top, "note", Text, "", "where its numbers come from", "\"numbers from the preliminary design\"");
+    Project = key(Top, "project", Text, "", "the project the calculation is for", "\"Harbour extension\"");
+    Client = key(Top, "client", Text, "", "who ordered it", "\"Port authority\"");
+    SheetNumber = key(Top, "sheet", Text, "", "number of the calculation sheet", "\"C-104\"");
+    Revision = key(Top, "revision", Text, "", "revision of the sheet", "\"B\"");
+    Author = key(Top, "author", Text, "", "who made the calculation", "\"A. Moreau\"");
+    Checker = key(Top, "checker", Text, "", "who checks it", "\"N. Okafor\"");
     Gravity = key(Top, "gravity", Measured(Dimension::Acceleration, Positive), "g", "acceleration of gravity", "\"9.81 m/s2\"")
         .silent("acceleration of gravity: 9.81 m/s²").gives(&[Quantity::Gravity]);
 
@@ -482,6 +488,11 @@ listed! {
         "at least: multiple of the variable loads at which the body leaves rest", "1.1");
     ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
 }
+
+/// What says of whom and for whom a calculation sheet is, in the order of its title block: a case file may have each as a key,
+/// `standfast sheet` as an option, which goes before the file.
+pub const TITLE_BLOCK: [Key; 6] =
+    [Key::Project, Key::Client, Key::SheetNumber, Key::Revision, Key::Author, Key::Checker];
 
 impl Key {
     /// Its name in its table; `lambda[2]` for the second of a list.

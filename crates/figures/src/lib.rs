@@ -17,6 +17,7 @@
 //! | question | module |
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
+//! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
@@ -50,6 +51,7 @@ mod render;
 mod report;
 mod scene;
 mod screen;
+mod section;
 mod sheet;
 mod text;
 
@@ -69,6 +71,7 @@ pub use report::{FigureId, UnknownFigure, report_figure, sketch_on_screen};
 #[doc(hidden)]
 pub use scene::Label;
 pub use scene::Rect;
+pub use section::{Arrow, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section};
 pub use screen::{Axis, Map, Picture, tint_on_screen};
 
 /// A drawing with its caption.

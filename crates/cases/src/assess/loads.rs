@@ -29,7 +29,7 @@ pub fn added_mass_notes(case: &Case) -> Vec<&'static str> {
 }
 
 /// What a load is called.
-fn load_words(load: &Load) -> String {
+pub(super) fn load_words(load: &Load) -> String {
     if let Some(name) = &load.name {
         return name.clone();
     }
