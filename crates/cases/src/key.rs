@@ -344,7 +344,7 @@ listed! {
 
     Width = key(Body, "width", length(Positive), "w", "width of the body", "\"15 m\"")
         .moves(Moves::Width).gives(&[Quantity::Width]);
-    Height = key(Body, "height", length(Positive), "h_w", "height of the body", "\"12 m\"")
+    Height = key(Body, "height", length(Positive), "h_body", "height of the body", "\"12 m\"")
         .moves(Moves::Height).gives(&[Quantity::Height]);
     Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass, per metre run", "\"370 t/m\"")
         .moves(Moves::Mass).gives(&[Quantity::Mass]);
@@ -372,11 +372,11 @@ listed! {
 
     WaterDepth = key(Wave, "water_depth", length(Positive), "h", "depth at the wall", "\"10.1 m\"")
         .gives(&[Quantity::WaterDepth]);
-    SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "tanθ", "slope of the sea bed", "0.01")
+    SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "i", "slope of the sea bed, Goda’s tan θ", "0.01")
         .gives(&[Quantity::SeaBottomSlope]);
     Period = key(Wave, "period", Measured(Dimension::Time, Positive), "T", "significant wave period", "\"11.4 s\"")
         .gives(&[Quantity::WavePeriod]);
-    AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β", "angle of the waves from the wall’s normal", "15")
+    AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β_g", "angle of the waves from the wall’s normal", "15")
         .gives(&[Quantity::WaveAngle]);
     WaveWaterDensity = key(Wave, "water_density", Measured(Dimension::Density, Positive), "ρ", "density of the sea", "\"1030 kg/m3\"")
         .moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
@@ -391,7 +391,7 @@ listed! {
         .silent("width of the caisson’s base: that of the body").moves(Moves::Width).gives(&[Quantity::CaissonWidth]);
     BaseDepth = key(Wave, "base_depth", length(Positive), "h'", "depth of the caisson’s base", "\"7.1 m\"")
         .moves(Moves::BaseDepth).gives(&[Quantity::BaseDepth]);
-    DepthAboveBerm = key(Wave, "depth_above_berm", length(Positive), "d", "depth above the berm’s armour", "\"5.6 m\"")
+    DepthAboveBerm = key(Wave, "depth_above_berm", length(Positive), "d_M", "depth above the berm’s armour, Goda’s d", "\"5.6 m\"")
         .gives(&[Quantity::BermDepth]);
     CrestHeight = key(Wave, "crest_height", length(Finite), "h_c", "crest above still water", "\"3.4 m\"")
         .moves(Moves::Height).gives(&[Quantity::CrestHeight]);
@@ -439,7 +439,7 @@ listed! {
     VerticalFixed = key(Earthquake, "vertical_fixed", Truth, "", "whether the base moves up or down as given only", "true")
         .silent("vertical acceleration: upwards and downwards");
 
-    WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "M_a", "mass of water that moves with the body", "\"50 t/m\"")
+    WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "m_a", "mass of water that moves with the body", "\"50 t/m\"")
         .gives(&[Quantity::AddedMass]);
     WetSides = key(AddedMass, "sides", Sides, "", "sides on which water moves with the body", "1");
 

@@ -71,8 +71,8 @@ pub use report::{FigureId, UnknownFigure, report_figure, sketch_on_screen};
 #[doc(hidden)]
 pub use scene::Label;
 pub use scene::Rect;
-pub use section::{Arrow, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section};
 pub use screen::{Axis, Map, Picture, tint_on_screen};
+pub use section::{Arrow, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section};
 
 /// A drawing with its caption.
 #[derive(Debug, Clone, PartialEq)]

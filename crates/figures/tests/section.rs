@@ -54,7 +54,11 @@ fn pressed(dice: &mut Dice, (width, height): (f64, f64)) -> Pressed {
         let pressure = (1e5 * (dice.roll() - 0.3)).round();
         (position, pressure, format!("{} kPa", pressure / 1e3))
     });
-    Pressed { face, points: points.collect(), words: "a pressure with a name of some length, 120 kN/m".to_owned() }
+    Pressed {
+        face,
+        points: points.collect(),
+        words: "a pressure with a name of some length, 120 kN/m".to_owned(),
+    }
 }
 
 fn arrow(dice: &mut Dice, (width, height): (f64, f64)) -> Arrow {

@@ -118,7 +118,7 @@ impl Steps {
         let symbols = read(&place, formula)?;
         let numbers = self.numbers(&place, formula, &symbols)?;
         Ok(html! {
-            div.step {
+            div.step data-symbol=(name) {
                 (head(about, shown)?)
                 div.lines {
                     span.left { (PreEscaped(symbol(name))) }
@@ -157,7 +157,7 @@ impl Steps {
         let result = Measured::of(si, unit);
         self.write(head(about, "").map(|head| {
             html! {
-                div.step {
+                div.step data-symbol=(name) {
                     (head)
                     div.lines {
                         span.left { (PreEscaped(symbol(name))) }

@@ -35,7 +35,7 @@ pub(super) fn load_words(load: &Load) -> String {
     }
     let words = match load.source {
         LoadSource::Weight => "weight m g",
-        LoadSource::BuoyantWeight => "buoyant weight W'",
+        LoadSource::BuoyantWeight => "buoyant weight",
         LoadSource::Buoyancy => "buoyancy",
         LoadSource::StillWater => "still water on the sides",
         LoadSource::Uplift => "uplift",

@@ -79,10 +79,8 @@ fn levels(case: &Case) -> Vec<Level> {
         };
         Level { side, elevation, label: format!("{name} {sign}{}", metres(elevation.abs())), is_water }
     };
-    let mut levels = vec![
-        level(Side::Left, case.body.height(), "crest", false),
-        level(Side::Left, 0.0, "base", false),
-    ];
+    let mut levels =
+        vec![level(Side::Left, case.body.height(), "crest", false), level(Side::Left, 0.0, "base", false)];
     if let Some(water) = &case.water {
         let sides = [(Side::Left, water.left()), (Side::Right, water.right())];
         let wet = sides.into_iter().filter(|(_, elevation)| *elevation > 0.0);

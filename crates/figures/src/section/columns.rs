@@ -82,8 +82,7 @@ impl Painter<'_> {
         let given = self.given;
         let first = given.pressures.len();
         let pushes = |arrow: &Arrow| !arrow.is_inside && arrow.towards.0 * column.out < 0.0;
-        let arrows: Vec<_> =
-            given.arrows.iter().enumerate().filter(|(_, arrow)| pushes(arrow)).collect();
+        let arrows: Vec<_> = given.arrows.iter().enumerate().filter(|(_, arrow)| pushes(arrow)).collect();
         if arrows.is_empty() {
             return;
         }
@@ -116,7 +115,8 @@ impl Painter<'_> {
         let text = |i: usize| Text::verbatim(&pressed.points[i].2, LABEL);
         // The numbers of both ends stand below and above the diagram, those between beside it.
         let is_end = |i: &usize| *i == 0 || *i == last;
-        let widest = numbers(pressed).filter(is_end).map(|i| text(i).width).fold(inwards + outwards, f64::max);
+        let widest =
+            numbers(pressed).filter(is_end).map(|i| text(i).width).fold(inwards + outwards, f64::max);
         let line = column.end + (widest - inwards - outwards) / 2.0 + inwards;
         let middle = column.x(column.end + widest / 2.0);
         let stalk = |(position, pressure, _): &(f64, f64, String)| {
@@ -139,8 +139,7 @@ impl Painter<'_> {
         let rect = self.label(&letter, (middle, top), INK);
         reach.hold(&rect);
         let between = numbers(pressed).filter(|i| !is_end(i));
-        let spots: Vec<_> =
-            between.map(|i| Spot { at: stalks[i].tip, text: text(i), colour: INK }).collect();
+        let spots: Vec<_> = between.map(|i| Spot { at: stalks[i].tip, text: text(i), colour: INK }).collect();
         let end = column.end + widest;
         column.end = match spots.is_empty() {
             true => end + APART,

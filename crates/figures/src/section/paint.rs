@@ -105,7 +105,8 @@ impl<'a> Painter<'a> {
     fn labels(&mut self) {
         let scene = &mut self.drawn.scene;
         // In units of the font, a thousand to the type size.
-        scene.open("stroke=\"#ffffff\" stroke-width=\"240\" stroke-linejoin=\"round\" paint-order=\"stroke\"");
+        scene
+            .open("stroke=\"#ffffff\" stroke-width=\"240\" stroke-linejoin=\"round\" paint-order=\"stroke\"");
         for (text, rect, colour) in self.labels.drain(..) {
             scene.text_in(&text, &rect, colour);
         }
@@ -127,8 +128,7 @@ impl<'a> Painter<'a> {
     }
 
     fn polygon(&self, vertices: &[(f64, f64)]) -> Path {
-        let mut path =
-            Path::through(&vertices.iter().map(|&(x, y)| self.place(x, y)).collect::<Vec<_>>());
+        let mut path = Path::through(&vertices.iter().map(|&(x, y)| self.place(x, y)).collect::<Vec<_>>());
         path.close();
         path
     }
@@ -344,9 +344,8 @@ fn words(sentence: &str) -> Vec<Text> {
 /// Whether a point lies in a polygon.
 fn is_inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
-    let crossed = edges.filter(|((x0, y0), (x1, y1))| {
-        (*y0 > y) != (*y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0)
-    });
+    let crossed = edges
+        .filter(|((x0, y0), (x1, y1))| (*y0 > y) != (*y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0));
     crossed.count() % 2 == 1
 }
 

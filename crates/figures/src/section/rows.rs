@@ -27,8 +27,7 @@ impl Painter<'_> {
         let first = given.pressures.len();
         let mut y = crest - 2.0;
         let stands = |arrow: &Arrow| !arrow.is_inside && arrow.towards.1 != 0.0;
-        let arrows: Vec<_> =
-            given.arrows.iter().enumerate().filter(|(_, arrow)| stands(arrow)).collect();
+        let arrows: Vec<_> = given.arrows.iter().enumerate().filter(|(_, arrow)| stands(arrow)).collect();
         let mut spots = Vec::new();
         for (index, arrow) in arrows {
             let x = self.place(arrow.at.0, 0.0).0;
@@ -95,9 +94,8 @@ impl Painter<'_> {
         spots.sort_by(|one, other| one.at.0.total_cmp(&other.at.0));
         let wanted: Vec<_> = spots.iter().map(|spot| (spot.at.0, spot.text.width)).collect();
         let Some(places) = spread(&wanted, -ANYWHERE, ANYWHERE, WORDS) else { return start };
-        let away = |spot: &Spot, x: f64| {
-            (spot.at.0 - x).abs() > MOVED || (spot.at.1 - start).abs() > 2.0 * APART
-        };
+        let away =
+            |spot: &Spot, x: f64| (spot.at.0 - x).abs() > MOVED || (spot.at.1 - start).abs() > 2.0 * APART;
         let moved = spots.iter().zip(&places).any(|(spot, x)| away(spot, *x));
         let near = start + way * if moved { APART } else { NEAR };
         let tall = spots.iter().map(|spot| spot.text.height()).fold(0.0, f64::max);

@@ -10,16 +10,15 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     let body = &case.body;
     steps.know("g", case.gravity, ACCELERATION);
     steps.know("w", body.width(), METRE);
-    steps.know("h_w", body.height(), METRE);
+    steps.know("h_body", body.height(), METRE);
     steps.know("μ", case.friction, NONE);
-    steps.know("μ_s", case.friction, NONE);
     steps.know("μ_k", case.kinetic_friction, NONE);
     steps.add("Half width", "", ["B", "w/2"], body.width() / 2.0, METRE, "");
-    steps.add("Half height", "", ["H", "h_w/2"], body.height() / 2.0, METRE, "");
+    steps.add("Half height", "", ["H", "h_body/2"], body.height() / 2.0, METRE, "");
     steps.add("Slenderness", "", ["γ", "H/B"], body.slenderness(), NONE, "slenderness");
     if let Some(density) = inputs.number(Key::Density) {
         steps.know("ρ_b", density, DENSITY);
-        steps.add("Mass, per metre run", "", ["m", "ρ_b w h_w"], body.mass(), TONNE, "mass");
+        steps.add("Mass, per metre run", "", ["m", "ρ_b w h_body"], body.mass(), TONNE, "mass");
     } else {
         steps.know("m", body.mass(), TONNE);
     }
@@ -33,7 +32,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
         steps.know("I", body.moment_of_inertia(), INERTIA);
     } else {
         let about = "Moment of inertia about the centre of mass, of a uniform rectangle";
-        let formula = ["I", "m (w^2 + h_w^2)/12"];
+        let formula = ["I", "m (w^2 + h_body^2)/12"];
         steps.add(about, "", formula, body.moment_of_inertia(), INERTIA, "moment_of_inertia");
     }
 }
