@@ -42,7 +42,7 @@ struct Source {
 const SOURCES: [Source; 5] = [
     Source {
         authors: "Author not named",
-        year: "undated",
+        year: "no year",
         title: "Initiation of modes of response of a vertical caisson under a single concentrated horizontal force",
         place: "report; the copy read has no title page, and this title describes it",
         used: "modes of response; the equation numbers in parentheses",

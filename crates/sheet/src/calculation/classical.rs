@@ -144,7 +144,7 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
     let key = "SF_overturning_gross";
     let about = "Safety against overturning by gross moments";
     if gross.buoyancy == 0.0 && actions.uplift == 0.0 && actions.uplift_moment == 0.0 {
-        let words = "the same: no water presses under the base";
+        let words = "the same: nothing presses under the base";
         return steps.told(about, key, gross.overturning(), NONE, words, key);
     }
     steps.note(
