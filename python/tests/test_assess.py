@@ -126,7 +126,7 @@ def test_many_loads_are_shown_by_those_that_govern() -> None:
     case = CASE | {"load": [{"force": 1e6 + 1e5 * i, "elevation": 1 + i} for i in range(10)]}
     found, shown = standfast.assess(case), standfast.assess(case, all=True)
     assert len(found.situations) == 10 and found.to_dict() == shown.to_dict()
-    assert len(found.figures) == 8 and len(shown.figures) == 10 and len(str(found)) < len(str(shown))
+    assert len(found.figures) == 9 and len(shown.figures) == 11 and len(str(found)) < len(str(shown))
     assert repr(found).endswith(": 10 situations>") and found.governing is found.situations[9]
 
 

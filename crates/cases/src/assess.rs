@@ -8,6 +8,7 @@ mod figures;
 mod json;
 mod loads;
 mod sea;
+mod section;
 mod text;
 pub mod verdict;
 
@@ -158,7 +159,7 @@ impl Assessment {
         json::render(self, view, files)
     }
 
-    /// The figures: k–μ diagrams for the loads that have a point there, and the load path where loads rise together.
+    /// The figures: k–μ diagrams for the loads that have a point there, the load path where loads rise together, and the section.
     ///
     /// # Errors
     /// If a figure's numbers are out of range.

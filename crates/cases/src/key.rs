@@ -352,12 +352,18 @@ listed! {
 
     Title = key(Top, "title", Text, "", "what the case is called", "\"Caisson in air\"");
     Note = key(Top, "note", Text, "", "where its numbers come from", "\"numbers from the preliminary design\"");
+    Project = key(Top, "project", Text, "", "the project the calculation is for", "\"Harbour extension\"");
+    Client = key(Top, "client", Text, "", "who ordered it", "\"Port authority\"");
+    SheetNumber = key(Top, "sheet", Text, "", "number of the calculation sheet", "\"C-104\"");
+    Revision = key(Top, "revision", Text, "", "revision of the sheet", "\"B\"");
+    Author = key(Top, "author", Text, "", "who made the calculation", "\"A. Moreau\"");
+    Checker = key(Top, "checker", Text, "", "who checks it", "\"N. Okafor\"");
     Gravity = key(Top, "gravity", Measured(Dimension::Acceleration, Positive), "g", "acceleration of gravity", "\"9.81 m/s2\"")
         .silent("acceleration of gravity: 9.81 m/s²").gives(&[Quantity::Gravity]);
 
     Width = key(Body, "width", length(Positive), "w", "width of the body", "\"15 m\"")
         .moves(Moves::Width).gives(&[Quantity::Width]);
-    Height = key(Body, "height", length(Positive), "h_w", "height of the body", "\"12 m\"")
+    Height = key(Body, "height", length(Positive), "h_body", "height of the body", "\"12 m\"")
         .moves(Moves::Height).gives(&[Quantity::Height]);
     Length = key(Body, "length", length(Positive), "L_b", "length out of the plane of a single object, whose masses are in kg and forces in N", "\"0.8 m\"")
         .silent("length: all per metre run").moves(Moves::Length).gives(&[Quantity::Length]);
@@ -390,11 +396,11 @@ listed! {
         .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
 
     PartName = key(Part, "name", Text, "", "name of the part", "\"footing\"");
-    PartLeft = key(Part, "left", length(Finite), "x_l", "left end of its bottom, to the right of the origin of the section", "\"1.5 m\"")
+    PartLeft = key(Part, "left", length(Finite), "x_p", "left end of its bottom, to the right of the origin of the section", "\"1.5 m\"")
         .gives(&[Quantity::PartCorner]);
-    PartWidth = key(Part, "width", length(Positive), "w_b", "width of its bottom", "\"12 m\"")
+    PartWidth = key(Part, "width", length(Positive), "w_p", "width of its bottom", "\"12 m\"")
         .gives(&[Quantity::PartCorner]);
-    PartBottom = key(Part, "bottom", length(NotNegative), "y_b", "its bottom above the base", "\"1.5 m\"")
+    PartBottom = key(Part, "bottom", length(NotNegative), "y_p", "its bottom above the base", "\"1.5 m\"")
         .gives(&[Quantity::PartCorner]);
     PartHeight = key(Part, "height", length(Positive), "h_p", "height from its bottom to its top", "\"9 m\"")
         .gives(&[Quantity::PartCorner]);
@@ -413,11 +419,11 @@ listed! {
 
     WaterDepth = key(Wave, "water_depth", length(Positive), "h", "depth at the wall", "\"10.1 m\"")
         .gives(&[Quantity::WaterDepth]);
-    SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "tanθ", "slope of the sea bed", "0.01")
+    SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "i", "slope of the sea bed, Goda’s tan θ", "0.01")
         .gives(&[Quantity::SeaBottomSlope]);
     Period = key(Wave, "period", Measured(Dimension::Time, Positive), "T", "significant wave period", "\"11.4 s\"")
         .gives(&[Quantity::WavePeriod]);
-    AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β", "angle of the waves from the wall’s normal", "15")
+    AngleDeg = key(Wave, "angle_deg", Plain(NotNegative), "β_g", "angle of the waves from the wall’s normal", "15")
         .gives(&[Quantity::WaveAngle]);
     WaveWaterDensity = key(Wave, "water_density", Measured(Dimension::Density, Positive), "ρ", "density of the sea", "\"1030 kg/m3\"")
         .moves(Moves::WaterDensity).gives(&[Quantity::WaterDensity]);
@@ -432,7 +438,7 @@ listed! {
         .silent("width of the caisson’s base: that of the body").moves(Moves::Width).gives(&[Quantity::CaissonWidth]);
     BaseDepth = key(Wave, "base_depth", length(Positive), "h'", "depth of the caisson’s base", "\"7.1 m\"")
         .moves(Moves::BaseDepth).gives(&[Quantity::BaseDepth]);
-    DepthAboveBerm = key(Wave, "depth_above_berm", length(Positive), "d", "depth above the berm’s armour", "\"5.6 m\"")
+    DepthAboveBerm = key(Wave, "depth_above_berm", length(Positive), "d_M", "depth above the berm’s armour, Goda’s d", "\"5.6 m\"")
         .gives(&[Quantity::BermDepth]);
     CrestHeight = key(Wave, "crest_height", length(Finite), "h_c", "crest above still water", "\"3.4 m\"")
         .moves(Moves::Height).gives(&[Quantity::CrestHeight]);
@@ -480,7 +486,7 @@ listed! {
     VerticalFixed = key(Earthquake, "vertical_fixed", Truth, "", "whether the base moves up or down as given only", "true")
         .silent("vertical acceleration: upwards and downwards");
 
-    WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "M_a", "mass of water that moves with the body", "\"50 t/m\"")
+    WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "m_a", "mass of water that moves with the body", "\"50 t/m\"")
         .gives(&[Quantity::AddedMass]);
     WetSides = key(AddedMass, "sides", Sides, "", "sides on which water moves with the body", "1");
 
@@ -529,6 +535,11 @@ listed! {
         "at least: multiple of the variable loads at which the body leaves rest", "1.1");
     ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
 }
+
+/// What says of whom and for whom a calculation sheet is, in the order of its title block: a case file may have each as a key,
+/// `standfast sheet` as an option, which goes before the file.
+pub const TITLE_BLOCK: [Key; 6] =
+    [Key::Project, Key::Client, Key::SheetNumber, Key::Revision, Key::Author, Key::Checker];
 
 impl Key {
     /// Its name in its table; `lambda[2]` for the second of a list.

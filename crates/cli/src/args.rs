@@ -15,6 +15,7 @@ use standfast_tables::{Mapping, OnError, ResultColumn, TableFormat, TableProblem
 use crate::draw::{KMu, Picture, PictureFile};
 use crate::format::Format;
 use crate::sheet::{Paper, SheetFile};
+use crate::title_block::TitleBlock;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -224,6 +225,9 @@ pub struct SheetArgs {
     /// The size of a PDF's pages
     #[arg(long, value_enum, default_value_t)]
     pub paper: Paper,
+    /// What goes into the title block before what the case file says
+    #[command(flatten)]
+    pub title_block: TitleBlock,
 }
 
 /// Arguments of `classify`.

@@ -23,6 +23,7 @@ pub mod features;
 pub mod format;
 mod progress;
 pub mod sheet;
+pub mod title_block;
 pub mod write;
 
 use std::io::{self, Write};
@@ -66,7 +67,8 @@ pub fn run(cli: Cli) -> Result<Ended> {
             })
         }
         Command::Sheet(args) => {
-            let options = SheetOptions { date: args.date, up_to: args.up_to };
+            let options =
+                SheetOptions { title_block: args.title_block.0, date: args.date, up_to: args.up_to };
             sheet::sheet(&args.case, &args.output, &options, args.paper)?;
             print(&format!("Calculation sheet written to {}\n", args.output))
         }

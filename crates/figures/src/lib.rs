@@ -17,6 +17,7 @@
 //! | question | module |
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
+//! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
@@ -53,6 +54,7 @@ mod report;
 mod scale;
 mod scene;
 mod screen;
+mod section;
 mod sheet;
 mod text;
 
@@ -73,6 +75,7 @@ pub use report::{FigureId, UnknownFigure, report_figure, sketch_on_screen};
 pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Axis, Map, Picture, tint_on_screen};
+pub use section::{Arrow, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section};
 
 /// A drawing with its caption.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,6 +17,14 @@ pub(crate) const PAPER: &str = "#ffffff";
 /// Reactions of the base.
 pub(crate) const PUSH: &str = "#1d5f99";
 
+/// Of a section: a part that holds itself, one that is held, what the body stands on, water, and pressures that push and pull.
+pub(crate) const CONCRETE: &str = "#e3e5e8";
+pub(crate) const FILL: &str = "#efe3c2";
+pub(crate) const MOUND: &str = "#ece5d6";
+pub(crate) const WATER: &str = "#e8f2f9";
+pub(crate) const WET: &str = "#c3dcef";
+pub(crate) const PULL: &str = "#f2cfcf";
+
 /// The tint of a mode's region.
 pub(crate) fn tint(mode: Mode) -> &'static str {
     match mode {

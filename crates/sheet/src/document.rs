@@ -3,8 +3,9 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::units::Extent;
-use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, View};
+use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, Drawn, Key, View};
 
 use crate::{Date, SheetError, calculation, inputs, limits, method, sensitivity, verdict};
 
@@ -16,6 +17,18 @@ pub struct Source<'a> {
     /// SHA-256 of the text.
     pub hash: String,
     pub date: Option<Date>,
+    /// What goes before the file in the title block.
+    pub title_block: &'a [(Key, String)],
+}
+
+impl Source<'_> {
+    /// What the title block has under a key, in a line; the command line's before the file's.
+    fn told(&self, key: Key) -> Option<String> {
+        let first =
+            self.title_block.iter().rev().find(|(other, _)| *other == key).map(|(_, text)| text.as_str());
+        let text = one_line(first.or_else(|| self.case_file.inputs().text(key))?);
+        (!text.is_empty()).then_some(text)
+    }
 }
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -31,7 +44,8 @@ const FACES: [(&str, &str, &[u8]); 3] = [
 
 pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Result<String, SheetError> {
     let case = &assessment.case;
-    let figures = assessment.figures(view)?;
+    let (section, figures): (Vec<_>, Vec<_>) =
+        assessment.figures(view)?.into_iter().partition(|figure| figure.drawn == Drawn::Section);
     let sensitivities = sensitivity::table(source.case_file)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
     let calculation = calculation::steps(assessment, source.case_file.inputs(), view)?;
@@ -54,7 +68,11 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                 main {
                     (title_block(case, &title, source))
                     (verdict::summary(assessment))
-                    section { h2 { "1 Inputs" } (inputs) }
+                    section {
+                        h2 { "1 Inputs" }
+                        @for (i, figure) in section.iter().enumerate() { (drawing(i, figure)) }
+                        (inputs)
+                    }
                     section { h2 { "2 Assumptions and method" } (method::words(assessment)) }
                     section {
                         h2 { "3 Calculation" }
@@ -68,11 +86,11 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                     section { h2 { "4 Verdict" } (verdict::full(assessment, view)) }
                     section {
                         h2 { "5 Figures" }
-                        @for (i, figure) in figures.iter().enumerate() { (drawing(i, figure)) }
+                        @for (i, figure) in figures.iter().enumerate() { (drawing(section.len() + i, figure)) }
                     }
                     section { h2 { "6 Sensitivity" } (sensitivities) }
                     section { h2 { "7 What is not covered" } (limits::words(case)) }
-                    section.signatures { h2 { "8 Signatures" } (signatures()) }
+                    section.signatures { h2 { "8 Signatures" } (signatures(source)) }
                 }
             }
         }
@@ -96,10 +114,14 @@ fn title_block(case: &Case, title: &str, source: &Source<'_>) -> Markup {
             @if let Some(note) = &case.note { p.source { (one_line(note)) } }
             table.block {
                 tbody {
+                    @for pair in TITLE_BLOCK.chunks(2) {
+                        tr.sign[pair.contains(&Key::Author)] {
+                            @for key in pair { th scope="row" { (heading(*key)) } td { (source.told(*key).unwrap_or_default()) } }
+                        }
+                    }
                     tr { th scope="row" { "Case file" } td { (source.file) } th scope="row" { "Date" } td { (day(source)) } }
                     tr { th scope="row" { "SHA-256" } td.hash colspan="3" { (spaced(&source.hash)) } }
                     tr { th scope="row" { "Program" } td colspan="3" { "standfast " (VERSION) } }
-                    tr.sign { th scope="row" { "Author" } td {} th scope="row" { "Checker" } td {} }
                 }
             }
         }
@@ -111,13 +133,19 @@ fn spaced(hash: &str) -> String {
     hash.as_bytes().chunks(8).map(String::from_utf8_lossy).collect::<Vec<_>>().join(" ")
 }
 
-fn signatures() -> Markup {
+/// What a field of the title block is called: its key, with a capital.
+fn heading(key: Key) -> String {
+    calculation::capital(key.name())
+}
+
+fn signatures(source: &Source<'_>) -> Markup {
     html! {
         table.block.sign {
             thead { tr { th {} th { "Name" } th { "Date" } th { "Signature" } } }
             tbody {
-                tr { th scope="row" { "Author" } td {} td {} td {} }
-                tr { th scope="row" { "Checker" } td {} td {} td {} }
+                @for key in [Key::Author, Key::Checker] {
+                    tr { th scope="row" { (heading(key)) } td { (source.told(key).unwrap_or_default()) } td {} td {} }
+                }
                 tr { th scope="row" { "Approved" } td {} td {} td {} }
             }
         }
@@ -133,7 +161,7 @@ fn drawing(index: usize, figure: &CaseFigure) -> Markup {
     let own = format!("f{}-", index + 1);
     let svg = figure.figure.svg().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
     html! {
-        figure {
+        figure.section[figure.drawn == Drawn::Section] {
             (PreEscaped(svg))
             figcaption { "Figure " (index + 1) ". " (figure.words) "." }
         }
@@ -149,12 +177,20 @@ fn style(title: &str, source: &Source<'_>) -> String {
             STANDARD.encode(bytes)
         );
     }
-    let file = format!("{} · SHA-256 {}…", source.file, &source.hash[..16]);
+    let told = |keys: &[Key], named: bool| {
+        let told = keys.iter().filter_map(|key| Some((*key, source.told(*key)?)));
+        let texts = told.map(|(key, text)| if named { format!("{} {text}", heading(key)) } else { text });
+        texts.collect::<Vec<_>>()
+    };
+    let top = [told(&[Key::Project, Key::Client], false), vec![title.to_owned()]].concat();
+    let file = format!("{} · SHA-256 {}… · standfast {VERSION}", source.file, &source.hash[..16]);
+    let numbers = [told(&[Key::SheetNumber, Key::Revision], true), vec![day(source)]].concat();
     style += &format!(
-        "@page{{@top-left{{content:{}}}@top-right{{content:{}}}@bottom-left{{content:{}}}}}\n",
-        quoted(title),
+        "@page{{@top-left{{content:{}}}@top-right{{content:{}}}@bottom-left{{content:{}}}@bottom-center{{content:{}}}}}\n",
+        quoted(&top.join(" · ")),
+        quoted(&numbers.join(" · ")),
         quoted(&file),
-        quoted(&format!("standfast {VERSION} · {}", day(source))),
+        quoted(&told(&[Key::Author, Key::Checker], true).join(" · ")),
     );
     style + STYLE
 }

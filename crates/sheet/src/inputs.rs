@@ -3,15 +3,17 @@
 use maud::{Markup, PreEscaped, html};
 use standfast::BaseEdges;
 use standfast_cases::case::Weight;
-use standfast_cases::key::{Kind, Table};
+use standfast_cases::key::{Kind, TITLE_BLOCK, Table};
 use standfast_cases::{Case, CaseFile, Entry, Id, Key};
 
 use crate::mathml::symbol;
 use crate::measured::{ACCELERATION, DEGREE, METRE, Measured, NONE, number};
+use crate::symbols::numbered;
 
 pub fn tables(case: &Case, file: &CaseFile) -> Markup {
-    // Title and note stand at the top of the sheet.
-    let shown = |entry: &&Entry| !matches!(entry.id.key, Key::Title | Key::Note);
+    // Title and note stand at the top of the sheet, and what is in its title block.
+    let on_top = |key: Key| matches!(key, Key::Title | Key::Note) || TITLE_BLOCK.contains(&key);
+    let shown = |entry: &&Entry| !on_top(entry.id.key);
     let entries: Vec<_> = file.entries().iter().filter(shown).collect();
     let table = |entry: &Entry| (entry.id.key.info().table, entry.id.index);
     let defaults = defaults(case, file);
@@ -35,7 +37,7 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
                     @for (key, value) in defaults {
                         tr {
                             td { (taken(key)) }
-                            td { (sign(key)) }
+                            td { (sign(key, 0, 1)) }
                             td { (value) }
                             td.n {}
                             td { "default of the program" }
@@ -63,11 +65,18 @@ fn heading(id: Id) -> String {
     }
 }
 
-/// The symbol of a key; of the three numbers of a list that of all.
-fn sign(key: Key) -> Markup {
-    let info = key.info();
-    let name = if info.kind == Kind::OneOfThree { "λ" } else { info.symbol };
-    html! { @if !name.is_empty() { (PreEscaped(symbol(name))) } }
+/// The symbol of a key in one of `count` tables; the three numbers of a list have three.
+fn sign(key: Key, index: usize, count: usize) -> Markup {
+    let names = match key.info().kind {
+        Kind::OneOfThree => keys(key).iter().map(|key| key.info().symbol).collect(),
+        _ => vec![key.info().symbol],
+    };
+    html! {
+        @for (i, name) in names.into_iter().filter(|name| !name.is_empty()).enumerate() {
+            @if i > 0 { ", " }
+            (PreEscaped(symbol(&numbered(name, index, count))))
+        }
+    }
 }
 
 /// The keys of an entry: one, or those of a list.
@@ -90,10 +99,12 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
         Kind::List(_) | Kind::ModeList => written.replace('"', ""),
         _ => written.trim_matches('"').to_owned(),
     };
+    let tables = file.inputs().count(key.info().table);
+    let symbol = numbered(key.info().symbol, index, tables);
     html! {
-        tr {
+        tr data-symbol=[(count == 1).then_some(symbol)] {
             td { (words.join(", ")) " " code { (key.entry()) } }
-            td { (sign(key)) }
+            td { (sign(key, index, tables)) }
             td.written { (written) }
             td.n {
                 @for (i, &value) in numbers.iter().enumerate() {

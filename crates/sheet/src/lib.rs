@@ -13,8 +13,9 @@
 //! | question | module |
 //! |---|---|
 //! | What stands on the sheet, in which order? | `document` |
+//! | What stands behind it, and what is not covered? | `method`, `references`, `limits` |
 //! | What is computed, step by step? | `calculation` |
-//! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps` |
+//! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps`, `symbols` |
 //! | What keeps a sheet from being made with a gap? | `fault` |
 //!
 //! Every number is the library's; formulas stand beside it to be checked by hand. The sheet is one HTML file without scripts
@@ -32,23 +33,28 @@ mod limits;
 mod mathml;
 mod measured;
 mod method;
+mod references;
 mod sensitivity;
 mod steps;
+mod symbols;
 mod verdict;
 
 use miette::Diagnostic;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
-use standfast_cases::{Assessment, CaseError, CaseFile, View};
+use standfast_cases::{Assessment, CaseError, CaseFile, Key, View};
 use thiserror::Error;
 
 pub use date::{Date, DateError};
 pub use fault::Fault;
 pub use formula::FormulaError;
 
-/// What the case does not say.
+/// What the case does not say, or says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetOptions {
+    /// What goes before the case file in the title block, under keys of
+    /// [`TITLE_BLOCK`](standfast_cases::key::TITLE_BLOCK).
+    pub title_block: Vec<(Key, String)>,
     /// The day the sheet bears; without it the sheet says that it is undated.
     pub date: Option<Date>,
     /// How far a rising load is followed, as a multiple of the full load.
@@ -58,7 +64,7 @@ pub struct SheetOptions {
 impl Default for SheetOptions {
     /// Undated, loads followed up to twice their value.
     fn default() -> SheetOptions {
-        SheetOptions { date: None, up_to: 2.0 }
+        SheetOptions { title_block: Vec::new(), date: None, up_to: 2.0 }
     }
 }
 
@@ -108,6 +114,7 @@ impl Sheet {
             case_file,
             hash: hash(case_file.text()),
             date: options.date,
+            title_block: &options.title_block,
         };
         let view = View { up_to: options.up_to, all: false };
         Ok(Sheet { html: document::render(&assessment, &source, &view)? })

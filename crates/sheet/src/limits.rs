@@ -3,8 +3,30 @@
 use maud::{Markup, html};
 use standfast_cases::Case;
 
+/// What a body stands in, which says what else could happen to it.
+pub struct Setting {
+    /// Waves come.
+    pub waves: bool,
+    /// Water stands beside it or presses under it.
+    pub water: bool,
+    /// It is a structure in water or soil, rather than an object on a floor.
+    pub structure: bool,
+}
+
+impl Setting {
+    /// That of a case.
+    pub fn of(case: &Case) -> Setting {
+        let waves = case.wave.is_some();
+        let buoyant = matches!(case.weight, standfast_cases::case::Weight::Buoyant { .. });
+        let water = waves || buoyant || case.water.is_some() || case.uplift.is_some();
+        let water = water || case.added_mass.mass() > 0.0;
+        Setting { waves, water, structure: water || !case.pressures.is_empty() }
+    }
+}
+
 pub fn words(case: &Case) -> Markup {
     let warnings = case.warnings();
+    let setting = Setting::of(case);
     html! {
         @if warnings.is_empty() {
             p { "No warning: nothing leaves the ranges that the program checks." }
@@ -13,32 +35,51 @@ pub fn words(case: &Case) -> Markup {
             ul.warnings { @for warning in &warnings { li { (warning) " (" code { (warning.name()) } ")." } } }
         }
         p { "The following is not part of this calculation and has to be shown separately where it matters:" }
-        ul {
-            li { "bearing capacity and sliding within the rubble mound, the foundation or the soil beneath; settlement and tilt;" }
-            li { "pore pressure in the foundation, built up or drained while the load acts;" }
-            @if case.wave.is_some() {
-                li { "overtopping, and the pressures that it relieves or adds; impulsive pressures beyond the formulas used;" }
-                li {
-                    "wave troughs, seaward loads, and waves of other heights, periods and water levels than those given"
-                    @if !case.pressures.is_empty() { ", but for the pressures given under [[pressure]]" }
-                    ";"
-                }
-            } @else {
-                li {
-                    "overtopping and wave loads"
-                    @if !case.pressures.is_empty() { ", but for the pressures given under [[pressure]]" }
-                    ";"
-                }
-            }
-            li { "scour, loss of base area, stability of the armour;" }
-            li { "strength of the body itself, and of its base where a corner alone carries it;" }
-            li { "three-dimensional effects: oblique loads along the structure, corners, joints, neighbouring bodies;" }
-            li { "duration: how far the body moves once it has left rest." }
-        }
+        ul { @for item in not_covered(case, &setting) { li { (item) } } }
         p {
-            "Friction between base and foundation is the least certain input. It enters the factor against sliding in proportion; \
+            "Friction between body and base is the least certain input. It enters the factor against sliding in proportion; \
              the modes on either side of the value used stand in the calculation and in the figures. Safety factors do not say how \
              probable a failure is. Nothing here replaces an engineer’s judgement."
         }
     }
+}
+
+/// What could matter and is not computed, of what the case could meet with.
+fn not_covered(case: &Case, setting: &Setting) -> Vec<String> {
+    let given =
+        if case.pressures.is_empty() { "" } else { ", but for the pressures given under [[pressure]]" };
+    let mut items = vec![
+        match setting {
+            Setting { waves: true, .. } => {
+                "bearing capacity and sliding within the rubble mound, the foundation or the soil beneath; settlement and tilt;"
+            }
+            Setting { structure: true, .. } => {
+                "bearing capacity and sliding within the foundation or the soil beneath; settlement and tilt;"
+            }
+            _ => "strength and stiffness of the floor or ground that the body stands on; settlement and tilt;",
+        }
+        .to_owned(),
+    ];
+    if setting.water {
+        items.push("pore pressure in the foundation, built up or drained while the load acts;".to_owned());
+        items.push(match setting.waves {
+            true => "scour, loss of base area, stability of the armour;".to_owned(),
+            false => format!("waves and overtopping{given}; scour, loss of base area;"),
+        });
+    }
+    if setting.waves {
+        items.push(
+            "overtopping, and the pressures that it relieves or adds; impulsive pressures beyond the formulas used;".to_owned(),
+        );
+        items.push(format!(
+            "wave troughs, seaward loads, and waves of other heights, periods and water levels than those given{given};"
+        ));
+    }
+    items.push("strength of the body itself, and of its base where a corner alone carries it;".to_owned());
+    items.push(match setting.structure {
+        true => "three-dimensional effects: oblique loads along the structure, corners, joints, neighbouring bodies;".to_owned(),
+        false => "three-dimensional effects: loads out of the plane, turning about a vertical axis, neighbouring bodies;".to_owned(),
+    });
+    items.push("duration: how far the body moves once it has left rest.".to_owned());
+    items
 }

@@ -130,8 +130,6 @@ fn power(base: &Formula, exponent: &Formula, drawn: Drawn) -> String {
     let needs_parentheses = match base {
         Formula::Value(quantity) => quantity.value < 0.0 || quantity.unit != NONE,
         Formula::Call(..) => true,
-        // tan θ^1.5 would be read as the tangent of θ^1.5.
-        Formula::Name(text) => text.starts_with(TANGENT),
         _ => false,
     };
     let base = match needs_parentheses {
@@ -193,7 +191,6 @@ pub fn name(text: &str) -> String {
         "ẍ" => over("x"),
         "ÿ" => over("y"),
         "θ\u{308}" => over("θ"),
-        TANGENT => row("<mi>tan</mi><mo>\u{2061}</mo><mi>θ</mi>"),
         // Several letters stand upright.
         letters => format!("<mi>{}</mi>", escape(letters)),
     };
@@ -216,9 +213,6 @@ pub fn name(text: &str) -> String {
         (false, true) => format!("<msubsup>{letter}{below}<mo>∗</mo></msubsup>"),
     }
 }
-
-/// The slope of the bed: one symbol, drawn as the function that it is.
-const TANGENT: &str = "tanθ";
 
 const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
 
@@ -273,8 +267,6 @@ mod tests {
             ("2 (a + 1)", "2~(a+1)"),
             ("1/2 (2 + a)", "12~(2+a)"),
             ("2/3 U_w B_c", "23~Uw~Bc"),
-            ("20 tanθ^1.5", "20~(tan\u{2061}θ)1.5"),
-            ("2.4 tanθ", "2.4~tan\u{2061}θ"),
             ("0.6 cos(2 a) |2|", "0.6~cos\u{2061}(2~a)~|2|"),
         ] {
             let formula = Formula::parse(formula).unwrap();

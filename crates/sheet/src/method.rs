@@ -1,7 +1,10 @@
 //! Assumptions and method, in words.
 
 use maud::{Markup, html};
-use standfast_cases::Assessment;
+use standfast_cases::{Assessment, Case};
+
+use crate::limits::Setting;
+use crate::references;
 
 pub fn words(assessment: &Assessment) -> Markup {
     let case = &assessment.case;
@@ -17,10 +20,10 @@ pub fn words(assessment: &Assessment) -> Markup {
                  bottom right one."
                 @if case.wave.is_some() { " The sea is at the right; waves push to the left, and O is the heel." }
             }
-            li { "Weight: " (case.weight_words()) "." }
+            @if Setting::of(case).water { li { "Weight: " (case.weight_words()) "." } }
             li {
-                "Permanent and variable loads act together. Variable ones (waves with their uplift, earthquakes, forces) are \
-                 applied at once for the mode of response, and raised in proportion for the load path."
+                "Permanent and variable loads act together. Variable ones" (variable(case)) " are applied at once for the mode of \
+                 response, and raised in proportion for the load path."
                 @if case.forces.iter().filter(|force| force.acts_alone()).count() > 1 && case.combinations.is_empty() {
                     " Of the forces that act alone, each is an alternative to the others."
                 }
@@ -56,17 +59,22 @@ pub fn words(assessment: &Assessment) -> Markup {
                 span.sym { "M" sub { "U" } } ", P, " span.sym { "M" sub { "p" } } " are a designer’s symbols."
             }
         }
-        p.note { "References" }
-        ul {
-            li {
-                "The report on initiation of modes of response of vertical caissons (after Shenton’s treatment of earthquakes); its \
-                 equation numbers stand in parentheses."
-            }
-            li { "H. W. Shenton III (1996), Journal of Engineering Mechanics 122(7): response of a rigid block to base excitation." }
-            @if case.wave.is_some() {
-                li { "Y. Goda, Random Seas and Design of Maritime Structures: wave heights and pressures." }
-                li { "S. Takahashi, K. Tanimoto and K. Shimosako (1994): the impulsive coefficient." }
-            }
-        }
+        (references::list(case))
     }
+}
+
+/// Which loads of the case vary, in parentheses; nothing where none does.
+fn variable(case: &Case) -> String {
+    let forces = case.forces.iter().any(|force| !force.permanent);
+    let pressures = case.pressures.iter().any(|pressure| !pressure.permanent);
+    let kinds = [
+        (case.wave.as_ref().is_some_and(|wave| wave.choices.uplift), "waves with their uplift"),
+        (case.wave.as_ref().is_some_and(|wave| !wave.choices.uplift), "waves"),
+        (case.uplift.as_ref().is_some_and(|uplift| uplift.grows()), "uplift"),
+        (case.earthquake.is_some(), "the earthquake"),
+        (pressures, "pressures"),
+        (forces, "forces"),
+    ];
+    let kinds: Vec<_> = kinds.into_iter().filter(|(varies, _)| *varies).map(|(_, words)| words).collect();
+    if kinds.is_empty() { String::new() } else { format!(" ({})", kinds.join(", ")) }
 }

@@ -11,12 +11,16 @@ use crate::measured::number;
 pub fn table(file: &CaseFile) -> Result<Markup, CaseError> {
     let rows = sensitivities(file)?;
     let stays = file.inputs().has(Table::Pressure) || file.inputs().has(Table::Load);
+    let wet = match (file.inputs().has(Table::Wave), file.inputs().has(Table::Water)) {
+        (false, false) => "",
+        (false, true) => ", water included,",
+        (true, _) => ", waves and water included,",
+    };
     Ok(html! {
         p.note {
             "Change of the safety factors and of the load factor at which the body first leaves rest, if one input grows by 1 %, \
              with what has to go with it: the mass with the width, the crest with the height. The least of all loads counts in each \
-             column. The whole case, waves and water included, is computed anew for each, with the input 1 % larger. Where there is no \
-             number: " em { "unlimited" } ", a factor has no bound, as it is or then; " em { "at once" } ", the body moves without any \
+             column. The whole case" (wet) " is computed anew for each, with the input 1 % larger. Where there is no number: " em { "unlimited" } ", a factor has no bound, as it is or then; " em { "at once" } ", the body moves without any \
              share of the load; " em { "no case" } ", an input 1 % larger makes no sense beside the others."
         }
         @if stays { p.note { (STAYS) } }

@@ -128,7 +128,7 @@ impl Steps {
         let symbols = read(&place, formula)?;
         let numbers = self.numbers(&place, formula, &symbols)?;
         Ok(html! {
-            div.step {
+            div.step data-symbol=(name) {
                 (head(about, shown)?)
                 div.lines {
                     span.left { (PreEscaped(symbol(name))) }
@@ -168,7 +168,7 @@ impl Steps {
         let result = self.measured(si, unit);
         self.write(head(about, "").map(|head| {
             html! {
-                div.step {
+                div.step data-symbol=(name) {
                     (head)
                     div.lines {
                         span.left { (PreEscaped(symbol(name))) }

@@ -56,6 +56,10 @@ fn is_named(assessment: &Assessment) -> bool {
     assessment.all.len() > 1 || !assessment.case.combinations.is_empty()
 }
 
+/// The columns of the table of criteria, and the one that says in which situation.
+const ASKED: [&str; 5] = ["Criterion", "Required", "Value", "Utilisation", ""];
+const PLACE: &str = "In";
+
 fn criteria(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
     let shaken = assessment.checks().iter().any(|check| !check.assessed.is_reported);
@@ -64,24 +68,20 @@ fn criteria(assessment: &Assessment) -> Markup {
         table.numbers data-table="criteria" {
             thead {
                 tr {
-                    th { "Criterion" }
-                    th { "Required" }
-                    th.n { "Value" }
-                    th.n { "Utilisation" }
-                    th {}
-                    @if several || shaken { th { "In" } }
+                    @for (i, column) in ASKED.iter().enumerate() { th.n[i == 2 || i == 3] { (column) } }
+                    @if several || shaken { th { (PLACE) } }
                 }
             }
             tbody {
                 @for CaseCheck { check, assessed } in assessment.checks() {
                     tr {
-                        td { (check.criterion.words()) " " code { (check.criterion.name()) } }
-                        td { (check.criterion.required()) }
-                        td.n { (check.value_words(assessed)) }
-                        td.n { (check.utilisation_words()) }
+                        td.name { (check.criterion.words()) " " code { (check.criterion.name()) } }
+                        td data-label=(ASKED[1]) { (check.criterion.required()) }
+                        td.n data-label=(ASKED[2]) { (check.value_words(assessed)) }
+                        td.n data-label=(ASKED[3]) { (check.utilisation_words()) }
                         td { span.yes[check.met].no[!check.met] { (check.met_words()) } }
                         @if several || shaken {
-                            td {
+                            td data-label=(PLACE) {
                                 @if several { (name(assessment, assessed)) }
                                 @if !assessed.is_reported { " another acceleration of the base" }
                             }
@@ -93,6 +93,18 @@ fn criteria(assessment: &Assessment) -> Markup {
     }
 }
 
+/// The columns of the table of situations; on a narrow screen each stands before its value.
+const COLUMNS: [&str; 6] = [
+    "Mode",
+    "Safety against sliding",
+    "Safety against overturning",
+    "Leaves rest at, % of the load",
+    "Into",
+    "Unique",
+];
+/// Which of them are numbers.
+const NUMBERS: std::ops::RangeInclusive<usize> = 1..=3;
+
 fn table(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
     html! {
@@ -100,12 +112,7 @@ fn table(assessment: &Assessment) -> Markup {
             thead {
                 tr {
                     @if several { th { "Situation" } }
-                    th { "Mode" }
-                    th.n { "Safety against sliding" }
-                    th.n { "Safety against overturning" }
-                    th.n { "Leaves rest at, % of the load" }
-                    th { "Into" }
-                    th { "Unique" }
+                    @for (i, column) in COLUMNS.iter().enumerate() { th.n[NUMBERS.contains(&i)] { (column) } }
                 }
             }
             tbody {
@@ -113,14 +120,16 @@ fn table(assessment: &Assessment) -> Markup {
                     @let (full, stability) = (&assessed.outcome.full, &assessed.outcome.stability);
                     @let factors = [stability.sliding, stability.overturning()];
                     tr {
-                        @if several { td { (name(assessment, assessed)) } }
-                        td { (full.mode.map_or("none", Mode::symbol)) }
-                        @for factor in factors {
-                            td.n { @if full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) } }
+                        @if several { td.name data-label="Situation" { (name(assessment, assessed)) } }
+                        td data-label=(COLUMNS[0]) { (full.mode.map_or("none", Mode::symbol)) }
+                        @for (factor, column) in factors.into_iter().zip(&COLUMNS[1..]) {
+                            td.n data-label=(column) {
+                                @if full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) }
+                            }
                         }
-                        td.n { (departure(&assessed.outcome.departure)) }
-                        td { (assessed.outcome.departure.mode().map_or("–", Mode::symbol)) }
-                        td { @if full.is_unique() { "yes" } @else { "no" } }
+                        td.n data-label=(COLUMNS[3]) { (departure(&assessed.outcome.departure)) }
+                        td data-label=(COLUMNS[4]) { (assessed.outcome.departure.mode().map_or("–", Mode::symbol)) }
+                        td data-label=(COLUMNS[5]) { @if full.is_unique() { "yes" } @else { "no" } }
                     }
                 }
             }

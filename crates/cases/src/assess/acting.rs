@@ -50,27 +50,33 @@ fn results(outcome: &Outcome) -> Vec<String> {
     ]
 }
 
-/// The force that acts alone, or the factors of the combination.
+impl Assessment {
+    /// The title of a situation: its load or combination, with its number where there are several, and its name; `None` where the
+    /// case leaves no choice.
+    pub fn situation_title(&self, assessed: &Assessed) -> Option<String> {
+        let (what, index, name) = match assessed.acting {
+            Acting::All => return None,
+            Acting::Alone(index) => ("Load", index, &self.case.forces[index].name),
+            Acting::Combination(index) => ("Combination", index, &self.case.combinations[index].name),
+        };
+        let number = if self.all.len() > 1 { format!(" {}", index + 1) } else { String::new() };
+        let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
+        Some(format!("{what}{number}{name}"))
+    }
+}
+
+/// The title of a situation, with the force that acts alone, or the factors of the combination.
 pub(super) fn heading(assessment: &Assessment, assessed: &Assessed) -> String {
     let case = &assessment.case;
-    let several = assessment.all.len() > 1;
-    let title = |what: &str, index: usize, name: &Option<String>| {
-        let number = if several { format!(" {}", index + 1) } else { String::new() };
-        let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
-        paragraph(&format!("{what}{number}{name}"), 0)
-    };
-    match assessed.acting {
-        Acting::All => String::new(),
-        Acting::Alone(index) => {
-            let force = &case.forces[index];
-            title("Load", index, &force.name) + &columns(&point_force(case, force), 2, &[]) + "\n"
-        }
+    let details = match assessed.acting {
+        Acting::All => return String::new(),
+        Acting::Alone(index) => columns(&point_force(case, &case.forces[index]), 2, &[]),
         Acting::Combination(index) => {
-            let combination = &case.combinations[index];
-            let words = format!("factors: {}", factors(combination));
-            title("Combination", index, &combination.name) + &paragraph(&words, 2) + "\n"
+            paragraph(&format!("factors: {}", factors(&case.combinations[index])), 2)
         }
-    }
+    };
+    let title = assessment.situation_title(assessed).unwrap_or_default();
+    paragraph(&title, 0) + &details + "\n"
 }
 
 /// The factors of a combination, as they are given.

@@ -123,18 +123,24 @@ fn gross(assessed: &Assessed) -> Option<&GrossOverturning> {
     (wet && differs && !full.is_lifted()).then_some(gross)
 }
 
+/// The factor by gross moments as a formula; `uplift` is U.
+pub fn gross_formula(gross: &GrossOverturning, uplift: f64) -> &'static str {
+    // What is sucked down resists.
+    match (gross.is_about_heel(), gross.buoyancy != 0.0, uplift < 0.0) {
+        (true, true, true) => "(W' t + M_s − M_U)/(M_s + M_p)",
+        (true, true, false) => "(W' t + M_s)/(M_s + M_U + M_p)",
+        (true, false, true) => "(W' t − M_U)/M_p",
+        (true, false, false) => "W' t/(M_U + M_p)",
+        (false, true, true) => "((W' + U_s − U) B_c − W' t − M_s + M_U)/(U_s B_c − M_s − M_p)",
+        (false, true, false) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
+        (false, false, true) => "((W' − U) B_c − W' t + M_U)/(−M_p)",
+        (false, false, false) => "W' (B_c − t)/(U B_c − M_U − M_p)",
+    }
+}
+
 /// What the factor by gross moments counts, with its formula.
 fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
-    let uplift = assessed.outcome.actions.uplift;
-    let formula = match (gross.is_about_heel(), gross.buoyancy != 0.0) {
-        // What is sucked down resists.
-        (true, _) if uplift < 0.0 => "(W' t + M_s − M_U)/(M_s + M_p)",
-        (false, _) if uplift < 0.0 => "((W' + U_s − U) B_c − W' t − M_s + M_U)/(U_s B_c − M_s − M_p)",
-        (true, true) => "(W' t + M_s)/(M_s + M_U + M_p)",
-        (true, false) => "W' t/(M_U + M_p)",
-        (false, true) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
-        (false, false) => "W'(B_c − t)/(U B_c − M_U − M_p)",
-    };
+    let formula = gross_formula(gross, assessed.outcome.actions.uplift);
     let buoyancy = match gross.buoyancy {
         0.0 => String::new(),
         force => {

@@ -3,7 +3,7 @@
 use standfast::{Diagram, InputError};
 use standfast_figures::{DesignPoint, Figure, LoadPlane, diagram, load_plane};
 
-use super::{Assessed, Assessment, View};
+use super::{Assessed, Assessment, View, section};
 use crate::layout::digits;
 
 /// A figure of a case.
@@ -26,6 +26,8 @@ pub enum Drawn {
     Diagram,
     /// The path of the rising loads in the plane of load factor and friction.
     LoadPath,
+    /// The body to scale, with what stands beside it and presses on it.
+    Section,
 }
 
 /// A k–μ diagram and the loads in it.
@@ -37,7 +39,7 @@ struct Plane {
     points: Vec<DesignPoint>,
 }
 
-/// The figures of the situations shown.
+/// The figures of the situations shown, and the section of the case.
 pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure>, InputError> {
     // In the order of the case, as the files are named.
     let mut shown = assessment.shown(view);
@@ -55,6 +57,12 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
             figures.push(path(assessment, assessed, &suffix, view.up_to)?);
         }
     }
+    figures.push(CaseFigure {
+        suffix: "-section".to_owned(),
+        words: "Section".to_owned(),
+        drawn: Drawn::Section,
+        figure: section::figure(&assessment.case)?,
+    });
     Ok(figures)
 }
 

@@ -37,13 +37,13 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
 }
 
 /// What a load is called.
-fn load_words(load: &Load) -> String {
+pub(super) fn load_words(load: &Load) -> String {
     if let Some(name) = &load.name {
         return name.clone();
     }
     let words = match load.source {
         LoadSource::Weight => "weight m g",
-        LoadSource::BuoyantWeight => "buoyant weight W'",
+        LoadSource::BuoyantWeight => "buoyant weight",
         LoadSource::Buoyancy => "buoyancy",
         LoadSource::StillWater => "still water on the sides",
         LoadSource::WaterOnLeft => "water standing on the left side",

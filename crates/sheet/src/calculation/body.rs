@@ -7,6 +7,7 @@ use standfast_cases::{Case, Inputs, Key};
 
 use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, METRE, NONE, TONNE};
 use crate::steps::Steps;
+use crate::symbols::numbered;
 
 pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     let body = &case.body;
@@ -14,16 +15,15 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     if case.section.is_some() {
         let words = "from the outlines of the parts";
         steps.told("Width of the body", "w", body.width(), METRE, words, "width");
-        steps.told("Its height above the base", "h_w", body.height(), METRE, words, "height");
+        steps.told("Its height above the base", "h_body", body.height(), METRE, words, "height");
     } else {
         steps.know("w", body.width(), METRE);
-        steps.know("h_w", body.height(), METRE);
+        steps.know("h_body", body.height(), METRE);
     }
     steps.know("μ", case.friction, NONE);
-    steps.know("μ_s", case.friction, NONE);
     steps.know("μ_k", case.kinetic_friction, NONE);
     steps.add("Half width", "", ["B", "w/2"], body.width() / 2.0, METRE, "");
-    steps.add("Half height", "", ["H", "h_w/2"], body.height() / 2.0, METRE, "");
+    steps.add("Half height", "", ["H", "h_body/2"], body.height() / 2.0, METRE, "");
     steps.add("Slenderness", "", ["γ", "H/B"], body.slenderness(), NONE, "slenderness");
     if let Some(length) = inputs.number(Key::Length) {
         steps.know("L_b", length, METRE);
@@ -34,9 +34,9 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     if let Some(density) = inputs.number(Key::Density) {
         steps.know("ρ_b", density, DENSITY);
         let (about, formula) = match (body.plan(), case.extent) {
-            (Plan::Circle, _) => ("Mass", "ρ_b π w^2/4 h_w"),
-            (_, Extent::Whole) => ("Mass", "ρ_b w h_w L_b"),
-            (_, Extent::PerMetre) => ("Mass, per metre run", "ρ_b w h_w"),
+            (Plan::Circle, _) => ("Mass", "ρ_b π w^2/4 h_body"),
+            (_, Extent::Whole) => ("Mass", "ρ_b w h_body L_b"),
+            (_, Extent::PerMetre) => ("Mass, per metre run", "ρ_b w h_body"),
         };
         steps.add(about, "", ["m", formula], body.mass(), TONNE, "mass");
     } else {
@@ -52,8 +52,8 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
         steps.know("I", body.moment_of_inertia(), INERTIA);
     } else {
         let (about, formula) = match body.plan() {
-            Plan::Circle => ("of a uniform cylinder", "m (3/4 w^2 + h_w^2)/12"),
-            _ => ("of a uniform rectangle", "m (w^2 + h_w^2)/12"),
+            Plan::Circle => ("of a uniform cylinder", "m (3/4 w^2 + h_body^2)/12"),
+            _ => ("of a uniform rectangle", "m (w^2 + h_body^2)/12"),
         };
         let about = &format!("Moment of inertia about the centre of mass, {about}");
         let formula = ["I", formula];
@@ -77,20 +77,22 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
     {
         let n = i + 1;
         let of = |letter: &str| format!("{letter}_{n}");
+        let [dry_density, wet_density] =
+            [Key::PartDensity, Key::PartDensityBelow].map(|key| numbered(key.info().symbol, i, masses.len()));
         let about = format!(
             "Part {n}{}: area above still water",
             name.map_or(String::new(), |name| format!(", {}", name.replace('`', "'")))
         );
         steps.told(&about, &of("A"), *dry, AREA, "of its outline", "");
-        steps.know(&of("ρ"), part.density(), DENSITY);
+        steps.know(&dry_density, part.density(), DENSITY);
         let formula = if *wet == 0.0 {
-            format!("ρ_{n} A_{n}{long}")
+            format!("{dry_density} A_{n}{long}")
         } else {
             steps.told("Its area below", &format!("A'_{n}"), *wet, AREA, "of its outline", "");
-            steps.know(&format!("ρ'_{n}"), part.density_below_water(), DENSITY);
+            steps.know(&wet_density, part.density_below_water(), DENSITY);
             match long {
-                "" => format!("ρ_{n} A_{n} + ρ'_{n} A'_{n}"),
-                long => format!("(ρ_{n} A_{n} + ρ'_{n} A'_{n}){long}"),
+                "" => format!("{dry_density} A_{n} + {wet_density} A'_{n}"),
+                long => format!("({dry_density} A_{n} + {wet_density} A'_{n}){long}"),
             }
         };
         let times = case.body.plan().side(body.width());

@@ -145,7 +145,7 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
     let key = "SF_overturning_gross";
     let about = "Safety against overturning by gross moments";
     if gross.buoyancy == 0.0 && actions.uplift == 0.0 && actions.uplift_moment == 0.0 {
-        let words = "the same: no water presses under the base";
+        let words = "the same: nothing presses under the base";
         return steps.told(about, key, gross.overturning(), NONE, words, key);
     }
     steps.note(
@@ -158,36 +158,23 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
             components.iter().enumerate().filter(|(_, part)| part.load.source == LoadSource::Buoyancy);
         sum(buoyancy.map(|(i, component)| (parts(i)[which].clone(), part(&component.wrench))))
     };
-    match of(1, |wrench| wrench.p) {
-        Some(formula) => {
-            let force = format!("−{}", grouped(&formula));
-            steps.add("Buoyancy, which W′ is less by", "", ["U_s", &force], gross.buoyancy, KILONEWTON, "");
-            let moments =
-                of(2, |wrench| wrench.m).map_or(String::new(), |m| format!(" {sign} {}", grouped(&m)));
-            let formula = format!("U_s {arm}{moments}");
-            steps.add("Its moment about the heel", "", ["M_s", &formula], gross.buoyancy_moment, MOMENT, "");
-        }
-        None => {
-            steps.told("Buoyancy", "U_s", 0.0, KILONEWTON, "none among the loads", "");
-            steps.told("Its moment about the heel", "M_s", 0.0, MOMENT, "none", "");
-        }
+    if let Some(formula) = of(1, |wrench| wrench.p) {
+        let force = format!("−{}", grouped(&formula));
+        steps.add("Buoyancy, which W′ is less by", "", ["U_s", &force], gross.buoyancy, KILONEWTON, "");
+        let moments = of(2, |wrench| wrench.m).map_or(String::new(), |m| format!(" {sign} {}", grouped(&m)));
+        let formula = format!("U_s {arm}{moments}");
+        steps.add("Its moment about the heel", "", ["M_s", &formula], gross.buoyancy_moment, MOMENT, "");
     }
-    let formula = match (gross.is_about_heel(), actions.uplift < 0.0) {
-        _ if gross.overturning() == 0.0 => {
-            let words = "uplift or eccentric weight turn the body without any horizontal force";
-            return steps.told(about, key, 0.0, NONE, words, key);
-        }
-        _ if !gross.overturning().is_finite() => {
-            return steps.told(about, key, gross.overturning(), NONE, "nothing turns the body", key);
-        }
-        // What is sucked down resists.
-        (true, true) => "(W' t + M_s − M_U)/(M_s + M_p)",
-        (false, true) => "((W' + U_s − U) B_c − W' t − M_s + M_U)/(U_s B_c − M_s − M_p)",
-        (true, false) => "(W' t + M_s)/(M_s + M_U + M_p)",
-        (false, false) => "((W' + U_s) B_c − W' t − M_s)/((U_s + U) B_c − M_s − M_U − M_p)",
-    };
+    if gross.overturning() == 0.0 {
+        let words = "uplift or eccentric weight turn the body without any horizontal force";
+        return steps.told(about, key, 0.0, NONE, words, key);
+    }
+    if !gross.overturning().is_finite() {
+        return steps.told(about, key, gross.overturning(), NONE, "nothing turns the body", key);
+    }
     let corner = if gross.is_about_heel() { "heel" } else { "toe" };
     let about = format!("{about}, about the {corner}");
+    let formula = checks::gross_formula(gross, actions.uplift);
     steps.add(&about, "", [key, formula], gross.overturning(), NONE, key);
 }
 

@@ -1,9 +1,10 @@
 //! Loads that are no point of the report's diagram: the general contact problem and the conditions of its modes.
 
 use standfast::contact::Block;
+use standfast::relation::Relation;
 use standfast::{InputError, Situation, Wrench};
 
-use crate::measured::{METRE, Measured, NONE};
+use crate::measured::{Measured, NONE};
 use crate::steps::{Step, Steps};
 
 pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) -> Result<(), InputError> {
@@ -11,7 +12,8 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
     steps.note(
         "The load is no point of the report's diagram, which needs a uniform body with one friction and no added mass, pressed \
          on its base and pushed sideways. Every mode is tried: its motion has to satisfy the equations of motion, Coulomb's \
-         law and non-penetration at both corners. Forces are in m g, lengths in B, accelerations in g.",
+         law and non-penetration at both corners. Forces are in m g, lengths in B, accelerations in g: `φ_x` and `φ_y` are the reactions \
+         of the base, `ζ` is where `φ_y` acts, right of the centre of mass.",
     );
     let (block, wrench) = (situation.block(), situation.reduced_wrench(total));
     let Block { b1, b2, d, rho2, m_x, .. } = block;
@@ -22,33 +24,46 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
     add("The wrench in these units", "x", "X/(m g)", wrench.x);
     add("", "p", "V/(m g)", wrench.p);
     add("", "q", "M/(m g B)", wrench.m);
-    add("The body in these units", "β_1", "b_1/B", b1);
-    add("", "β_2", "b_2/B", b2);
-    add("", "d", "y_C/B", d);
+    add("The body in these units", "r_1", "b_1/B", b1);
+    add("", "r_2", "b_2/B", b2);
+    add("", "d_C", "y_C/B", d);
     add("", "ρ_C", "sqrt(I/(m B^2))", rho2.sqrt());
     if m_x != 1.0 {
-        add("Inertia against horizontal motion", "m_x", "1 + M_a/m", m_x);
+        add("Inertia against horizontal motion", "m_x", "1 + m_a/m", m_x);
     }
     let answer = situation.solve(total)?;
     if answer.modes.is_empty() {
         steps.note("No mode is consistent; that happens only where friction to stick is larger than friction to slip.");
     }
-    steps.know("b_1", b1, NONE);
-    steps.know("b_2", b2, NONE);
     for mode in answer.modes.iter() {
         let reported = if answer.mode() == Some(mode) { "" } else { ", not the one reported" };
         steps.heading(&format!("Consistent{reported}: the body {} ({mode})", mode.words()));
         if let Some(motion) = answer.motion(mode) {
-            steps.know("f_y", motion.f_y, NONE);
+            steps.know("φ_y", motion.f_y, NONE);
         }
         for relation in answer.explain(mode) {
-            steps.relation(&relation);
+            steps.relation(&reduced(relation));
         }
     }
-    let body = situation.body();
-    steps.know("b_1", body.heel_distance(), METRE);
-    steps.know("b_2", body.toe_distance(), METRE);
     Ok(())
+}
+
+/// A condition of the contact problem in the symbols of its units; the library's are those of any units.
+fn reduced(relation: Relation) -> Relation {
+    let symbol = |text: &'static str| match text {
+        "|f_x|" => "|φ_x|",
+        "f_y" => "φ_y",
+        "ξ" => "ζ",
+        "θ̈" => "θ̈ B/g",
+        "ẍ_O" => "ẍ_O/g",
+        "ÿ_O" => "ÿ_O/g",
+        "ÿ_O'" => "ÿ_O'/g",
+        "μ_s f_y" => "μ φ_y",
+        "−b_1" => "−r_1",
+        "b_2" => "r_2",
+        other => other,
+    };
+    Relation { quantity: symbol(relation.quantity), bound: symbol(relation.bound), ..relation }
 }
 
 #[cfg(test)]

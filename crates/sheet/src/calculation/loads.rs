@@ -1,17 +1,18 @@
 //! Each load as a wrench at the centre of mass, and their sum.
 
 use maud::{Markup, html};
-use standfast::loads::{Action, Face, Load, LoadSource, PressureAt, PressureDiagram};
+use standfast::loads::{Action, Earthquake, Face, Load, LoadSource, PressureAt, PressureDiagram};
 use standfast::{Body, Plan, Wrench};
 use standfast_cases::assess::{Component, left_out, share};
-use standfast_cases::case::Weight;
+use standfast_cases::case::{FacePressure, PointForce, Weight};
 use standfast_cases::units::Extent;
-use standfast_cases::{Assessed, Case};
+use standfast_cases::{Assessed, Case, Key};
 
 use crate::measured::{
     ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, TONNE, number,
 };
 use crate::steps::{Step, Steps};
+use crate::symbols::{numbered, point};
 
 /// The symbols of a component's parts: X, V and M with its number.
 pub(super) fn parts(index: usize) -> [String; 3] {
@@ -105,7 +106,7 @@ fn added_mass(steps: &mut Steps, case: &Case) {
         (None, None) => None,
     };
     let (Some(height), Some((density, right, left))) = (height, from_water) else {
-        steps.told("Added mass of water", "M_a", mass, TONNE, "as given in the case file", "added_mass");
+        steps.told("Added mass of water", "m_a", mass, TONNE, "as given in the case file", "added_mass");
         return;
     };
     steps.know("ρ_w", density, DENSITY);
@@ -121,7 +122,7 @@ fn added_mass(steps: &mut Steps, case: &Case) {
         false => format!("{coefficient} (h_r^2 + h_l^2){long}"),
     };
     let about = "Added mass of water, 14ζ(3)/π³ `ρ_w h^2` a side";
-    steps.add(about, "Westergaard's problem", ["M_a", &formula], mass, TONNE, "added_mass");
+    steps.add(about, "Westergaard's problem", ["m_a", &formula], mass, TONNE, "added_mass");
     let depths = if one_side { "h_r" } else { "(h_r^3 + h_l^3)/(h_r^2 + h_l^2)" };
     // β(4) is Dirichlet's; the coefficient is 0.40142.
     let formula = format!("(1 − 16 0.9889445517411053/(7 π 1.2020569031595942)) {depths}");
@@ -134,25 +135,22 @@ fn added_mass(steps: &mut Steps, case: &Case) {
 fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
     let Component { name, wrench, .. } = component;
     let [x, v, m] = parts(i);
-    given(steps, case, assessed, &component.load);
+    given(steps, case, &component.load);
     // A factor of the combination stands before what it multiplies.
-    let factor = if component.load.factor == 1.0 { "" } else { "γ_F " };
-    steps.know("γ_F", component.load.factor, NONE);
+    let name_of_factor = format!("γ_F{}", i + 1);
+    let factor = if component.load.factor == 1.0 { String::new() } else { format!("{name_of_factor} ") };
+    steps.know(&name_of_factor, component.load.factor, NONE);
     // Backticks would begin a formula.
     let mut about = format!("{}  {}", i + 1, name.replace('`', "'"));
     let sums = ["Q", "S"].map(|letter| format!("{letter}_{}", i + 1));
     if let Action::Pressure { face, diagram } = &component.load.action
         && component.load.source == LoadSource::Pressure
     {
-        let given = case.pressures.iter().find(|pressure| {
-            pressure.face == *face && pressure.name == component.load.name && pressure.diagram == *diagram
-        });
-        let scale = given.map_or(1.0, |pressure| pressure.scale);
-        pressure(steps, case, &about, &sums, (*face, diagram), scale);
+        pressure(steps, case, &about, &sums, (&component.load, *face, diagram));
         about.clear();
     }
     let long = along(&case.body, case.extent);
-    let [fx, fv, fm] = formulas(component, [&x, &v], &sums, factor, &long);
+    let [fx, fv, fm] = formulas(case, assessed, component, [&x, &v], &sums, &factor, &long);
     let mut about = about.as_str();
     let parts = [(x, fx, wrench.x, KILONEWTON), (v, fv, wrench.p, KILONEWTON), (m, fm, wrench.m, MOMENT)];
     for (name, formula, value, unit) in parts {
@@ -169,7 +167,7 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
 }
 
 /// The numbers that the formulas of a load's parts need.
-fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
+fn given(steps: &mut Steps, case: &Case, load: &Load) {
     match load.source {
         LoadSource::BuoyantWeight => {
             if let Weight::Buoyant { force, arm } = case.weight {
@@ -188,8 +186,8 @@ fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
             if let (Some(water), Action::Force { at, up, .. }) = (&case.water, &load.action) {
                 let unit_weight = water.density() * case.gravity * case.body.plan().side(case.body.width());
                 let [area, place] = match load.source {
-                    LoadSource::WaterOnLeft => ["A_l", "x_l"],
-                    _ => ["A_r", "x_r"],
+                    LoadSource::WaterOnLeft => ["A_wl", "x_wl"],
+                    _ => ["A_wr", "x_wr"],
                 };
                 let words = "between the outline of the parts and the upright through the corner of the base";
                 steps.told("Area of the water on the side", area, 0.0 - up / unit_weight, AREA, words, "");
@@ -205,16 +203,17 @@ fn given(steps: &mut Steps, case: &Case, assessed: &Assessed, load: &Load) {
             }
         }
         LoadSource::HorizontalInertia | LoadSource::VerticalInertia | LoadSource::ShakenWater => {
-            if let Some(earthquake) = &assessed.earthquake {
+            if let Some(earthquake) = &case.earthquake {
                 steps.know("a_h", earthquake.horizontal(), ACCELERATION);
                 steps.know("a_v", earthquake.vertical(), ACCELERATION);
             }
         }
         LoadSource::Force => {
             if let Action::Force { at, right, up } = load.action {
-                steps.know("F", if up == 0.0 { right.abs() } else { up.abs() }, KILONEWTON);
-                steps.know("e", at.y, METRE);
-                steps.know("x_F", at.x + case.body.base_edges().left, METRE);
+                let [force, elevation, distance] = force_symbols(case, load);
+                steps.know(&force, if up == 0.0 { right.abs() } else { up.abs() }, KILONEWTON);
+                steps.know(&elevation, at.y, METRE);
+                steps.know(&distance, at.x + case.body.base_edges().left, METRE);
             }
         }
         _ => {}
@@ -237,8 +236,22 @@ fn along(body: &Body, extent: Extent) -> Along {
     }
 }
 
+/// The symbols of a force, its elevation and its distance from O.
+pub(super) fn force_symbols(case: &Case, load: &Load) -> [String; 3] {
+    let forces = &case.forces;
+    let is_it = |force: &PointForce| {
+        let other = force.load(&case.body);
+        other.name == load.name && other.action == load.action && other.permanent == load.permanent
+    };
+    let index = forces.iter().position(is_it).unwrap_or_default();
+    [Key::Force, Key::Elevation, Key::LoadDistance]
+        .map(|key| numbered(key.info().symbol, index, forces.len()))
+}
+
 /// X, V and M of a load as formulas; a part that it does not have is none.
 fn formulas(
+    case: &Case,
+    assessed: &Assessed,
     component: &Component,
     [x, v]: [&str; 2],
     [sum, lever]: &[String; 2],
@@ -263,6 +276,13 @@ fn formulas(
     };
     let some = |text: &str| Some(format!("{factor}{text}"));
     let less = |text: &str| Some(format!("−{factor}{text}"));
+    // Of the accelerations that are tried the one at work may be the other way round than the one given.
+    let turned = |of: fn(&Earthquake) -> f64| {
+        let [given, tried] = [&case.earthquake, &assessed.earthquake];
+        given.as_ref().zip(tried.as_ref()).is_some_and(|(given, tried)| of(given) * of(tried) < 0.0)
+    };
+    let way = |turned: bool, text: &str| if turned { less(text) } else { some(text) };
+    let [force, elevation, distance] = force_symbols(case, &component.load);
     match component.load.source {
         LoadSource::Weight => [None, some("m g"), None],
         LoadSource::BuoyantWeight => [None, some("W_g"), Some(moment_of_v("t_g"))],
@@ -271,21 +291,23 @@ fn formulas(
             let moment = format!("ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C)){side}");
             [some(&format!("ρ_w g (h_l^2 − h_r^2)/2{side}")), None, some(&moment)]
         }
-        LoadSource::WaterOnLeft => [None, some(&format!("ρ_w g A_l{side}")), Some(moment_of_v("x_l"))],
-        LoadSource::WaterOnRight => [None, some(&format!("ρ_w g A_r{side}")), Some(moment_of_v("x_r"))],
+        LoadSource::WaterOnLeft => [None, some(&format!("ρ_w g A_wl{side}")), Some(moment_of_v("x_wl"))],
+        LoadSource::WaterOnRight => [None, some(&format!("ρ_w g A_wr{side}")), Some(moment_of_v("x_wr"))],
         LoadSource::Uplift => pressure("p_l", "p_r", ""),
-        LoadSource::HorizontalInertia => [less("m a_h"), None, None],
-        LoadSource::VerticalInertia => [None, some("m a_v"), None],
-        LoadSource::ShakenWater => [less("M_a a_h"), None, Some(moment_of_x("z_a"))],
+        LoadSource::HorizontalInertia => [way(!turned(Earthquake::horizontal), "m a_h"), None, None],
+        LoadSource::VerticalInertia => [None, way(turned(Earthquake::vertical), "m a_v"), None],
+        LoadSource::ShakenWater => {
+            [way(!turned(Earthquake::horizontal), "m_a a_h"), None, Some(moment_of_x("z_a"))]
+        }
         LoadSource::WavePressure => [less("P_w"), None, some("(M_w − P_w y_C)")],
         LoadSource::WaveUplift => [None, less("p_u/2 B_c"), Some(format!("{factor}p_u/3 B_c^2 + {v} b_1"))],
         LoadSource::Force => match component.load.action {
             Action::Force { up, .. } if up != 0.0 => {
-                [None, if up > 0.0 { less("F") } else { some("F") }, Some(moment_of_v("x_F"))]
+                [None, way(up > 0.0, &force), Some(moment_of_v(&distance))]
             }
             _ => {
                 let left = component.wrench.x.is_sign_negative();
-                [if left { less("F") } else { some("F") }, None, Some(moment_of_x("e"))]
+                [way(left, &force), None, Some(moment_of_x(&elevation))]
             }
         },
         LoadSource::Pressure => match component.load.action {
@@ -310,11 +332,16 @@ fn pressure(
     case: &Case,
     name: &str,
     [sum_name, lever_name]: &[String; 2],
-    (face, diagram): (Face, &PressureDiagram),
-    scale: f64,
+    (load, face, diagram): (&Load, Face, &PressureDiagram),
 ) {
     /// How many points a sum is written out for.
     const WRITTEN: usize = 6;
+    let given = &case.pressures;
+    let is_it = |pressure: &FacePressure| {
+        pressure.face == face && pressure.name == load.name && pressure.diagram == *diagram
+    };
+    let index = given.iter().position(is_it).unwrap_or_default();
+    let scale = given.get(index).map_or(1.0, |pressure| pressure.scale);
     let points = diagram.points();
     let (force, moment) = diagram.resultant_on(&case.body, face);
     let Along { side, circle } = along(&case.body, case.extent);
@@ -332,23 +359,31 @@ fn pressure(
         return;
     }
     for (i, PressureAt { position, pressure }) in points.iter().enumerate() {
-        steps.know(&format!("s_{}", i + 1), *position, METRE);
+        let [s, q] = ["s", "q"].map(|letter| point(letter, index, given.len(), i));
+        steps.know(&s, *position, METRE);
         // As the file has it; one that is scaled to nothing has no other numbers.
-        let given = if scale == 0.0 { 0.0 } else { pressure / scale };
-        steps.know(&format!("q_{}", i + 1), given, KILOPASCAL);
+        let unscaled = if scale == 0.0 { 0.0 } else { pressure / scale };
+        steps.know(&q, unscaled, KILOPASCAL);
     }
-    steps.know("f_p", scale, NONE);
-    let over = |piece: fn(usize, usize) -> String| {
-        let sum = (1..points.len()).map(|i| piece(i, i + 1)).collect::<Vec<_>>().join(" + ");
+    let factor = numbered(Key::PressureFactor.info().symbol, index, given.len());
+    steps.know(&factor, scale, NONE);
+    let over = |piece: fn([&str; 4]) -> String| {
+        let symbol = |letter: &str, i: usize| point(letter, index, given.len(), i);
+        let pieces = (1..points.len()).map(|i| {
+            let symbols = [symbol("s", i - 1), symbol("s", i), symbol("q", i - 1), symbol("q", i)];
+            piece(symbols.each_ref().map(String::as_str))
+        });
+        let sum = pieces.collect::<Vec<_>>().join(" + ");
         match (scale == 1.0, side) {
             (true, "") => sum,
             (true, side) => format!("({sum}){side}"),
-            (false, side) => format!("f_p ({sum}){side}"),
+            (false, side) => format!("{factor} ({sum}){side}"),
         }
     };
-    let formula = over(|i, j| format!("(q_{i} + q_{j})/2 (s_{j} − s_{i})"));
+    let formula = over(|[s_1, s_2, q_1, q_2]| format!("({q_1} + {q_2})/2 ({s_2} − {s_1})"));
     steps.add(sum, "", [sum_name, &formula], force, KILONEWTON, "");
-    let formula =
-        over(|i, j| format!("(s_{j} − s_{i})/6 (q_{i} (2 s_{i} + s_{j}) + q_{j} (s_{i} + 2 s_{j}))"));
+    let formula = over(|[s_1, s_2, q_1, q_2]| {
+        format!("({s_2} − {s_1})/6 ({q_1} (2 {s_1} + {s_2}) + {q_2} ({s_1} + 2 {s_2}))")
+    });
     steps.add(lever, "", [lever_name, &formula], moment, MOMENT, "");
 }

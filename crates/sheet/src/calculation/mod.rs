@@ -12,9 +12,10 @@ mod path;
 mod waves;
 
 use maud::Markup;
-use standfast_cases::{Acting, Assessed, Assessment, Inputs, View};
+use standfast_cases::{Assessed, Assessment, Inputs, View};
 
 pub use classical::TARGET;
+pub use mode::capital;
 
 use crate::SheetError;
 use crate::steps::Steps;
@@ -30,15 +31,7 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Ma
     }
     let shown = assessment.shown(view);
     for assessed in &shown {
-        let title = |what: &str, index: usize, name: &Option<String>| {
-            let name = name.as_ref().map_or(String::new(), |name| format!(": {name}"));
-            format!("{what} {}{name}", index + 1)
-        };
-        let title = match assessed.acting {
-            Acting::Alone(index) => title("Load", index, &case.forces[index].name),
-            Acting::Combination(index) => title("Combination", index, &case.combinations[index].name),
-            Acting::All => "Loads and response".to_owned(),
-        };
+        let title = assessment.situation_title(assessed).unwrap_or_else(|| "Loads and response".to_owned());
         steps.part(&title, Some(assessed.index));
         situation(&mut steps, assessment, assessed, view)?;
     }
@@ -69,7 +62,7 @@ fn situation(
     match &full.effective {
         Some(reduced) => {
             match in_air {
-                true => mode::in_air(steps, reduced, assessed.is_factored()),
+                true => mode::in_air(steps, case, assessed, reduced),
                 false => mode::effective(steps, reduced),
             }
             mode::decision(steps, reduced);
@@ -77,7 +70,7 @@ fn situation(
         None => contact::steps(steps, &assessed.situation, &full.wrench)?,
     }
     motion::steps(steps, case, assessed);
-    path::steps(steps, assessed, view);
+    path::steps(steps, assessed, &components, view);
     criteria::steps(steps, case, assessed);
     if let Some(reduced) = &full.effective {
         mode::changes(steps, reduced, in_air.then_some(case.body.mass() * case.gravity));

@@ -3,24 +3,32 @@
 use maud::{Markup, PreEscaped, html};
 use standfast::Mode;
 use standfast::initiation::Crossing;
-use standfast::loads::Reduced;
+use standfast::loads::{LoadSource, Reduced};
 use standfast_cases::assess::checks;
 use standfast_cases::describe;
 use standfast_cases::layout::apart;
+use standfast_cases::{Assessed, Case};
 
+use super::loads::force_symbols;
 use crate::mathml::symbol;
 use crate::measured::{KILONEWTON, Measured, NONE};
 use crate::steps::Steps;
 
 /// k and k' of a lone force in air.
-pub(super) fn in_air(steps: &mut Steps, reduced: &Reduced, factored: bool) {
+pub(super) fn in_air(steps: &mut Steps, case: &Case, assessed: &Assessed, reduced: &Reduced) {
     let point = &reduced.point;
+    let loads = assessed.situation.loads().iter().enumerate();
+    let Some((i, load)) = loads.into_iter().find(|(_, load)| load.source == LoadSource::Force) else {
+        return;
+    };
+    let [force, elevation, _] = force_symbols(case, load);
+    let factor = if load.factor == 1.0 { String::new() } else { format!("γ_F{} ", i + 1) };
     steps.heading("Reduction to the report's plane");
-    // The factor is that of the load last told, the force.
-    let formula = if factored { "γ_F F/(m g)" } else { "F/(m g)" };
-    steps.add("Force, in weights of the body", "", ["k", formula], point.k(), NONE, "k_eff");
+    let formula = format!("{factor}{force}/(m g)");
+    steps.add("Force, in weights of the body", "", ["k", &formula], point.k(), NONE, "k_eff");
     let about = "Height of the force above the centre of mass, in half-heights";
-    steps.add(about, "", ["k'", "(e − H)/H"], point.k_prime(), NONE, "k_prime_eff");
+    let formula = format!("({elevation} − H)/H");
+    steps.add(about, "", ["k'", &formula], point.k_prime(), NONE, "k_prime_eff");
     if reduced.mirrored {
         steps.note(describe::MIRRORED);
     }
@@ -39,12 +47,12 @@ pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
     if reduced.mirrored {
         steps.note(describe::MIRRORED);
     }
+    steps.note("From here on `k` and `k'` are the effective ones.");
     let about = "Safety against overturning in these coordinates";
     let factor = point.safety_against_overturning();
     if factor.is_finite() {
         steps.add(about, "", ["SF_eff", "1/(k γ |1 + k'|)"], factor, NONE, "");
         steps.note(checks::two_factors(reduced));
-        steps.note("From here on `k` and `k'` are the effective ones.");
     }
 }
 
@@ -133,7 +141,8 @@ fn arrow(reduced: &Reduced, crossing: &Crossing) -> Markup {
     html! { (reduced.orient(crossing.from)) " → " (reduced.orient(crossing.to)) }
 }
 
-pub(super) fn capital(words: &str) -> String {
+/// Words with a capital letter in front.
+pub fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -1,7 +1,8 @@
-//! The motion and reactions at onset, and the equations of motion with these numbers.
+//! The motion and reactions at onset, and the equations of motion with these numbers. Of what does not move there are no
+//! accelerations, and its equation gives the reaction.
 
 use maud::{Markup, PreEscaped, html};
-use standfast::Motion;
+use standfast::{Corner, Motion};
 use standfast_cases::describe::{MOTION, RELATIVE};
 use standfast_cases::{Assessed, Case};
 
@@ -10,14 +11,14 @@ use crate::mathml::{prose, symbol};
 use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, METRE, ROTATION, TONNE, number};
 use crate::steps::Steps;
 
-/// The motion of the body.
+/// The motion of the body, without what is zero.
 fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
     Ok(html! {
         table.numbers data-table="motion" {
             thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
             tbody {
-                @for part in MOTION {
-                    @let value = (part.of)(motion) / part.si_units + 0.0;
+                @for part in MOTION.iter().filter(|part| (part.of)(motion) != 0.0) {
+                    @let value = (part.of)(motion) / part.si_units;
                     tr {
                         td { (PreEscaped(symbol(part.symbol))) }
                         td { (prose(&part.words.replace("f_y", "`f_y`"))?) }
@@ -33,21 +34,92 @@ fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
 /// The motion under the full load.
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     let Some(motion) = &assessed.outcome.full.motion else { return };
-    steps.heading("Motion and reactions at onset, full load applied at once");
-    steps.write(table(case, motion));
+    let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
+    let rests = [x_ddot, y_ddot, theta_ddot] == [0.0; 3];
+    steps.heading(match rests {
+        true => "Reactions under the full load; the body rests, and nothing accelerates",
+        false => "Motion and reactions at onset, full load applied at once",
+    });
+    if !rests || f_x != 0.0 || f_y != 0.0 {
+        steps.write(table(case, motion));
+    }
     if assessed.earthquake.is_some() {
         steps.note(RELATIVE);
     }
-    let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
-    let body = &case.body;
-    steps.know("f_x", f_x, KILONEWTON);
-    steps.know("f_y", f_y, KILONEWTON);
-    steps.know("ξ", xi, METRE);
-    steps.know("m", body.mass(), TONNE);
-    steps.know("I", body.moment_of_inertia(), INERTIA);
-    let along = if case.added_mass.mass() > 0.0 { "(X + f_x)/(m + M_a)" } else { "(X + f_x)/m" };
-    steps.add("The equations of motion with these numbers", "", ["ẍ", along], x_ddot, ACCELERATION, "");
-    steps.add("", "", ["ÿ", "(f_y − V)/m"], y_ddot, ACCELERATION, "");
-    let formula = ["θ\u{308}", "(M + y_C f_x + ξ f_y)/I"];
-    steps.add("", "", formula, theta_ddot, ROTATION, "");
+    steps.note(match rests {
+        true => "Equilibrium with these numbers:",
+        false => "The equations of motion with these numbers:",
+    });
+    for (name, value, unit) in [
+        ("m", case.body.mass(), TONNE),
+        ("I", case.body.moment_of_inertia(), INERTIA),
+        ("f_x", f_x, KILONEWTON),
+        ("f_y", f_y, KILONEWTON),
+        ("ξ", xi, METRE),
+    ] {
+        steps.know(name, value, unit);
+    }
+    vertical(steps, motion);
+    horizontal(steps, case, assessed, motion);
+    rotation(steps, assessed, motion);
+}
+
+/// What gives the reaction along the base: friction where the body slips, balance where it does not accelerate.
+fn horizontal(steps: &mut Steps, case: &Case, assessed: &Assessed, motion: &Motion) {
+    let Motion { x_ddot, f_x, .. } = *motion;
+    let about = "Along the base";
+    match assessed.outcome.full.mode.and_then(|mode| mode.slip()) {
+        Some(slip) if f_x != 0.0 => {
+            let friction = if case.kinetic_friction == case.friction { "μ" } else { "μ_k" };
+            let sign = if slip.sign() < 0.0 { "" } else { "−" };
+            let formula = format!("{sign}{friction} f_y");
+            steps.add("Coulomb friction, against the slip", "", ["f_x", &formula], f_x, KILONEWTON, "");
+        }
+        _ if x_ddot == 0.0 && f_x != 0.0 => {
+            steps.add(about, "", ["f_x", "−X"], f_x, KILONEWTON, "");
+        }
+        _ => {}
+    }
+    if x_ddot != 0.0 {
+        let force = if f_x != 0.0 { "(X + f_x)" } else { "X" };
+        let mass = if case.added_mass.mass() > 0.0 { "(m + m_a)" } else { "m" };
+        steps.add(about, "", ["ẍ", &format!("{force}/{mass}")], x_ddot, ACCELERATION, "");
+    }
+}
+
+fn vertical(steps: &mut Steps, motion: &Motion) {
+    let Motion { y_ddot, f_y, .. } = *motion;
+    if y_ddot != 0.0 {
+        let formula = if f_y != 0.0 { "(f_y − V)/m" } else { "−V/m" };
+        steps.add("Upwards", "", ["ÿ", formula], y_ddot, ACCELERATION, "");
+    } else if f_y != 0.0 {
+        steps.add("Upwards", "", ["f_y", "V"], f_y, KILONEWTON, "");
+    }
+}
+
+fn rotation(steps: &mut Steps, assessed: &Assessed, motion: &Motion) {
+    let Motion { theta_ddot, f_x, f_y, xi, .. } = *motion;
+    let lever = if f_x != 0.0 { " + y_C f_x" } else { "" };
+    if f_y != 0.0 {
+        match assessed.outcome.full.mode.and_then(|mode| mode.corner()) {
+            Some(corner) => {
+                let (formula, about) = match corner {
+                    Corner::O => ("−b_1", "The reaction acts at the corner O"),
+                    Corner::OPrime => ("b_2", "The reaction acts at the corner O′"),
+                };
+                steps.add(about, "", ["ξ", formula], xi, METRE, "");
+            }
+            None if theta_ddot == 0.0 && xi != 0.0 => {
+                let formula = format!("−(M{lever})/f_y");
+                steps.add("Moments about the centre of mass", "", ["ξ", &formula], xi, METRE, "");
+            }
+            None => {}
+        }
+    }
+    if theta_ddot != 0.0 {
+        let reaction = if f_y != 0.0 { " + ξ f_y" } else { "" };
+        let formula = format!("(M{lever}{reaction})/I");
+        let about = "Moments about the centre of mass";
+        steps.add(about, "", ["θ\u{308}", &formula], theta_ddot, ROTATION, "");
+    }
 }

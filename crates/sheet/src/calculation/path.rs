@@ -2,14 +2,15 @@
 
 use maud::html;
 use standfast::contact::path;
-use standfast::{Departure, Mode};
-use standfast_cases::assess::verdict;
+use standfast::{Departure, Mode, Wrench};
+use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Assessed, View};
 
-use crate::measured::{NONE, number};
+use super::loads::{parts, sum};
+use crate::measured::{KILONEWTON, MOMENT, NONE, number};
 use crate::steps::Steps;
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, view: &View) {
+pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Component], view: &View) {
     let stages = path::up_to(&assessed.outcome.path, view.up_to);
     steps.heading("Load path: the variable loads rise by a factor, the permanent ones stay");
     if !stages.is_empty() {
@@ -34,7 +35,129 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, view: &View) {
         steps.note(&sentence.replace('`', "'"));
     }
     if let Departure::At { factor, .. } = *assessed.departure() {
+        departure(steps, assessed, components, factor);
+    }
+}
+
+/// A term of a condition of rest: its sign, its factor, its symbol, and its value with both.
+type Term = (bool, &'static str, &'static str, f64);
+
+/// A condition of rest where it is crossed: (what of the permanent loads is left of it)/(what the variable ones take of it).
+struct Condition {
+    words: &'static str,
+    permanent: [Term; 3],
+    variable: [Term; 3],
+}
+
+/// Where the body leaves rest: the condition of rest that the rising load crosses there.
+fn departure(steps: &mut Steps, assessed: &Assessed, components: &[Component], factor: f64) {
+    const ABOUT: &str = "Load factor at which the body leaves rest";
+    const NAME: &str = "λ_d";
+    const KEY: &str = "load_factor";
+    let [permanent, variable] = [true, false].map(|permanent| {
+        let of = components.iter().filter(|component| component.load.permanent == permanent);
+        of.fold(Wrench::ZERO, |sum, component| sum + component.wrench)
+    });
+    let share = |wrench: fn(&Wrench) -> f64| wrench(&permanent) + factor * wrench(&variable);
+    let conditions = conditions(assessed, &permanent, &variable, share(|wrench| wrench.x));
+    // Of the conditions the one that gives the library's load factor; where none does the mode is decided in another way.
+    let found = conditions.iter().find(|condition| {
+        let at = value(&condition.permanent) / value(&condition.variable);
+        (at - factor).abs() <= 1e-9 * factor
+    });
+    let Some(condition) = found else {
         let words = "the least λ at which a condition of rest is crossed";
-        steps.told("Load factor at which the body leaves rest", "λ_d", factor, NONE, words, "load_factor");
+        return steps.told(ABOUT, NAME, factor, NONE, words, KEY);
+    };
+    sums(steps, components, ("permanent", true), &condition.permanent, &permanent);
+    sums(steps, components, ("variable", false), &condition.variable, &variable);
+    let about = format!("{ABOUT}: the least at which a condition of rest is crossed, {}", condition.words);
+    let formula = format!("{}/{}", written(&condition.permanent), written(&condition.variable));
+    steps.add(&about, "", [NAME, &formula], factor, NONE, KEY);
+}
+
+/// The conditions of rest with what the loads are to them; `along` is the force along the base where the body leaves rest.
+fn conditions(assessed: &Assessed, permanent: &Wrench, variable: &Wrench, along: f64) -> [Condition; 3] {
+    let situation = &assessed.situation;
+    let body = situation.body();
+    let (mu, y) = (situation.static_friction(), body.centroid_height());
+    let (b_1, b_2) = (body.heel_distance(), body.toe_distance());
+    let right = along > 0.0;
+    let sign = |minus: bool, value: f64| if minus { -value } else { value };
+    let sliding = |wrench: &Wrench, [v, x]: [&'static str; 2], flip: bool| -> [Term; 3] {
+        let x_minus = right != flip;
+        [
+            (flip, "μ ", v, sign(flip, mu * wrench.p)),
+            (x_minus, "", x, sign(x_minus, wrench.x)),
+            (false, "", "", 0.0),
+        ]
+    };
+    // μ V − X ≥ 0 or μ V + X ≥ 0; b_1 V + X y_C − M ≥ 0; b_2 V − X y_C + M ≥ 0: of each what is permanent over less what varies.
+    let turning = |wrench: &Wrench, [v, x, m]: [&'static str; 3], toe: bool, flip: bool| -> [Term; 3] {
+        let (arm, b) = if toe { ("b_2 ", b_2) } else { ("b_1 ", b_1) };
+        [
+            (flip, arm, v, sign(flip, b * wrench.p)),
+            (toe != flip, "y_C ", x, sign(toe != flip, y * wrench.x)),
+            (toe == flip, "", m, sign(toe == flip, wrench.m)),
+        ]
+    };
+    const GIVEN: [&str; 3] = ["V_G", "X_G", "M_G"];
+    const RISING: [&str; 3] = ["V_Q", "X_Q", "M_Q"];
+    let of_turning = |words, toe| Condition {
+        words,
+        permanent: turning(permanent, GIVEN, toe, false),
+        variable: turning(variable, RISING, toe, true),
+    };
+    [
+        Condition {
+            words: "that of sliding, `|X|` = `μ V`",
+            permanent: sliding(permanent, ["V_G", "X_G"], false),
+            variable: sliding(variable, ["V_Q", "X_Q"], true),
+        },
+        of_turning("that of turning about O, `b_1 V + y_C X` = `M`", false),
+        of_turning("that of turning about O′, `b_2 V + M` = `y_C X`", true),
+    ]
+}
+
+fn value(terms: &[Term; 3]) -> f64 {
+    terms.iter().map(|(_, _, _, value)| value).sum()
+}
+
+/// The terms that are not zero as a formula.
+fn written(terms: &[Term; 3]) -> String {
+    let mut text = String::new();
+    for (minus, factor, name, _) in terms.iter().filter(|(_, _, _, value)| *value != 0.0) {
+        text += match (text.is_empty(), minus) {
+            (true, false) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (false, true) => " − ",
+        };
+        text += &format!("{factor}{name}");
+    }
+    format!("({text})")
+}
+
+/// The sums that the terms name, of the loads that are permanent or not.
+fn sums(
+    steps: &mut Steps,
+    components: &[Component],
+    (words, permanent): (&str, bool),
+    terms: &[Term; 3],
+    total: &Wrench,
+) {
+    let mut about = format!("The {words} loads together");
+    for (_, _, name, _) in terms.iter().filter(|(_, _, _, value)| *value != 0.0) {
+        let (which, part, unit): (usize, fn(&Wrench) -> f64, _) = match name.chars().next() {
+            Some('X') => (0, |wrench| wrench.x, KILONEWTON),
+            Some('V') => (1, |wrench| wrench.p, KILONEWTON),
+            _ => (2, |wrench| wrench.m, MOMENT),
+        };
+        let of = components.iter().enumerate().filter(|(_, component)| component.load.permanent == permanent);
+        let formula = sum(of.map(|(i, component)| (parts(i)[which].clone(), part(&component.wrench))));
+        if let Some(formula) = formula {
+            steps.add(&about, "", [name, &formula], part(total), unit, "");
+            about.clear();
+        }
     }
 }

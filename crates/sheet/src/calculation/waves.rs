@@ -20,8 +20,6 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
     let about = "Wavelength at the wall, the root of the dispersion relation, put back into it";
     steps.add(about, "linear theory", ["L", "L0 tanh(2 π h÷L)"], goda.wavelength, METRE, "wavelength");
     heights(steps, sea, wave);
-    let about = "Depth five significant heights in front of the wall";
-    steps.add(about, "Goda", ["h_b", "h + 5 H_13 tanθ"], goda.h_b, METRE, "h_b");
     coefficients(steps, wave);
     pressures(steps, goda, choices.uplift);
     resultants(steps, goda);
@@ -32,12 +30,12 @@ fn given(steps: &mut Steps, case: &Case, Waves { sea, section, choices, .. }: &W
     let Section { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
     for (name, value, unit) in [
         ("h", sea.water_depth, METRE),
-        ("tanθ", sea.sea_bottom_slope, NONE),
+        ("i", sea.sea_bottom_slope, NONE),
         ("T", sea.period, SECOND),
         ("ρ", sea.water_density, DENSITY),
         ("g", case.gravity, ACCELERATION),
         ("h'", base_depth, METRE),
-        ("d", depth_above_berm, METRE),
+        ("d_M", depth_above_berm, METRE),
         ("h_c", crest_height, METRE),
         ("B_M", berm_width, METRE),
         ("B_c", caisson_width, METRE),
@@ -58,7 +56,7 @@ fn coefficients(steps: &mut Steps, wave: &Waves) {
     steps.add(about, "Goda", ["η*", "3/4 (1 + cos(β)) λ1 H_max"], eta_star, METRE, "eta_star");
     let formula = ["α1", "0.6 + 1/2 ((4 π h÷L)/sinh(4 π h÷L))^2"];
     steps.add("Pressure of slow waves", "Goda", formula, alpha_1, NONE, "alpha_1");
-    let formula = ["α2", "min((h_b − d)/(3 h_b) (H_max/d)^2, 2 d/H_max)"];
+    let formula = ["α2", "min((h_b − d_M)/(3 h_b) (H_max/d_M)^2, 2 d_M/H_max)"];
     steps.add("Pressure over a shallow berm", "Goda", formula, alpha_2, NONE, "alpha_2");
     let formula = ["α3", "1 − h'/h (1 − 1/cosh(2 π h÷L))"];
     steps.add("Pressure at the base", "Goda", formula, alpha_3, NONE, "alpha_3");
@@ -111,7 +109,7 @@ fn heights(steps: &mut Steps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
         let given = "as given in the case file";
         steps.told("Significant wave height", "H_13", goda.h_13, METRE, given, "H13");
         steps.told("Maximum wave height", "H_max", goda.h_max, METRE, given, "Hmax");
-        return;
+        return breaking_depth(steps, goda);
     };
     steps.know("H_0'", height, METRE);
     let formula = ["K_s", "1/sqrt((1 + (4 π h÷L)/sinh(4 π h÷L)) tanh(2 π h÷L))"];
@@ -124,58 +122,64 @@ fn heights(steps: &mut Steps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
         let formula = ["H_13", "K_s H_0'"];
         steps.add("Significant wave height", "Goda", formula, goda.h_13, METRE, "H13");
         steps.add("Maximum wave height", "Goda", ["H_max", "1.8 K_s H_0'"], goda.h_max, METRE, "Hmax");
-        return;
+        return breaking_depth(steps, goda);
     }
     let significant = ["0.028", "0.52", "4.2", "0.92", "0.32"];
-    terms(steps, "the significant height", significant, &computed.significant_terms);
+    terms(steps, "the significant height", "", significant, &computed.significant_terms);
     let formula = ["H_13", "min(β_0 H_0' + β_1 h, β_max H_0', K_s H_0')"];
     steps.add("Significant wave height", "Goda", formula, goda.h_13, METRE, "H13");
-    let about = "Depth for the maximum height";
-    steps.add(about, "Goda", ["h_b", "h + 5 H_13 tanθ"], computed.breaking_depth, METRE, "");
+    breaking_depth(steps, goda);
     let maximum = ["0.052", "0.63", "3.8", "1.65", "0.53"];
-    terms(steps, "the maximum height", maximum, &computed.maximum_terms);
-    let formula = ["H_max", "min(β_0 H_0' + β_1 h_b, β_max H_0', 1.8 K_s H_0')"];
+    terms(steps, "the maximum height", "*", maximum, &computed.maximum_terms);
+    let formula = ["H_max", "min(β_0* H_0' + β_1* h_b, β_max* H_0', 1.8 K_s H_0')"];
     steps.add("Maximum wave height", "Goda", formula, goda.h_max, METRE, "Hmax");
 }
 
-/// The terms of a breaking height.
-fn terms(steps: &mut Steps, of: &str, [c0, c1, s1, least, c_max]: [&str; 5], terms: &BreakingTerms) {
+fn breaking_depth(steps: &mut Steps, goda: &Goda) {
+    let about = "Depth five significant heights in front of the wall";
+    steps.add(about, "Goda", ["h_b", "h + 5 H_13 i"], goda.h_b, METRE, "h_b");
+}
+
+/// The terms of a breaking height; `star` tells those of the maximum height, as Goda does.
+fn terms(
+    steps: &mut Steps,
+    of: &str,
+    star: &str,
+    [c0, c1, s1, least, c_max]: [&str; 5],
+    terms: &BreakingTerms,
+) {
     let BreakingTerms { beta_0, beta_1, beta_max } = *terms;
-    let formula = format!("{c0} (H_0'÷L0)^(−0.38) exp(20 tanθ^1.5)");
-    steps.add(&format!("Terms of breaking of {of}"), "Goda", ["β_0", &formula], beta_0, NONE, "");
-    steps.add("", "Goda", ["β_1", &format!("{c1} exp({s1} tanθ)")], beta_1, NONE, "");
-    let formula = format!("max({least}, {c_max} (H_0'÷L0)^(−0.29) exp(2.4 tanθ))");
-    steps.add("", "Goda", ["β_max", &formula], beta_max, NONE, "");
+    let [name_0, name_1, name_max] = ["β_0", "β_1", "β_max"].map(|name| format!("{name}{star}"));
+    let formula = format!("{c0} (H_0'÷L0)^(−0.38) exp(20 i^1.5)");
+    let about = format!("Terms of breaking of {of}");
+    steps.add(&about, "Goda", [&name_0, &formula], beta_0, NONE, "");
+    steps.add("", "Goda", [&name_1, &format!("{c1} exp({s1} i)")], beta_1, NONE, "");
+    let formula = format!("max({least}, {c_max} (H_0'÷L0)^(−0.29) exp(2.4 i))");
+    steps.add("", "Goda", [&name_max, &formula], beta_max, NONE, "");
 }
 
 fn angle(steps: &mut Steps, Waves { sea, choices, goda, .. }: &Waves) {
+    steps.know("β_g", sea.angle_deg, DEGREE);
     let about = "Angle of the waves from the wall's normal";
-    if choices.turn_deg > 0.0 {
-        steps.know("β_0", sea.angle_deg, DEGREE);
+    let turned = choices.turn_deg > 0.0;
+    if turned {
         steps.know("Δβ", choices.turn_deg, DEGREE);
-        let about = format!("{about}, turned towards it");
-        let result = Measured::of(goda.angle_deg, DEGREE);
-        let formula = "max(β_0 − Δβ, 0)";
-        steps.step(&Step { about: &about, reference: "", name: "β", formula, result, key: "angle_deg" });
-    } else {
-        steps.told(
-            about,
-            "β",
-            goda.angle_deg,
-            DEGREE,
-            "as given, not turned towards the normal",
-            "angle_deg",
-        );
     }
+    let (about, formula) = match turned {
+        true => (format!("{about}, turned towards it"), "max(β_g − Δβ, 0)"),
+        false => (format!("{about}, as given"), "β_g"),
+    };
+    let result = Measured::of(goda.angle_deg, DEGREE);
+    steps.step(&Step { about: &about, reference: "", name: "β", formula, result, key: "angle_deg" });
 }
 
 /// Takahashi's coefficient and α*.
 fn impulsive(steps: &mut Steps, goda: &Goda, used: bool) {
     const TAKAHASHI: &str = "Takahashi";
     let Impulsive { delta_11, delta_22, delta_1, delta_2, alpha_i0, alpha_i1 } = goda.impulsive;
-    let formula = ["δ_11", "0.93 (B_M/L − 0.12) + 0.36 ((h − d)/h − 0.6)"];
+    let formula = ["δ_11", "0.93 (B_M/L − 0.12) + 0.36 ((h − d_M)/h − 0.6)"];
     steps.add("Impulsive breaking: shape of the berm", TAKAHASHI, formula, delta_11, NONE, "");
-    let formula = ["δ_22", "0.93 ((h − d)/h − 0.6) − 0.36 (B_M/L − 0.12)"];
+    let formula = ["δ_22", "0.93 ((h − d_M)/h − 0.6) − 0.36 (B_M/L − 0.12)"];
     steps.add("", TAKAHASHI, formula, delta_22, NONE, "");
     let formula = if delta_11 <= 0.0 { "20 δ_11" } else { "15 δ_11" };
     let about = if delta_11 <= 0.0 { "for `δ_11` ≤ 0" } else { "for `δ_11` > 0" };
@@ -183,7 +187,7 @@ fn impulsive(steps: &mut Steps, goda: &Goda, used: bool) {
     let formula = if delta_22 <= 0.0 { "4.9 δ_22" } else { "3 δ_22" };
     let about = if delta_22 <= 0.0 { "for `δ_22` ≤ 0" } else { "for `δ_22` > 0" };
     steps.add(about, TAKAHASHI, ["δ_2", formula], delta_2, NONE, "");
-    let formula = ["α_I0", "min(H_max/d, 2)"];
+    let formula = ["α_I0", "min(H_max/d_M, 2)"];
     steps.add("", TAKAHASHI, formula, alpha_i0, NONE, "");
     let (about, formula) = match delta_2 <= 0.0 {
         true => ("for `δ_2` ≤ 0", "cos(δ_2)/cosh(δ_1)"),

@@ -1,0 +1,174 @@
+//! The section of a case: its body, levels and loads as the figure draws them.
+
+use standfast::loads::{Action, Face, Load, LoadSource, PressureAt};
+use standfast::{BaseEdges, InputError, Situation};
+use standfast_figures::{Arrow, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side};
+
+use super::loads::load_words;
+use crate::case::{Acting, Case, Waves};
+use crate::layout::digits;
+use crate::units::Extent;
+
+const SCALES: &str = "Lengths are to one scale, pressures to another, arrows of forces to none. Values are those of the case, \
+    before any factor of a combination.";
+const EQUAL: &str = "Water stands equally high on both sides: its pressures there cancel, and are no load.";
+const SLOPES: &str = "How steep the mound is, the case does not say.";
+const SHAKEN: &str = "The earthquake is drawn as it is given; the other directions are tried as well.";
+
+/// The section of a case under all of its loads.
+pub(super) fn figure(case: &Case) -> Result<Figure, InputError> {
+    let situation = case.situation(Acting::All, None)?;
+    let extent = case.extent;
+    let BaseEdges { left, right } = case.body.base_edges();
+    let (widths, heights) = dimensions(case);
+    let section = Section {
+        title: case.title.as_deref().unwrap_or_default(),
+        parts: &parts(case),
+        base: (-left, right),
+        centroid: (case.body.centroid_offset(), case.body.centroid_height()),
+        levels: levels(case),
+        pressures: situation.loads().iter().filter_map(|load| pressed(extent, &situation, load)).collect(),
+        arrows: situation.loads().iter().filter_map(|load| arrow(extent, &situation, load)).collect(),
+        widths,
+        heights,
+        mound: case.wave.as_ref().and_then(mound),
+        notes: notes(case),
+    };
+    Ok(standfast_figures::section(&section))
+}
+
+/// The outlines of the body, or of its parts.
+fn parts(case: &Case) -> Vec<Outline> {
+    let Some(section) = &case.section else {
+        let (half, height) = (case.body.width() / 2.0, case.body.height());
+        let vertices = vec![(-half, 0.0), (half, 0.0), (half, height), (-half, height)];
+        return vec![Outline { vertices, material: Material::Solid, label: String::new() }];
+    };
+    let [left, right] = section.ends();
+    let middle = (left + right) / 2.0;
+    let outlines = case.parts().map(|(name, part)| Outline {
+        vertices: part.outline().iter().map(|corner| (corner.x - middle, corner.y)).collect(),
+        material: match (part.density(), part.density_below_water()) {
+            (0.0, 0.0) => Material::Cavity,
+            (dry, wet) if dry == wet => Material::Solid,
+            _ => Material::Fill,
+        },
+        // A body of one part has its name in the title.
+        label: name.filter(|_| section.parts().len() > 1).unwrap_or_default().to_owned(),
+    });
+    outlines.collect()
+}
+
+fn metres(length: f64) -> String {
+    format!("{} m", digits(length))
+}
+
+/// Widths in rows, and heights in columns.
+fn dimensions(case: &Case) -> (Vec<Vec<Measure>>, Vec<Vec<Measure>>) {
+    let body = &case.body;
+    let (half, BaseEdges { left, right }) = (body.width() / 2.0, body.base_edges());
+    let measure = |from: f64, to: f64, name: &str| {
+        let label = format!("{name}{}", metres(to - from));
+        Measure { ends: (from, to), label }
+    };
+    let mut widths = vec![vec![measure(-half, half, "")]];
+    let mut heights = vec![vec![measure(0.0, body.height(), "")]];
+    if (left, right) != (half, half) {
+        widths.insert(0, vec![measure(-left, right, "base ")]);
+    }
+    let (x, y) = (body.centroid_offset(), body.centroid_height());
+    if x != 0.0 || left != right {
+        widths.insert(0, vec![measure(-left, x, "O–C "), measure(x, right, "C–O′ ")]);
+    }
+    if y != body.height() / 2.0 {
+        heights.insert(0, vec![measure(0.0, y, "C ")]);
+    }
+    (widths, heights)
+}
+
+fn levels(case: &Case) -> Vec<Level> {
+    let level = |side, elevation: f64, name: &str, is_water| {
+        let sign = match elevation {
+            0.0 => "±",
+            up if up > 0.0 => "+",
+            _ => "−",
+        };
+        Level { side, elevation, label: format!("{name} {sign}{}", metres(elevation.abs())), is_water }
+    };
+    let mut levels =
+        vec![level(Side::Left, case.body.height(), "crest", false), level(Side::Left, 0.0, "base", false)];
+    if let Some(water) = &case.water {
+        let sides = [(Side::Left, water.left()), (Side::Right, water.right())];
+        let wet = sides.into_iter().filter(|(_, elevation)| *elevation > 0.0);
+        levels.extend(wet.map(|(side, elevation)| level(side, elevation, "water", true)));
+    }
+    if let Some(Waves { sea, section, .. }) = &case.wave {
+        let still = section.base_depth;
+        levels.retain(|level| (level.side, level.is_water) != (Side::Right, true));
+        levels.push(level(Side::Right, still, "still water", true));
+        levels.push(level(Side::Right, still - section.depth_above_berm, "berm", false));
+        levels.push(level(Side::Right, still - sea.water_depth, "sea bed", false));
+    }
+    levels
+}
+
+/// The mound, unless the base is no higher than the bed.
+fn mound(wave: &Waves) -> Option<Mound> {
+    let still = wave.section.base_depth;
+    let bed = still - wave.sea.water_depth;
+    let berm = still - wave.section.depth_above_berm;
+    (bed <= 0.0).then_some(Mound { bed, berm, berm_width: wave.section.berm_width })
+}
+
+/// What a load amounts to, in words: its name, size and direction.
+fn words(extent: Extent, situation: &Situation, load: &Load, sideways: bool) -> String {
+    let wrench = situation.wrench_of(load);
+    let (size, way) = match sideways {
+        true => (wrench.x, if wrench.x < 0.0 { "to the left" } else { "to the right" }),
+        false => (wrench.p, if wrench.p < 0.0 { "upwards" } else { "downwards" }),
+    };
+    format!("{}, {} {way}", load_words(load), extent.kilonewtons(size.abs()))
+}
+
+fn pressed(extent: Extent, situation: &Situation, load: &Load) -> Option<Pressed> {
+    let Action::Pressure { face, diagram } = &load.action else { return None };
+    let point = |point: &PressureAt| {
+        (point.position, point.pressure, format!("{} kPa", digits(point.pressure / 1e3)).replace('-', "−"))
+    };
+    let points: Vec<_> = diagram.points().iter().map(point).collect();
+    let acts = points.iter().any(|(_, pressure, _)| *pressure != 0.0);
+    let sideways = matches!(face, Face::Left | Face::Right);
+    acts.then(|| Pressed { face: *face, points, words: words(extent, situation, load, sideways) })
+}
+
+fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
+    let body = situation.body();
+    let centre = (body.centroid_offset(), body.centroid_height());
+    let (at, is_inside) = match &load.action {
+        Action::Pressure { .. } => return None,
+        Action::Force { at, .. } => ((at.x, at.y), load.source == LoadSource::BuoyantWeight),
+        _ => (centre, true),
+    };
+    let wrench = situation.wrench_of(load);
+    let sideways = wrench.x.abs() > wrench.p.abs();
+    let (size, towards) = match sideways {
+        true => (wrench.x, (wrench.x.signum(), 0.0)),
+        false => (wrench.p, (0.0, -wrench.p.signum())),
+    };
+    let words = words(extent, situation, load, sideways);
+    (size != 0.0).then(|| Arrow { at, towards, is_inside, label: extent.kilonewtons(size.abs()), words })
+}
+
+fn notes(case: &Case) -> Vec<String> {
+    let mut notes = vec![SCALES];
+    if case.water.as_ref().is_some_and(|water| water.left() == water.right()) {
+        notes.push(EQUAL);
+    }
+    if case.wave.as_ref().and_then(mound).is_some() {
+        notes.push(SLOPES);
+    }
+    if case.earthquake.is_some() && (case.both_sides || case.both_ways) {
+        notes.push(SHAKEN);
+    }
+    notes.into_iter().map(str::to_owned).collect()
+}

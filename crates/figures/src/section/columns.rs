@@ -1,0 +1,325 @@
+//! What stands beside the body, column by column outwards: forces, pressures, heights, levels.
+
+use super::paint::{Painter, THIN, side_of};
+use super::{Arrow, LABEL, Level, Measure, Pressed, Side, tag};
+use crate::labels::spread;
+use crate::palette::{INK, MARK, PULL, PUSH, WET};
+use crate::scene::{Path, Pen, Rect};
+use crate::text::Text;
+
+/// Room between the body and the first column, where the letters of the corners stand.
+pub(super) const GAP: f64 = 26.0;
+/// Room between columns, and between rows.
+pub(super) const APART: f64 = 14.0;
+/// The largest pressure is drawn as long as this, and forces are.
+pub(super) const LONGEST: f64 = 56.0;
+pub(super) const FORCE: f64 = 46.0;
+/// Room between a thing and its label.
+const NEAR: f64 = 6.0;
+/// How far the middle of a number is above or below the end of a diagram.
+const LETTER: f64 = 11.0;
+/// A label that is moved farther than this has a line to its place.
+pub(super) const MOVED: f64 = 3.0;
+/// As far as labels may ever be moved.
+pub(super) const ANYWHERE: f64 = 1e6;
+
+/// The top and bottom of what stands on a side.
+pub(super) struct Reach {
+    pub top: f64,
+    pub bottom: f64,
+}
+
+impl Reach {
+    fn hold(&mut self, rect: &Rect) {
+        self.top = self.top.min(rect.y0);
+        self.bottom = self.bottom.max(rect.y1);
+    }
+}
+
+/// A label for a place, and the place on the page.
+pub(super) struct Spot {
+    pub at: (f64, f64),
+    pub text: Text,
+    pub colour: &'static str,
+}
+
+impl Painter<'_> {
+    /// Draws the columns of a side; says how far up and down they reach.
+    pub(super) fn columns(&mut self, side: Side) -> Reach {
+        let out = if side == Side::Left { -1.0 } else { 1.0 };
+        let edge = if side == Side::Left { self.bounds.x0 } else { self.bounds.x1 };
+        let (wall, base) = self.place(edge, 0.0);
+        let mut reach = Reach { top: self.place(0.0, self.bounds.y1).1, bottom: base };
+        let mut column = Column { wall, out, end: GAP.max(self.overhang(out) + APART) };
+        self.forces(&mut column, &mut reach);
+        let given = self.given;
+        for (index, pressed) in given.pressures.iter().enumerate() {
+            if side_of(pressed.face) == Some(side) {
+                self.pressure_beside(&mut column, &mut reach, index, pressed);
+            }
+        }
+        if side == Side::Left {
+            given.heights.iter().for_each(|heights| self.heights(&mut column, &mut reach, heights));
+        }
+        self.level_names(side, &mut column, &mut reach);
+        reach
+    }
+
+    /// How far the forces within the body reach beyond a side of it.
+    fn overhang(&self, out: f64) -> f64 {
+        let edge = if out < 0.0 { self.bounds.x0 } else { self.bounds.x1 };
+        let inside = self.given.arrows.iter().filter(|arrow| arrow.is_inside);
+        // A vertical one may be moved aside, a letter stands beside each.
+        let reach = inside.map(|arrow| {
+            let along = if arrow.towards.0 * out > 0.0 { FORCE } else { 2.0 * FORCE * arrow.towards.1.abs() };
+            ((arrow.at.0 - edge) * self.scale) * out + along + APART
+        });
+        reach.fold(0.0, f64::max)
+    }
+
+    /// Forces that push on the side, and their sizes at their tails.
+    fn forces(&mut self, column: &mut Column, reach: &mut Reach) {
+        let given = self.given;
+        let first = given.pressures.len();
+        let pushes = |arrow: &Arrow| !arrow.is_inside && arrow.towards.0 * column.out < 0.0;
+        let arrows: Vec<_> = given.arrows.iter().enumerate().filter(|(_, arrow)| pushes(arrow)).collect();
+        if arrows.is_empty() {
+            return;
+        }
+        let crest = self.place(0.0, self.bounds.y1).1;
+        let mut spots = Vec::new();
+        for (index, arrow) in arrows {
+            let (_, level) = self.place(0.0, arrow.at.1);
+            let tip = (column.x(1.5), level);
+            let tail = (column.x(column.end - GAP + FORCE), level);
+            if level < crest {
+                let lever = Pen { colour: MARK, width: 0.8, dashes: "2.5 2.2" };
+                self.line((column.wall, crest), (column.wall, level), lever);
+            }
+            self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));
+            let text = Text::new(&format!("${}$ {}", tag(first + index), arrow.label), LABEL);
+            spots.push(Spot { at: tail, text, colour: MARK });
+        }
+        let start = column.end - GAP + FORCE + NEAR;
+        column.end = self.names(column, start, spots, reach);
+    }
+
+    /// A pressure as a diagram on a line of its own, with its numbers.
+    fn pressure_beside(&mut self, column: &mut Column, reach: &mut Reach, index: usize, pressed: &Pressed) {
+        let scale = self.pressure_scale();
+        let reaches = |sign: f64| {
+            pressed.points.iter().map(|(_, pressure, _)| sign * pressure * scale).fold(0.0, f64::max)
+        };
+        let (inwards, outwards) = (reaches(-1.0), reaches(1.0).max(8.0));
+        let Some(last) = pressed.points.len().checked_sub(1) else { return };
+        let text = |i: usize| Text::verbatim(&pressed.points[i].2, LABEL);
+        // The numbers of both ends stand below and above the diagram, those between beside it.
+        let is_end = |i: &usize| *i == 0 || *i == last;
+        let widest =
+            numbers(pressed).filter(is_end).map(|i| text(i).width).fold(inwards + outwards, f64::max);
+        let line = column.end + (widest - inwards - outwards) / 2.0 + inwards;
+        let middle = column.x(column.end + widest / 2.0);
+        let stalk = |(position, pressure, _): &(f64, f64, String)| {
+            let y = self.place(0.0, *position).1;
+            let [foot, tip] = [line, line + pressure * scale].map(|distance| (column.x(distance), y));
+            Stalk { foot, tip, pressure: *pressure }
+        };
+        let stalks: Vec<_> = pressed.points.iter().map(stalk).collect();
+        self.diagram(&stalks);
+        let mut top = stalks[last].foot.1 - LETTER;
+        for i in numbers(pressed).filter(is_end) {
+            let y = if i == 0 { stalks[0].foot.1 + LETTER } else { top };
+            let rect = self.label(&text(i), (middle, y), INK);
+            reach.hold(&rect);
+            if i == last {
+                top -= 1.5 * LETTER;
+            }
+        }
+        let letter = Text::new(&format!("${}$", tag(index)), LABEL);
+        let rect = self.label(&letter, (middle, top), INK);
+        reach.hold(&rect);
+        let between = numbers(pressed).filter(|i| !is_end(i));
+        let spots: Vec<_> = between.map(|i| Spot { at: stalks[i].tip, text: text(i), colour: INK }).collect();
+        let end = column.end + widest;
+        column.end = match spots.is_empty() {
+            true => end + APART,
+            false => self.names(column, end + NEAR, spots, reach),
+        };
+    }
+
+    /// How long a pascal is drawn.
+    pub(super) fn pressure_scale(&self) -> f64 {
+        let all = self.given.pressures.iter().flat_map(|pressed| &pressed.points);
+        let largest = all.map(|(_, pressure, _)| pressure.abs()).fold(0.0, f64::max);
+        if largest > 0.0 { LONGEST / largest } else { 0.0 }
+    }
+
+    /// The area between a diagram and its line, with arrows the way it presses.
+    pub(super) fn diagram(&mut self, stalks: &[Stalk]) {
+        const STEP: f64 = 17.0;
+        /// An arrow shorter than this is all head.
+        const SHORT: f64 = 12.0;
+        for pair in stalks.windows(2) {
+            let [one, other] = [pair[0], pair[1]];
+            let colour = if one.pressure + other.pressure < 0.0 { PULL } else { WET };
+            let mut path = Path::through(&[one.foot, one.tip, other.tip, other.foot]);
+            path.close();
+            self.drawn.scene.fill(&path, colour);
+            let length = (other.foot.0 - one.foot.0).hypot(other.foot.1 - one.foot.1);
+            let count = (length / STEP).floor() as u32;
+            let between = (0..count).map(|i| one.towards(&other, (f64::from(i) + 0.5) / f64::from(count)));
+            for Stalk { foot, tip, .. } in between {
+                if (foot.0 - tip.0).hypot(foot.1 - tip.1) > SHORT {
+                    // Pressure is drawn outwards from its line and acts inwards; what pulls is drawn and acts the other way.
+                    self.drawn.scene.arrow(tip, foot, Pen::solid(PUSH, 0.9));
+                }
+            }
+        }
+        let pen = Pen::solid(PUSH, 1.2);
+        for pair in stalks.windows(2) {
+            self.line(pair[0].tip, pair[1].tip, pen);
+            self.line(pair[0].foot, pair[1].foot, pen);
+        }
+        for end in stalks.first().into_iter().chain(stalks.last()) {
+            self.line(end.foot, end.tip, pen);
+        }
+    }
+
+    /// Heights written out along a line.
+    fn heights(&mut self, column: &mut Column, reach: &mut Reach, heights: &[Measure]) {
+        let x = column.x(column.end);
+        let mut spots = Vec::new();
+        for Measure { ends, label } in heights {
+            let [from, to] = [ends.0, ends.1].map(|height| (x, self.place(0.0, height).1));
+            self.dimension(from, to);
+            let at = (x, (from.1 + to.1) / 2.0);
+            spots.push(Spot { at, text: Text::new(label, LABEL), colour: INK });
+        }
+        column.end = self.names(column, column.end + NEAR, spots, reach);
+    }
+
+    /// A line between two ends with strokes across them.
+    pub(super) fn dimension(&mut self, from: (f64, f64), to: (f64, f64)) {
+        const STROKE: f64 = 3.5;
+        let pen = Pen::solid(INK, 0.8);
+        self.line(from, to, pen);
+        for (x, y) in [from, to] {
+            self.line((x - STROKE, y + STROKE), (x + STROKE, y - STROKE), Pen::solid(INK, 1.2));
+        }
+    }
+
+    /// Labels in a column from `start` outwards; gives where the next column begins.
+    fn names(&mut self, column: &Column, start: f64, spots: Vec<Spot>, reach: &mut Reach) -> f64 {
+        const LINE: f64 = 4.0;
+        let mut spots = spots;
+        spots.sort_by(|one, other| one.at.1.total_cmp(&other.at.1));
+        let wanted: Vec<_> = spots.iter().map(|spot| (spot.at.1, spot.text.height())).collect();
+        let Some(places) = spread(&wanted, -ANYWHERE, ANYWHERE, LINE) else { return start };
+        let moved = spots.iter().zip(&places).any(|(spot, y)| (spot.at.1 - y).abs() > MOVED);
+        let start = if moved { start + APART } else { start };
+        let mut width: f64 = 0.0;
+        for (spot, y) in spots.iter().zip(places) {
+            if moved {
+                self.line(spot.at, (column.x(start - 2.0), y), THIN);
+            }
+            let centre = column.x(start + spot.text.width / 2.0);
+            let rect = self.label(&spot.text, (centre, y), spot.colour);
+            reach.hold(&rect);
+            width = width.max(spot.text.width);
+        }
+        start + width + APART
+    }
+
+    fn levels(&self, side: Side) -> impl Iterator<Item = &Level> {
+        self.given.levels.iter().filter(move |level| level.side == side)
+    }
+
+    /// The names of the levels, and their lines from the wall to them; the surface of water with its sign.
+    fn level_names(&mut self, side: Side, column: &mut Column, reach: &mut Reach) {
+        let levels: Vec<_> = self.levels(side).cloned().collect();
+        let end = column.end + NEAR;
+        let mut spots = Vec::new();
+        for Level { elevation, label, is_water, .. } in levels {
+            let (_, y) = self.place(0.0, self.shown(elevation));
+            let pen = if is_water { Pen::solid(PUSH, 1.0) } else { THIN };
+            self.level_line(y, (column.wall, column.x(end)), pen);
+            if is_water {
+                let x = column.x(GAP / 2.0);
+                let mut sign = Path::through(&[(x, y), (x - 5.0, y - 8.0), (x + 5.0, y - 8.0)]);
+                sign.close();
+                self.drawn.scene.fill(&sign, PUSH);
+            }
+            spots.push(Spot { at: (column.x(end), y), text: Text::verbatim(&label, LABEL), colour: INK });
+        }
+        let names = match side {
+            Side::Left => &mut self.drawn.names.0,
+            Side::Right => &mut self.drawn.names.1,
+        };
+        *names = column.x(end);
+        if !spots.is_empty() {
+            column.end = self.names(column, end + NEAR, spots, reach);
+        }
+    }
+
+    /// A level, but where a label stands.
+    fn level_line(&mut self, y: f64, (from, to): (f64, f64), pen: Pen) {
+        let mut cuts: Vec<_> = self.labels_at(y).map(|rect| (rect.x0 - 3.0, rect.x1 + 3.0)).collect();
+        cuts.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let (mut at, end) = (from.min(to), from.max(to));
+        for (left, right) in cuts {
+            if at < left.min(end) {
+                self.line((at, y), (left.min(end), y), pen);
+            }
+            at = at.max(right);
+        }
+        if at < end {
+            self.line((at, y), (end, y), pen);
+        }
+    }
+}
+
+/// A side of the body under way: where the wall is, which way is outwards, and how far columns reach.
+pub(super) struct Column {
+    wall: f64,
+    out: f64,
+    end: f64,
+}
+
+impl Column {
+    /// A distance from the wall as a place on the page.
+    fn x(&self, distance: f64) -> f64 {
+        self.wall + self.out * distance
+    }
+}
+
+/// Which points of a pressure are written out: not those without pressure, nor a number twice running.
+pub(super) fn numbers(pressed: &Pressed) -> impl Iterator<Item = usize> {
+    let points = &pressed.points;
+    let written = |i: &usize| {
+        let (_, pressure, label) = &points[*i];
+        let before = i.checked_sub(1).map(|before| &points[before].2);
+        *pressure != 0.0 && before != Some(label)
+    };
+    (0..points.len()).filter(written)
+}
+
+/// A pressure at a place: its foot on the line of the diagram, and where it is drawn to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stalk {
+    pub foot: (f64, f64),
+    pub tip: (f64, f64),
+    pub pressure: f64,
+}
+
+impl Stalk {
+    /// The one at a share of the way to another.
+    fn towards(&self, other: &Stalk, share: f64) -> Stalk {
+        let mean = |one: f64, other: f64| one + share * (other - one);
+        let between = |one: (f64, f64), other: (f64, f64)| (mean(one.0, other.0), mean(one.1, other.1));
+        Stalk {
+            foot: between(self.foot, other.foot),
+            tip: between(self.tip, other.tip),
+            pressure: mean(self.pressure, other.pressure),
+        }
+    }
+}

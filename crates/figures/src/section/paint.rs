@@ -1,0 +1,364 @@
+//! The body, what it stands on, the water beside it, and the order in which all is drawn.
+
+use standfast::loads::Face;
+
+use super::{Arrow, Drawn, LABEL, Material, Mound, Outline, Section, Side, legend, tag};
+use crate::margins;
+use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, WATER};
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::text::Text;
+
+/// The body is about as large as this on the page.
+const BODY: (f64, f64) = (210.0, 210.0);
+/// How far below the base the bed is drawn at most; a deeper one is drawn there.
+const DEEPEST: f64 = 120.0;
+/// How far from the wall the berm is drawn at most.
+const FARTHEST: f64 = 190.0;
+/// The ratio of slopes of the mound, which no case gives.
+const SLOPE: f64 = 1.5;
+/// Type size of the legend, and its least width.
+const SMALL: f64 = 13.0;
+const LEGEND: f64 = 470.0;
+
+pub(super) const THIN: Pen = Pen::solid(FAINT, 0.7);
+
+/// Draws a section at an origin: the place of mid-width at the base.
+pub(super) struct Painter<'a> {
+    pub given: &'a Section<'a>,
+    pub drawn: Drawn,
+    /// Units of the page for a metre.
+    pub scale: f64,
+    origin: (f64, f64),
+    /// Between which x there is room for water and ground, once it is known.
+    room: Option<(f64, f64)>,
+    /// The body's bounds, m.
+    pub bounds: Rect,
+    /// The bed, m above the base as it is drawn.
+    bed: Option<f64>,
+    /// Labels with their places, to be laid over all lines.
+    labels: Vec<(Text, Rect, &'static str)>,
+}
+
+impl<'a> Painter<'a> {
+    pub(super) fn new(given: &'a Section<'a>, shift: (f64, f64), room: Option<(f64, f64)>) -> Painter<'a> {
+        let corners = given.parts.iter().flat_map(|part| &part.vertices);
+        let ends = [(given.base.0, 0.0), (given.base.1, 0.0)];
+        let mut bounds = Rect { x0: f64::INFINITY, y0: 0.0, x1: f64::NEG_INFINITY, y1: 0.0 };
+        for &(x, y) in corners.chain(&ends) {
+            bounds = Rect { x0: bounds.x0.min(x), x1: bounds.x1.max(x), y1: bounds.y1.max(y), ..bounds };
+        }
+        let scale = (BODY.0 / (bounds.x1 - bounds.x0)).min(BODY.1 / bounds.y1);
+        let bed = given.mound.map(|mound| mound.bed.max(-DEEPEST / scale));
+        let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
+        let drawn = Drawn { scene: Scene::default(), extent, names: (shift.0, shift.0) };
+        Painter { given, drawn, scale, origin: shift, room, bounds, bed, labels: Vec::new() }
+    }
+
+    /// Draws everything.
+    pub(super) fn paint(mut self) -> Drawn {
+        self.surroundings();
+        self.body();
+        let left = self.columns(Side::Left);
+        let right = self.columns(Side::Right);
+        self.above(left.top.min(right.top));
+        let bottom = self.below(left.bottom.max(right.bottom));
+        self.widths(bottom);
+        self.inside();
+        self.labels();
+        self.legend();
+        self.drawn
+    }
+
+    /// Where a place of the section lies on the page.
+    pub(super) fn place(&self, x: f64, y: f64) -> (f64, f64) {
+        (self.origin.0 + x * self.scale, self.origin.1 - y * self.scale)
+    }
+
+    /// Sees that the page holds a rectangle.
+    pub(super) fn hold(&mut self, rect: &Rect) {
+        let extent = &mut self.drawn.extent;
+        extent.x0 = extent.x0.min(rect.x0);
+        extent.y0 = extent.y0.min(rect.y0);
+        extent.x1 = extent.x1.max(rect.x1);
+        extent.y1 = extent.y1.max(rect.y1);
+    }
+
+    pub(super) fn line(&mut self, from: (f64, f64), to: (f64, f64), pen: Pen) {
+        self.hold(&Rect {
+            x0: from.0.min(to.0),
+            y0: from.1.min(to.1),
+            x1: from.0.max(to.0),
+            y1: from.1.max(to.1),
+        });
+        self.drawn.scene.line(from, to, pen);
+    }
+
+    /// A label around a point, to be drawn over all lines.
+    pub(super) fn label(&mut self, text: &Text, centre: (f64, f64), colour: &'static str) -> Rect {
+        let rect = Rect::around(centre.0, centre.1, text.width, text.height());
+        self.hold(&rect);
+        self.labels.push((text.clone(), rect, colour));
+        rect
+    }
+
+    /// Draws the labels, each on a halo of paper.
+    fn labels(&mut self) {
+        let scene = &mut self.drawn.scene;
+        // In units of the font, a thousand to the type size.
+        scene
+            .open("stroke=\"#ffffff\" stroke-width=\"240\" stroke-linejoin=\"round\" paint-order=\"stroke\"");
+        for (text, rect, colour) in self.labels.drain(..) {
+            scene.text_in(&text, &rect, colour);
+        }
+        scene.close();
+    }
+
+    /// The labels that a horizontal line at `y` would strike through.
+    pub(super) fn labels_at(&self, y: f64) -> impl Iterator<Item = &Rect> {
+        self.labels.iter().map(|(_, rect, _)| rect).filter(move |rect| rect.y0 - 2.0 < y && y < rect.y1 + 2.0)
+    }
+
+    fn touches(&self, rect: &Rect) -> bool {
+        self.labels.iter().any(|(_, other, _)| other.overlaps(rect))
+    }
+
+    /// The level at which something is drawn: that of the bed at the lowest.
+    pub(super) fn shown(&self, elevation: f64) -> f64 {
+        self.bed.map_or(elevation, |bed| elevation.max(bed))
+    }
+
+    fn polygon(&self, vertices: &[(f64, f64)]) -> Path {
+        let mut path = Path::through(&vertices.iter().map(|&(x, y)| self.place(x, y)).collect::<Vec<_>>());
+        path.close();
+        path
+    }
+
+    /// Water up to its levels, the mound and the bed, or a floor.
+    fn surroundings(&mut self) {
+        let Some(room) = self.room else { return };
+        let [west, east] = [room.0, room.1].map(|x| (x - self.origin.0) / self.scale);
+        let floor = self.bed.unwrap_or(0.0).min(0.0);
+        for level in self.given.levels.iter().filter(|level| level.is_water) {
+            let (x0, x1) = match level.side {
+                Side::Left => (west, self.bounds.x0),
+                Side::Right => (self.bounds.x1, east),
+            };
+            let y = level.elevation;
+            let path = self.polygon(&[(x0, floor), (x1, floor), (x1, y), (x0, y)]);
+            self.drawn.scene.fill(&path, WATER);
+        }
+        if let (Some(mound), Some(bed)) = (self.given.mound, self.bed) {
+            self.mound(&mound, bed, (west, east));
+        } else {
+            let (left, right) = (self.bounds.x0 - 26.0 / self.scale, self.bounds.x1 + 26.0 / self.scale);
+            self.ground(0.0, (left, right));
+        }
+    }
+
+    fn mound(&mut self, mound: &Mound, bed: f64, (west, east): (f64, f64)) {
+        let (left, right) = self.given.base;
+        let shoulder = left - 12.0 / self.scale;
+        let end = right + self.berm_reach(mound);
+        let top = mound.berm.max(bed);
+        let toe = (shoulder + SLOPE * bed).max(west);
+        let outline = [
+            (toe, bed),
+            (shoulder, 0.0),
+            (right, 0.0),
+            (right, top),
+            (end, top),
+            ((end + SLOPE * (top - bed)).min(east), bed),
+        ];
+        if bed < 0.0 {
+            let path = self.polygon(&outline);
+            self.drawn.scene.fill(&path, MOUND);
+            self.drawn.scene.stroke(&path, THIN);
+        }
+        self.ground(bed, (west, east));
+    }
+
+    /// How far the berm is drawn, m.
+    pub(super) fn berm_reach(&self, mound: &Mound) -> f64 {
+        mound.berm_width.min(FARTHEST / self.scale)
+    }
+
+    /// A line with hatching under it, at a level.
+    fn ground(&mut self, level: f64, (left, right): (f64, f64)) {
+        const STEP: f64 = 8.0;
+        let (from, to) = (self.place(left, level), self.place(right, level));
+        let mut hatch = Path::default();
+        for i in 1..=((to.0 - from.0) / STEP) as u32 {
+            let x = from.0 + STEP * f64::from(i);
+            hatch.move_to(x, from.1);
+            hatch.line_to(x - 6.0, from.1 + 6.0);
+        }
+        self.drawn.scene.stroke(&hatch, THIN);
+        self.drawn.scene.line(from, to, Pen::solid(INK, 1.2));
+    }
+
+    /// The parts, fill first, the corners and the centre of mass.
+    fn body(&mut self) {
+        let parts = || self.given.parts.iter();
+        // What holds is drawn over what is held.
+        let ordered = [Material::Cavity, Material::Fill, Material::Solid]
+            .into_iter()
+            .flat_map(|material| parts().filter(move |part| part.material == material));
+        let ordered: Vec<&Outline> = ordered.collect();
+        for part in ordered {
+            let path = self.polygon(&part.vertices);
+            let colour = match part.material {
+                Material::Solid => CONCRETE,
+                Material::Fill => FILL,
+                Material::Cavity => PAPER,
+            };
+            self.drawn.scene.fill(&path, colour);
+            self.drawn.scene.stroke(&path, Pen::solid(INK, 1.5));
+        }
+        for (x, markup, out) in [(self.given.base.0, "$O$", -1.0), (self.given.base.1, "$O′$", 1.0)] {
+            let corner = self.place(x, 0.0);
+            self.drawn.scene.dot(corner, 2.2, INK, None);
+            let text = Text::new(markup, LABEL);
+            self.label(&text, (corner.0 + out * CORNER, corner.1 + CORNER), INK);
+        }
+        let Rect { x0, y0, x1, y1 } = self.bounds;
+        let (low, high) = (self.place(x0, y0), self.place(x1, y1));
+        self.hold(&Rect { x0: low.0, y0: high.1, x1: high.0, y1: low.1 });
+    }
+
+    /// The centre of mass with the forces on it, and the names of the parts where there is room.
+    fn inside(&mut self) {
+        let centre = self.place(self.given.centroid.0, self.given.centroid.1);
+        let mut taken = vec![Rect::around(centre.0, centre.1, 8.0, 8.0)];
+        let first = self.given.pressures.len();
+        let mut vertical = 0.0;
+        let arrows = self.given.arrows.iter().enumerate().filter(|(_, arrow)| arrow.is_inside);
+        for (index, arrow) in arrows {
+            let markup = format!("${}$", tag(first + index));
+            let text = Text::new(&markup, LABEL);
+            let at = self.place(arrow.at.0, arrow.at.1);
+            // Two that act along one line are drawn side by side.
+            let from = if arrow.towards.1 == 0.0 { at } else { (at.0 + vertical, at.1) };
+            if arrow.towards.1 != 0.0 {
+                vertical += BESIDE;
+            }
+            self.inner_arrow(arrow, from, &text, &mut taken);
+        }
+        self.drawn.scene.dot(centre, 2.6, INK, None);
+        self.near(&Text::new("$C$", LABEL), (centre.0 - 10.0, centre.1 - 11.0), INK, &mut taken);
+        for part in self.given.parts.iter().filter(|part| !part.label.is_empty()) {
+            self.part_name(part, &mut taken);
+        }
+    }
+
+    fn inner_arrow(&mut self, arrow: &Arrow, from: (f64, f64), text: &Text, taken: &mut Vec<Rect>) {
+        /// Room for a letter beside the tip.
+        const OFF: f64 = 10.0;
+        let tall = (self.bounds.y1 - self.bounds.y0) * self.scale;
+        let length = (0.26 * tall).clamp(20.0, 44.0);
+        let tip = (from.0 + arrow.towards.0 * length, from.1 - arrow.towards.1 * length);
+        self.drawn.scene.arrow(from, tip, Pen::solid(MARK, 2.0));
+        self.hold(&Rect::around(tip.0, tip.1, 6.0, 6.0));
+        let beside = if arrow.towards.1 == 0.0 { (tip.0, tip.1 - OFF) } else { (tip.0 + OFF, tip.1) };
+        taken.push(Rect {
+            x0: from.0.min(tip.0) - 4.0,
+            y0: from.1.min(tip.1) - 4.0,
+            x1: from.0.max(tip.0) + 4.0,
+            y1: from.1.max(tip.1) + 4.0,
+        });
+        self.near(text, beside, MARK, taken);
+    }
+
+    /// A letter at a place, or as near to it as there is room.
+    fn near(&mut self, text: &Text, place: (f64, f64), colour: &'static str, taken: &mut Vec<Rect>) {
+        const AROUND: u32 = 16;
+        const STEP: f64 = 4.0;
+        let rings = (0_u32..).flat_map(|ring| (0..AROUND).map(move |i| (f64::from(ring) * STEP, i)));
+        let mut places = rings.map(|(distance, i)| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(AROUND)).sin_cos();
+            Rect::around(place.0 + distance * cos, place.1 + distance * sin, text.width, text.height())
+        });
+        let others = || taken.iter().chain(self.labels.iter().map(|(_, rect, _)| rect));
+        // The rings grow beyond all that is drawn.
+        if let Some(rect) = places.find(|rect| !others().any(|other| other.overlaps(&rect.grown(1.0)))) {
+            self.label(text, rect.centre(), colour);
+            taken.push(rect);
+        }
+    }
+
+    /// Writes a part's name into it: near its middle, where it is clear of its edges and of all else.
+    fn part_name(&mut self, part: &Outline, taken: &mut Vec<Rect>) {
+        const STEPS: u32 = 16;
+        let text = Text::verbatim(&part.label, SMALL);
+        let corners: Vec<_> = part.vertices.iter().map(|&(x, y)| self.place(x, y)).collect();
+        let ends = |of: fn(&(f64, f64)) -> f64| {
+            let all = corners.iter().map(of);
+            (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
+        };
+        let ((x0, x1), (y0, y1)) = (ends(|corner| corner.0), ends(|corner| corner.1));
+        let middle = ((x0 + x1) / 2.0, (y0 + y1) / 2.0);
+        let share = |i: u32| (f64::from(i) + 0.5) / f64::from(STEPS);
+        let places = (0..STEPS * STEPS).map(|i| {
+            let (x, y) = (x0 + (x1 - x0) * share(i % STEPS), y0 + (y1 - y0) * share(i / STEPS));
+            Rect::around(x, y, text.width, text.height())
+        });
+        let fits = |rect: &Rect| {
+            let Rect { x0, y0, x1, y1 } = rect.grown(3.0);
+            let inside = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].iter().all(|&at| is_inside(&corners, at));
+            inside && !taken.iter().any(|other| other.overlaps(rect)) && !self.touches(rect)
+        };
+        let far = |rect: &Rect| (rect.centre().0 - middle.0).hypot(rect.centre().1 - middle.1);
+        let nearest = places.filter(fits).min_by(|one, other| far(one).total_cmp(&far(other)));
+        if let Some(rect) = nearest {
+            self.label(&text, rect.centre(), INK);
+            taken.push(rect);
+        }
+    }
+
+    /// The loads in words, and the sentences below them.
+    fn legend(&mut self) {
+        let Rect { x0, x1, y1, .. } = self.drawn.extent;
+        let right = x1.max(x0 + LEGEND);
+        let mut top = y1 + 14.0;
+        for (index, line) in legend(self.given).iter().enumerate() {
+            let tag = tag(index);
+            let letter = Text::new(&format!("${tag}$"), SMALL);
+            let words = words(line[tag.len()..].trim_start());
+            let colour = if index < self.given.pressures.len() { INK } else { MARK };
+            self.drawn.scene.text(&letter, x0, top + 0.8 * SMALL, colour);
+            top = margins::paragraph(&mut self.drawn.scene, &words, (x0 + INDENT, right), top, SMALL) + 2.0;
+        }
+        for note in &self.given.notes {
+            top = margins::paragraph(&mut self.drawn.scene, &words(note), (x0, right), top, SMALL) + 2.0;
+        }
+        self.hold(&Rect { x0, y0: y1, x1: right, y1: top });
+    }
+}
+
+/// How far the letters of the corners are from them, along each axis.
+const CORNER: f64 = 12.0;
+/// The distance of forces within the body that act along one line.
+const BESIDE: f64 = 24.0;
+/// How far the words of the legend stand behind their letters.
+const INDENT: f64 = 18.0;
+
+/// The words of a sentence that is no markup; one that is wider than the page is cut.
+fn words(sentence: &str) -> Vec<Text> {
+    sentence.split_whitespace().map(|word| Text::verbatim(&crate::caption::shortened(word), SMALL)).collect()
+}
+
+/// Whether a point lies in a polygon.
+fn is_inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
+    let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+    let crossed = edges
+        .filter(|((x0, y0), (x1, y1))| (*y0 > y) != (*y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0));
+    crossed.count() % 2 == 1
+}
+
+/// The side on which a face is; `None` for base and top.
+pub(super) fn side_of(face: Face) -> Option<Side> {
+    match face {
+        Face::Left => Some(Side::Left),
+        Face::Right => Some(Side::Right),
+        Face::Base | Face::Top => None,
+    }
+}

@@ -1,0 +1,173 @@
+//! A section is tidy and to scale, whatever stands in it.
+
+use standfast::loads::Face;
+use standfast_figures::{
+    Arrow, Figure, Level, Material, Measure, Mound, Outline, Pressed, Rect, Section, Side, section,
+};
+
+/// Numbers from 0 to 1, the same in every run.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn up_to(&mut self, count: u32) -> u32 {
+        (self.roll() * f64::from(count + 1)) as u32
+    }
+}
+
+fn block(width: f64, height: f64) -> Outline {
+    let half = width / 2.0;
+    Outline {
+        vertices: vec![(-half, 0.0), (half, 0.0), (half, height), (-half, height)],
+        material: Material::Solid,
+        label: String::new(),
+    }
+}
+
+fn bare(parts: &[Outline], width: f64) -> Section<'_> {
+    Section {
+        title: "any",
+        parts,
+        base: (-width / 2.0, width / 2.0),
+        centroid: (0.0, 1.0),
+        levels: Vec::new(),
+        pressures: Vec::new(),
+        arrows: Vec::new(),
+        widths: Vec::new(),
+        heights: Vec::new(),
+        mound: None,
+        notes: Vec::new(),
+    }
+}
+
+fn pressed(dice: &mut Dice, (width, height): (f64, f64)) -> Pressed {
+    let face = [Face::Left, Face::Right, Face::Base, Face::Top][dice.up_to(3) as usize];
+    let along = if matches!(face, Face::Left | Face::Right) { height } else { width };
+    let count = 2 + dice.up_to(4);
+    let mut positions: Vec<_> = (0..count).map(|_| along * dice.roll()).collect();
+    positions.sort_by(f64::total_cmp);
+    let points = positions.into_iter().map(|position| {
+        let pressure = (1e5 * (dice.roll() - 0.3)).round();
+        (position, pressure, format!("{} kPa", pressure / 1e3))
+    });
+    Pressed {
+        face,
+        points: points.collect(),
+        words: "a pressure with a name of some length, 120 kN/m".to_owned(),
+    }
+}
+
+fn arrow(dice: &mut Dice, (width, height): (f64, f64)) -> Arrow {
+    let towards = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)][dice.up_to(3) as usize];
+    Arrow {
+        at: (width * (dice.roll() - 0.5), 1.3 * height * dice.roll()),
+        towards,
+        is_inside: dice.roll() < 0.2,
+        label: "1234 kN/m".to_owned(),
+        words: "force, 1234 kN/m".to_owned(),
+    }
+}
+
+/// A section of anything.
+fn random(dice: &mut Dice, parts: &[Outline], (width, height): (f64, f64)) -> Figure {
+    let size = (width, height);
+    let level = |side, elevation: f64| Level {
+        side,
+        elevation,
+        label: format!("level {elevation:+.2} m"),
+        is_water: elevation > 0.0,
+    };
+    let levels = (0..dice.up_to(6)).map(|i| {
+        let side = if i % 2 == 0 { Side::Left } else { Side::Right };
+        level(side, height * (1.4 * dice.roll() - 0.4))
+    });
+    let levels = levels.collect();
+    let measure = |from: f64, to: f64| Measure { ends: (from, to), label: format!("{:.3} m", to - from) };
+    let given = Section {
+        levels,
+        pressures: (0..dice.up_to(6)).map(|_| pressed(dice, size)).collect(),
+        arrows: (0..dice.up_to(5)).map(|_| arrow(dice, size)).collect(),
+        widths: vec![vec![measure(-width / 2.0, 0.0), measure(0.0, width / 2.0)], vec![measure(0.0, width)]],
+        heights: vec![vec![measure(0.0, height)], vec![measure(0.0, 0.1 * height), measure(0.2, height)]],
+        mound: (dice.roll() < 0.5).then(|| Mound {
+            bed: -height * dice.roll(),
+            berm: height * (dice.roll() - 0.5),
+            berm_width: 3.0 * width * dice.roll(),
+        }),
+        centroid: (0.3 * width * (dice.roll() - 0.5), height * (0.2 + 0.6 * dice.roll())),
+        notes: vec!["A sentence below all.".to_owned()],
+        ..bare(parts, width)
+    };
+    section(&given)
+}
+
+fn assert_tidy(figure: &Figure, what: &str) {
+    let (width, height) = figure.size();
+    let page = Rect { x0: 1.0, y0: 1.0, x1: width - 1.0, y1: height - 1.0 };
+    let labels = figure.labels();
+    for (i, label) in labels.iter().enumerate() {
+        assert!(page.contains(&label.rect), "{what}: {label:?} leaves the page {page:?}");
+        for other in &labels[i + 1..] {
+            assert!(!label.rect.overlaps(&other.rect), "{what}: {label:?} touches {other:?}");
+        }
+    }
+}
+
+#[test]
+fn no_label_lies_on_another_whatever_is_drawn() {
+    let mut dice = Dice(11);
+    let mut labels = 0;
+    for i in 0..2000 {
+        let size = (0.2 + 30.0 * dice.roll(), 0.2 + 30.0 * dice.roll());
+        let figure = random(&mut dice, &[block(size.0, size.1)], size);
+        assert_tidy(&figure, &format!("{i}, {size:?}"));
+        labels += figure.labels().len();
+    }
+    assert!(labels > 30_000, "{labels}");
+}
+
+/// What the figure writes of widths and heights are the lengths on the page.
+#[test]
+fn lengths_are_to_one_scale() {
+    let parts = [block(4.0, 8.0)];
+    let levels = [0.0, 3.0, 8.0].map(|elevation| Level {
+        side: Side::Left,
+        elevation,
+        label: format!("level {elevation}"),
+        is_water: false,
+    });
+    let arrows = [-1.0, 1.0].map(|x| Arrow {
+        at: (x, 8.0),
+        towards: (0.0, -1.0),
+        is_inside: false,
+        label: format!("{x} N"),
+        words: String::new(),
+    });
+    let figure = section(&Section { levels: levels.to_vec(), arrows: arrows.to_vec(), ..bare(&parts, 4.0) });
+    let at = |text: &str| {
+        let found = figure.labels().iter().find(|label| label.text.ends_with(text));
+        found.unwrap_or_else(|| panic!("{text} in {:?}", figure.labels())).rect.centre()
+    };
+    let per_metre = (at("level 0").1 - at("level 8").1) / 8.0;
+    assert!(per_metre > 10.0);
+    assert!((at("level 0").1 - at("level 3").1 - 3.0 * per_metre).abs() < 1e-9);
+    let across = (at(" 1 N").0 - at("-1 N").0) / 2.0;
+    // The labels of the forces may be spread.
+    assert!(across >= per_metre - 1e-9);
+}
+
+#[test]
+fn parts_are_named_where_there_is_room() {
+    let mut wall = block(10.0, 8.0);
+    wall.label = "wall".to_owned();
+    let mut fill = block(2.0, 0.1);
+    (fill.material, fill.label) = (Material::Fill, "sand".to_owned());
+    let figure = section(&bare(&[wall, fill], 10.0));
+    let texts: Vec<_> = figure.labels().iter().map(|label| label.text.as_str()).collect();
+    assert!(texts.contains(&"wall") && !texts.contains(&"sand"), "{texts:?}");
+    assert_tidy(&figure, "parts");
+}

@@ -1,0 +1,176 @@
+//! What a sheet says of its case, and what it does not.
+
+mod common;
+
+use std::collections::BTreeMap;
+
+use common::{cases, document, html, select, si};
+use scraper::{ElementRef, Html};
+use standfast::{Departure, Mode};
+use standfast_cases::{Assessment, CaseFile, Drawn, Key, View};
+use standfast_sheet::{Sheet, SheetOptions};
+
+const RACK: &str = "title = \"Server rack\"\n[body]\nwidth = 0.6\nheight = 2\nmass = 900\nfriction = 0.4\n\
+    [earthquake]\nhorizontal = 0.25\n[[load]]\nname = \"push\"\nforce = 300\nelevation = 1.5\ntogether = true\n\
+    [criteria]\nSF_sliding = 1.2\n";
+
+fn text(html: &Html) -> String {
+    select(html, "main")[0].text().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn a_rack_on_a_floor_has_no_word_of_the_sea() {
+    let words = text(&document("rack.toml", RACK));
+    for word in [
+        "mound",
+        "armour",
+        "scour",
+        "pore",
+        "overtop",
+        "wave",
+        "water",
+        "sea",
+        "Goda",
+        "Takahashi",
+        "Westergaard",
+        "settlement of the mound",
+        "soil",
+    ] {
+        let found = words.match_indices(word).next();
+        let around = found.map(|(at, _)| words[..at].chars().rev().take(40).collect::<String>());
+        assert!(
+            found.is_none(),
+            "{word} after {:?}",
+            around.map(|text| text.chars().rev().collect::<String>())
+        );
+    }
+    assert!(words.contains("floor or ground"));
+    let (_, goda) = cases().into_iter().find(|(name, _)| name == "goda-2000.toml").unwrap();
+    let words = text(&document("goda-2000.toml", &goda));
+    for word in ["rubble mound", "armour", "overtopping", "pore pressure", "Takahashi"] {
+        assert!(words.contains(word), "{word}");
+    }
+}
+
+/// In the inputs and in the steps of one situation a symbol has one number. (That of the theorem it stands for is the
+/// author's to see.)
+#[test]
+fn every_symbol_stands_for_one_thing() {
+    let mut symbols = 0;
+    for (name, text) in cases() {
+        let html = document(&name, &text);
+        let inputs: Vec<_> = select(&html, "[data-table=inputs] tr[data-symbol]");
+        let parts = select(&html, "section.part");
+        let is_shared = |part: &ElementRef<'_>| part.attr("data-load").is_none();
+        let shared: Vec<_> = parts.iter().copied().filter(is_shared).collect();
+        let situations = parts.iter().copied().filter(|part| !is_shared(part)).map(Some);
+        for situation in situations.chain([None]) {
+            let mut known: BTreeMap<String, f64> = BTreeMap::new();
+            let steps = shared.iter().copied().chain(situation);
+            let steps = steps
+                .flat_map(|part| part.select(&".step[data-symbol]".try_into().unwrap()).collect::<Vec<_>>());
+            for element in inputs.iter().copied().chain(steps) {
+                let symbol = element.attr("data-symbol").unwrap().to_owned();
+                let data = element.select(&".result data, td.n data".try_into().unwrap()).next();
+                let Some(value) = data.and_then(|data| si(data, "value")) else { continue };
+                let value = match symbol.as_str() {
+                    // An input in degrees whose unit stands in its key.
+                    "β_g" | "Δβ" if value > 1.0 => value.to_radians(),
+                    _ => value,
+                };
+                if symbol.is_empty() {
+                    continue;
+                }
+                let before = *known.entry(symbol.clone()).or_insert(value);
+                let same = (before - value).abs() <= 1e-12 * before.abs() || before == value;
+                assert!(same, "{name}: {symbol} is {before} and {value}");
+                symbols += 1;
+            }
+        }
+    }
+    assert!(symbols > 2000, "{symbols}");
+}
+
+/// Where a rising load moves the body, a formula gives the load factor; where it slides, friction is a step.
+#[test]
+fn departure_and_friction_are_steps_with_formulas() {
+    let (mut departures, mut slides) = (0, 0);
+    for (name, text) in cases() {
+        let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
+        let assessment = Assessment::of(&case).unwrap();
+        let html = document(&name, &text);
+        for assessed in assessment.shown(&View::default()) {
+            let of = |symbol: &str| {
+                let selector =
+                    format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
+                select(&html, &selector).len()
+            };
+            let departs = matches!(assessed.departure(), Departure::At { .. });
+            assert_eq!(of("λ_d"), usize::from(departs), "{name}");
+            departures += usize::from(departs);
+            let slides_here = matches!(assessed.outcome.full.mode, Some(Mode::SlideLeft | Mode::SlideRight))
+                && assessed.situation.kinetic_friction() > 0.0;
+            if slides_here {
+                assert_eq!(of("f_x"), 1, "{name}");
+                slides += 1;
+            }
+        }
+    }
+    assert!(departures > 20 && slides > 3, "{departures} {slides}");
+}
+
+#[test]
+fn a_body_at_rest_has_no_motion_of_zeros() {
+    let rest =
+        "[body]\nwidth = 6\nheight = 7\nmass = 1e5\nfriction = 0.6\n[[load]]\nforce = 1e5\nelevation = 3\n";
+    let page = document("rest.toml", rest);
+    let rows = select(&page, "[data-table=motion] tbody tr");
+    let quantities: Vec<_> = select(&page, "[data-table=motion] data")
+        .iter()
+        .map(|data| data.attr("data-quantity").unwrap().to_owned())
+        .collect();
+    assert_eq!(quantities, ["motion.f_x", "motion.f_y", "motion.xi"]);
+    assert_eq!(rows.len(), 3);
+}
+
+#[test]
+fn the_title_block_has_the_files_words_and_the_command_lines_before_them() {
+    let head = "project = \"Harbour\"\nclient = 'Port & <Co>'\nsheet = \"C-104\"\nrevision = \"A\"\nauthor = \"A. Moreau\"\nchecker = \"N. Okafor\"\n";
+    let case = format!("{head}{}", &RACK[RACK.find("[body]").unwrap()..]);
+    let cells = |page: &Html| {
+        let cells = select(page, "header.title .block td").into_iter();
+        cells.map(|cell| cell.text().collect::<String>()).take(6).collect::<Vec<_>>()
+    };
+    let page = document("rack.toml", &case);
+    assert_eq!(cells(&page), ["Harbour", "Port & <Co>", "C-104", "A", "A. Moreau", "N. Okafor"]);
+    let style = html("rack.toml", &case);
+    for running in [
+        "Harbour · Port \\26  \\3c Co\\3e ",
+        "Sheet C-104 · Revision A",
+        "Author A. Moreau · Checker N. Okafor",
+    ] {
+        assert!(style.contains(running), "{running}");
+    }
+    // No row of inputs has them again.
+    assert!(!select(&page, "[data-table=inputs] code").iter().any(|code| code.inner_html() == "client"));
+    let title_block = vec![(Key::Revision, "B".to_owned()), (Key::Checker, " ".to_owned())];
+    let options = SheetOptions { title_block, ..SheetOptions::default() };
+    let sheet = Sheet::of("rack.toml", &case, &options).unwrap();
+    let page = Html::parse_document(sheet.html());
+    assert_eq!(cells(&page), ["Harbour", "Port & <Co>", "C-104", "B", "A. Moreau", ""]);
+}
+
+#[test]
+fn every_sheet_has_its_section_and_its_sources() {
+    for (name, text) in cases() {
+        let page = document(&name, &text);
+        assert_eq!(select(&page, "figure.section svg").len(), 1, "{name}");
+        let sources: String = select(&page, ".references li").iter().flat_map(|item| item.text()).collect();
+        assert!(sources.contains("Shenton") && sources.contains("690–693"), "{name}");
+        assert_eq!(sources.contains("World Scientific"), text.contains("[wave]"), "{name}");
+        assert_eq!(sources.matches("not read").count() + 1, select(&page, ".references li").len(), "{name}");
+        let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
+        let figures = Assessment::of(&case).unwrap().figures(&View::default()).unwrap();
+        assert_eq!(figures.iter().filter(|figure| figure.drawn == Drawn::Section).count(), 1);
+    }
+}
