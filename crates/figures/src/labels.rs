@@ -263,22 +263,21 @@ impl Board {
             })
         };
         let places = (1..=rings).flat_map(|step| ring(reach + 12.0 * f64::from(step)));
-        let joined = places.filter(|rect| self.clear(rect, 2.5)).map(|rect| {
-            // Closer, a leader would lengthen the minus of a subscript.
-            let Rect { x0, y0, x1, y1 } = rect.grown(4.0);
+        // Drawn up to the label, a leader would lengthen the minus of a subscript; what is between belongs to it.
+        let leader = |rect: &Rect, short: f64| {
+            let Rect { x0, y0, x1, y1 } = rect.grown(short);
             let from = (to.0.clamp(x0, x1), to.1.clamp(y0, y1));
             let share = reach / (from.0 - to.0).hypot(from.1 - to.1).max(reach).max(f64::MIN_POSITIVE);
-            let end = (to.0 + share * (from.0 - to.0), to.1 + share * (from.1 - to.1));
-            (rect, Leader { from, to: end })
-        });
-        let mut joined = joined
-            .filter(|(_, leader)| !leader.dots().any(|dot| self.boxes.iter().any(|b| b.overlaps(&dot))));
-        match lines {
-            Lines::Cross => joined.next(),
-            Lines::Avoid => {
-                joined.find(|(_, leader)| leader.dots().skip(1).all(|dot| self.off_lines(&dot, 0.0)))
-            }
-        }
+            Leader { from, to: (to.0 + share * (from.0 - to.0), to.1 + share * (from.1 - to.1)) }
+        };
+        let runs_free = |rect: &Rect| {
+            let whole = leader(rect, 0.0);
+            let on_box = whole.dots().any(|dot| self.boxes.iter().any(|other| other.overlaps(&dot)));
+            let on_line = || whole.dots().skip(1).any(|dot| !self.off_lines(&dot, 0.0));
+            !on_box && (lines == Lines::Cross || !on_line())
+        };
+        let mut free = places.filter(|rect| self.clear(rect, 2.5) && runs_free(rect));
+        free.next().map(|rect| (rect, leader(&rect, 3.5)))
     }
 
     /// Keeps later labels off a leader.
