@@ -60,7 +60,10 @@ fn a_case_may_come_from_standard_input() {
 
     // Without a folder for them, the figures are here.
     assert!(run(here, &["assess", "-"], CASE.as_bytes()).status.success());
-    assert_eq!(files(here), ["-", "case-path.svg", "case.svg", "figures", "goda.toml", "sheet.html"]);
+    assert_eq!(
+        files(here),
+        ["-", "case-path.svg", "case-section.svg", "case.svg", "figures", "goda.toml", "sheet.html"]
+    );
 }
 
 #[test]
