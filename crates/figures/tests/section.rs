@@ -171,3 +171,15 @@ fn parts_are_named_where_there_is_room() {
     assert!(texts.contains(&"wall") && !texts.contains(&"sand"), "{texts:?}");
     assert_tidy(&figure, "parts");
 }
+
+/// A bed or a berm beyond the page is not silently drawn elsewhere.
+#[test]
+fn a_mound_that_is_cut_says_so() {
+    let parts = [block(10.0, 8.0)];
+    let says = |bed: f64, berm_width: f64| {
+        let mound = Some(Mound { bed, berm: 0.5, berm_width });
+        let figure = section(&Section { mound, ..bare(&parts, 10.0) });
+        figure.labels().iter().any(|label| label.text.contains("than is drawn"))
+    };
+    assert!(!says(-2.0, 4.0) && says(-40.0, 4.0) && says(-2.0, 80.0));
+}

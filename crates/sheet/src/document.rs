@@ -183,7 +183,7 @@ fn style(title: &str, source: &Source<'_>) -> String {
         texts.collect::<Vec<_>>()
     };
     let top = [told(&[Key::Project, Key::Client], false), vec![title.to_owned()]].concat();
-    let file = format!("{} · SHA-256 {}… · standfast {VERSION}", source.file, &source.hash[..16]);
+    let file = format!("{} · SHA-256 {}…", source.file, &source.hash[..16]);
     let numbers = [told(&[Key::SheetNumber, Key::Revision], true), vec![day(source)]].concat();
     style += &format!(
         "@page{{@top-left{{content:{}}}@top-right{{content:{}}}@bottom-left{{content:{}}}@bottom-center{{content:{}}}}}\n",

@@ -53,11 +53,17 @@ fn a_case_may_come_from_standard_input() {
     }
     let sheet = fs::read_to_string(here.join("sheet.html")).expect("a sheet");
     assert!(sheet.contains("<td>standard input</td>"));
-    assert_eq!(files(&here.join("figures")), ["case-path.svg", "case.svg", "goda-path.svg", "goda.svg"]);
+    assert_eq!(
+        files(&here.join("figures")),
+        ["case-path.svg", "case-section.svg", "case.svg", "goda-path.svg", "goda-section.svg", "goda.svg"]
+    );
 
     // Without a folder for them, the figures are here.
     assert!(run(here, &["assess", "-"], CASE.as_bytes()).status.success());
-    assert_eq!(files(here), ["-", "case-path.svg", "case.svg", "figures", "goda.toml", "sheet.html"]);
+    assert_eq!(
+        files(here),
+        ["-", "case-path.svg", "case-section.svg", "case.svg", "figures", "goda.toml", "sheet.html"]
+    );
 }
 
 #[test]

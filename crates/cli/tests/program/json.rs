@@ -70,7 +70,10 @@ fn assess_is_the_library_in_si_units() {
     let gravity = 9.81;
     assert_eq!(document["gravity"], json!(gravity));
     assert_eq!(document["body"]["mass"], json!(4800.0));
-    assert_eq!(document["figures"], json!(["./block-two-loads-1.svg", "./block-two-loads-3.svg"]));
+    assert_eq!(
+        document["figures"],
+        json!(["./block-two-loads-1.svg", "./block-two-loads-3.svg", "./block-two-loads-section.svg"])
+    );
     for file in document["figures"].as_array().expect("a list") {
         let path = directory.path().join(file.as_str().expect("a name"));
         assert!(std::fs::read_to_string(path).expect("a diagram").starts_with("<svg"));

@@ -177,6 +177,13 @@ impl<'a> Painter<'a> {
         self.ground(bed, (west, east));
     }
 
+    /// Whether the bed lies deeper or the berm reaches farther than is drawn.
+    fn is_cut(&self) -> bool {
+        self.given.mound.is_some_and(|mound| {
+            self.bed.is_some_and(|bed| bed > mound.bed) || self.berm_reach(&mound) < mound.berm_width
+        })
+    }
+
     /// How far the berm is drawn, m.
     pub(super) fn berm_reach(&self, mound: &Mound) -> f64 {
         mound.berm_width.min(FARTHEST / self.scale)
@@ -327,13 +334,15 @@ impl<'a> Painter<'a> {
             self.drawn.scene.text(&letter, x0, top + 0.8 * SMALL, colour);
             top = margins::paragraph(&mut self.drawn.scene, &words, (x0 + INDENT, right), top, SMALL) + 2.0;
         }
-        for note in &self.given.notes {
+        let cut = self.is_cut().then_some(CUT);
+        for note in self.given.notes.iter().map(String::as_str).chain(cut) {
             top = margins::paragraph(&mut self.drawn.scene, &words(note), (x0, right), top, SMALL) + 2.0;
         }
         self.hold(&Rect { x0, y0: y1, x1: right, y1: top });
     }
 }
 
+const CUT: &str = "The sea bed lies deeper, or the berm reaches farther, than is drawn.";
 /// How far the letters of the corners are from them, along each axis.
 const CORNER: f64 = 12.0;
 /// The distance of forces within the body that act along one line.
