@@ -198,6 +198,25 @@ fn the_plane_of_a_block_without_friction() {
     assert_eq!(without, with);
 }
 
+/// Above the last boundary too the mode is right: of a tall block with its mass about the middle that is Painlevé's bound on the
+/// friction, (ρ² + b²)/(b d), far below 1.
+#[test]
+fn above_every_boundary() {
+    let mut random = Random(58);
+    for _ in 0..tries(60).max(6) {
+        let (block, variable) = random_case(&mut random);
+        let block =
+            Block { b1: 0.5, b2: 0.5, d: random.uniform(4.0, 8.0), rho2: random.uniform(0.05, 0.2), ..block };
+        let regions = regions(&block, &WEIGHT, &variable, 2.0).unwrap();
+        for _ in 0..100 {
+            let (λ, μ) = (random.uniform(0.0, 2.0), random.log(0.1, 100.0));
+            let at = Block { mu_s: μ, mu_k: μ * (block.mu_k / block.mu_s), ..block };
+            let mode = solve(&at, &(WEIGHT + variable * λ)).unwrap().mode();
+            assert_eq!(holders(&regions, λ, μ), Vec::from_iter(mode), "{block:?} {variable:?} {λ} {μ}");
+        }
+    }
+}
+
 /// Modes depend on the ratio of two loads: the plane of one that rises beside another, at λ, is that of the other beside the
 /// one, at 1/λ. So it is where the weight is what rises, and no boundary but those of friction has a part that stays.
 #[test]
