@@ -324,4 +324,22 @@ mod tests {
         let sign = Polynomials::known(gamma, [gamma, k_prime, k, 1.0], Need::Sign, |p| [p.tip]);
         assert_eq!(sign.tip, -2f64.powi(-60));
     }
+
+    /// However large the numbers beside it, a value that is asked for has forty bits: tip of tall bodies, from 1 down to next to
+    /// nothing, against exact arithmetic.
+    #[test]
+    fn a_value_has_forty_bits() {
+        for i in 0..400 {
+            let gamma = 10f64.powf(f64::from(i) / 50.0);
+            for j in 0..53 {
+                let k = (1.0 + 2f64.powi(-j)) / (gamma * 1.4);
+                let point = [gamma, 0.4, k, 0.7];
+                let known = Polynomials::known(gamma, point, Need::Value, |p| [p.tip]).tip;
+                let [g, k_prime, k, one] = [gamma, 0.4, k, 1.0].map(Exact::of);
+                let exact = g * k * (k_prime + one.clone()) - one;
+                let error = (Exact::of(known) - exact.clone()).to_f64().abs();
+                assert!(error <= 2f64.powi(-40) * exact.to_f64().abs(), "{point:?}: {known}");
+            }
+        }
+    }
 }

@@ -73,6 +73,70 @@ fn crossings_that_coincide_are_one() {
     assert!(seen.iter().all(|&count| 50 * count > tries(5_000)), "{seen:?}");
 }
 
+/// A random block and wrench.
+fn random_case(random: &mut Random) -> (Block, Wrench) {
+    let mut block = Block::uniform(random.uniform(0.3, 4.0), random.log(0.1, 4.0));
+    block.b1 *= random.uniform(0.5, 1.5);
+    block.m_x += random.uniform(0.0, 1.0);
+    block.mu_k *= random.uniform(0.3, 1.0);
+    (block, Wrench { x: random.uniform(-1.0, 1.0), p: 1.0, m: random.uniform(-1.0, 1.0) })
+}
+
+/// From nothing a load does not change as it grows: one stage, with the modes of any share of it. At nothing itself no load tells
+/// the modes, neither of one that lifts nor of one that presses.
+#[test]
+fn a_load_without_another_has_one_stage() {
+    let mut random = Random(55);
+    for _ in 0..tries(1_000).max(50) {
+        let (block, mut wrench) = random_case(&mut random);
+        wrench.p = random.uniform(-1.0, 1.0);
+        let path = stages(&block, &Wrench::ZERO, &wrench).unwrap();
+        let answer = solve(&block, &wrench).unwrap();
+        let stage = Stage { from: 0.0, to: f64::INFINITY, mode: answer.mode(), modes: answer.modes };
+        assert_eq!(path, [stage], "{block:?} {wrench:?}");
+    }
+}
+
+/// A path is the same whatever its load is measured in, up to the last stage, which begins at 10²⁰ or 10⁻²⁰.
+#[test]
+fn a_path_is_free_of_scale() {
+    let mut random = Random(56);
+    for _ in 0..tries(1_000).max(50) {
+        let (block, variable) = random_case(&mut random);
+        let path = stages(&block, &WEIGHT, &variable).unwrap();
+        for size in [2f64.powi(-70), 2f64.powi(70)] {
+            let scaled = stages(&block, &WEIGHT, &(variable * size)).unwrap();
+            let back = |stage: Stage| Stage { from: stage.from * size, to: stage.to * size, ..stage };
+            assert_eq!(scaled.into_iter().map(back).collect::<Vec<_>>(), path, "{block:?} {variable:?}");
+        }
+    }
+}
+
+/// However much it takes to move the body, its path can be told: a load that would leave the range of numbers before it moves
+/// the body never does.
+#[test]
+fn a_load_out_of_range_is_never_reached() {
+    let weight = WEIGHT * 1e45;
+    for load in [1e-10, 1.0, 1e10, 1e30] {
+        for i in 0..60 {
+            // Through the base, so that it turns nothing: it slides at μ P, from 10⁴⁸ to 10⁵¹.
+            let mu = 10f64.powf(3.0 + f64::from(i) / 20.0);
+            let path = stages(&Block::uniform(1.0, mu), &weight, &Wrench { x: -load, p: 0.0, m: -load });
+            let path = path.unwrap_or_else(|error| panic!("{mu} {load}: {error}"));
+            assert_eq!(path[0].mode, Some(Mode::Rest));
+            let moves = path.get(1).map(|stage| stage.from * load);
+            match mu * 1e45 {
+                // Twice the load that moves it is within the range still.
+                force if force < 2.4e49 => {
+                    assert!((moves.unwrap() / force - 1.0).abs() < 1e-12, "{mu} {load}")
+                }
+                force if force > 1e50 => assert_eq!(moves, None, "{mu} {load}"),
+                _ => {}
+            }
+        }
+    }
+}
+
 fn holders(regions: &[Region], λ: f64, μ: f64) -> Vec<Mode> {
     regions.iter().filter(|region| region.contains(λ, μ)).map(|region| region.mode).collect()
 }
@@ -123,6 +187,63 @@ fn no_sliver_is_left() {
         }
         assert_eq!(ends, [0.0, up_to], "{block:?} {k_prime}");
     }
+}
+
+/// Without friction a block has the plane that it has with any: μ runs over it.
+#[test]
+fn the_plane_of_a_block_without_friction() {
+    let load = unit_force(1.5, 0.4);
+    let [without, with] =
+        [0.0, 1.0].map(|mu| regions(&Block::uniform(1.5, mu), &WEIGHT, &load, 4.0).unwrap());
+    assert_eq!(without, with);
+}
+
+/// Above the last boundary too the mode is right: of a tall block with its mass about the middle that is Painlevé's bound on the
+/// friction, (ρ² + b²)/(b d), far below 1.
+#[test]
+fn above_every_boundary() {
+    let mut random = Random(58);
+    for _ in 0..tries(60).max(6) {
+        let (block, variable) = random_case(&mut random);
+        let block =
+            Block { b1: 0.5, b2: 0.5, d: random.uniform(4.0, 8.0), rho2: random.uniform(0.05, 0.2), ..block };
+        let regions = regions(&block, &WEIGHT, &variable, 2.0).unwrap();
+        for _ in 0..100 {
+            let (λ, μ) = (random.uniform(0.0, 2.0), random.log(0.1, 100.0));
+            let at = Block { mu_s: μ, mu_k: μ * (block.mu_k / block.mu_s), ..block };
+            let mode = solve(&at, &(WEIGHT + variable * λ)).unwrap().mode();
+            assert_eq!(holders(&regions, λ, μ), Vec::from_iter(mode), "{block:?} {variable:?} {λ} {μ}");
+        }
+    }
+}
+
+/// Modes depend on the ratio of two loads: the plane of one that rises beside another, at λ, is that of the other beside the
+/// one, at 1/λ. So it is where the weight is what rises, and no boundary but those of friction has a part that stays.
+#[test]
+fn two_loads_change_places() {
+    let mut random = Random(57);
+    let mut checked = 0;
+    for case in 0..tries(60).max(6) {
+        let (block, one) = random_case(&mut random);
+        let two = match case % 3 {
+            0 => Wrench { x: random.uniform(-1.0, 1.0), p: 0.0, m: random.uniform(-1.0, 1.0) },
+            1 => Wrench { x: random.uniform(-1.0, 1.0), p: -0.3, m: 0.0 },
+            _ => Wrench { x: 0.0, p: 0.0, m: random.uniform(-1.0, 1.0) },
+        };
+        let one = if random.coin() { WEIGHT } else { one };
+        let [here, there] =
+            [(one, two), (two, one)].map(|(one, two)| regions(&block, &one, &two, 5.0).unwrap());
+        for _ in 0..200 {
+            let (λ, μ) = (random.log(0.2, 5.0), random.uniform(0.0, 4.0));
+            assert_eq!(
+                holders(&here, λ, μ),
+                holders(&there, 1.0 / λ, μ),
+                "{block:?} {one:?} {two:?} {λ} {μ}"
+            );
+            checked += holders(&here, λ, μ).len();
+        }
+    }
+    assert!(checked > tries(10_000) as usize, "{checked}");
 }
 
 /// Two boundaries an angle of 4.5·10⁻⁷ apart: a light load that pulls to the left before λ = ½ and to the right after. Sliding

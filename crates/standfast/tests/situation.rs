@@ -9,8 +9,10 @@ use standfast::contact::plane::regions;
 use standfast::contact::{Block, solve};
 use standfast::initiation::Chart;
 use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
-use standfast::loads::{Action, Earthquake, Load, LoadKind, LoadSource, Place, Pose, StillWater};
-use standfast::{Body, ClassicalActions, Corner, Departure, Mode, Modes, Point, Situation, Wrench};
+use standfast::loads::{
+    Action, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, StillWater,
+};
+use standfast::{Body, ClassicalActions, Corner, Departure, Mode, Modes, Point, Situation, Slip, Wrench};
 
 const G: f64 = 9.81;
 
@@ -595,6 +597,13 @@ fn a_force_in_air_keeps_its_numbers() {
         assert_eq!(reduced.mirrored, force > 0.0);
         let by_wrench = situation.effective(&full.wrench).unwrap().point;
         assert!((by_wrench.k_prime() - reduced.point.k_prime()).abs() < 1e-12);
+        // The same force by its magnitude and direction, and times a factor.
+        let direction = if force > 0.0 { Slip::Right } else { Slip::Left };
+        let horizontal = HorizontalForce::new(force.abs(), elevation, direction).unwrap();
+        let alone = standing(body, situation.static_friction(), G).with(horizontal.load());
+        assert_eq!(alone.in_air(), Some(reduced));
+        let twice = standing(body, situation.static_friction(), G).with(horizontal.load().times(2.0));
+        assert_eq!(twice.in_air().unwrap().point.k(), 2.0 * reduced.point.k());
     }
 }
 
