@@ -10,10 +10,12 @@
 use std::fmt;
 
 use crate::case::{Case, Weight};
-use crate::inputs::Inputs;
-use crate::key::{Id, Key, Moves, Table};
+use crate::error::Problem;
+use crate::inputs::{Inputs, Value};
+use crate::key::{Id, Key, Kind, Moves, Range, Table};
+use crate::parse::read;
 use crate::suggest::closest;
-use crate::units::{Dimension, UnitError};
+use crate::units::Dimension;
 
 /// A number of a case that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,6 +100,12 @@ impl Variable {
         self.id
     }
 
+    /// The name of its key, where it is that number with what goes with it; else what it is called.
+    pub fn key_name(&self) -> String {
+        let by_key = Variable { name: self.name.clone(), ..Variable::of(self.id) };
+        if by_key == *self { self.id.to_string() } else { self.name.clone() }
+    }
+
     /// What it measures; `None` for a plain number.
     pub fn dimension(&self) -> Option<Dimension> {
         if self.by_density { Some(Dimension::Mass) } else { self.id.key.info().dimension() }
@@ -108,16 +116,27 @@ impl Variable {
         if self.by_density { case.body.mass() } else { inputs.number(self.id).unwrap_or(0.0) }
     }
 
-    /// The value that a text says, with a unit or in SI.
+    /// The value that a text says behind its key in the case file that `inputs` are of, SI. It need not be in the range of the key.
     ///
     /// # Errors
     /// If it is no number, or its unit does not fit.
-    pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
-        match (text.trim().parse::<f64>(), self.dimension()) {
-            (Ok(value), _) if value.is_finite() => Ok(value),
-            (_, Some(dimension)) => dimension.parse(text),
-            (_, None) => Err(UnitError::Number),
-        }
+    pub fn read(&self, text: &str, inputs: &Inputs) -> Result<f64, Problem> {
+        let key = if self.by_density { Key::Mass } else { self.id.key };
+        let kind = match key.info().kind {
+            Kind::Measured(dimension, _) => Kind::Measured(dimension, Range::Finite),
+            Kind::InGravity => Kind::InGravity,
+            _ => Kind::Plain(Range::Finite),
+        };
+        Ok(match read(key, kind, text)? {
+            Value::InGravity(share) => share * inputs.gravity(),
+            Value::Number(number) => number,
+            _ => unreachable!("a number is read"),
+        })
+    }
+
+    /// Which values its key takes.
+    pub fn range(&self) -> Range {
+        self.id.key.info().range().unwrap_or(Range::Finite)
     }
 
     /// What goes with it, in sentences.
@@ -214,6 +233,15 @@ pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Input
     for (key, ratio) in moved.scales {
         if let Some(value) = varied.number(key).filter(|_| !named(key)) {
             varied.set(key, value * ratio);
+        }
+    }
+    for (variable, _) in changes.iter().filter(|(variable, _)| variable.by_density) {
+        // The mass that is named is that of the body as wide and high as it has become.
+        let area = |inputs: &Inputs| {
+            inputs.number(Key::Width).unwrap_or(1.0) * inputs.number(Key::Height).unwrap_or(1.0)
+        };
+        if let Some(density) = varied.number(variable.id) {
+            varied.set(variable.id, density * (area(inputs) / area(&varied)));
         }
     }
     varied

@@ -2,6 +2,8 @@
 //!
 //! Nothing is guessed: a key, unit or value that is not understood is a [`CaseError`] that points at it.
 
+mod option;
+
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 
@@ -15,6 +17,7 @@ use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
 use crate::units::in_gravity;
+pub(crate) use option::read;
 
 /// A case file: what it says, and where it says it.
 #[derive(Debug, Clone)]

@@ -99,6 +99,21 @@ impl Dimension {
         self.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
     }
 
+    /// The unit in which people read it, and how many SI units make one.
+    pub fn on_paper(self) -> (&'static str, f64) {
+        match self {
+            Dimension::Mass => ("t/m", 1e3),
+            Dimension::Force => ("kN/m", 1e3),
+            Dimension::Pressure => ("kPa", 1e3),
+            Dimension::Moment => ("kN m/m", 1e3),
+            Dimension::Inertia => ("t m²/m", 1e3),
+            Dimension::Density => ("kg/m³", 1.0),
+            Dimension::Acceleration => ("m/s²", 1.0),
+            Dimension::Length => ("m", 1.0),
+            Dimension::Time => ("s", 1.0),
+        }
+    }
+
     /// The units understood, e.g. `mm, cm or m`.
     pub fn understood(self) -> String {
         let names: Vec<_> = self.units().iter().map(|unit| unit.0).collect();
@@ -199,6 +214,16 @@ mod tests {
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Ok(expected), "{text}");
+        }
+    }
+
+    /// What is read is a unit that is understood, of that size.
+    #[test]
+    fn units_on_paper_are_understood() {
+        use Dimension::{Acceleration, Density, Force, Inertia, Length, Mass, Moment, Pressure, Time};
+        for dimension in [Length, Mass, Density, Force, Acceleration, Inertia, Pressure, Time, Moment] {
+            let (unit, scale) = dimension.on_paper();
+            assert_eq!(dimension.parse(&format!("1 {unit}")), Ok(scale), "{unit}");
         }
     }
 
