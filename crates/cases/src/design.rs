@@ -265,7 +265,9 @@ impl Request {
     /// Refuses a target that the case cannot be asked for.
     fn answerable(&self, case: &Case) -> Result<(), DesignError> {
         match self.target {
-            target @ Target::Utilisation(_) if case.criteria.is_empty() => Err(DesignError::NoCriteria { target }),
+            target @ Target::Utilisation(_) if case.criteria.is_empty() => {
+                Err(DesignError::NoCriteria { target })
+            }
             _ => Ok(()),
         }
     }
@@ -359,7 +361,8 @@ impl<'a> Design<'a> {
     /// and is not at present.
     fn warnings(&self) -> Vec<String> {
         let present = self.present.case.warnings();
-        let new = self.found().answer.case.warnings().into_iter().filter(|warning| !present.contains(warning));
+        let new =
+            self.found().answer.case.warnings().into_iter().filter(|warning| !present.contains(warning));
         let moves = moves_though_met(&self.found().answer);
         moves.into_iter().chain(new.map(|warning| warning.to_string())).collect()
     }
@@ -381,9 +384,8 @@ impl<'a> Design<'a> {
 
 /// That a target is met by a body that does not stay at rest, where the worst situation is one of these.
 fn moves_though_met(answer: &Assessment) -> Option<String> {
-    let moving = |assessed: &Assessed| {
-        load_factor(assessed) < 1.0 || assessed.outcome.full.mode != Some(Mode::Rest)
-    };
+    let moving =
+        |assessed: &Assessed| load_factor(assessed) < 1.0 || assessed.outcome.full.mode != Some(Mode::Rest);
     let worst = answer.least(load_factor);
     let assessed = if moving(worst) { worst } else { answer.tried().find(|assessed| moving(assessed))? };
     let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
@@ -402,17 +404,27 @@ fn moves_though_met(answer: &Assessment) -> Option<String> {
 /// That a target is met as far as the range reaches, and which option finds a boundary.
 fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignError {
     let [from, to] = quantity.range.map(|value| quantity.shown(value));
-    let (near, farther) = match request.extreme {
-        Extreme::Least => (&from, "--from looks farther down"),
-        Extreme::Greatest => (&to, "--to looks farther up"),
+    let farther = match request.extreme {
+        Extreme::Least => "--from looks farther down",
+        Extreme::Greatest => "--to looks farther up",
     };
     let across = request.extreme.other();
     let boundary = across.of(stretch);
     let (met, help) = match boundary.beyond {
         Beyond::Range => (format!("from {from} to {to}, in the whole range"), farther.to_owned()),
         _ => {
-            let met = format!("from {} to {near}, the end of the range", boundary.text);
-            (met, format!("{} gives the boundary on the other side, {}; {farther}", across.option(), boundary.text))
+            let met = match request.extreme {
+                Extreme::Least => format!("from {from}, where the range begins, to {}", boundary.text),
+                Extreme::Greatest => format!("from {} to {to}, where the range ends", boundary.text),
+            };
+            (
+                met,
+                format!(
+                    "{} gives the boundary on the other side, {}; {farther}",
+                    across.option(),
+                    boundary.text
+                ),
+            )
         }
     };
     let name = quantity.variable.name().to_owned();

@@ -31,14 +31,22 @@ impl Decimal {
     pub(crate) fn of(x: f64, count: usize, towards: Towards) -> Decimal {
         let scientific = format!("{x:.*e}", count - 1);
         let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-        let digits = mantissa.replace('.', "").parse().unwrap_or(0);
+        let digits: i64 = mantissa.replace('.', "").parse().unwrap_or(0);
         let exponent = exponent.parse().unwrap_or(0) - (count as i32 - 1);
         let nearest = Decimal { digits, exponent };
         let is_beyond = match towards {
             Towards::Less => nearest.value() > x,
             Towards::More => nearest.value() < x,
         };
-        if is_beyond { nearest.next(towards) } else { nearest }
+        let tenfold = 10i64.pow(count as u32 - 1);
+        match is_beyond {
+            // Rounded up to a power of ten: before it stand as many nines.
+            true if digits.abs() == tenfold && x.abs() < nearest.value().abs() => {
+                Decimal { digits: digits.signum() * (10 * tenfold - 1), exponent: exponent - 1 }
+            }
+            true => nearest.next(towards),
+            false => nearest,
+        }
     }
 
     /// Round numbers from `least` to `greatest`, multiples of 1, 2 or 5 times a power of ten, some four to eight; and in each of
@@ -47,11 +55,14 @@ impl Decimal {
         const MOST: f64 = 8.0;
         let size = greatest - least;
         let power = (size / MOST).log10().floor() as i32;
-        let rough = [1, 2, 5, 10].into_iter().find(|step| size / Decimal { digits: *step, exponent: power }.value() <= MOST);
+        let rough = [1, 2, 5, 10]
+            .into_iter()
+            .find(|step| size / Decimal { digits: *step, exponent: power }.value() <= MOST);
         let step = rough.unwrap_or(10);
         let multiples = |exponent: i32| {
             let unit = Decimal { digits: step, exponent }.value();
-            let (first, last) = ((least / unit).ceil() as i64, (greatest / unit).floor() as i64);
+            // A quotient may be rounded past a whole number.
+            let (first, last) = ((least / unit).floor() as i64, (greatest / unit).ceil() as i64);
             let all = (first..=last).map(|times| Decimal { digits: times * step, exponent });
             all.filter(|one| (least..=greatest).contains(&one.value())).collect()
         };
@@ -87,6 +98,8 @@ mod tests {
             (-0.12345, -0.1235, -0.1234),
             (282_201.0, 282_200.0, 282_300.0),
             (9.9996, 9.999, 10.0),
+            (-9.9996, -10.0, -9.999),
+            (10.0004, 10.0, 10.01),
             (1e-9, 1e-9, 1e-9),
             (2.0f64.powi(70), 1.180e21, 1.181e21),
         ];

@@ -95,7 +95,8 @@ pub enum Command {
     ///
     /// With --and, the same for many values of another quantity: the boundary of what meets the target, as a table, and with -o
     /// as a picture or CSV.
-    #[command(after_help = "Targets, in every situation of the case and under every acceleration of the base:\n\
+    #[command(
+        after_help = "Targets, in every situation of the case and under every acceleration of the base:\n\
         \u{20} rest                  the body rests under the full load\n\
         \u{20} factor=1.2            both safety factors are 1.2 at least\n\
         \u{20} no-rock               the body turns about no corner, at once or while the load rises\n\
@@ -108,7 +109,8 @@ pub enum Command {
         Examples:\n\
         \u{20} standfast design examples/goda-2000.toml --vary width --target factor=1.2\n\
         \u{20} standfast design examples/goda-2000.toml --vary wave.Hmax --greatest --target rest\n\
-        \u{20} standfast design examples/goda-2000.toml --vary width --and friction --target factor=1.2 -o set.svg")]
+        \u{20} standfast design examples/goda-2000.toml --vary width --and friction --target factor=1.2 -o set.svg"
+    )]
     Design(DesignArgs),
 
     /// Write the calculation sheet of a case: what an engineer files and a checker signs

@@ -106,7 +106,8 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
             Format::Json => design.json(),
         });
     };
-    let request = BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
+    let request =
+        BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
     let boundary = Boundary::of(&file, request)?;
     let written = files(args, &boundary)?;
     Ok(match args.format {

@@ -58,6 +58,8 @@ pub struct SetColumn {
     pub at: f64,
     /// From below.
     pub stretches: Vec<SetStretch>,
+    /// If there is none, what binds where the target is nearest to be met, in a word.
+    pub none: Option<&'static str>,
 }
 
 /// A stretch of values that meet the target.
@@ -84,6 +86,20 @@ struct Run {
     points: Vec<(f64, f64)>,
 }
 
+/// An upright part of the boundary.
+struct Step {
+    at: f64,
+    from: f64,
+    to: f64,
+    by: Option<&'static str>,
+}
+
+impl Step {
+    fn along(&self, share: f64) -> f64 {
+        self.from + share * (self.to - self.from)
+    }
+}
+
 /// Draws the set; `None` if it has no boundary.
 ///
 /// ```
@@ -96,6 +112,7 @@ struct Run {
 ///         from: SetEnd { value: 6.0 / mu, by: Some("sliding") },
 ///         to: SetEnd { value: 40.0, by: None },
 ///     }],
+///     none: None,
 /// };
 /// let figure = feasible_set(&FeasibleSet {
 ///     title: "Block",
@@ -121,15 +138,20 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
         canvas.scene.fill(&outline(&frame, block), FEASIBLE);
     }
     let runs = shifted.runs();
-    boundary(&mut canvas, &shifted, &runs);
+    let steps = shifted.steps(&frame.window);
+    boundary(&mut canvas, &runs, &steps);
     margins::axes(&mut canvas.scene, &frame, &AXES);
-    let tabs = |numbers: Vec<(f64, Text)>, place: &dyn Fn(f64) -> f64| -> Vec<Tab> {
-        numbers.into_iter().map(|(value, text)| Tab { at: place(value), text }).collect()
-    };
-    margins::beside_mu_axis(&mut canvas.scene, &frame, tabs(up, &|value| frame.y(value - window.mu_min)));
-    let beside = tabs(across, &|value| frame.x(value - window.k_min));
-    let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, beside, Vec::new());
+    beside_axis(&mut canvas, up.into_iter().map(|(value, text)| (frame.y(value - window.mu_min), text)));
+    let under = across.into_iter().map(|(value, text)| Tab { at: frame.x(value - window.k_min), text });
+    let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, under.collect(), Vec::new());
     present(&mut canvas, &shifted);
+    let upright = steps.iter().filter_map(|step| {
+        Some(Run {
+            by: step.by?,
+            points: (0..=10).map(|i| (step.at, step.along(f64::from(i) / 10.0))).collect(),
+        })
+    });
+    let runs: Vec<_> = runs.into_iter().chain(upright).collect();
     runs.iter().for_each(|run| name(&mut canvas, run));
     name_set(&mut canvas, &pieces);
     Some(framed(canvas, set, &runs, below))
@@ -148,13 +170,19 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -
     let mut binds: Vec<_> = runs.iter().map(|run| run.by).collect();
     binds.sort_unstable();
     binds.dedup();
-    let along = if binds.is_empty() { String::new() } else { format!(" Along the boundary: {}.", binds.join(", ")) };
+    let along =
+        if binds.is_empty() { String::new() } else { format!(" Along the boundary: {}.", binds.join(", ")) };
     let caption = format!("{}{along}", set.caption);
     let words = |text: &str, size: f64| -> Vec<Text> {
         text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
     };
-    let below =
-        margins::paragraph(&mut canvas.scene, &words(set.title, SIZE), edges, baseline + name.descent + 14.0, SIZE);
+    let below = margins::paragraph(
+        &mut canvas.scene,
+        &words(set.title, SIZE),
+        edges,
+        baseline + name.descent + 14.0,
+        SIZE,
+    );
     let below = margins::paragraph(&mut canvas.scene, &words(&caption, SMALL), edges, below + 5.0, SMALL);
     let size = (width.ceil(), (below + 10.0).ceil());
     let description = format!(
@@ -167,10 +195,21 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -
     Figure { svg, title, caption, labels, size }
 }
 
+/// Ticks and numbers beside the axis upwards, down to its origin.
+fn beside_axis(canvas: &mut Canvas, numbers: impl Iterator<Item = (f64, Text)>) {
+    let x0 = canvas.board.frame.area.x0;
+    for (y, text) in numbers {
+        canvas.scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
+        let rect =
+            Rect { x0: x0 - 8.0 - text.width, x1: x0 - 8.0, ..Rect::around(0.0, y, 0.0, text.height()) };
+        canvas.scene.text_in(&text, &rect, INK);
+    }
+}
+
 /// Words, symbol and unit of an axis.
 fn axis_name(axis: &SetAxis<'_>) -> Text {
     let unit = if axis.unit.is_empty() { String::new() } else { format!(" ({})", axis.unit) };
-    Text::new(&format!("{} ${}${unit}", axis.words.replace('$', ""), axis.symbol.replace('\'', "′")), LABEL)
+    Text::new(&format!("{}, ${}${unit}", axis.words.replace('$', ""), axis.symbol.replace('\'', "′")), LABEL)
 }
 
 /// The part of the plane that is shown: all columns, and upwards all ends that are more than ends of the search, and the present
@@ -183,7 +222,8 @@ fn window(set: &FeasibleSet<'_>) -> Option<View> {
         return None;
     }
     let shown = || real.iter().copied().chain([set.up.present]);
-    let (least, greatest) = (shown().fold(f64::INFINITY, f64::min), shown().fold(f64::NEG_INFINITY, f64::max));
+    let (least, greatest) =
+        (shown().fold(f64::INFINITY, f64::min), shown().fold(f64::NEG_INFINITY, f64::max));
     let size = if greatest > least { greatest - least } else { greatest.abs().max(1.0) };
     // Down to zero where that is near.
     let low = if least >= 0.0 && least < 0.3 * greatest { 0.0 } else { least - 0.12 * size };
@@ -220,8 +260,8 @@ impl Shifted<'_> {
     /// The strips of the set between neighbouring columns: those of the first stretches, then those of the second ones.
     fn strips(&self) -> Vec<Strip> {
         let level = |stretch: &SetStretch, from: f64, to: f64| {
-            let [lower, upper] = [&stretch.from, &stretch.to]
-                .map(|end| Curve::Line { slope: 0.0, intercept: self.y(end) });
+            let [lower, upper] =
+                [&stretch.from, &stretch.to].map(|end| Curve::Line { slope: 0.0, intercept: self.y(end) });
             Strip { from, to, lower, upper: Some(upper) }
         };
         let mut strips = Vec::new();
@@ -244,23 +284,32 @@ impl Shifted<'_> {
         strips.into_iter().map(|(_, strip)| strip).collect()
     }
 
-    /// Where the set ends between columns that differ: place, and the stretches of the boundary there.
-    fn steps(&self) -> Vec<(f64, f64, f64)> {
+    /// Where the set ends between columns that differ: the stretches of the boundary there.
+    fn steps(&self, window: &View) -> Vec<Step> {
         let mut steps = Vec::new();
-        for (left, right) in self.pairs().filter(|(left, right)| left.stretches.len() != right.stretches.len()) {
+        for (left, right) in
+            self.pairs().filter(|(left, right)| left.stretches.len() != right.stretches.len())
+        {
             let both = [left, right].map(|column| -> Vec<(f64, f64)> {
                 column.stretches.iter().map(|one| (self.y(&one.from), self.y(&one.to))).collect()
             });
             let mut cuts: Vec<f64> = both.iter().flatten().flat_map(|(from, to)| [*from, *to]).collect();
             cuts.sort_by(f64::total_cmp);
-            let inside = |side: &[(f64, f64)], y: f64| side.iter().any(|(from, to)| (*from..=*to).contains(&y));
+            let inside =
+                |side: &[(f64, f64)], y: f64| side.iter().any(|(from, to)| (*from..=*to).contains(&y));
             let parts = cuts.windows(2).filter(|cut| {
                 let middle = (cut[0] + cut[1]) / 2.0;
                 inside(&both[0], middle) != inside(&both[1], middle)
             });
             let x = (self.x(left) + self.x(right)) / 2.0;
-            steps.extend(parts.map(|cut| (x, cut[0], cut[1])));
+            let by = left.none.or(right.none);
+            steps.extend(parts.map(|cut| Step { at: x, from: cut[0], to: cut[1], by }));
         }
+        // Within the window.
+        steps.retain_mut(|step| {
+            (step.from, step.to) = (step.from.max(0.0), step.to.min(window.mu_max));
+            step.from < step.to
+        });
         steps
     }
 
@@ -313,7 +362,7 @@ fn blocks(pieces: &[Piece]) -> impl Iterator<Item = &[Piece]> {
 }
 
 /// Draws the boundary and keeps labels off it; a dot where something else begins to bind.
-fn boundary(canvas: &mut Canvas, shifted: &Shifted<'_>, runs: &[Run]) {
+fn boundary(canvas: &mut Canvas, runs: &[Run], steps: &[Step]) {
     let frame = canvas.board.frame;
     let mut starts: Vec<(f64, f64)> = Vec::new();
     for run in runs {
@@ -327,14 +376,11 @@ fn boundary(canvas: &mut Canvas, shifted: &Shifted<'_>, runs: &[Run]) {
         starts.extend(run.points.first());
     }
     let mut path = Path::default();
-    for (at, from, to) in shifted.steps() {
-        let (low, high) = (from.max(0.0), to.min(frame.window.mu_max));
-        if low < high && frame.shows(at, low) {
-            let (x, top, bottom) = (frame.x(at), frame.y(high), frame.y(low));
-            path.move_to(x, top);
-            path.line_to(x, bottom);
-            canvas.board.verticals.push((x, top, bottom));
-        }
+    for Step { at, from, to, .. } in steps {
+        let (x, top, bottom) = (frame.x(*at), frame.y(*to), frame.y(*from));
+        path.move_to(x, top);
+        path.line_to(x, bottom);
+        canvas.board.verticals.push((x, top, bottom));
     }
     canvas.scene.stroke(&path, BOUNDARY);
     let ends: Vec<_> = runs.iter().filter_map(|run| run.points.last()).collect();

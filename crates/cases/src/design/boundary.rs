@@ -1,7 +1,7 @@
 //! Two quantities at once: for round values of the one, which values of the other meet a target, and what binds at their ends?
 //!
 //! Each column is searched by itself, as for one quantity, and what is printed of it is proven as there. Where neighbouring columns
-//! differ in how many stretches they have, further columns are searched between them.
+//! differ in how many stretches they have, or in what binds at their ends, further columns are searched between them.
 
 mod picture;
 mod render;
@@ -19,7 +19,10 @@ use standfast_figures::Figure;
 /// How many parts the range of a column is cut into.
 const PARTS: u32 = 200;
 
-/// To how many digits a place is found where columns begin to differ.
+/// No more columns than these, however often neighbours differ.
+const MOST: usize = 400;
+
+/// To how many digits a place is found where neighbours differ.
 const DIGITS: usize = 4;
 
 /// What to design with two quantities.
@@ -54,6 +57,16 @@ pub struct Boundary<'a> {
 struct Column {
     at: f64,
     stretches: Vec<Stretch>,
+    /// What binds where the target is nearest to be met, if it is nowhere.
+    none: Option<&'static str>,
+}
+
+impl Column {
+    /// What binds at each end.
+    fn binding(&self) -> Vec<[Option<&'static str>; 2]> {
+        let by = |stretch: &Stretch| [stretch.least.beyond.by(), stretch.greatest.beyond.by()];
+        self.stretches.iter().map(by).collect()
+    }
 }
 
 impl<'a> Boundary<'a> {
@@ -75,7 +88,9 @@ impl<'a> Boundary<'a> {
         let present = Assessment::of(&case).map_err(|error| file.refused(error))?;
         let grid = Grid { file, case: &case, up: &up, across: &across, target: design.target };
         let (round, values) = columns(&across);
-        if design.target.asks_for_rise() && !values.iter().any(|value| grid.at(*value, |search| search.rises())) {
+        if design.target.asks_for_rise()
+            && !values.iter().any(|value| grid.at(*value, |search| search.rises()))
+        {
             return Err(DesignError::NothingRises { target: design.target });
         }
         let mut columns: Vec<_> = values.into_iter().map(|value| grid.column(value)).collect();
@@ -110,7 +125,9 @@ impl<'a> Boundary<'a> {
     fn notes(&self) -> Vec<String> {
         let of = |variable: &Variable| variable.notes(self.file.inputs(), &self.present.case);
         let mut notes = of(&self.up.variable);
-        notes.extend(of(&self.across.variable).into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());
+        notes.extend(
+            of(&self.across.variable).into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>(),
+        );
         notes
     }
 }
@@ -120,7 +137,7 @@ fn columns(across: &Quantity) -> (Vec<f64>, Vec<f64>) {
     let [from, to] = across.range;
     let (rough, fine) = Decimal::steps(from, to);
     let mut values: Vec<f64> = fine.into_iter().map(Decimal::value).chain([from, to]).collect();
-    let mut round: Vec<f64> = rough.into_iter().map(Decimal::value).collect();
+    let mut round: Vec<f64> = rough.into_iter().map(Decimal::value).chain([from, to]).collect();
     if (from..=to).contains(&across.present) {
         values.push(across.present);
         round.push(across.present);
@@ -149,16 +166,21 @@ impl Grid<'_> {
     }
 
     fn column(&self, at: f64) -> Column {
-        Column { at, stretches: self.at(at, |search| search.stretches()) }
+        self.at(at, |search| {
+            let stretches = search.stretches();
+            let none = if stretches.is_empty() { search.nearest() } else { None };
+            Column { at, stretches, none }
+        })
     }
 
-    /// Searches between neighbours that differ in their number of stretches, until they are neighbours to a few digits.
+    /// Searches between neighbours of which other stretches are met, or at whose ends something else binds, until they are
+    /// neighbours to a few digits.
     fn refine(&self, columns: &mut Vec<Column>) {
         let mut place = 1;
-        while place < columns.len() {
+        while place < columns.len() && columns.len() < MOST {
             let [left, right] = [&columns[place - 1], &columns[place]];
             let middle = Decimal::of((left.at + right.at) / 2.0, DIGITS, Towards::Less).value();
-            if left.stretches.len() == right.stretches.len() || middle <= left.at || right.at <= middle {
+            if left.binding() == right.binding() || middle <= left.at || right.at <= middle {
                 place += 1;
             } else {
                 // The pair with the new column is looked at next.

@@ -13,7 +13,7 @@ use crate::layout::digits;
 use crate::rounded::{Decimal, Towards};
 
 /// How near, relatively, an end is to a value that does not meet the target.
-const NEAR: f64 = 1e-9;
+const NEAR: f64 = 1e-12;
 
 /// How many digits a number has at most that is no shorter than it has to be.
 const ALL_DIGITS: usize = 17;
@@ -146,10 +146,7 @@ impl Search<'_> {
             let middle = fails + (meets - fails) / 2.0;
             if self.attempt(middle).met { meets = middle } else { fails = middle }
         }
-        // A round number as near is as good: 0 rather than 1e-15.
-        let step = 10_f64.powf((2.0 * NEAR * meets.abs().max(size)).log10().ceil());
-        let round = (meets / step).round() * step + 0.0;
-        Found { meets: if self.attempt(round).met { round } else { meets }, fails: Some(fails) }
+        Found { meets, fails: Some(fails) }
     }
 
     /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the
@@ -163,14 +160,20 @@ impl Search<'_> {
         let end = (DIGITS..=ALL_DIGITS).find_map(|count| {
             let rounded = self.tight(Decimal::of(found.meets, count, inwards), found, inwards.other());
             let text = with_unit(rounded.value(), variable, count);
-            let value = variable.read(&text, self.varied.file.inputs()).ok().filter(|value| is_inside(*value))?;
+            let value =
+                variable.read(&text, self.varied.file.inputs()).ok().filter(|value| is_inside(*value))?;
             let trial = self.attempt(value);
             let answer = trial.answer.ok().filter(|_| trial.met)?;
             let beyond = match found.fails {
                 None => Beyond::Range,
                 Some(fails) => self.beyond(fails, rounded.next(inwards.other()).value(), count),
             };
-            Some(End { value: found.meets, rounded: value, text, answer, beyond })
+            // A short number between the two last values tried, 4 beside 4.000000000003, is the boundary as far as it is known.
+            let outermost = match inwards {
+                Towards::More => value.min(found.meets),
+                Towards::Less => value.max(found.meets),
+            };
+            Some(End { value: outermost, rounded: value, text, answer, beyond })
         });
         end.expect("all digits of a value that meets the target meet it")
     }
@@ -185,21 +188,32 @@ impl Search<'_> {
         if is_between && self.attempt(next.value()).met { next } else { rounded }
     }
 
-    /// Why the next printed value does not meet the target; if it should by chance, why the nearest value that was tried does not.
+    /// Why the nearest value that was tried beyond an end does not meet the target; said of the next printed value where that fails
+    /// by the same.
     fn beyond(&self, fails: f64, next: f64, count: usize) -> Beyond {
-        let next = self.attempt(next);
-        let (trial, count) = if next.met { (self.attempt(fails), ALL_DIGITS) } else { (next, count) };
-        let at = with_unit(trial.value, &self.quantity.variable, count);
-        match trial.answer {
-            Ok(answer) => Beyond::Fails(at, self.target.binding(&answer)),
-            Err(error) => Beyond::NoCase(at, error.to_string()),
-        }
+        let why = |trial: Trial, count: usize| {
+            let at = with_unit(trial.value, &self.quantity.variable, count);
+            match trial.answer {
+                Ok(answer) => Beyond::Fails(at, self.target.binding(&answer)),
+                Err(error) => Beyond::NoCase(at, error.to_string()),
+            }
+        };
+        let nearest = why(self.attempt(fails), ALL_DIGITS);
+        let next = Some(self.attempt(next)).filter(|next| !next.met).map(|next| why(next, count));
+        next.filter(|next| next.by() == nearest.by()).unwrap_or(nearest)
     }
 
     /// Whether a variable load acts at any value that is tried.
     pub(super) fn rises(&self) -> bool {
         let rises = |answer: &Assessment| answer.tried().any(|assessed| !assessed.outcome.path.is_empty());
         self.samples().into_iter().any(|value| self.attempt(value).answer.is_ok_and(|answer| rises(&answer)))
+    }
+
+    /// What binds, in a word, where the target is nearest to be met.
+    pub(super) fn nearest(&self) -> Option<&'static str> {
+        let answers = self.samples().into_iter().filter_map(|value| self.attempt(value).answer.ok());
+        let best = answers.max_by(|one, other| self.target.score(one).total_cmp(&self.target.score(other)));
+        best.map(|answer| self.target.binding(&answer).by)
     }
 
     /// Why no value meets the target.
@@ -229,7 +243,8 @@ impl Search<'_> {
             return DesignError::NoCase { name, from, to, at: self.quantity.shown(at), why };
         };
         let binding = target.binding(&answer).words;
-        if score - worst <= NEAR * score.abs() || score == worst {
+        // The same but for rounding.
+        if score - worst <= 1e-9 * score.abs() || score == worst {
             return DesignError::NoInfluence { name, target, binding };
         }
         let reached = match target {

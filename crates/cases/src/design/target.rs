@@ -118,7 +118,9 @@ impl FromStr for Target {
 /// A number above zero, as a case file has a safety factor.
 fn plain_number(name: &'static str, value: Option<&str>) -> Result<f64, TargetError> {
     match value_of(Key::LeastSliding, name, value)? {
-        Target::Criterion(Criterion { bound: crate::criteria::Bound::AtLeast(number), .. }) if number < FAR => {
+        Target::Criterion(Criterion { bound: crate::criteria::Bound::AtLeast(number), .. })
+            if number < FAR =>
+        {
             Ok(number)
         }
         _ => Err(TargetError::WrongValue {
@@ -151,7 +153,11 @@ fn value_of(key: Key, name: &'static str, value: Option<&str>) -> Result<Target,
     let value = value.filter(|value| !value.is_empty());
     let Some(written) = value else { return Err(TargetError::NoValue { name, example }) };
     let value = read(key, info.kind, written);
-    let value = value.map_err(|problem| TargetError::WrongValue { name, fault: fault(&problem), example: example.clone() })?;
+    let value = value.map_err(|problem| TargetError::WrongValue {
+        name,
+        fault: fault(&problem),
+        example: example.clone(),
+    })?;
     Criterion::of(key, &value).map(Target::Criterion).ok_or(TargetError::NoValue { name, example })
 }
 
@@ -198,7 +204,11 @@ impl Target {
             Target::Utilisation(share) => answer.case.criteria.iter().all(|criterion| {
                 let check = criterion.check(assessed);
                 // Whether a bound is met is no matter of a rounded quotient.
-                if share == 1.0 { check.met } else { check.utilisation.map_or(check.met, |used| used <= share) }
+                if share == 1.0 {
+                    check.met
+                } else {
+                    check.utilisation.map_or(check.met, |used| used <= share)
+                }
             }),
         }
     }
@@ -301,7 +311,12 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
     };
     let words = match (check.met, target) {
         (true, Target::Utilisation(share)) => {
-            format!("of {} {} is used, not {} at most{place}", check.criterion, check.utilisation_words(), digits(share))
+            format!(
+                "of {} {} is used, not {} at most{place}",
+                check.criterion,
+                check.utilisation_words(),
+                digits(share)
+            )
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
             let asked = check.criterion.required();
@@ -315,7 +330,9 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
 /// A mode that ends rest, with the load factor at which it does.
 fn moves_at(assessed: &Assessed, mode: Option<Mode>) -> String {
     match assessed.departure() {
-        Departure::At { factor, .. } => format!("{} at {} times the load", moves(assessed, mode), digits(*factor)),
+        Departure::At { factor, .. } => {
+            format!("{} at {} times the load", moves(assessed, mode), digits(*factor))
+        }
         _ => format!("{} at once", moves(assessed, mode)),
     }
 }

@@ -41,10 +41,35 @@ mod tests {
     /// The same texts in a file, in quotes where they are no numbers, and at an option.
     #[test]
     fn an_option_says_what_a_file_says() {
-        let keys = [Key::Width, Key::Mass, Key::Friction, Key::Horizontal, Key::GreatestBearing, Key::LeastContact];
+        let keys =
+            [Key::Width, Key::Mass, Key::Friction, Key::Horizontal, Key::GreatestBearing, Key::LeastContact];
         let texts = [
-            "8", "8.5", "-8", "0", "+3e-2", "1_000", "0x10", "8 m", " 8 m ", "800 cm", "8m", "8,5", "8,5 m", "0.25 g", "0.25g",
-            "2 m/s2", "300kPa", "300 kN/m2", "3 t/m", "inf", "nan", "m", "", "8 kg", "true", "0.5",
+            "8",
+            "8.5",
+            "-8",
+            "0",
+            "+3e-2",
+            "1_000",
+            "0x10",
+            "8 m",
+            " 8 m ",
+            "800 cm",
+            "8m",
+            "8,5",
+            "8,5 m",
+            "0.25 g",
+            "0.25g",
+            "2 m/s2",
+            "300kPa",
+            "300 kN/m2",
+            "3 t/m",
+            "inf",
+            "nan",
+            "m",
+            "",
+            "8 kg",
+            "true",
+            "0.5",
         ];
         for key in keys {
             for text in texts {

@@ -17,6 +17,7 @@ pub(super) fn draw(boundary: &Boundary<'_>) -> Option<Figure> {
         let stretches = column.stretches.iter();
         SetColumn {
             at: column.at / rightwards.scale,
+            none: column.none,
             stretches: stretches
                 .map(|stretch| SetStretch { from: end(&stretch.least), to: end(&stretch.greatest) })
                 .collect(),
@@ -24,7 +25,7 @@ pub(super) fn draw(boundary: &Boundary<'_>) -> Option<Figure> {
     });
     let [from, to] = up.range.map(|value| up.shown(value));
     let caption = format!(
-        "Shaded: {}. Diamond: {}. Searched is {} from {from} to {to}.",
+        "Shaded: {}. Diamond: {}. Of {}, all from {from} to {to} was searched.",
         words(request.target),
         at_present(boundary),
         up.variable.name(),

@@ -61,7 +61,7 @@ fn table(boundary: &Boundary<'_>) -> String {
         let at = unit(across, &plain(column.at));
         match ordered(column, request.extreme).first() {
             Some((end, _)) => row![at, &*end.text, end.beyond.by().unwrap_or("end of the range"), present],
-            None => row![at, "none", "", present],
+            None => row![at, "none", column.none.unwrap_or("no case"), present],
         }
     }));
     columns(&rows, 2, &[0, 1])
@@ -95,7 +95,8 @@ fn ordered(column: &Column, extreme: Extreme) -> Vec<(&End, &End)> {
 }
 
 /// A row for each stretch: the value of the one quantity, the wanted end of the other, the other end if it is more than an end of
-/// the range, and what binds at each. A value without any has a row of its own.
+/// the range, and what binds at each. A value without any
+/// has a row of its own, with what binds where the target is nearest to be met.
 pub(super) fn csv(boundary: &Boundary<'_>) -> String {
     let Boundary { request, up, across, .. } = boundary;
     let [name, other] = [up, across].map(|quantity| quantity.variable.key_name());
@@ -104,7 +105,7 @@ pub(super) fn csv(boundary: &Boundary<'_>) -> String {
         let at = exact(column.at);
         let stretches = ordered(column, request.extreme);
         if stretches.is_empty() {
-            text += &format!("{at},,,,\n");
+            text += &format!("{at},,{},,\n", column.none.unwrap_or_default());
         }
         for (wanted, until) in stretches {
             let by = |end: &End| end.beyond.by().unwrap_or_default();
@@ -143,6 +144,8 @@ struct Varied<'a> {
 struct Values {
     value: f64,
     met: Vec<Met>,
+    /// What binds where it is nearest to be met, if it is nowhere.
+    binds: Option<&'static str>,
 }
 
 pub(super) fn json(boundary: &Boundary<'_>) -> String {
@@ -165,7 +168,11 @@ pub(super) fn json(boundary: &Boundary<'_>) -> String {
         columns: boundary
             .columns
             .iter()
-            .map(|column| Values { value: column.at, met: column.stretches.iter().map(Met::of).collect() })
+            .map(|column| Values {
+                value: column.at,
+                met: column.stretches.iter().map(Met::of).collect(),
+                binds: column.none,
+            })
             .collect(),
         notes: boundary.notes(),
     })
