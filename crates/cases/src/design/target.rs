@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use standfast::{Departure, Mode};
+use standfast::Mode;
 use thiserror::Error;
 
 use super::quantity::fault;
@@ -319,22 +319,11 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
             )
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
-            let asked = check.criterion.required();
-            format!("load_factor {asked} fails{place}: the body {}", moves_at(assessed, mode))
+            format!("{}{place}: the body {}", check.failure(assessed), moves(assessed, mode))
         }
         _ => check.failure(assessed) + &place,
     };
     Binding { by, words }
-}
-
-/// A mode that ends rest, with the load factor at which it does.
-fn moves_at(assessed: &Assessed, mode: Option<Mode>) -> String {
-    match assessed.departure() {
-        Departure::At { factor, .. } => {
-            format!("{} at {} times the load", moves(assessed, mode), digits(*factor))
-        }
-        _ => format!("{} at once", moves(assessed, mode)),
-    }
 }
 
 /// The motion of a mode in a word.
