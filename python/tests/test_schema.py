@@ -56,8 +56,15 @@ DESIGNS = [
     ("goda-2000", "friction", "rest"),
     ("head-difference", "water_level", "load-factor=1.1"),
     ("caisson-in-air", "mass", "no-rock"),
-    ("block-two-loads", "load[1].force", "factor=0.1"),
+    ("block-two-loads", "load[3].force", "factor=0.1", "--greatest"),
     ("block-two-loads", "width", "no-slide"),
+    ("quay", "width", "criteria"),
+    ("quay", "width", "bearing_max=300kPa"),
+    ("quay", "load[1].force", "utilisation=0.98", "--greatest"),
+]
+BOUNDARIES = [
+    ("goda-2000", "width", "factor=1.2", "--and=friction"),
+    ("seismic-block", "height", "factor=1", "--greatest", "--and=earthquake.horizontal"),
 ]
 
 
@@ -77,9 +84,9 @@ def classified(program: list[str], point: tuple[float, ...]) -> Any:
     return json.loads(printed(program, "classify", *options, "--format=json"))
 
 
-def designed(program: list[str], name: str, vary: str, target: str) -> Any:
+def designed(program: list[str], name: str, vary: str, target: str, *options: str) -> Any:
     file = ROOT / f"examples/{name}.toml"
-    return json.loads(printed(program, "design", file, "--vary", vary, "--target", target, "--format=json"))
+    return json.loads(printed(program, "design", file, "--vary", vary, "--target", target, *options, "--format=json"))
 
 
 def objects(document: Any) -> Iterator[dict[str, Any]]:
@@ -144,8 +151,13 @@ def test_points(program: list[str], point: tuple[float, ...]) -> None:
 
 
 @pytest.mark.parametrize("wanted", DESIGNS, ids=" ".join)
-def test_designs(program: list[str], wanted: tuple[str, str, str]) -> None:
+def test_designs(program: list[str], wanted: tuple[str, ...]) -> None:
     assert not errors(designed(program, *wanted), "design.schema.json")
+
+
+@pytest.mark.parametrize("wanted", BOUNDARIES, ids=" ".join)
+def test_boundaries(program: list[str], wanted: tuple[str, ...]) -> None:
+    assert not errors(designed(program, *wanted), "boundary.schema.json")
 
 
 def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
@@ -155,6 +167,7 @@ def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
         *((json.loads(standfast.assess(case).to_json()), "answer.schema.json") for case in cases),
         (classified(program, POINTS[1]), "point.schema.json"),
         (designed(program, *DESIGNS[0]), "design.schema.json"),
+        (designed(program, *BOUNDARIES[0]), "boundary.schema.json"),
     ]
     assert documents[0][0]["situations"][0]["report"] and documents[1][0]["situations"][0]["load"] and documents[2][0]["water"]
     for document, schema in documents:

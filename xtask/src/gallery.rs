@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::{fs, io};
 
+use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request};
 use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{FigureId, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
@@ -36,6 +37,12 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
         }
     }
     page.push_str(
+        "\n## Design\n\nThe least width of the case goda-2000 for both safety factors to be 1.2, over friction; see [design](design.md):\n\
+         `standfast design examples/goda-2000.toml --vary width --and friction --target factor=1.2 -o set.svg`.\n\n\
+         ![Least width over friction](gallery/design-goda-2000.svg)\n",
+    );
+    files.push(("gallery/design-goda-2000.svg".to_owned(), boundary(root, "goda-2000")?));
+    page.push_str(
         "\n## Calculation sheet\n\n[The sheet of the case goda-2000](gallery/sheet-goda-2000.html), to be opened in a browser:\n\
          `standfast sheet examples/goda-2000.toml -o sheet.html`.\n",
     );
@@ -61,6 +68,17 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         cases.push((name, files));
     }
     Ok(cases)
+}
+
+/// The boundary of width and friction of an example.
+fn boundary(root: &Path, example: &str) -> io::Result<String> {
+    let text = fs::read_to_string(root.join("examples").join(format!("{example}.toml")))?;
+    let file = CaseFile::parse(example, &text).map_err(io::Error::other)?;
+    let target = "factor=1.2".parse().map_err(io::Error::other)?;
+    let design = Request { vary: "width".to_owned(), target, extreme: Extreme::Least, from: None, to: None };
+    let request = BoundaryRequest { design, and: "friction".to_owned(), from: None, to: None };
+    let figure = Boundary::of(&file, request).map_err(io::Error::other)?.figure();
+    Ok(figure.map(|figure| figure.svg().to_owned()).unwrap_or_default())
 }
 
 /// The calculation sheet of an example.

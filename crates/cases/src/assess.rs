@@ -140,7 +140,12 @@ impl Assessment {
 
     /// The criteria, each where it is met worst; the governing one first.
     pub fn checks(&self) -> Vec<CaseCheck<'_>> {
-        worst_checks(&self.case.criteria, || self.tried())
+        self.checks_of(&self.case.criteria)
+    }
+
+    /// The same of other criteria than those of the case.
+    pub fn checks_of(&self, criteria: &[Criterion]) -> Vec<CaseCheck<'_>> {
+        worst_checks(criteria, || self.tried())
     }
 
     /// Whether all criteria are met; `None` where there is none.

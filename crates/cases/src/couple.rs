@@ -12,10 +12,12 @@ use std::fmt;
 use standfast::Plan;
 
 use crate::case::{Case, Weight};
-use crate::inputs::Inputs;
-use crate::key::{Id, Key, Moves, Table};
+use crate::error::Problem;
+use crate::inputs::{Inputs, Value};
+use crate::key::{Id, Key, Kind, Moves, Range, Table};
+use crate::parse::read;
 use crate::suggest::closest;
-use crate::units::{Dimension, Extent, UnitError};
+use crate::units::{Dimension, Extent};
 
 /// A number of a case that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,9 +89,13 @@ impl Variable {
 
     /// The number under a key of inputs.
     pub fn of(id: Id, inputs: &Inputs) -> Variable {
+        Variable::under(id, inputs.extent())
+    }
+
+    fn under(id: Id, extent: Extent) -> Variable {
         let moves = id.key.info().moves;
         let both_sides = id.key == Key::Level;
-        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, extent: inputs.extent() }
+        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, extent }
     }
 
     /// What it is called.
@@ -100,6 +106,12 @@ impl Variable {
     /// The key that it is under.
     pub fn id(&self) -> Id {
         self.id
+    }
+
+    /// The name of its key, where it is that number with what goes with it; else what it is called.
+    pub fn key_name(&self) -> String {
+        let by_key = Variable { name: self.name.clone(), ..Variable::under(self.id, self.extent) };
+        if by_key == *self { self.id.to_string() } else { self.name.clone() }
     }
 
     /// What it measures; `None` for a plain number.
@@ -113,16 +125,27 @@ impl Variable {
         if self.by_density { case.body.mass() } else { inputs.number(self.id).unwrap_or(0.0) }
     }
 
-    /// The value that a text says, with a unit or in SI.
+    /// The value that a text says behind its key in the case file that `inputs` are of, SI. It need not be in the range of the key.
     ///
     /// # Errors
     /// If it is no number, or its unit does not fit.
-    pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
-        match (text.trim().parse::<f64>(), self.dimension()) {
-            (Ok(value), _) if value.is_finite() => Ok(value),
-            (_, Some(dimension)) => dimension.parse(text),
-            (_, None) => Err(UnitError::Number),
-        }
+    pub fn read(&self, text: &str, inputs: &Inputs) -> Result<f64, Problem> {
+        let key = if self.by_density { Key::Mass } else { self.id.key };
+        let kind = match key.info().kind {
+            Kind::Measured(dimension, _) => Kind::Measured(dimension, Range::Finite),
+            Kind::InGravity => Kind::InGravity,
+            _ => Kind::Plain(Range::Finite),
+        };
+        Ok(match read(key, kind, self.extent, text)? {
+            Value::InGravity(share) => share * inputs.gravity(),
+            Value::Number(number) => number,
+            _ => unreachable!("a number is read"),
+        })
+    }
+
+    /// Which values its key takes.
+    pub fn range(&self) -> Range {
+        self.id.key.info().range().unwrap_or(Range::Finite)
     }
 
     /// What goes with it, in sentences.
@@ -227,6 +250,15 @@ pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Input
     for (key, ratio) in moved.scales {
         if let Some(value) = varied.number(key).filter(|_| !named(key)) {
             varied.set(key, value * ratio);
+        }
+    }
+    for (variable, _) in changes.iter().filter(|(variable, _)| variable.by_density) {
+        // The mass that is named is that of the body as wide and high as it has become.
+        let area = |inputs: &Inputs| {
+            inputs.number(Key::Width).unwrap_or(1.0) * inputs.number(Key::Height).unwrap_or(1.0)
+        };
+        if let Some(density) = varied.number(variable.id) {
+            varied.set(variable.id, density * (area(inputs) / area(&varied)));
         }
     }
     varied

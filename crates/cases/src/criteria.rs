@@ -3,12 +3,14 @@
 //! A criterion is a result of the [one list](crate::results) with a bound, or the modes that are not allowed. Its utilisation is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
 
+use std::fmt;
+
 use standfast::{Departure, Mode, Modes};
 
 use crate::assess::Assessed;
-use crate::inputs::Inputs;
-use crate::key::Key;
-use crate::layout::{apart, digits};
+use crate::inputs::{Inputs, Value};
+use crate::key::{Key, Table};
+use crate::layout::{apart, digits, plain};
 use crate::results::{ResultName, ResultValue};
 
 /// What is asked of a result.
@@ -75,12 +77,17 @@ const NUMBERS: [Asked; 6] = [
 impl Criterion {
     /// The criteria of a case.
     pub(crate) fn all(inputs: &Inputs) -> Vec<Criterion> {
-        let numbers = NUMBERS.iter().filter_map(|Asked { key, bound, .. }| {
-            Some(Criterion { key: *key, bound: bound(inputs.number(*key)?) })
-        });
-        let modes = inputs.modes(Key::ModesNot);
-        let modes = modes.map(|modes| Criterion { key: Key::ModesNot, bound: Bound::NoneOf(modes) });
-        numbers.chain(modes).collect()
+        Table::Criteria.keys().filter_map(|key| Criterion::of(key, inputs.get(key)?)).collect()
+    }
+
+    /// What a value under a key of `[criteria]` asks for; `None` if the key is none of these.
+    pub(crate) fn of(key: Key, value: &Value) -> Option<Criterion> {
+        let bound = match value {
+            Value::Number(bound) => (NUMBERS.iter().find(|asked| asked.key == key)?.bound)(*bound),
+            Value::Modes(modes) => Bound::NoneOf(*modes),
+            _ => return None,
+        };
+        Some(Criterion { key, bound })
     }
 
     /// Its name: that of the result.
@@ -141,6 +148,20 @@ impl Criterion {
     }
 }
 
+impl fmt::Display for Criterion {
+    /// As a target is written: `SF_sliding=1.2`, `bearing_max=300 kPa`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let bound = match self.bound {
+            Bound::AtLeast(bound) | Bound::AtMost(bound) => self.with_unit(&plain(self.shown(bound))),
+            Bound::NoneOf(modes) => {
+                let quoted: Vec<_> = modes.iter().map(|mode| format!("\"{mode}\"")).collect();
+                format!("[{}]", quoted.join(", "))
+            }
+        };
+        write!(f, "{}={bound}", self.name())
+    }
+}
+
 /// Modes by their symbols.
 fn listed(modes: Modes) -> String {
     modes.iter().map(Mode::symbol).collect::<Vec<_>>().join(", ")
@@ -182,6 +203,15 @@ impl Check {
             Some(f64::INFINITY) => "infinite".to_owned(),
             Some(utilisation) => digits(utilisation),
             None => "–".to_owned(),
+        }
+    }
+
+    /// Why it is not met: `SF_sliding is 1.165, not ≥ 1.2`.
+    pub fn failure(&self, assessed: &Assessed) -> String {
+        let (name, value) = (self.criterion.name(), self.value_words(assessed));
+        match self.criterion.bound {
+            Bound::NoneOf(not) => format!("of {name} {} the body may take up {value}", listed(not)),
+            _ => format!("{name} is {value}, not {}", self.criterion.required()),
         }
     }
 

@@ -106,8 +106,8 @@ const FORCE: (&str, f64) = ("kN/m", 1e3);
 
 impl MotionPart {
     /// The unit of a real body's in a case of this extent.
-    pub fn unit_in(&self, extent: Extent) -> String {
-        if self.si_unit == FORCE.0 { extent.force_unit() } else { self.si_unit.to_owned() }
+    pub fn unit_in(&self, extent: Extent) -> &'static str {
+        if self.si_unit == FORCE.0 { extent.force_unit() } else { self.si_unit }
     }
 }
 

@@ -1,30 +1,40 @@
-//! Design: the least value of a quantity that meets a target, and what every number of a case does to its
-//! safety.
+//! Design: for which values of a quantity is a target met, which of them is the least or the greatest, and what does every
+//! number of a case do to its safety?
 //!
 //! Nothing is linearised or scaled: for each value tried, everything that follows from it, waves and water included, is computed
-//! anew from the typed inputs.
+//! anew from the typed inputs. What is printed is rounded to the safe side, read again as it is printed, and assessed so.
 
+mod boundary;
 mod json;
-mod search;
+mod quantity;
 mod sensitivity;
+mod set;
 mod target;
 mod text;
 
+pub use boundary::{Boundary, BoundaryRequest};
 pub use sensitivity::{Change, Sensitivity, sensitivities};
 pub use target::{Target, TargetError};
+
+use std::fmt;
 
 use miette::Diagnostic;
 use thiserror::Error;
 
+use crate::assess::verdict::predicate;
 use crate::assess::{Assessed, Assessment};
 use crate::case::Case;
 use crate::couple::{Unknown, Variable, vary};
-use crate::error::{CaseError, Problem};
+use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::layout::digits;
 use crate::parse::CaseFile;
-use crate::units::{Dimension, UnitError};
-use search::{Found, search};
+use quantity::{Ends, Quantity};
+use set::{Beyond, End, Search, Stretch};
+use standfast::{Departure, Mode};
+
+/// How many parts a range is cut into to find where a target is met.
+const PARTS: u32 = 400;
 
 /// Why there is no design.
 #[derive(Debug, Error, Diagnostic)]
@@ -38,28 +48,30 @@ pub enum DesignError {
     #[error("the case has no `{}` to vary", .0.name)]
     #[diagnostic(help("{}", known(.0)))]
     UnknownVariable(Unknown),
-    /// An end of the bracket that is no value of the quantity.
-    #[error("{option} is \"{written}\", and {error}")]
-    #[diagnostic(help("expected a number in SI units{}", units(*dimension)))]
+    /// An end of a range that is no value of the quantity.
+    #[error("{option} is \"{written}\", and {fault}")]
+    #[diagnostic(help("{expected}"))]
     Bracket {
         /// The option.
         option: &'static str,
         /// What was given.
         written: String,
-        /// What it should measure; `None` for a plain number.
-        dimension: Option<Dimension>,
         /// What is wrong with it.
-        error: UnitError,
+        fault: String,
+        /// What is expected.
+        expected: String,
     },
-    /// A bracket without inside.
-    #[error("the bracket from {from} to {to} is empty; give its ends with --from and --to, in SI units")]
+    /// A range without inside.
+    #[error("the range from {from} to {to} is empty; give its ends with {} and {}", options[0], options[1])]
     EmptyBracket {
-        /// Its lower end, SI.
-        from: f64,
-        /// Its upper end, SI.
-        to: f64,
+        /// Its lower end.
+        from: String,
+        /// Its upper end.
+        to: String,
+        /// The options that give them.
+        options: [&'static str; 2],
     },
-    /// An end of the bracket that the quantity cannot have.
+    /// An end of a range that the quantity cannot have.
     #[error("{option} is \"{written}\"; expected {expected}, as {name} has to be")]
     Impossible {
         /// The option.
@@ -70,6 +82,38 @@ pub enum DesignError {
         name: String,
         /// What it has to be.
         expected: &'static str,
+    },
+    /// The criteria are the target, and there are none.
+    #[error("the target {target} asks for the criteria of the case, which has none")]
+    #[diagnostic(help("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2"))]
+    NoCriteria {
+        /// The target.
+        target: Target,
+    },
+    /// The target asks for a factor on loads that there are not.
+    #[error(
+        "the target {target} asks how far the variable loads may rise, and the case has none: nothing rises, and it would be met \
+         by a body that just rests"
+    )]
+    #[diagnostic(help("SF_sliding, SF_overturning or factor say how safe a body is under permanent loads"))]
+    NothingRises {
+        /// The target.
+        target: Target,
+    },
+    /// No value of the range makes a case.
+    #[error("no {name} from {from} to {to} makes a case; at {at}: {why}")]
+    #[diagnostic(help("--from and --to give another range"))]
+    NoCase {
+        /// What was varied.
+        name: String,
+        /// The lower end of the range.
+        from: String,
+        /// Its upper end.
+        to: String,
+        /// A value of it.
+        at: String,
+        /// Why that makes no case.
+        why: String,
     },
     /// The target does not depend on the quantity.
     #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
@@ -91,7 +135,7 @@ pub enum DesignError {
     Unmet {
         /// What was varied.
         name: String,
-        /// The lower end of the bracket.
+        /// The lower end of the range.
         from: String,
         /// Its upper end.
         to: String,
@@ -100,6 +144,96 @@ pub enum DesignError {
         /// The best that was reached.
         best: String,
     },
+    /// The target is met as far as the range reaches on the side where an end was wanted.
+    #[error("there is no {extreme} {name} that meets the target {target}: it is met {met}")]
+    #[diagnostic(help("{help}"))]
+    NoEnd {
+        /// What was varied.
+        name: String,
+        /// The end that was wanted.
+        extreme: Extreme,
+        /// The target.
+        target: Target,
+        /// Where it is met.
+        met: String,
+        /// What to ask for instead.
+        help: String,
+    },
+    /// No value meets the target, whatever another quantity is.
+    #[error("whatever {name} is from {from} to {to}, the target is not met; at {at}: {why}")]
+    #[diagnostic(help("--from, --to, --and-from and --and-to widen the ranges"))]
+    UnmetThroughout {
+        /// The other quantity.
+        name: String,
+        /// The lower end of its range.
+        from: String,
+        /// Its upper end.
+        to: String,
+        /// A value of it.
+        at: String,
+        /// Why there is none there.
+        why: String,
+    },
+    /// Both quantities are the same.
+    #[error("--vary and --and name the same number, {name}")]
+    #[diagnostic(help("--and takes another quantity of the case, as in --vary width --and friction"))]
+    Twice {
+        /// The number.
+        name: String,
+    },
+}
+
+/// Which end of the values that meet a target is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Extreme {
+    /// The least of them all.
+    #[default]
+    Least,
+    /// The greatest of them all.
+    Greatest,
+}
+
+impl Extreme {
+    /// The end on the other side.
+    fn other(self) -> Extreme {
+        match self {
+            Extreme::Least => Extreme::Greatest,
+            Extreme::Greatest => Extreme::Least,
+        }
+    }
+
+    /// The option that asks for it.
+    fn option(self) -> &'static str {
+        match self {
+            Extreme::Least => "--least",
+            Extreme::Greatest => "--greatest",
+        }
+    }
+
+    /// The end of a stretch.
+    fn of(self, stretch: &Stretch) -> &End {
+        match self {
+            Extreme::Least => &stretch.least,
+            Extreme::Greatest => &stretch.greatest,
+        }
+    }
+
+    /// The stretch that has it.
+    fn outermost(self, stretches: &[Stretch]) -> Option<usize> {
+        match self {
+            Extreme::Least => (!stretches.is_empty()).then_some(0),
+            Extreme::Greatest => stretches.len().checked_sub(1),
+        }
+    }
+}
+
+impl fmt::Display for Extreme {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Extreme::Least => "least",
+            Extreme::Greatest => "greatest",
+        })
+    }
 }
 
 /// What to design.
@@ -109,16 +243,42 @@ pub struct Request {
     pub vary: String,
     /// What it has to reach.
     pub target: Target,
-    /// Where to begin, with a unit or in SI; a fifth of the present value if not given.
+    /// Which end of the values that do is wanted.
+    pub extreme: Extreme,
+    /// Where to begin, as the case file would have it; a fifth of the present value if not given.
     pub from: Option<String>,
     /// Where to end; five times the present value if not given.
     pub to: Option<String>,
+}
+
+impl Request {
+    /// The quantity, between its ends.
+    fn quantity(&self, file: &CaseFile, case: &Case) -> Result<Quantity, DesignError> {
+        let ends = Ends {
+            options: ["--from", "--to"],
+            written: [self.from.as_deref(), self.to.as_deref()],
+            spread: 5.0,
+        };
+        Quantity::of(&self.vary, file.inputs(), case, &ends)
+    }
+
+    /// Refuses a target that the case cannot be asked for.
+    fn answerable(&self, case: &Case) -> Result<(), DesignError> {
+        match self.target {
+            target @ Target::Utilisation(_) if case.criteria.is_empty() => {
+                Err(DesignError::NoCriteria { target })
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// A case that is varied.
 struct Varied<'a> {
     file: &'a CaseFile,
     case: &'a Case,
+    /// Another quantity that is held at a value.
+    held: Option<(&'a Variable, f64)>,
 }
 
 impl Varied<'_> {
@@ -126,13 +286,11 @@ impl Varied<'_> {
         self.file.inputs()
     }
 
-    fn case_with(&self, variable: &Variable, value: f64) -> Result<Case, CaseError> {
-        let inputs = vary(self.inputs(), self.case, &[(variable, value)]);
-        Case::of(&inputs).map_err(|fault| self.file.error(fault))
-    }
-
-    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, DesignError> {
-        Ok(Assessment::of(&self.case_with(variable, value)?).map_err(|error| self.file.refused(error))?)
+    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
+        let changes: Vec<_> = [(variable, value)].into_iter().chain(self.held).collect();
+        let inputs = vary(self.inputs(), self.case, &changes);
+        let case = Case::of(&inputs).map_err(|fault| self.file.error(fault))?;
+        Assessment::of(&case).map_err(|error| self.file.refused(error))
     }
 }
 
@@ -156,15 +314,16 @@ fn least(assessment: &Assessment, of: fn(&Assessed) -> f64) -> f64 {
     of(assessment.least(of))
 }
 
-/// The least value that meets a target, with what it rests on.
+/// The least or the greatest value that meets a target, with what it rests on.
 pub struct Design<'a> {
     file: &'a CaseFile,
     request: Request,
-    variable: Variable,
-    value: f64,
-    bracket: [f64; 2],
+    quantity: Quantity,
     present: Assessment,
-    found: Found,
+    /// All values that meet the target.
+    stretches: Vec<Stretch>,
+    /// Which of them has the end that is wanted.
+    at: usize,
     sensitivities: Vec<Sensitivity>,
 }
 
@@ -172,30 +331,44 @@ impl<'a> Design<'a> {
     /// Designs the case of a file.
     ///
     /// # Errors
-    /// If the case makes no sense or lacks the quantity, or the target cannot be met.
+    /// If the case makes no sense or lacks the quantity, or the target cannot be met, or is met without an end on the side that is
+    /// wanted.
     pub fn of(file: &'a CaseFile, request: Request) -> Result<Design<'a>, DesignError> {
         let case = file.case()?;
-        let varied = Varied { file, case: &case };
-        let variable = Variable::find(&request.vary, file.inputs()).map_err(DesignError::UnknownVariable)?;
-        let value = variable.value(file.inputs(), &case);
-        let bracket = bracket(&request, &variable, value)?;
-        possible(&varied, &request, &variable, bracket)?;
+        let varied = Varied { file, case: &case, held: None };
+        request.answerable(&case)?;
+        let quantity = request.quantity(file, &case)?;
         let present = Assessment::of(&case).map_err(|error| file.refused(error))?;
-        let found = search(&varied, &variable, request.target, bracket)?;
+        let search = Search { varied: &varied, quantity: &quantity, target: request.target, parts: PARTS };
+        if request.target.asks_for_rise() && !search.rises() {
+            return Err(DesignError::NothingRises { target: request.target });
+        }
+        let stretches = search.stretches();
+        let Some(at) = request.extreme.outermost(&stretches) else { return Err(search.unmet()) };
+        if matches!(request.extreme.of(&stretches[at]).beyond, Beyond::Range) {
+            return Err(no_end(&request, &quantity, &stretches[at]));
+        }
         let sensitivities = sensitivity::all(&varied, Some(&present));
-        Ok(Design { file, request, variable, value, bracket, present, found, sensitivities })
+        Ok(Design { file, request, quantity, present, stretches, at, sensitivities })
     }
 
-    /// What is unusual about the case with the value found, and is not at present.
-    fn new_warnings(&self) -> Vec<crate::Warning> {
+    /// The end that is wanted.
+    fn found(&self) -> &End {
+        self.request.extreme.of(&self.stretches[self.at])
+    }
+
+    /// What is to be minded of the value found: that the body moves though the target is met, and what is unusual about the case
+    /// and is not at present.
+    fn warnings(&self) -> Vec<String> {
         let present = self.present.case.warnings();
-        let mut warnings = self.found.answer.case.warnings();
-        warnings.retain(|warning| !present.contains(warning));
-        warnings
+        let new =
+            self.found().answer.case.warnings().into_iter().filter(|warning| !present.contains(warning));
+        let moves = moves_though_met(&self.found().answer);
+        moves.into_iter().chain(new.map(|warning| warning.to_string())).collect()
     }
 
     fn notes(&self) -> Vec<String> {
-        self.variable.notes(self.file.inputs(), &self.present.case)
+        self.quantity.variable.notes(self.file.inputs(), &self.present.case)
     }
 
     /// The design for reading.
@@ -209,47 +382,53 @@ impl<'a> Design<'a> {
     }
 }
 
-fn bracket(request: &Request, variable: &Variable, present: f64) -> Result<[f64; 2], DesignError> {
-    let end = |option, written: &Option<String>, default: f64| match written {
-        None => Ok(default),
-        Some(written) => variable.parse(written).map_err(|error| {
-            let dimension = variable.dimension();
-            DesignError::Bracket { option, written: written.clone(), dimension, error }
-        }),
-    };
-    let [low, high] = [present / 5.0, present * 5.0];
-    let from = end("--from", &request.from, low.min(high))?;
-    let to = end("--to", &request.to, low.max(high))?;
-    if from < to { Ok([from, to]) } else { Err(DesignError::EmptyBracket { from, to }) }
-}
-
-/// Refuses ends, where given, with a sign that the quantity cannot have.
-fn possible(
-    varied: &Varied<'_>,
-    request: &Request,
-    variable: &Variable,
-    [from, to]: [f64; 2],
-) -> Result<(), DesignError> {
-    for (option, written, value) in [("--from", &request.from, from), ("--to", &request.to, to)] {
-        let Some(written) = written.clone().filter(|_| value < 0.0) else { continue };
-        if let Err(error) = varied.case_with(variable, value)
-            && let Problem::OutOfRange { key, expected, .. } = *error.problem()
-            && variable.id().key == key
-        {
-            return Err(DesignError::Impossible {
-                option,
-                written,
-                name: variable.name().to_owned(),
-                expected,
-            });
+/// That a target is met by a body that does not stay at rest, where the worst situation is one of these.
+fn moves_though_met(answer: &Assessment) -> Option<String> {
+    let moving =
+        |assessed: &Assessed| load_factor(assessed) < 1.0 || assessed.outcome.full.mode != Some(Mode::Rest);
+    let worst = answer.least(load_factor);
+    let assessed = if moving(worst) { worst } else { answer.tried().find(|assessed| moving(assessed))? };
+    let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
+    let place = place.map_or(String::new(), |name| format!(" in {name}"));
+    let (when, mode) = match assessed.departure() {
+        Departure::At { factor, mode } if *factor < 1.0 => {
+            (format!("from {} % of the variable load on", digits(100.0 * factor)), *mode)
         }
-    }
-    Ok(())
+        Departure::AtOnce { mode, permanent: true } => ("under the permanent loads alone".to_owned(), *mode),
+        Departure::AtOnce { mode, .. } => ("under any share of the variable load".to_owned(), *mode),
+        _ => ("under the full load at once".to_owned(), assessed.outcome.full.mode),
+    };
+    Some(format!("the target is met, but not by a body at rest{place}: {when} it {}", predicate(mode)))
 }
 
-fn units(dimension: Option<Dimension>) -> String {
-    let units = dimension.map(|dimension| format!(", or with a unit: {}", dimension.understood()));
-    units.unwrap_or_default()
+/// That a target is met as far as the range reaches, and which option finds a boundary.
+fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignError {
+    let [from, to] = quantity.range.map(|value| quantity.shown(value));
+    let farther = match request.extreme {
+        Extreme::Least => "--from looks farther down",
+        Extreme::Greatest => "--to looks farther up",
+    };
+    let across = request.extreme.other();
+    let boundary = across.of(stretch);
+    let (met, help) = match boundary.beyond {
+        Beyond::Range => (format!("from {from} to {to}, in the whole range"), farther.to_owned()),
+        _ => {
+            let met = match request.extreme {
+                Extreme::Least => format!("from {from}, where the range begins, to {}", boundary.text),
+                Extreme::Greatest => format!("from {} to {to}, where the range ends", boundary.text),
+            };
+            (
+                met,
+                format!(
+                    "{} gives the boundary on the other side, {}; {farther}",
+                    across.option(),
+                    boundary.text
+                ),
+            )
+        }
+    };
+    let name = quantity.variable.name().to_owned();
+    DesignError::NoEnd { name, extreme: request.extreme, target: request.target, met, help }
 }
 
 fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
@@ -260,13 +439,5 @@ fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
     match suggestion {
         Some(suggestion) => format!("did you mean `{suggestion}`? {names}"),
         None => names,
-    }
-}
-
-/// A number with the unit of plain numbers.
-fn with_unit(value: f64, variable: &Variable) -> String {
-    match variable.dimension() {
-        Some(dimension) => format!("{} {}", digits(value), dimension.si()),
-        None => digits(value),
     }
 }

@@ -76,12 +76,12 @@ pub enum Problem {
         expected: &'static str,
     },
     /// A text that is no quantity of the kind needed.
-    #[error("`{}` is {written}, and {error}; expected {}", key.entry(), dimension.words())]
+    #[error("`{}` is {written}, and {error}; expected {}", key.entry(), dimension.map_or("a number", Dimension::words))]
     Unit {
         /// The key.
         key: Key,
-        /// What it measures.
-        dimension: Dimension,
+        /// What it measures; `None` for a plain number.
+        dimension: Option<Dimension>,
         /// The value as it stands in the file.
         written: String,
         /// What is wrong with it.
@@ -365,6 +365,7 @@ impl Problem {
             Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
             Problem::Unit { key, dimension, error, .. } => {
+                let dimension = (*dimension)?;
                 let (also, bare) = match key.info().kind {
                     Kind::InGravity => ("g, ", "g"),
                     _ => ("", dimension.si()),
@@ -375,7 +376,7 @@ impl Problem {
                     UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
                         format!("{units}; this key says what g is, for example {}", line(*key))
                     }
-                    UnitError::Unknown(unit) => match other_extent(*dimension, unit) {
+                    UnitError::Unknown(unit) => match other_extent(dimension, unit) {
                         Some(words) => format!("{units}; {words}"),
                         None => units,
                     },

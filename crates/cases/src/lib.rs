@@ -43,6 +43,7 @@ mod list;
 mod parse;
 pub mod point;
 pub mod results;
+mod rounded;
 pub mod suggest;
 pub mod units;
 mod warning;

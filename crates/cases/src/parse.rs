@@ -2,6 +2,8 @@
 //!
 //! Nothing is guessed: a key, unit or value that is not understood is a [`CaseError`] that points at it.
 
+mod option;
+
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
 
@@ -15,6 +17,7 @@ use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
 use crate::units::{Dimension, Extent, in_gravity};
+pub(crate) use option::read;
 
 /// A case file: what it says, and where it says it.
 #[derive(Debug, Clone)]
@@ -420,7 +423,7 @@ impl Field<'_> {
         };
         dimension.parse(text).map_err(|error| {
             let written = self.written(self.value);
-            self.problem(Problem::Unit { key: self.key, dimension, written, error })
+            self.problem(Problem::Unit { key: self.key, dimension: Some(dimension), written, error })
         })
     }
 

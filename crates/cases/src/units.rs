@@ -26,39 +26,33 @@ impl Extent {
     }
 
     /// The unit in which forces are printed, 10³ N.
-    pub fn force_unit(self) -> String {
-        format!("k{}", self.of(Dimension::Force).si())
+    pub fn force_unit(self) -> &'static str {
+        self.of(Dimension::Force).on_paper().0
     }
 
     /// The unit in which moments are printed, 10³ N m.
-    pub fn moment_unit(self) -> String {
-        format!("k{}", self.of(Dimension::Moment).si())
+    pub fn moment_unit(self) -> &'static str {
+        self.of(Dimension::Moment).on_paper().0
     }
 
     /// A force in kN.
     pub fn kilonewtons(self, force: f64) -> String {
-        format!("{} {}", digits(force / 1e3), self.force_unit())
+        self.of(Dimension::Force).written(force)
     }
 
     /// A moment in kN m.
     pub fn kilonewton_metres(self, moment: f64) -> String {
-        format!("{} {}", digits(moment / 1e3), self.moment_unit())
+        self.of(Dimension::Moment).written(moment)
     }
 
     /// A mass, in t per metre run or in kg.
     pub fn mass(self, mass: f64) -> String {
-        match self {
-            Extent::PerMetre => format!("{} t/m", digits(mass / 1e3)),
-            Extent::Whole => format!("{} kg", digits(mass)),
-        }
+        self.of(Dimension::Mass).written(mass)
     }
 
     /// A moment of inertia, in t m² per metre run or in kg m².
     pub fn inertia(self, moment: f64) -> String {
-        match self {
-            Extent::PerMetre => format!("{} t m²/m", digits(moment / 1e3)),
-            Extent::Whole => format!("{} kg m²", digits(moment)),
-        }
+        self.of(Dimension::Inertia).written(moment)
     }
 
     /// What a quantity of a case of this extent measures.
@@ -188,6 +182,31 @@ impl Dimension {
         self.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
     }
 
+    /// The unit in which people read it, and how many SI units make one.
+    pub fn on_paper(self) -> (&'static str, f64) {
+        match self {
+            Dimension::Mass => ("t/m", 1e3),
+            Dimension::Force => ("kN/m", 1e3),
+            Dimension::Pressure => ("kPa", 1e3),
+            Dimension::Moment => ("kN m/m", 1e3),
+            Dimension::Inertia => ("t m²/m", 1e3),
+            Dimension::Density => ("kg/m³", 1.0),
+            Dimension::Acceleration => ("m/s²", 1.0),
+            Dimension::Length => ("m", 1.0),
+            Dimension::Time => ("s", 1.0),
+            Dimension::WholeMass => ("kg", 1.0),
+            Dimension::WholeForce => ("kN", 1e3),
+            Dimension::WholeInertia => ("kg m²", 1.0),
+            Dimension::WholeMoment => ("kN m", 1e3),
+        }
+    }
+
+    /// A value as people read it.
+    pub fn written(self, si: f64) -> String {
+        let (unit, scale) = self.on_paper();
+        format!("{} {unit}", digits(si / scale))
+    }
+
     /// The units understood, e.g. `mm, cm or m`.
     pub fn understood(self) -> String {
         let names: Vec<_> = self.units().iter().map(|unit| unit.0).collect();
@@ -288,6 +307,16 @@ mod tests {
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Ok(expected), "{text}");
+        }
+    }
+
+    /// What is read is a unit that is understood, of that size.
+    #[test]
+    fn units_on_paper_are_understood() {
+        use Dimension::{Acceleration, Density, Force, Inertia, Length, Mass, Moment, Pressure, Time};
+        for dimension in [Length, Mass, Density, Force, Acceleration, Inertia, Pressure, Time, Moment] {
+            let (unit, scale) = dimension.on_paper();
+            assert_eq!(dimension.parse(&format!("1 {unit}")), Ok(scale), "{unit}");
         }
     }
 

@@ -475,6 +475,7 @@ fn criteria_are_checked_under_every_acceleration() {
         let request = standfast_cases::design::Request {
             vary: "friction".into(),
             target: "factor=2.4".parse().unwrap(),
+            extreme: standfast_cases::design::Extreme::Least,
             from: None,
             to: None,
         };

@@ -12,6 +12,7 @@ use standfast_figures::FigureId;
 use standfast_sheet::Date;
 use standfast_tables::{Mapping, OnError, ResultColumn, TableFormat, TableProblem};
 
+use crate::design::BoundaryFile;
 use crate::draw::{KMu, Picture, PictureFile};
 use crate::format::Format;
 use crate::sheet::{Paper, SheetFile};
@@ -90,18 +91,31 @@ pub enum Command {
         --format json prints one document, schema 1, in SI units: docs/answer.schema.json.")]
     Assess(AssessArgs),
 
-    /// Find the least value of a quantity of a case that meets a target
+    /// Find the least or the greatest value of a quantity of a case that meets a target
     ///
-    /// Prints the value, what binds just below it, and what every number of the case does to both safety factors and
-    /// to the load factor at which the body first leaves rest. Each value tried goes through the whole case, waves
-    /// and water included; what has to go with it does: the mass with the width, the crest with the height.
-    #[command(after_help = "Targets:\n\
-        \u{20} rest              the body rests under the full load\n\
-        \u{20} factor=1.2        both safety factors are 1.2 at least\n\
-        \u{20} load-factor=1.2   the rising load moves the body at 1.2 times its value at the earliest\n\
-        \u{20} no-rock           the body turns about no corner, at once or while the load rises\n\
-        \u{20} no-slide          the body slips at no corner, at once or while the load rises\n\n\
-        Example:\n  standfast design examples/goda-2000.toml --vary width --target factor=1.2")]
+    /// Prints the value, rounded to the safe side and assessed as it is printed, what binds just beyond it, where else in the
+    /// range the target is met, and what every number of the case does to both safety factors and to the load factor at which the
+    /// body first leaves rest. Each value tried goes through the whole case, waves and water included; what has to go with it
+    /// does: the mass with the width, the crest with the height.
+    ///
+    /// With --and, the same for many values of another quantity: the boundary of what meets the target, as a table, and with -o
+    /// as a picture or CSV.
+    #[command(
+        after_help = "Targets, in every situation of the case and under every acceleration of the base:\n\
+        \u{20} rest                  the body rests under the full load\n\
+        \u{20} factor=1.2            both safety factors are 1.2 at least\n\
+        \u{20} no-rock               the body turns about no corner, at once or while the load rises\n\
+        \u{20} no-slide              the body slips at no corner, at once or while the load rises\n\
+        \u{20} SF_sliding=1.2, SF_overturning=1.2, load_factor=1.2, bearing_max=300kPa, contact_share=0.5,\n\
+        \u{20} eccentricity=2m, modes_not='[\"RO\"]'\n\
+        \u{20}                       a criterion, as [criteria] has it\n\
+        \u{20} criteria              all [criteria] of the case are met\n\
+        \u{20} utilisation=0.9       of each of them 0.9 at most is used\n\n\
+        Examples:\n\
+        \u{20} standfast design examples/goda-2000.toml --vary width --target factor=1.2\n\
+        \u{20} standfast design examples/goda-2000.toml --vary wave.Hmax --greatest --target rest\n\
+        \u{20} standfast design examples/goda-2000.toml --vary width --and friction --target factor=1.2 -o set.svg"
+    )]
     Design(DesignArgs),
 
     /// Write the calculation sheet of a case: what an engineer files and a checker signs
@@ -196,12 +210,33 @@ pub struct DesignArgs {
     /// What to reach
     #[arg(long, value_name = "TARGET")]
     pub target: Target,
-    /// Where to begin, e.g. "8 m", or a number in SI units [default: a fifth of the present value]
+    /// The least value that meets the target; so it is if nothing is said
+    #[arg(long, conflicts_with = "greatest")]
+    pub least: bool,
+    /// The greatest value that meets the target
+    #[arg(long)]
+    pub greatest: bool,
+    /// Where to begin, as the case file has the quantity, e.g. "8 m" or 8 [default: a fifth of the present value]
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// Where to end [default: five times the present value]
     #[arg(long, value_name = "B", allow_hyphen_values = true)]
     pub to: Option<String>,
+    /// Another quantity: the answer for each of many values of it
+    #[arg(long, value_name = "QUANTITY")]
+    pub and: Option<String>,
+    /// Where the other quantity begins [default: half the present value]
+    #[arg(long, value_name = "A", allow_hyphen_values = true, requires = "and")]
+    pub and_from: Option<String>,
+    /// Where it ends [default: twice the present value]
+    #[arg(long, value_name = "B", allow_hyphen_values = true, requires = "and")]
+    pub and_to: Option<String>,
+    /// With --and: a file to write; its extension is svg, png, pdf or csv. May be given again
+    #[arg(short, long, value_name = "FILE", requires = "and")]
+    pub output: Vec<BoundaryFile>,
+    /// Pixels of a png per unit of the svg
+    #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true, value_parser = scale)]
+    pub scale: f32,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

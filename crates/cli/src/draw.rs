@@ -1,4 +1,4 @@
-//! `standfast diagram` and `standfast figures`: pictures in files.
+//! `standfast diagram` and `standfast figures`, and what `standfast design` draws: pictures in files.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -56,9 +56,33 @@ impl FromStr for PictureFile {
     type Err = ExtensionError;
 
     fn from_str(text: &str) -> Result<PictureFile, ExtensionError> {
-        let kind = |extension: &str| Picture::from_str(extension, false).ok();
-        let (path, picture) = write::by_extension(text, "svg, png or pdf", kind)?;
+        let (path, picture) = write::by_extension(text, "svg, png or pdf", PictureFile::kind)?;
         Ok(PictureFile { path, picture })
+    }
+}
+
+impl PictureFile {
+    /// A file that is written as a kind of picture.
+    pub fn new(path: PathBuf, picture: Picture) -> PictureFile {
+        PictureFile { path, picture }
+    }
+
+    /// The kind of picture of an extension in lower case.
+    pub fn kind(extension: &str) -> Option<Picture> {
+        Picture::from_str(extension, false).ok()
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes a figure into it, a PNG with `scale` pixels per unit of the figure.
+    ///
+    /// # Errors
+    /// If the picture cannot be made or written.
+    pub fn save(&self, figure: &Figure, scale: f32) -> Result<(), DrawError> {
+        save(figure, &self.path, self.picture, scale)
     }
 }
 
@@ -129,7 +153,7 @@ pub fn draw_diagram(
         .enumerate()
         .map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i), mirrored: false })
         .collect();
-    save(&diagram(plane, &points), &file.path, file.picture, scale)
+    file.save(&diagram(plane, &points), scale)
 }
 
 /// Draws figures of the report into a directory, which is made if it is not there; gives the files written.

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | What does the command line look like? | [`args`] |
 //! | From which file to which is a table answered? | [`batch`] |
-//! | What becomes of a case file and its diagrams? | [`assess`] |
+//! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
 //! | How does a calculation sheet become a PDF? | [`sheet`], [`browser`] |
 //! | What may a build leave out? | [`features`] |
 //!
@@ -18,6 +18,7 @@ pub mod assess;
 pub mod batch;
 pub mod browser;
 pub mod case_file;
+pub mod design;
 pub mod draw;
 pub mod features;
 pub mod format;
@@ -32,7 +33,6 @@ use std::num::NonZeroUsize;
 use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
 use standfast::{Diagram, Point};
-use standfast_cases::design::{Design, Request};
 use standfast_cases::{View, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
@@ -57,15 +57,7 @@ pub enum Ended {
 pub fn run(cli: Cli) -> Result<Ended> {
     let done = match cli.command {
         Command::Assess(args) => return assess_command(&args),
-        Command::Design(args) => {
-            let args::DesignArgs { case, vary, target, from, to, format } = args;
-            let file = case_file::parse(&case)?;
-            let design = Design::of(&file, Request { vary, target, from, to })?;
-            print(&match format {
-                Format::Text => design.text(),
-                Format::Json => design.json(),
-            })
-        }
+        Command::Design(args) => print(&design::design(&args)?),
         Command::Sheet(args) => {
             let options =
                 SheetOptions { title_block: args.title_block.0, date: args.date, up_to: args.up_to };

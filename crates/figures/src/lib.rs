@@ -16,7 +16,7 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction) |
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
@@ -35,6 +35,7 @@ mod caption;
 mod cases;
 mod chart;
 mod drawing;
+mod feasible;
 mod font;
 mod free_body;
 mod inset;
@@ -63,6 +64,7 @@ use standfast::contact::path::Stage;
 use standfast::region::Region;
 
 pub use cases::cases_on_screen;
+pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
 pub use number::significant;

@@ -211,7 +211,8 @@ impl Numbers {
     }
 }
 
-fn number(scale: &Scale, value: f64) -> Text {
+/// A number of an axis.
+pub(crate) fn number(scale: &Scale, value: f64) -> Text {
     Text::new(&scale.markup(value), NUMBER)
 }
 

@@ -14,6 +14,9 @@ pub(crate) const MARK: &str = "#a3123f";
 /// The page.
 pub(crate) const PAPER: &str = "#ffffff";
 
+/// Values that meet a target.
+pub(crate) const FEASIBLE: &str = "#dcebd3";
+
 /// Reactions of the base.
 pub(crate) const PUSH: &str = "#1d5f99";
 

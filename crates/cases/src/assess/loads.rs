@@ -174,10 +174,7 @@ pub fn share(load: &Load) -> String {
 /// The loads one by one, and their sum under the full load.
 pub(super) fn components(assessed: &Assessed) -> String {
     let [force, moment] = [assessed.extent.force_unit(), assessed.extent.moment_unit()];
-    let mut rows = vec![
-        row!["", "", "left", "down", "moment at C"],
-        row!["load", "", force.as_str(), force.as_str(), moment],
-    ];
+    let mut rows = vec![row!["", "", "left", "down", "moment at C"], row!["load", "", force, force, moment]];
     let numbers = |wrench: &Wrench| {
         // `0.0 −` rather than `−`, so that nothing becomes −0.
         [0.0 - wrench.x, wrench.p, wrench.m].map(|x| digits(x / 1e3))

@@ -4,8 +4,8 @@
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-use super::search::Below;
 use super::sensitivity::Sensitivity;
+use super::set::{End, Stretch};
 use super::{Design, load_factor};
 use crate::assess::{Assessed, Assessment, SCHEMA};
 use crate::results::{ResultName, ResultValue};
@@ -19,27 +19,67 @@ struct Document<'a> {
     vary: &'a str,
     unit: Option<&'static str>,
     target: String,
+    wanted: String,
     bracket: [f64; 2],
-    present: State<'a>,
-    found: State<'a>,
-    /// What fails just below the value found.
-    binding: Option<&'a str>,
-    /// What the value found brings about that the present one does not.
+    present: Present<'a>,
+    found: Found<'a>,
+    /// What fails just beyond the value found.
+    binding: Option<String>,
+    /// What is to be minded of the value found.
     warnings: Vec<String>,
-    /// Beyond this value the target fails again.
-    holds_up_to: Option<f64>,
+    /// All values that meet the target.
+    met: Vec<Met>,
     notes: Vec<String>,
     sensitivity_per_percent: Vec<Row<'a>>,
 }
 
-/// A value and what it comes to: of each result, that of the situation in which it is worst.
+/// The present value and what it comes to.
 #[derive(Serialize)]
-struct State<'a> {
+struct Present<'a> {
     value: f64,
     #[serde(flatten)]
     results: Worst<'a>,
 }
 
+/// The value found, that which is printed, and what the printed one comes to.
+#[derive(Serialize)]
+struct Found<'a> {
+    value: f64,
+    rounded: f64,
+    printed: &'a str,
+    #[serde(flatten)]
+    results: Worst<'a>,
+}
+
+/// Neighbouring values that meet the target.
+#[derive(Serialize)]
+pub(super) struct Met {
+    from: Bound,
+    to: Bound,
+}
+
+/// An end of them.
+#[derive(Serialize)]
+struct Bound {
+    value: f64,
+    rounded: f64,
+    binds: Option<&'static str>,
+    binding: Option<String>,
+}
+
+impl Met {
+    pub(super) fn of(stretch: &Stretch) -> Met {
+        Met { from: Bound::of(&stretch.least), to: Bound::of(&stretch.greatest) }
+    }
+}
+
+impl Bound {
+    fn of(end: &End) -> Bound {
+        Bound { value: end.value, rounded: end.rounded, binds: end.beyond.by(), binding: end.beyond.words() }
+    }
+}
+
+/// What a value comes to: of each result, that of the situation in which it is worst.
 struct Worst<'a>(&'a Assessment);
 
 impl Serialize for Worst<'_> {
@@ -47,8 +87,8 @@ impl Serialize for Worst<'_> {
         // That which leaves rest first.
         let first = self.0.least(load_factor);
         let mut map = serializer.serialize_map(None)?;
-        for result in [ResultName::SfSliding, ResultName::SfOverturning] {
-            map.serialize_entry(result.name(), &least(self.0, result))?;
+        for (result, sign) in WORST {
+            map.serialize_entry(result.name(), &worst(self.0, result, sign))?;
         }
         for result in
             [ResultName::Mode, ResultName::Departure, ResultName::LoadFactor, ResultName::DepartureMode]
@@ -59,10 +99,19 @@ impl Serialize for Worst<'_> {
     }
 }
 
-/// The least of a result over all situations; nothing if one of them has no such thing.
-fn least(assessment: &Assessment, result: ResultName) -> ResultValue {
+/// Results that are worst where they are least, 1, or greatest, −1.
+const WORST: [(ResultName, f64); 5] = [
+    (ResultName::SfSliding, 1.0),
+    (ResultName::SfOverturning, 1.0),
+    (ResultName::BearingMax, -1.0),
+    (ResultName::ContactShare, 1.0),
+    (ResultName::Eccentricity, -1.0),
+];
+
+/// A result where it is worst of all that was tried; nothing if there is no such thing somewhere.
+fn worst(assessment: &Assessment, result: ResultName, sign: f64) -> ResultValue {
     let of = |assessed: &Assessed| match result.of(assessed) {
-        ResultValue::Number(number) => number,
+        ResultValue::Number(number) => sign * number,
         _ => f64::NEG_INFINITY,
     };
     result.of(assessment.least(of))
@@ -81,23 +130,27 @@ struct Row<'a> {
 }
 
 pub(super) fn render(design: &Design<'_>) -> String {
-    let Design { request, variable, value, bracket, present, found, sensitivities, .. } = design;
+    let Design { request, quantity, present, stretches, sensitivities, .. } = design;
+    let found = design.found();
     crate::json(&Document {
         schema: SCHEMA,
         title: present.case.title.as_deref(),
         note: present.case.note.as_deref(),
-        vary: variable.name(),
-        unit: variable.dimension().map(Dimension::si),
+        vary: quantity.variable.name(),
+        unit: quantity.variable.dimension().map(Dimension::si),
         target: request.target.to_string(),
-        bracket: *bracket,
-        present: State { value: *value, results: Worst(present) },
-        found: State { value: found.value, results: Worst(&found.answer) },
-        binding: match &found.below {
-            Below::End => None,
-            Below::Fails(why) | Below::NoCase(why) => Some(why),
+        wanted: request.extreme.to_string(),
+        bracket: quantity.range,
+        present: Present { value: quantity.present, results: Worst(present) },
+        found: Found {
+            value: found.value,
+            rounded: found.rounded,
+            printed: &found.text,
+            results: Worst(&found.answer),
         },
-        warnings: design.new_warnings().iter().map(ToString::to_string).collect(),
-        holds_up_to: found.until.as_ref().map(|(value, _)| *value),
+        binding: found.beyond.words(),
+        warnings: design.warnings(),
+        met: stretches.iter().map(Met::of).collect(),
         notes: design.notes(),
         sensitivity_per_percent: sensitivities.iter().map(Row::of).collect(),
     })

@@ -72,7 +72,7 @@ pub struct Sensitivity {
 pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
     let case = file.case()?;
     let present = Assessment::of(&case).ok();
-    Ok(all(&Varied { file, case: &case }, present.as_ref()))
+    Ok(all(&Varied { file, case: &case, held: None }, present.as_ref()))
 }
 
 /// The sensitivity to every number but zeros, which have no percent, beside the present answer.

@@ -6,72 +6,193 @@ use std::str::FromStr;
 use standfast::Mode;
 use thiserror::Error;
 
+use super::quantity::fault;
 use super::{least, load_factor, overturning, sliding};
 use crate::assess::verdict::predicate;
-use crate::assess::{Assessed, Assessment};
-use crate::layout::digits;
+use crate::assess::{Assessed, Assessment, CaseCheck};
+use crate::criteria::Criterion;
+use crate::error::UNANSWERABLE;
+use crate::key::{Key, Table};
+use crate::layout::{digits, plain};
+use crate::parse::read;
+use crate::suggest::closest;
+use crate::units::Extent;
 
 /// Beyond any factor that a design aims at.
 const FAR: f64 = 1e4;
 
-/// What a design has to reach, in every situation of the case.
+/// What a design has to reach, in every situation of the case and under every acceleration of its base that is tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Target {
     /// The body rests under the full load.
     Rest,
     /// Both safety factors are at least this.
     Factor(f64),
-    /// The rising load moves the body at this factor at the earliest.
-    LoadFactor(f64),
     /// The body turns about no corner, neither under the full load at once nor while it rises.
     NoRock,
     /// The body slips at no corner, neither under the full load at once nor while it rises.
     NoSlide,
+    /// A criterion as a case file has it.
+    Criterion(Criterion),
+    /// Of the bound of each criterion of the case this share is used at most; at 1 all are met.
+    Utilisation(f64),
 }
 
 /// A text that is no target.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("expected rest, factor=1.2, load-factor=1.2, no-rock or no-slide, with a number above zero")]
-pub struct TargetError;
+pub enum TargetError {
+    /// A word that names none.
+    #[error("{}expected {}", .suggestion.map_or(String::new(), |word| format!("did you mean {word}? ")), known())]
+    Unknown {
+        /// A name that it is like.
+        suggestion: Option<&'static str>,
+    },
+    /// The name of a target of a number, without one.
+    #[error("{name} needs a value, as in {name}={example}")]
+    NoValue {
+        /// The target.
+        name: &'static str,
+        /// A value that it may have.
+        example: String,
+    },
+    /// A value where none belongs.
+    #[error("{name} takes no value")]
+    Value {
+        /// The target.
+        name: &'static str,
+    },
+    /// A value that the target cannot have.
+    #[error("{fault}; a case file has {name} = {example}")]
+    WrongValue {
+        /// The target.
+        name: &'static str,
+        /// What is wrong with the value.
+        fault: String,
+        /// A value that it may have.
+        example: String,
+    },
+    /// What an assessment does not compute.
+    #[error("it asks for {of}, which an assessment of the first instant does not have")]
+    Unanswerable {
+        /// What it asks for.
+        of: &'static str,
+    },
+}
+
+/// Targets that are no criterion.
+const WORDS: [&str; 6] = ["rest", "factor", "no-rock", "no-slide", "utilisation", "criteria"];
+
+/// The targets, in a sentence.
+fn known() -> String {
+    let criteria: Vec<_> = Table::Criteria.keys().map(Key::name).collect();
+    format!(
+        "rest, no-rock, no-slide, factor=1.2, criteria, utilisation=0.9, or a criterion as in bearing_max=300kPa: {}",
+        criteria.join(", ")
+    )
+}
 
 impl FromStr for Target {
     type Err = TargetError;
 
     fn from_str(text: &str) -> Result<Target, TargetError> {
-        let number = |text: &str| {
-            let value = text.trim().parse().ok().filter(|value| *value > 0.0 && *value < FAR);
-            value.ok_or(TargetError)
+        let (name, value) = match text.split_once('=') {
+            Some((name, value)) => (name.trim(), Some(value.trim())),
+            None => (text.trim(), None),
         };
-        match text.split_once('=') {
-            None if text == "rest" => Ok(Target::Rest),
-            None if text == "no-rock" => Ok(Target::NoRock),
-            None if text == "no-slide" => Ok(Target::NoSlide),
-            Some(("factor", value)) => Ok(Target::Factor(number(value)?)),
-            Some(("load-factor", value)) => Ok(Target::LoadFactor(number(value)?)),
-            _ => Err(TargetError),
+        let alone = |name, target| match value {
+            None => Ok(target),
+            Some(_) => Err(TargetError::Value { name }),
+        };
+        match name {
+            "rest" => alone("rest", Target::Rest),
+            "no-rock" => alone("no-rock", Target::NoRock),
+            "no-slide" => alone("no-slide", Target::NoSlide),
+            "criteria" => alone("criteria", Target::Utilisation(1.0)),
+            "factor" => Ok(Target::Factor(plain_number("factor", value)?)),
+            "utilisation" => Ok(Target::Utilisation(plain_number("utilisation", value)?)),
+            name => criterion(name, value),
         }
     }
+}
+
+/// A number above zero, as a case file has a safety factor.
+fn plain_number(name: &'static str, value: Option<&str>) -> Result<f64, TargetError> {
+    match value_of(Key::LeastSliding, name, value)? {
+        Target::Criterion(Criterion { bound: crate::criteria::Bound::AtLeast(number), .. })
+            if number < FAR =>
+        {
+            Ok(number)
+        }
+        _ => Err(TargetError::WrongValue {
+            name,
+            fault: format!("expected is a number below {FAR}"),
+            example: "1.2".to_owned(),
+        }),
+    }
+}
+
+fn criterion(name: &str, value: Option<&str>) -> Result<Target, TargetError> {
+    // A spelling of before the one list of results.
+    let name = if name == "load-factor" { "load_factor" } else { name };
+    if let Some((_, of)) = UNANSWERABLE.into_iter().find(|(unanswerable, _)| *unanswerable == name) {
+        return Err(TargetError::Unanswerable { of });
+    }
+    match Key::find(Table::Criteria, name) {
+        Some(key) => value_of(key, key.name(), value),
+        None => {
+            let names = WORDS.into_iter().chain(Table::Criteria.keys().map(Key::name));
+            Err(TargetError::Unknown { suggestion: closest(name, names) })
+        }
+    }
+}
+
+/// The criterion under a key, with the value as a case file has it; `name` is what the target is called.
+fn value_of(key: Key, name: &'static str, value: Option<&str>) -> Result<Target, TargetError> {
+    let info = key.info();
+    let example = info.example.to_owned();
+    let value = value.filter(|value| !value.is_empty());
+    let Some(written) = value else { return Err(TargetError::NoValue { name, example }) };
+    // No criterion is of a force or a mass.
+    let value = read(key, info.kind, Extent::PerMetre, written);
+    let value = value.map_err(|problem| TargetError::WrongValue {
+        name,
+        fault: fault(&problem),
+        example: example.clone(),
+    })?;
+    Criterion::of(key, &value).map(Target::Criterion).ok_or(TargetError::NoValue { name, example })
 }
 
 impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Target::Rest => f.write_str("rest"),
-            Target::Factor(factor) => write!(f, "factor={factor}"),
-            Target::LoadFactor(factor) => write!(f, "load-factor={factor}"),
+            Target::Factor(factor) => write!(f, "factor={}", plain(*factor)),
             Target::NoRock => f.write_str("no-rock"),
             Target::NoSlide => f.write_str("no-slide"),
+            Target::Criterion(criterion) => criterion.fmt(f),
+            Target::Utilisation(1.0) => f.write_str("criteria"),
+            Target::Utilisation(share) => write!(f, "utilisation={}", plain(*share)),
         }
     }
 }
 
+/// What keeps an answer from meeting a target.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Binding {
+    /// In a word: sliding, rocking, the name of a criterion.
+    pub(super) by: &'static str,
+    /// In a sentence without its stop.
+    pub(super) words: String,
+}
+
 impl Target {
-    /// Whether every situation meets it.
+    /// Whether all that was tried meets it.
     pub(super) fn is_met(self, answer: &Assessment) -> bool {
-        answer.tried().all(|assessed| self.is_met_by(assessed))
+        answer.tried().all(|assessed| self.is_met_by(answer, assessed))
     }
 
-    fn is_met_by(self, assessed: &Assessed) -> bool {
+    fn is_met_by(self, answer: &Assessment, assessed: &Assessed) -> bool {
         let full = &assessed.outcome.full;
         match self {
             Target::Rest => full.mode == Some(Mode::Rest),
@@ -80,9 +201,32 @@ impl Target {
                 let turns = factor >= 1.0 && full.mode != Some(Mode::Rest);
                 sliding(assessed) >= factor && overturning(assessed) >= factor && !full.is_lifted() && !turns
             }
-            Target::LoadFactor(factor) => load_factor(assessed) >= factor,
             Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),
+            Target::Criterion(criterion) => criterion.check(assessed).met,
+            Target::Utilisation(share) => answer.case.criteria.iter().all(|criterion| {
+                let check = criterion.check(assessed);
+                // Whether a bound is met is no matter of a rounded quotient.
+                if share == 1.0 {
+                    check.met
+                } else {
+                    check.utilisation.map_or(check.met, |used| used <= share)
+                }
+            }),
         }
+    }
+
+    /// The criteria that it is made of, each where it is met worst, the governing one first; none of a target that is none.
+    pub(super) fn checks(self, answer: &Assessment) -> Vec<CaseCheck<'_>> {
+        match self {
+            Target::Criterion(criterion) => answer.checks_of(&[criterion]),
+            Target::Utilisation(_) => answer.checks(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether it asks how far the variable loads may rise.
+    pub(super) fn asks_for_rise(self) -> bool {
+        matches!(self, Target::Criterion(Criterion { key: Key::LeastLoadFactor, .. }))
     }
 
     /// The mode that is not to be, under the full load or, with its load factor, before.
@@ -103,32 +247,24 @@ impl Target {
     pub(super) fn score(self, answer: &Assessment) -> f64 {
         match self {
             Target::Factor(_) => least(answer, sliding).min(least(answer, overturning)),
+            Target::Criterion(_) | Target::Utilisation(_) => {
+                self.checks(answer).first().map_or(0.0, |worst| -worst.check.urgency())
+            }
             _ => least(answer, load_factor),
         }
     }
 
-    /// What keeps an outcome from meeting the target, in words.
-    pub(super) fn binding(self, answer: &Assessment) -> String {
-        let Some(assessed) = answer.tried().find(|assessed| !self.is_met_by(assessed)) else {
-            return "nothing".to_owned();
+    /// What keeps an answer from meeting it.
+    pub(super) fn binding(self, answer: &Assessment) -> Binding {
+        let Some(assessed) = answer.tried().find(|assessed| !self.is_met_by(answer, assessed)) else {
+            return Binding { by: "", words: "nothing".to_owned() };
         };
         match self {
-            Target::Factor(_) if assessed.outcome.full.is_lifted() => {
-                "nothing presses the body on its base: P > 0 fails".to_owned()
-            }
-            Target::Factor(factor) if sliding(assessed) < factor => {
-                format!("sliding: μ(W' − U)/P ≥ {} fails", digits(factor))
-            }
-            Target::Factor(factor) => {
-                format!("overturning: (W' t − M_U)/M_p ≥ {} fails", digits(factor))
-            }
+            Target::Factor(factor) => of_factors(assessed, factor),
             Target::Rest => {
-                format!("under the full load the body {}", moves(assessed, assessed.outcome.full.mode))
-            }
-            Target::LoadFactor(factor) => {
-                let mode = assessed.departure().mode().or(assessed.outcome.full.mode);
-                let at = digits(factor);
-                format!("before {at} times the load, the body {}", moves(assessed, mode))
+                let mode = assessed.outcome.full.mode;
+                let words = format!("under the full load the body {}", moves(assessed, mode));
+                Binding { by: motion(mode), words }
             }
             Target::NoRock | Target::NoSlide => {
                 let (at, mode) = self.offending(assessed).unwrap_or_default();
@@ -137,9 +273,70 @@ impl Target {
                 } else {
                     "under the full load at once".to_owned()
                 };
-                format!("{when}, the body {}", predicate(mode))
+                Binding { by: motion(mode), words: format!("{when}, the body {}", predicate(mode)) }
             }
+            Target::Criterion(_) | Target::Utilisation(_) => of_check(answer, &self.checks(answer)[0], self),
         }
+    }
+}
+
+/// Which of both safety factors fails, or why neither means anything.
+fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
+    let at_least = digits(factor);
+    if assessed.outcome.full.is_lifted() {
+        let words = "nothing presses the body on its base: P > 0 fails".to_owned();
+        Binding { by: "uplift", words }
+    } else if sliding(assessed) < factor {
+        Binding { by: "sliding", words: format!("sliding: μ(W' − U)/P ≥ {at_least} fails") }
+    } else if overturning(assessed) < factor {
+        Binding { by: "overturning", words: format!("overturning: (W' t − M_U)/M_p ≥ {at_least} fails") }
+    } else {
+        let mode = assessed.outcome.full.mode;
+        Binding { by: motion(mode), words: format!("under the full load the body {}", moves(assessed, mode)) }
+    }
+}
+
+/// How a criterion fails where it is met worst.
+fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Binding {
+    let CaseCheck { check, assessed } = worst;
+    let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
+    let place = place.map_or(String::new(), |name| format!(", in {name}"));
+    let mode = assessed.departure().mode().or(assessed.outcome.full.mode);
+    let by = match check.criterion.key {
+        Key::LeastSliding => "sliding",
+        Key::LeastOverturning => "overturning",
+        Key::GreatestBearing => "bearing",
+        Key::LeastContact => "contact",
+        Key::GreatestEccentricity => "eccentricity",
+        Key::ModesNot => motion(assessed.outcome.full.mode),
+        _ => motion(mode),
+    };
+    let words = match (check.met, target) {
+        (true, Target::Utilisation(share)) => {
+            format!(
+                "of {} {} is used, not {} at most{place}",
+                check.criterion,
+                check.utilisation_words(),
+                digits(share)
+            )
+        }
+        _ if check.criterion.key == Key::LeastLoadFactor => {
+            format!("{}{place}: the body {}", check.failure(assessed), moves(assessed, mode))
+        }
+        _ => check.failure(assessed) + &place,
+    };
+    Binding { by, words }
+}
+
+/// The motion of a mode in a word.
+fn motion(mode: Option<Mode>) -> &'static str {
+    match mode.map(|mode| (mode.corner().is_some(), mode.slip().is_some(), mode)) {
+        None => "no mode",
+        Some((_, _, Mode::Flight)) => "uplift",
+        Some((true, true, _)) => "slide-rocking",
+        Some((true, false, _)) => "rocking",
+        Some((false, true, _)) => "sliding",
+        Some((false, false, _)) => "rest",
     }
 }
 

@@ -2,29 +2,29 @@
 
 use standfast::Mode;
 
-use super::search::{Below, Found};
-use super::{Change, Design, Target, least, load_factor, overturning, sliding, with_unit};
+use super::quantity::{DIGITS, with_unit};
+use super::set::{Beyond, End, Stretch};
+use super::{Change, Design, Extreme, Target, least, load_factor, overturning, sliding};
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
-use crate::layout::{columns, digits, paragraph, row};
+use crate::key::Key;
+use crate::layout::{columns, digits, paragraph, row, significant};
 
 pub(super) fn render(design: &Design) -> String {
-    let Design { request, variable, bracket, found, present, .. } = design;
+    let Design { request, quantity, present, .. } = design;
     let mut text = heading(&present.case);
     text += "Design\n";
-    let [from, to] = bracket.map(|value| with_unit(value, variable));
-    let wanted = words(request.target);
-    text += &paragraph(&format!("The least {} from {from} to {to} for which {wanted}.", variable.name()), 2);
+    let [from, to] = quantity.range.map(|value| quantity.shown(value));
+    let (extreme, name, wanted) = (request.extreme, quantity.variable.name(), words(request.target));
+    text += &paragraph(&format!("The {extreme} {name} from {from} to {to} for which {wanted}."), 2);
     text += "\n";
     text += &before_and_after(design);
-    text += "\nBinding\n";
-    text += &paragraph(&binding(found), 2);
-    if let Some((until, reason)) = &found.until {
-        let until = with_unit(*until, variable);
-        text += &paragraph(&format!("Beyond {until} the target fails again: {reason}."), 2);
-    }
-    for warning in design.new_warnings() {
+    for warning in design.warnings() {
         text += &paragraph(&format!("Warning: {warning}."), 2);
+    }
+    text += "\nBinding\n";
+    for sentence in binding(design) {
+        text += &paragraph(&sentence, 2);
     }
     for note in design.notes() {
         text += &paragraph(&note, 2);
@@ -34,20 +34,24 @@ pub(super) fn render(design: &Design) -> String {
     text
 }
 
-fn words(target: Target) -> String {
+/// What a target asks, as it follows "for which".
+pub(super) fn words(target: Target) -> String {
     match target {
         Target::Rest => "the body rests under the full load".to_owned(),
         Target::Factor(factor) => format!("both safety factors are {} at least", digits(factor)),
-        Target::LoadFactor(factor) => {
-            format!("the rising load moves the body at {} times its value at the earliest", digits(factor))
-        }
         Target::NoRock => "the body turns about no corner, at once or while the load rises".to_owned(),
         Target::NoSlide => "the body slips at no corner, at once or while the load rises".to_owned(),
+        Target::Criterion(criterion) => format!("{} is {}", criterion.name(), criterion.required()),
+        Target::Utilisation(1.0) => "all criteria of the case are met".to_owned(),
+        Target::Utilisation(share) => {
+            format!("of all criteria of the case {} at most is used", digits(share))
+        }
     }
 }
 
 fn before_and_after(design: &Design) -> String {
-    let Design { variable, value, present, found, .. } = design;
+    let Design { quantity, present, request, .. } = design;
+    let found = design.found();
     let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol).to_owned();
     // Of several situations, the one in which it is worst: said once where it is the same throughout.
     let name = |answer: &Assessment, of: fn(&Assessed) -> f64| {
@@ -62,9 +66,9 @@ fn before_and_after(design: &Design) -> String {
         name(answer, of).filter(|_| !same).map_or(String::new(), |name| format!(", {name}"))
     };
     let both = |words: &str, of: &dyn Fn(&Assessment) -> String| row![words, of(present), of(&found.answer)];
-    let rows = [
+    let mut rows = vec![
         row!["", "at present", "found"],
-        row![variable.name(), with_unit(*value, variable), with_unit(found.value, variable)],
+        row![quantity.variable.name(), quantity.shown(quantity.present), &found.text],
         both("SF sliding", &|answer| digits(least(answer, sliding)) + &under(answer, sliding)),
         both("SF overturning", &|answer| digits(least(answer, overturning)) + &under(answer, overturning)),
         both("mode under the full load", &|answer| {
@@ -77,17 +81,82 @@ fn before_and_after(design: &Design) -> String {
             answer.least(load_factor).departure().mode().map_or("", Mode::symbol).to_owned()
         }),
     ];
+    rows.extend(asked(request.target, present, &found.answer));
     let worst = names.into_iter().next().flatten().filter(|_| same);
     columns(&rows, 2, &[1, 2])
         + &worst.map_or(String::new(), |name| paragraph(&format!("The worst throughout: {name}."), 2))
 }
 
-fn binding(found: &Found) -> String {
-    match &found.below {
-        Below::End => "The lower end of the range meets the target already; nothing binds.".to_owned(),
-        Below::Fails(why) => format!("Just below the value found: {why}."),
-        Below::NoCase(why) => format!("Just below the value found the case makes no sense: {why}."),
+/// What the target asks for, at present and as found, where the rows above do not have it.
+fn asked(target: Target, present: &Assessment, found: &Assessment) -> Option<Vec<String>> {
+    let value = |answer: &Assessment| {
+        let checks = target.checks(answer);
+        let worst = checks.first()?;
+        Some(match target {
+            Target::Utilisation(_) => {
+                format!("{}, {}", worst.check.utilisation_words(), worst.check.criterion.name())
+            }
+            _ => worst.check.value_words(worst.assessed),
+        })
+    };
+    let name = match target {
+        Target::Utilisation(_) => "utilisation",
+        Target::Criterion(criterion) => match criterion.key {
+            Key::LeastSliding | Key::LeastOverturning | Key::LeastLoadFactor => return None,
+            _ => criterion.name(),
+        },
+        _ => return None,
+    };
+    Some(row![name, value(present)?, value(found)?])
+}
+
+/// What binds at the end found, how it was rounded, and where else the target is met.
+fn binding(design: &Design) -> Vec<String> {
+    let found = design.found();
+    let mut sentences: Vec<_> = found.beyond.words().map(sentence).into_iter().collect();
+    if found.rounded != found.value {
+        let exact = with_unit_to(design, found);
+        let side = match design.request.extreme {
+            Extreme::Least => "up",
+            Extreme::Greatest => "down",
+        };
+        sentences.push(format!(
+            "The boundary is at {exact}; the value found is rounded {side} from it, and assessed as it is printed."
+        ));
     }
+    let other = design.request.extreme.other().of(&design.stretches[design.at]);
+    if let Some(words) = other.beyond.words() {
+        let side = match design.request.extreme {
+            Extreme::Least => "up",
+            Extreme::Greatest => "down",
+        };
+        sentences.push(format!("From the value found {side} to {} the target is met; {words}.", other.text));
+    }
+    let others = design.stretches.iter().enumerate().filter(|(place, _)| *place != design.at);
+    sentences.extend(others.map(|(_, stretch)| apart(stretch)));
+    sentences
+}
+
+/// The boundary in more digits than are printed of it.
+fn with_unit_to(design: &Design, end: &End) -> String {
+    let variable = &design.quantity.variable;
+    let apart = (5..=12).find(|count| significant(end.value, *count) != significant(end.rounded, *count));
+    with_unit(end.value, variable, apart.unwrap_or(5) + 1)
+}
+
+/// That the target is met elsewhere, too.
+fn apart(Stretch { least, greatest }: &Stretch) -> String {
+    let why = [least, greatest].into_iter().filter_map(|end| end.beyond.words()).collect::<Vec<_>>();
+    let end = if matches!(greatest.beyond, Beyond::Range) { ", the end of the range" } else { "" };
+    let why = if why.is_empty() { String::new() } else { format!("; {}", why.join("; ")) };
+    format!("Apart from that the target is met from {} to {}{end}{why}.", least.text, greatest.text)
+}
+
+/// Words as a sentence of their own.
+fn sentence(words: String) -> String {
+    let mut characters = words.chars();
+    let first = characters.next().map(|first| first.to_uppercase().collect::<String>());
+    format!("{}{}.", first.unwrap_or_default(), characters.as_str())
 }
 
 fn sensitivities(design: &Design) -> String {
@@ -100,7 +169,7 @@ fn sensitivities(design: &Design) -> String {
         let variable = &sensitivity.variable;
         row![
             variable.name(),
-            with_unit(sensitivity.value, variable),
+            with_unit(sensitivity.value, variable, DIGITS),
             signed(sensitivity.sliding),
             signed(sensitivity.overturning),
             signed(sensitivity.load_factor),

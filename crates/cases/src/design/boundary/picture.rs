@@ -1,0 +1,61 @@
+//! A boundary as a picture.
+
+use standfast_figures::{FeasibleSet, Figure, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
+
+use super::Boundary;
+use super::render::at_present;
+use crate::design::quantity::Quantity;
+use crate::design::set::End;
+use crate::design::text::words;
+use crate::units::Dimension;
+
+pub(super) fn draw(boundary: &Boundary<'_>) -> Option<Figure> {
+    let Boundary { request, up, across, present, .. } = boundary;
+    let (upwards, rightwards) = (Axis::of(up), Axis::of(across));
+    let end = |end: &End| SetEnd { value: end.value / upwards.scale, by: end.beyond.by() };
+    let columns = boundary.columns.iter().map(|column| {
+        let stretches = column.stretches.iter();
+        SetColumn {
+            at: column.at / rightwards.scale,
+            none: column.none,
+            stretches: stretches
+                .map(|stretch| SetStretch { from: end(&stretch.least), to: end(&stretch.greatest) })
+                .collect(),
+        }
+    });
+    let [from, to] = up.range.map(|value| up.shown(value));
+    let caption = format!(
+        "Shaded: {}. Diamond: {}. Of {}, all from {from} to {to} was searched.",
+        words(request.target),
+        at_present(boundary),
+        up.variable.name(),
+    );
+    feasible_set(&FeasibleSet {
+        title: present.case.title.as_deref().unwrap_or("Values that meet a target"),
+        caption: &caption,
+        across: rightwards.drawn(),
+        up: upwards.drawn(),
+        columns: &columns.collect::<Vec<_>>(),
+    })
+}
+
+/// A quantity with the unit in which people read it.
+struct Axis<'a> {
+    quantity: &'a Quantity,
+    unit: &'static str,
+    /// How many SI units make one.
+    scale: f64,
+}
+
+impl Axis<'_> {
+    fn of(quantity: &Quantity) -> Axis<'_> {
+        let (unit, scale) = quantity.variable.dimension().map_or(("", 1.0), Dimension::on_paper);
+        Axis { quantity, unit, scale }
+    }
+
+    fn drawn(&self) -> SetAxis<'_> {
+        let info = self.quantity.variable.id().key.info();
+        let present = self.quantity.present / self.scale;
+        SetAxis { words: info.words, symbol: info.symbol, unit: self.unit, present }
+    }
+}

@@ -1,0 +1,262 @@
+//! For which values of a quantity is a target met? Stretches of values, each with both of its ends.
+//!
+//! The range is sampled, and every change between two samples halved down to a boundary: a stretch or a gap narrower than a
+//! sample's distance may be missed, and nothing else is. An end that is printed is rounded into its stretch, read again as it is
+//! printed, and assessed so.
+
+use super::quantity::{DIGITS, Quantity, with_unit};
+use super::target::{Binding, Target};
+use super::{DesignError, Varied, least, load_factor, overturning, sliding};
+use crate::assess::Assessment;
+use crate::error::CaseError;
+use crate::layout::digits;
+use crate::rounded::{Decimal, Towards};
+
+/// How near, relatively, an end is to a value that does not meet the target.
+const NEAR: f64 = 1e-12;
+
+/// How many digits a number has at most that is no shorter than it has to be.
+const ALL_DIGITS: usize = 17;
+
+/// Where a target is looked for.
+pub(super) struct Search<'a> {
+    pub(super) varied: &'a Varied<'a>,
+    pub(super) quantity: &'a Quantity,
+    pub(super) target: Target,
+    /// Into how many parts the range is cut.
+    pub(super) parts: u32,
+}
+
+/// Neighbouring values of the range that all meet the target.
+#[derive(Debug)]
+pub(super) struct Stretch {
+    pub(super) least: End,
+    pub(super) greatest: End,
+}
+
+/// An end of a stretch.
+#[derive(Debug)]
+pub(super) struct End {
+    /// The outermost value that meets the target, at full precision.
+    pub(super) value: f64,
+    /// The value that is printed: of a few digits, inside the stretch.
+    pub(super) rounded: f64,
+    /// How it is printed, with its unit.
+    pub(super) text: String,
+    /// What the printed value comes to.
+    pub(super) answer: Assessment,
+    /// What there is beyond.
+    pub(super) beyond: Beyond,
+}
+
+/// What there is beyond an end.
+#[derive(Debug)]
+pub(super) enum Beyond {
+    /// It is an end of the range.
+    Range,
+    /// The target fails at this value.
+    Fails(String, Binding),
+    /// At this value the case makes no sense: in words, why.
+    NoCase(String, String),
+}
+
+impl Beyond {
+    /// What fails, in a sentence without its stop; `None` at an end of the range.
+    pub(super) fn words(&self) -> Option<String> {
+        match self {
+            Beyond::Range => None,
+            Beyond::Fails(at, binding) => Some(format!("at {at}, {}", binding.words)),
+            Beyond::NoCase(at, why) => Some(format!("at {at} the case makes no sense: {why}")),
+        }
+    }
+
+    /// What fails, in a word; nothing at an end of the range.
+    pub(super) fn by(&self) -> Option<&'static str> {
+        match self {
+            Beyond::Range => None,
+            Beyond::Fails(_, binding) => Some(binding.by),
+            Beyond::NoCase(..) => Some("no case"),
+        }
+    }
+}
+
+/// A value with what it comes to, or why it does not.
+struct Trial {
+    value: f64,
+    answer: Result<Assessment, CaseError>,
+    met: bool,
+}
+
+/// An end before it is rounded: the outermost value that meets the target, and one beyond that does not.
+struct Found {
+    meets: f64,
+    fails: Option<f64>,
+}
+
+impl Search<'_> {
+    /// The stretches, from the least values on.
+    pub(super) fn stretches(&self) -> Vec<Stretch> {
+        let samples = self.samples();
+        let met: Vec<bool> = samples.iter().map(|value| self.attempt(*value).met).collect();
+        let runs = met.chunk_by(|one, next| one == next);
+        let ends = runs.scan(0, |begin, run| {
+            let here = *begin..*begin + run.len();
+            *begin = here.end;
+            Some((run[0], here))
+        });
+        let stretch = |here: std::ops::Range<usize>| {
+            let before = here.start.checked_sub(1).map(|before| samples[before]);
+            let least = self.boundary(before, samples[here.start]);
+            let greatest = self.boundary(samples.get(here.end).copied(), samples[here.end - 1]);
+            let (from, to) = (least.meets, greatest.meets);
+            Stretch {
+                least: self.end(&least, Towards::More, to),
+                greatest: self.end(&greatest, Towards::Less, from),
+            }
+        };
+        ends.filter(|(met, _)| *met).map(|(_, here)| stretch(here)).collect()
+    }
+
+    /// The values tried first, rising; among them the present one, where it is in the range.
+    fn samples(&self) -> Vec<f64> {
+        let Quantity { range: [from, to], present, .. } = *self.quantity;
+        let share = |i: u32| f64::from(i) / f64::from(self.parts);
+        let mut samples: Vec<f64> = (0..=self.parts).map(|i| from + (to - from) * share(i)).collect();
+        if from < present && present < to {
+            samples.push(present);
+        }
+        samples.sort_by(f64::total_cmp);
+        samples.dedup();
+        samples
+    }
+
+    fn attempt(&self, value: f64) -> Trial {
+        let answer = self.varied.answer(&self.quantity.variable, value);
+        let met = answer.as_ref().is_ok_and(|answer| self.target.is_met(answer));
+        Trial { value, answer, met }
+    }
+
+    /// Brings a value that fails, if there is one, and one that meets the target together.
+    fn boundary(&self, fails: Option<f64>, mut meets: f64) -> Found {
+        let Some(mut fails) = fails else { return Found { meets, fails } };
+        // Near zero, what counts is the size of the range.
+        let [from, to] = self.quantity.range;
+        let size = 1e-3 * from.abs().max(to.abs());
+        while (meets - fails).abs() > NEAR * meets.abs().max(size) {
+            let middle = fails + (meets - fails) / 2.0;
+            if self.attempt(middle).met { meets = middle } else { fails = middle }
+        }
+        Found { meets, fails: Some(fails) }
+    }
+
+    /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the
+    /// target: what is printed is read again and assessed.
+    fn end(&self, found: &Found, inwards: Towards, other: f64) -> End {
+        let Quantity { variable, .. } = self.quantity;
+        let is_inside = |value: f64| match inwards {
+            Towards::More => value <= other,
+            Towards::Less => value >= other,
+        };
+        let end = (DIGITS..=ALL_DIGITS).find_map(|count| {
+            let rounded = self.tight(Decimal::of(found.meets, count, inwards), found, inwards.other());
+            let text = with_unit(rounded.value(), variable, count);
+            let value =
+                variable.read(&text, self.varied.file.inputs()).ok().filter(|value| is_inside(*value))?;
+            let trial = self.attempt(value);
+            let answer = trial.answer.ok().filter(|_| trial.met)?;
+            let beyond = match found.fails {
+                None => Beyond::Range,
+                Some(fails) => self.beyond(fails, rounded.next(inwards.other()).value(), count),
+            };
+            // A short number between the two last values tried, 4 beside 4.000000000003, is the boundary as far as it is known.
+            let outermost = match inwards {
+                Towards::More => value.min(found.meets),
+                Towards::Less => value.max(found.meets),
+            };
+            Some(End { value: outermost, rounded: value, text, answer, beyond })
+        });
+        end.expect("all digits of a value that meets the target meet it")
+    }
+
+    /// One digit less, where the boundary is known to lie farther out only and that meets the target, too.
+    fn tight(&self, rounded: Decimal, found: &Found, outwards: Towards) -> Decimal {
+        let next = rounded.next(outwards);
+        let is_between = found.fails.is_some_and(|fails| match outwards {
+            Towards::Less => fails < next.value(),
+            Towards::More => next.value() < fails,
+        });
+        if is_between && self.attempt(next.value()).met { next } else { rounded }
+    }
+
+    /// Why the nearest value that was tried beyond an end does not meet the target; said of the next printed value where that fails
+    /// by the same.
+    fn beyond(&self, fails: f64, next: f64, count: usize) -> Beyond {
+        let why = |trial: Trial, count: usize| {
+            let at = with_unit(trial.value, &self.quantity.variable, count);
+            match trial.answer {
+                Ok(answer) => Beyond::Fails(at, self.target.binding(&answer)),
+                Err(error) => Beyond::NoCase(at, error.to_string()),
+            }
+        };
+        let nearest = why(self.attempt(fails), ALL_DIGITS);
+        let next = Some(self.attempt(next)).filter(|next| !next.met).map(|next| why(next, count));
+        next.filter(|next| next.by() == nearest.by()).unwrap_or(nearest)
+    }
+
+    /// Whether a variable load acts at any value that is tried.
+    pub(super) fn rises(&self) -> bool {
+        let rises = |answer: &Assessment| answer.tried().any(|assessed| !assessed.outcome.path.is_empty());
+        self.samples().into_iter().any(|value| self.attempt(value).answer.is_ok_and(|answer| rises(&answer)))
+    }
+
+    /// What binds, in a word, where the target is nearest to be met.
+    pub(super) fn nearest(&self) -> Option<&'static str> {
+        let answers = self.samples().into_iter().filter_map(|value| self.attempt(value).answer.ok());
+        let best = answers.max_by(|one, other| self.target.score(one).total_cmp(&self.target.score(other)));
+        best.map(|answer| self.target.binding(&answer).by)
+    }
+
+    /// Why no value meets the target.
+    pub(super) fn unmet(&self) -> DesignError {
+        let (mut best, mut worst, mut error): (Option<(f64, Trial)>, _, _) = (None, f64::INFINITY, None);
+        let samples = self.samples();
+        let count = samples.len();
+        for value in samples {
+            let trial = self.attempt(value);
+            match &trial.answer {
+                Ok(answer) => {
+                    let score = self.target.score(answer);
+                    worst = worst.min(score);
+                    if best.as_ref().is_none_or(|(best, _)| score > *best) {
+                        best = Some((score, trial));
+                    }
+                }
+                Err(refused) => {
+                    error.get_or_insert_with(|| (value, refused.to_string()));
+                }
+            }
+        }
+        let (name, target) = (self.quantity.variable.name().to_owned(), self.target);
+        let [from, to] = self.quantity.range.map(|value| self.quantity.shown(value));
+        let Some((score, Trial { value, answer: Ok(answer), .. })) = best else {
+            let (at, why) = error.unwrap_or_default();
+            return DesignError::NoCase { name, from, to, at: self.quantity.shown(at), why };
+        };
+        let binding = target.binding(&answer).words;
+        // The same but for rounding.
+        if score - worst <= 1e-9 * score.abs() || score == worst {
+            return DesignError::NoInfluence { name, target, binding };
+        }
+        let reached = match target {
+            Target::Criterion(_) | Target::Utilisation(_) => format!("where {binding}"),
+            _ => format!(
+                "with safety factors {} and {}, leaving rest at {} times the load",
+                digits(least(&answer, sliding)),
+                digits(least(&answer, overturning)),
+                digits(least(&answer, load_factor)),
+            ),
+        };
+        let best = format!("the best of {count} values tried is {}, {reached}", self.quantity.shown(value));
+        DesignError::Unmet { name, from, to, target, best }
+    }
+}

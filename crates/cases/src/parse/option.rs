@@ -1,0 +1,97 @@
+//! What does a value say that is given at an option? What it says behind its key in a case file.
+
+use std::borrow::Cow;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::{At, Field};
+use crate::error::Problem;
+use crate::inputs::Value;
+use crate::key::{Key, Kind};
+use crate::layout::shortened;
+use crate::units::{Extent, UnitError};
+
+/// The value that `written` says for a key that takes `kind` in a case of this extent: a number, a text or a list as in a file, but that a text may
+/// stand without its quotes, which a command line takes away.
+pub(crate) fn read(key: Key, kind: Kind, extent: Extent, written: &str) -> Result<Value, Problem> {
+    const NAME: &str = "x";
+    let line = format!("{NAME} = {written}");
+    let document = DeTable::parse(&line).ok();
+    let table = document.as_ref().map(Spanned::get_ref).filter(|table| table.len() == 1);
+    let text = Spanned::new(0..written.len(), DeValue::String(Cow::Borrowed(written)));
+    let (value, text) = match table.and_then(|table| table.get(NAME)) {
+        Some(value) => (value, line.as_str()),
+        None => (&text, written),
+    };
+    Field { key, value, text, extent }.value(kind).map_err(|At { problem, .. }| match problem {
+        // Two numbers to the one, a decimal to the other.
+        Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
+            let dimension = key.info().dimension().map(|dimension| extent.of(dimension));
+            Problem::Unit { key, dimension, written: shortened(written), error: UnitError::Comma }
+        }
+        other => other,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse::CaseFile;
+
+    /// The same texts in a file, in quotes where they are no numbers, and at an option.
+    #[test]
+    fn an_option_says_what_a_file_says() {
+        let keys =
+            [Key::Width, Key::Mass, Key::Friction, Key::Horizontal, Key::GreatestBearing, Key::LeastContact];
+        let texts = [
+            "8",
+            "8.5",
+            "-8",
+            "0",
+            "+3e-2",
+            "1_000",
+            "0x10",
+            "8 m",
+            " 8 m ",
+            "800 cm",
+            "8m",
+            "8,5",
+            "8,5 m",
+            "0.25 g",
+            "0.25g",
+            "2 m/s2",
+            "300kPa",
+            "300 kN/m2",
+            "3 t/m",
+            "inf",
+            "nan",
+            "m",
+            "",
+            "8 kg",
+            "true",
+            "0.5",
+        ];
+        for key in keys {
+            for text in texts {
+                let info = key.info();
+                let header = info.table.name();
+                let read_file = |value: &str| {
+                    let text = format!("[{header}]\n{} = {value}\n", info.name);
+                    CaseFile::parse("t.toml", &text).map(|file| file.inputs().get(key).cloned())
+                };
+                let in_file = read_file(text).or_else(|_| read_file(&format!("\"{text}\""))).ok().flatten();
+                assert_eq!(read(key, info.kind, Extent::PerMetre, text).ok(), in_file, "{key} = {text}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let read = |key: Key, text| read(key, key.info().kind, Extent::PerMetre, text);
+        let comma = read(Key::Friction, "0,5");
+        assert!(matches!(comma, Err(Problem::Unit { error: UnitError::Comma, .. })), "{comma:?}");
+        let two = read(Key::Width, "8\ny = 3");
+        assert!(two.is_err(), "{two:?}");
+    }
+}

@@ -1,0 +1,140 @@
+//! `standfast design`: a quantity that meets a target, or the boundary of two in files.
+
+use std::fmt;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use miette::Diagnostic;
+use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Extreme, Request};
+use thiserror::Error;
+
+use crate::args::DesignArgs;
+use crate::case_file::{self, CaseFileError};
+use crate::draw::{DrawError, PictureFile};
+use crate::format::Format;
+use crate::write::{self, ExtensionError, WriteError};
+
+/// A file for the boundary of two quantities, whose extension says what is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BoundaryFile {
+    /// A picture.
+    Picture(PictureFile),
+    /// A table.
+    Csv(PathBuf),
+}
+
+impl FromStr for BoundaryFile {
+    type Err = ExtensionError;
+
+    fn from_str(text: &str) -> Result<BoundaryFile, ExtensionError> {
+        let kind = |extension: &str| match extension {
+            "csv" => Some(None),
+            extension => Some(Some(PictureFile::kind(extension)?)),
+        };
+        let (path, kind) = write::by_extension(text, "svg, png, pdf or csv", kind)?;
+        Ok(match kind {
+            None => BoundaryFile::Csv(path),
+            Some(picture) => BoundaryFile::Picture(PictureFile::new(path, picture)),
+        })
+    }
+}
+
+impl BoundaryFile {
+    fn path(&self) -> &Path {
+        match self {
+            BoundaryFile::Picture(picture) => picture.path(),
+            BoundaryFile::Csv(path) => path,
+        }
+    }
+}
+
+impl fmt::Display for BoundaryFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.path().display().fmt(f)
+    }
+}
+
+/// Why there is no design, or a file of it was not written.
+#[derive(Debug, Error, Diagnostic)]
+pub enum DesignCommandError {
+    /// The case file cannot be read, or is no case file.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    File(#[from] CaseFileError),
+    /// There is no design.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Design(#[from] DesignError),
+    /// The file would replace the case file.
+    #[error("the boundary would be written over the case file {}", path.display())]
+    #[diagnostic(help("choose another name with -o FILE"))]
+    Overwrite {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// There is no boundary to be drawn.
+    #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
+    #[diagnostic(help("--from and --to widen the range; -o FILE.csv writes the values"))]
+    NoBoundary,
+    /// The picture cannot be drawn.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Draw(#[from] DrawError),
+    /// The table cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// The design that the arguments ask for, as it is printed; files of it are written.
+///
+/// # Errors
+/// If the case file cannot be read or makes no sense, there is no design, or a file cannot be written.
+pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
+    let file = case_file::parse(&args.case)?;
+    let request = Request {
+        vary: args.vary.clone(),
+        target: args.target,
+        extreme: if args.greatest { Extreme::Greatest } else { Extreme::Least },
+        from: args.from.clone(),
+        to: args.to.clone(),
+    };
+    let Some(and) = args.and.clone() else {
+        let design = Design::of(&file, request)?;
+        return Ok(match args.format {
+            Format::Text => design.text(),
+            Format::Json => design.json(),
+        });
+    };
+    let request =
+        BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
+    let boundary = Boundary::of(&file, request)?;
+    let written = files(args, &boundary)?;
+    Ok(match args.format {
+        Format::Text => boundary.text() + &written,
+        Format::Json => boundary.json(),
+    })
+}
+
+/// Writes the files; says so.
+fn files(args: &DesignArgs, boundary: &Boundary<'_>) -> Result<String, DesignCommandError> {
+    let mut said = if args.output.is_empty() { String::new() } else { "\n".to_owned() };
+    for output in &args.output {
+        if case_file::is_at(&args.case, output.path()) {
+            return Err(DesignCommandError::Overwrite { path: args.case.clone() });
+        }
+        let what = match output {
+            BoundaryFile::Csv(path) => {
+                write::write_file(path, boundary.csv().as_bytes())?;
+                "Table"
+            }
+            BoundaryFile::Picture(picture) => {
+                let figure = boundary.figure().ok_or(DesignCommandError::NoBoundary)?;
+                picture.save(&figure, args.scale)?;
+                "Picture"
+            }
+        };
+        let _ = writeln!(said, "{what} written to {output}");
+    }
+    Ok(said)
+}

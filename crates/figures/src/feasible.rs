@@ -1,0 +1,443 @@
+//! The plane of two quantities of a case: where a target is met, and what binds along the boundary.
+//!
+//! The set is given column by column, as stretches of the quantity upwards. Neighbouring columns of as many stretches are joined
+//! by straight lines; between columns that differ the set ends, halfway.
+
+use standfast::region::{Curve, Strip};
+
+use crate::Figure;
+use crate::canvas::Canvas;
+use crate::caption::{SIZE, SMALL, shortened};
+use crate::margins::{self, Axes, Tab};
+use crate::palette::{FEASIBLE, INK, MARK};
+use crate::plot::{Frame, Piece, View, arcs_path, clip, clip_strips, outline};
+use crate::scale::Scale;
+use crate::scene::{Path, Pen, Rect};
+use crate::text::Text;
+
+const PLOT: (f64, f64) = (430.0, 320.0);
+const TOP: f64 = 46.0;
+const LABEL: f64 = 13.0;
+const BOUNDARY: Pen = Pen::solid(INK, 1.5);
+const AXES: Axes = Axes { right: "", up: "", origin: "" };
+/// At most so many numbers along an axis.
+const NUMBERS: f64 = 8.0;
+
+/// The values of two quantities for which a target is met.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FeasibleSet<'a> {
+    /// What is designed, in a line; not markup.
+    pub title: &'a str,
+    /// What is shown, in sentences; not markup.
+    pub caption: &'a str,
+    /// The quantity to the right; its columns rise.
+    pub across: SetAxis<'a>,
+    /// The quantity upwards.
+    pub up: SetAxis<'a>,
+    /// The values upwards that meet the target, for values to the right.
+    pub columns: &'a [SetColumn],
+}
+
+/// A quantity along an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SetAxis<'a> {
+    /// What it is; not markup.
+    pub words: &'a str,
+    /// Its symbol as it stands in mathematics.
+    pub symbol: &'a str,
+    /// The unit of the numbers; empty for plain ones.
+    pub unit: &'a str,
+    /// Its value at present.
+    pub present: f64,
+}
+
+/// The stretches that meet the target at a value of the quantity to the right.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SetColumn {
+    /// That value.
+    pub at: f64,
+    /// From below.
+    pub stretches: Vec<SetStretch>,
+    /// If there is none, what binds where the target is nearest to be met, in a word.
+    pub none: Option<&'static str>,
+}
+
+/// A stretch of values that meet the target.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SetStretch {
+    /// Its lower end.
+    pub from: SetEnd,
+    /// Its upper end.
+    pub to: SetEnd,
+}
+
+/// An end of a stretch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SetEnd {
+    /// The value.
+    pub value: f64,
+    /// What binds there, in a word; `None` where only the search ended.
+    pub by: Option<&'static str>,
+}
+
+/// A stretch of the boundary along which the same binds, by its points.
+struct Run {
+    by: &'static str,
+    points: Vec<(f64, f64)>,
+}
+
+/// An upright part of the boundary.
+struct Step {
+    at: f64,
+    from: f64,
+    to: f64,
+    by: Option<&'static str>,
+}
+
+impl Step {
+    fn along(&self, share: f64) -> f64 {
+        self.from + share * (self.to - self.from)
+    }
+}
+
+/// Draws the set; `None` if it has no boundary.
+///
+/// ```
+/// use standfast_figures::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
+///
+/// // A block slides unless its width is 6 m/μ.
+/// let column = |mu: f64| SetColumn {
+///     at: mu,
+///     stretches: vec![SetStretch {
+///         from: SetEnd { value: 6.0 / mu, by: Some("sliding") },
+///         to: SetEnd { value: 40.0, by: None },
+///     }],
+///     none: None,
+/// };
+/// let figure = feasible_set(&FeasibleSet {
+///     title: "Block",
+///     caption: "Shaded: the block rests.",
+///     across: SetAxis { words: "friction", symbol: "μ", unit: "", present: 0.6 },
+///     up: SetAxis { words: "width", symbol: "w", unit: "m", present: 9.0 },
+///     columns: &[0.3, 0.45, 0.6, 0.9, 1.2].map(column),
+/// });
+/// assert!(figure.is_some_and(|figure| figure.svg().contains("Along the boundary: sliding.")));
+/// ```
+pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
+    let window = window(set)?;
+    let shifted = Shifted { set, origin: (window.k_min, window.mu_min) };
+    let [across, up] = [(window.k_min, window.k_max), (window.mu_min, window.mu_max)]
+        .map(|(least, greatest)| numbers(least, greatest));
+    let left = up.iter().map(|(_, text)| text.width).fold(0.0, f64::max) + 30.0;
+    let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
+    let frame = Frame { area, window: View::from_origin(window.width(), window.height()) };
+    let mut canvas = Canvas::new(frame);
+
+    let pieces = clip_strips(&shifted.strips(), &frame.window);
+    for block in blocks(&pieces) {
+        canvas.scene.fill(&outline(&frame, block), FEASIBLE);
+    }
+    let runs = shifted.runs();
+    let steps = shifted.steps(&frame.window);
+    boundary(&mut canvas, &runs, &steps);
+    margins::axes(&mut canvas.scene, &frame, &AXES);
+    beside_axis(&mut canvas, up.into_iter().map(|(value, text)| (frame.y(value - window.mu_min), text)));
+    let under = across.into_iter().map(|(value, text)| Tab { at: frame.x(value - window.k_min), text });
+    let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, under.collect(), Vec::new());
+    present(&mut canvas, &shifted);
+    let upright = steps.iter().filter_map(|step| {
+        Some(Run {
+            by: step.by?,
+            points: (0..=10).map(|i| (step.at, step.along(f64::from(i) / 10.0))).collect(),
+        })
+    });
+    let runs: Vec<_> = runs.into_iter().chain(upright).collect();
+    runs.iter().for_each(|run| name(&mut canvas, run));
+    name_set(&mut canvas, &pieces);
+    Some(framed(canvas, set, &runs, below))
+}
+
+/// Writes the names of the axes, the title and the caption around the plot.
+fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -> Figure {
+    let area = canvas.board.frame.area;
+    let name = axis_name(&set.up);
+    canvas.scene.text(&name, (area.x0 - 14.0).max(12.0), area.y0 - 27.0, INK);
+    let name = axis_name(&set.across);
+    let baseline = below + 8.0 + name.ascent;
+    canvas.scene.text(&name, ((area.x0 + area.x1 - name.width) / 2.0).max(12.0), baseline, INK);
+    let width = (area.x1 + 34.0).max(area.x0 + name.width + 14.0);
+    let edges = (16.0, width - 16.0);
+    let mut binds: Vec<_> = runs.iter().map(|run| run.by).collect();
+    binds.sort_unstable();
+    binds.dedup();
+    let along =
+        if binds.is_empty() { String::new() } else { format!(" Along the boundary: {}.", binds.join(", ")) };
+    let caption = format!("{}{along}", set.caption);
+    let words = |text: &str, size: f64| -> Vec<Text> {
+        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
+    };
+    let below = margins::paragraph(
+        &mut canvas.scene,
+        &words(set.title, SIZE),
+        edges,
+        baseline + name.descent + 14.0,
+        SIZE,
+    );
+    let below = margins::paragraph(&mut canvas.scene, &words(&caption, SMALL), edges, below + 5.0, SMALL);
+    let size = (width.ceil(), (below + 10.0).ceil());
+    let description = format!(
+        "Chart of {}, upwards, over {}, to the right. {caption}",
+        axis_name(&set.up).plain,
+        axis_name(&set.across).plain
+    );
+    let title = set.title.to_owned();
+    let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
+    Figure { svg, title, caption, labels, size }
+}
+
+/// Ticks and numbers beside the axis upwards, down to its origin.
+fn beside_axis(canvas: &mut Canvas, numbers: impl Iterator<Item = (f64, Text)>) {
+    let x0 = canvas.board.frame.area.x0;
+    for (y, text) in numbers {
+        canvas.scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
+        let rect =
+            Rect { x0: x0 - 8.0 - text.width, x1: x0 - 8.0, ..Rect::around(0.0, y, 0.0, text.height()) };
+        canvas.scene.text_in(&text, &rect, INK);
+    }
+}
+
+/// Words, symbol and unit of an axis.
+fn axis_name(axis: &SetAxis<'_>) -> Text {
+    let unit = if axis.unit.is_empty() { String::new() } else { format!(" ({})", axis.unit) };
+    Text::new(&format!("{}, ${}${unit}", axis.words.replace('$', ""), axis.symbol.replace('\'', "′")), LABEL)
+}
+
+/// The part of the plane that is shown: all columns, and upwards all ends that are more than ends of the search, and the present
+/// values. `None` without such an end.
+fn window(set: &FeasibleSet<'_>) -> Option<View> {
+    let ends = set.columns.iter().flat_map(|column| &column.stretches).flat_map(|one| [&one.from, &one.to]);
+    let real: Vec<f64> = ends.filter(|end| end.by.is_some()).map(|end| end.value).collect();
+    let (first, last) = (set.columns.first()?.at, set.columns.last()?.at);
+    if real.is_empty() || first >= last {
+        return None;
+    }
+    let shown = || real.iter().copied().chain([set.up.present]);
+    let (least, greatest) =
+        (shown().fold(f64::INFINITY, f64::min), shown().fold(f64::NEG_INFINITY, f64::max));
+    let size = if greatest > least { greatest - least } else { greatest.abs().max(1.0) };
+    // Down to zero where that is near.
+    let low = if least >= 0.0 && least < 0.3 * greatest { 0.0 } else { least - 0.12 * size };
+    let (k_min, k_max) = (first.min(set.across.present), last.max(set.across.present));
+    Some(View { k_min, k_max, mu_min: low, mu_max: greatest + 0.12 * size })
+}
+
+/// Round numbers along an axis.
+fn numbers(least: f64, greatest: f64) -> Vec<(f64, Text)> {
+    let scale = Scale::new(least, greatest, NUMBERS);
+    scale.numbers().into_iter().map(|number| (number, margins::number(&scale, number))).collect()
+}
+
+/// The set with the lower left corner of the window as its origin.
+struct Shifted<'a> {
+    set: &'a FeasibleSet<'a>,
+    origin: (f64, f64),
+}
+
+impl Shifted<'_> {
+    fn x(&self, column: &SetColumn) -> f64 {
+        column.at - self.origin.0
+    }
+
+    fn y(&self, end: &SetEnd) -> f64 {
+        end.value - self.origin.1
+    }
+
+    /// Neighbouring columns.
+    fn pairs(&self) -> impl Iterator<Item = (&SetColumn, &SetColumn)> {
+        self.set.columns.windows(2).map(|pair| (&pair[0], &pair[1]))
+    }
+
+    /// The strips of the set between neighbouring columns: those of the first stretches, then those of the second ones.
+    fn strips(&self) -> Vec<Strip> {
+        let level = |stretch: &SetStretch, from: f64, to: f64| {
+            let [lower, upper] =
+                [&stretch.from, &stretch.to].map(|end| Curve::Line { slope: 0.0, intercept: self.y(end) });
+            Strip { from, to, lower, upper: Some(upper) }
+        };
+        let mut strips = Vec::new();
+        for (left, right) in self.pairs() {
+            let (from, to) = (self.x(left), self.x(right));
+            if left.stretches.len() == right.stretches.len() {
+                let joined = left.stretches.iter().zip(&right.stretches).map(|(one, other)| {
+                    let lower = line((from, self.y(&one.from)), (to, self.y(&other.from)));
+                    let upper = line((from, self.y(&one.to)), (to, self.y(&other.to)));
+                    Strip { from, to, lower, upper: Some(upper) }
+                });
+                strips.extend(joined.enumerate());
+            } else {
+                let middle = (from + to) / 2.0;
+                strips.extend(left.stretches.iter().map(|stretch| level(stretch, from, middle)).enumerate());
+                strips.extend(right.stretches.iter().map(|stretch| level(stretch, middle, to)).enumerate());
+            }
+        }
+        strips.sort_by_key(|(place, _)| *place);
+        strips.into_iter().map(|(_, strip)| strip).collect()
+    }
+
+    /// Where the set ends between columns that differ: the stretches of the boundary there.
+    fn steps(&self, window: &View) -> Vec<Step> {
+        let mut steps = Vec::new();
+        for (left, right) in
+            self.pairs().filter(|(left, right)| left.stretches.len() != right.stretches.len())
+        {
+            let both = [left, right].map(|column| -> Vec<(f64, f64)> {
+                column.stretches.iter().map(|one| (self.y(&one.from), self.y(&one.to))).collect()
+            });
+            let mut cuts: Vec<f64> = both.iter().flatten().flat_map(|(from, to)| [*from, *to]).collect();
+            cuts.sort_by(f64::total_cmp);
+            let inside =
+                |side: &[(f64, f64)], y: f64| side.iter().any(|(from, to)| (*from..=*to).contains(&y));
+            let parts = cuts.windows(2).filter(|cut| {
+                let middle = (cut[0] + cut[1]) / 2.0;
+                inside(&both[0], middle) != inside(&both[1], middle)
+            });
+            let x = (self.x(left) + self.x(right)) / 2.0;
+            let by = left.none.or(right.none);
+            steps.extend(parts.map(|cut| Step { at: x, from: cut[0], to: cut[1], by }));
+        }
+        // Within the window.
+        steps.retain_mut(|step| {
+            (step.from, step.to) = (step.from.max(0.0), step.to.min(window.mu_max));
+            step.from < step.to
+        });
+        steps
+    }
+
+    /// The boundary, cut where something else begins to bind.
+    fn runs(&self) -> Vec<Run> {
+        let most = self.set.columns.iter().map(|column| column.stretches.len()).max().unwrap_or(0);
+        let ends: [fn(&SetStretch) -> &SetEnd; 2] = [|stretch| &stretch.from, |stretch| &stretch.to];
+        let mut runs: Vec<Run> = Vec::new();
+        for place in 0..most {
+            for end in ends {
+                let mut open = false;
+                for (left, right) in self.pairs() {
+                    let same = left.stretches.len() == right.stretches.len();
+                    let pair = left.stretches.get(place).zip(right.stretches.get(place)).filter(|_| same);
+                    let Some((one, other)) = pair.map(|(one, other)| (end(one), end(other))) else {
+                        open = false;
+                        continue;
+                    };
+                    let (Some(by), Some(next)) = (one.by, other.by) else {
+                        open = false;
+                        continue;
+                    };
+                    let (from, to) = ((self.x(left), self.y(one)), (self.x(right), self.y(other)));
+                    match runs.last_mut().filter(|run| open && run.by == by) {
+                        Some(run) => run.points.push(to),
+                        None => runs.push(Run { by, points: vec![from, to] }),
+                    }
+                    open = by == next;
+                    if !open {
+                        runs.push(Run { by: next, points: vec![to] });
+                        open = true;
+                    }
+                }
+            }
+        }
+        runs.retain(|run| run.points.len() > 1);
+        runs
+    }
+}
+
+/// The line through two points.
+fn line((x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Curve {
+    let slope = (y1 - y0) / (x1 - x0);
+    Curve::Line { slope, intercept: y0 - slope * x0 }
+}
+
+/// Pieces that run on without a step, so that an outline has no seams.
+fn blocks(pieces: &[Piece]) -> impl Iterator<Item = &[Piece]> {
+    pieces.chunk_by(|left, right| left.to == right.from)
+}
+
+/// Draws the boundary and keeps labels off it; a dot where something else begins to bind.
+fn boundary(canvas: &mut Canvas, runs: &[Run], steps: &[Step]) {
+    let frame = canvas.board.frame;
+    let mut starts: Vec<(f64, f64)> = Vec::new();
+    for run in runs {
+        let arcs: Vec<_> = run
+            .points
+            .windows(2)
+            .flat_map(|pair| clip(line(pair[0], pair[1]), pair[0].0, pair[1].0, &frame.window))
+            .collect();
+        canvas.scene.stroke(&arcs_path(&frame, &arcs), BOUNDARY);
+        canvas.board.arcs.extend(arcs);
+        starts.extend(run.points.first());
+    }
+    let mut path = Path::default();
+    for Step { at, from, to, .. } in steps {
+        let (x, top, bottom) = (frame.x(*at), frame.y(*to), frame.y(*from));
+        path.move_to(x, top);
+        path.line_to(x, bottom);
+        canvas.board.verticals.push((x, top, bottom));
+    }
+    canvas.scene.stroke(&path, BOUNDARY);
+    let ends: Vec<_> = runs.iter().filter_map(|run| run.points.last()).collect();
+    for start in starts.into_iter().filter(|start| ends.contains(&start)) {
+        canvas.scene.dot(frame.at(start.0, start.1), 2.4, INK, None);
+    }
+}
+
+/// Marks the present values.
+fn present(canvas: &mut Canvas, shifted: &Shifted<'_>) {
+    let frame = canvas.board.frame;
+    let set = shifted.set;
+    let (x, y) = (set.across.present - shifted.origin.0, set.up.present - shifted.origin.1);
+    if frame.shows(x, y) {
+        let at = frame.at(x, y);
+        canvas.diamond(at);
+        let text = Text::new("present", LABEL);
+        let place = canvas.board.beside(at, &text, 9.0);
+        canvas.place(&text, place, MARK);
+    }
+}
+
+/// Writes what binds beside its stretch of the boundary, where that is long enough to be told.
+fn name(canvas: &mut Canvas, run: &Run) {
+    const SHARES: [f64; 7] = [0.5, 0.38, 0.62, 0.25, 0.75, 0.12, 0.88];
+    const SHORT: f64 = 24.0;
+    let frame = canvas.board.frame;
+    let points: Vec<_> = run.points.iter().filter(|(x, y)| frame.shows(*x, *y)).collect();
+    let length: f64 = points
+        .windows(2)
+        .map(|pair| (frame.x(pair[1].0) - frame.x(pair[0].0)).hypot(frame.y(pair[1].1) - frame.y(pair[0].1)))
+        .sum();
+    if length < SHORT {
+        return;
+    }
+    let text = Text::new(run.by, LABEL);
+    let at = |share: f64| {
+        let (x, y) = points[((points.len() - 1) as f64 * share) as usize];
+        frame.at(*x, *y)
+    };
+    let clear = SHARES.into_iter().find_map(|share| {
+        let place = canvas.board.beside(at(share), &text, 7.0)?;
+        canvas.board.clear(&place, 1.0).then_some(place)
+    });
+    let place = clear.or_else(|| canvas.board.beside(at(0.5), &text, 7.0));
+    canvas.place(&text, place, INK);
+}
+
+/// Names the set in its largest part.
+fn name_set(canvas: &mut Canvas, pieces: &[Piece]) {
+    let largest = pieces.chunk_by(|left, right| left.to == right.from).max_by(|one, other| {
+        let size = |block: &[Piece]| {
+            block.iter().map(|p| (p.to - p.from) * (p.upper.at(p.from) - p.lower.at(p.from))).sum::<f64>()
+        };
+        size(one).total_cmp(&size(other))
+    });
+    if let Some(block) = largest {
+        canvas.name(block, "target met", 15.0, None);
+    }
+}
