@@ -5,6 +5,7 @@
 //! anew from the typed inputs. What is printed is rounded to the safe side, read again as it is printed, and assessed so.
 
 mod boundary;
+mod error;
 mod json;
 mod quantity;
 mod sensitivity;
@@ -13,18 +14,16 @@ mod target;
 mod text;
 
 pub use boundary::{Boundary, BoundaryRequest};
+pub use error::DesignError;
 pub use sensitivity::{Change, Sensitivity, sensitivities};
 pub use target::{Target, TargetError};
 
 use std::fmt;
 
-use miette::Diagnostic;
-use thiserror::Error;
-
 use crate::assess::verdict::predicate;
 use crate::assess::{Assessed, Assessment};
 use crate::case::Case;
-use crate::couple::{Unknown, Variable, vary};
+use crate::couple::{Variable, vary};
 use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::layout::digits;
@@ -35,153 +34,6 @@ use standfast::{Departure, Mode};
 
 /// How many parts a range is cut into to find where a target is met.
 const PARTS: u32 = 400;
-
-/// Why there is no design.
-#[derive(Debug, Error, Diagnostic)]
-#[non_exhaustive]
-pub enum DesignError {
-    /// The case file is wrong.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Case(#[from] CaseError),
-    /// A name that is no number of the case.
-    #[error("the case has no `{}` to vary", .0.name)]
-    #[diagnostic(help("{}", known(.0)))]
-    UnknownVariable(Unknown),
-    /// An end of a range that is no value of the quantity.
-    #[error("{option} is \"{written}\", and {fault}")]
-    #[diagnostic(help("{expected}"))]
-    Bracket {
-        /// The option.
-        option: &'static str,
-        /// What was given.
-        written: String,
-        /// What is wrong with it.
-        fault: String,
-        /// What is expected.
-        expected: String,
-    },
-    /// A range without inside.
-    #[error("the range from {from} to {to} is empty; give its ends with {} and {}", options[0], options[1])]
-    EmptyBracket {
-        /// Its lower end.
-        from: String,
-        /// Its upper end.
-        to: String,
-        /// The options that give them.
-        options: [&'static str; 2],
-    },
-    /// An end of a range that the quantity cannot have.
-    #[error("{option} is \"{written}\"; expected {expected}, as {name} has to be")]
-    Impossible {
-        /// The option.
-        option: &'static str,
-        /// What was given.
-        written: String,
-        /// What was varied.
-        name: String,
-        /// What it has to be.
-        expected: &'static str,
-    },
-    /// The criteria are the target, and there are none.
-    #[error("the target {target} asks for the criteria of the case, which has none")]
-    #[diagnostic(help("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2"))]
-    NoCriteria {
-        /// The target.
-        target: Target,
-    },
-    /// The target asks for a factor on loads that there are not.
-    #[error(
-        "the target {target} asks how far the variable loads may rise, and the case has none: nothing rises, and it would be met \
-         by a body that just rests"
-    )]
-    #[diagnostic(help("SF_sliding, SF_overturning or factor say how safe a body is under permanent loads"))]
-    NothingRises {
-        /// The target.
-        target: Target,
-    },
-    /// No value of the range makes a case.
-    #[error("no {name} from {from} to {to} makes a case; at {at}: {why}")]
-    #[diagnostic(help("--from and --to give another range"))]
-    NoCase {
-        /// What was varied.
-        name: String,
-        /// The lower end of the range.
-        from: String,
-        /// Its upper end.
-        to: String,
-        /// A value of it.
-        at: String,
-        /// Why that makes no case.
-        why: String,
-    },
-    /// The target does not depend on the quantity.
-    #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
-    #[diagnostic(help("another quantity helps: see the sensitivities of a target that can be met"))]
-    NoInfluence {
-        /// What was varied.
-        name: String,
-        /// The target.
-        target: Target,
-        /// What fails.
-        binding: String,
-    },
-    /// No value meets the target.
-    #[error("no {name} from {from} to {to} meets the target {target}; {best}")]
-    #[diagnostic(help(
-        "--from and --to widen the range; another quantity may help more: see the sensitivities of a \
-        target that can be met"
-    ))]
-    Unmet {
-        /// What was varied.
-        name: String,
-        /// The lower end of the range.
-        from: String,
-        /// Its upper end.
-        to: String,
-        /// The target.
-        target: Target,
-        /// The best that was reached.
-        best: String,
-    },
-    /// The target is met as far as the range reaches on the side where an end was wanted.
-    #[error("there is no {extreme} {name} that meets the target {target}: it is met {met}")]
-    #[diagnostic(help("{help}"))]
-    NoEnd {
-        /// What was varied.
-        name: String,
-        /// The end that was wanted.
-        extreme: Extreme,
-        /// The target.
-        target: Target,
-        /// Where it is met.
-        met: String,
-        /// What to ask for instead.
-        help: String,
-    },
-    /// No value meets the target, whatever another quantity is.
-    #[error("whatever {name} is from {from} to {to}, the target is not met; at {at}: {why}")]
-    #[diagnostic(help("--from, --to, --and-from and --and-to widen the ranges"))]
-    UnmetThroughout {
-        /// The other quantity.
-        name: String,
-        /// The lower end of its range.
-        from: String,
-        /// Its upper end.
-        to: String,
-        /// A value of it.
-        at: String,
-        /// Why there is none there.
-        why: String,
-    },
-    /// Both quantities are the same.
-    #[error("--vary and --and name the same number, {name}")]
-    #[diagnostic(help("--and takes another quantity of the case, as in --vary width --and friction"))]
-    Twice {
-        /// The number.
-        name: String,
-    },
-}
 
 /// Which end of the values that meet a target is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -429,15 +281,4 @@ fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignEr
     };
     let name = quantity.variable.name().to_owned();
     DesignError::NoEnd { name, extreme: request.extreme, target: request.target, met, help }
-}
-
-fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
-    let names = format!(
-        "the quantities of this case: width, height, mass, friction, water_level, crest_height where it has them, or one of {}",
-        names.join(", ")
-    );
-    match suggestion {
-        Some(suggestion) => format!("did you mean `{suggestion}`? {names}"),
-        None => names,
-    }
 }

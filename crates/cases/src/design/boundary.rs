@@ -194,7 +194,8 @@ impl Grid<'_> {
         let [from, to] = self.across.range;
         let value = self.across.present.clamp(from, to);
         let why = self.at(value, |search| search.unmet()).to_string();
-        let [from, to, at] = [from, to, value].map(|value| self.across.shown(value));
-        DesignError::UnmetThroughout { name: self.across.variable.name().to_owned(), from, to, at, why }
+        let name = self.across.variable.name().to_owned();
+        let (range, at) = (self.across.range_words(), self.across.shown(value));
+        DesignError::UnmetThroughout { name, range, at, why }
     }
 }

@@ -49,8 +49,14 @@ impl Quantity {
         if range[0] < range[1] {
             return Ok(Quantity { variable, present, range });
         }
-        let [from, to] = range.map(|value| with_unit(value, &variable, DIGITS));
-        Err(DesignError::EmptyBracket { from, to, options: ends.options })
+        let quantity = Quantity { variable, present, range };
+        Err(DesignError::EmptyBracket { range: quantity.range_words(), options: ends.options })
+    }
+
+    /// Its range: "from 1 m to 5 m".
+    pub(super) fn range_words(&self) -> String {
+        let [from, to] = self.range.map(|value| self.shown(value));
+        format!("from {from} to {to}")
     }
 
     /// A value with its unit, to four digits.

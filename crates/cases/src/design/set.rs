@@ -237,10 +237,10 @@ impl Search<'_> {
             }
         }
         let (name, target) = (self.quantity.variable.name().to_owned(), self.target);
-        let [from, to] = self.quantity.range.map(|value| self.quantity.shown(value));
+        let range = self.quantity.range_words();
         let Some((score, Trial { value, answer: Ok(answer), .. })) = best else {
             let (at, why) = error.unwrap_or_default();
-            return DesignError::NoCase { name, from, to, at: self.quantity.shown(at), why };
+            return DesignError::NoCase { name, range, at: self.quantity.shown(at), why };
         };
         let binding = target.binding(&answer).words;
         // The same but for rounding.
@@ -257,6 +257,6 @@ impl Search<'_> {
             ),
         };
         let best = format!("the best of {count} values tried is {}, {reached}", self.quantity.shown(value));
-        DesignError::Unmet { name, from, to, target, best }
+        DesignError::Unmet { name, range, target, best }
     }
 }

@@ -14,9 +14,9 @@ pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, .. } = design;
     let mut text = heading(&present.case);
     text += "Design\n";
-    let [from, to] = quantity.range.map(|value| quantity.shown(value));
+    let range = quantity.range_words();
     let (extreme, name, wanted) = (request.extreme, quantity.variable.name(), words(request.target));
-    text += &paragraph(&format!("The {extreme} {name} from {from} to {to} for which {wanted}."), 2);
+    text += &paragraph(&format!("The {extreme} {name} {range} for which {wanted}."), 2);
     text += "\n";
     text += &before_and_after(design);
     for warning in design.warnings() {

@@ -23,12 +23,12 @@ pub(super) fn draw(boundary: &Boundary<'_>) -> Option<Figure> {
                 .collect(),
         }
     });
-    let [from, to] = up.range.map(|value| up.shown(value));
     let caption = format!(
-        "Shaded: {}. Diamond: {}. Of {}, all from {from} to {to} was searched.",
+        "Shaded: {}. Diamond: {}. Of {}, all {} was searched.",
         words(request.target),
         at_present(boundary),
         up.variable.name(),
+        up.range_words(),
     );
     feasible_set(&FeasibleSet {
         title: present.case.title.as_deref().unwrap_or("Values that meet a target"),

@@ -15,12 +15,12 @@ use crate::units::Dimension;
 pub(super) fn text(boundary: &Boundary<'_>) -> String {
     let Boundary { request, up, across, present, .. } = boundary;
     let [name, other] = [up, across].map(|quantity| quantity.variable.name());
-    let [[from, to], [first, last]] = [up, across].map(|one| one.range.map(|value| one.shown(value)));
+    let [range, other_range] = [up, across].map(Quantity::range_words);
     let mut text = heading(&present.case);
     text += "Design\n";
     text += &paragraph(
         &format!(
-            "The {} {name} from {from} to {to}, for {other} from {first} to {last}, for which {}.",
+            "The {} {name} {range}, for {other} {other_range}, for which {}.",
             request.extreme,
             words(request.target)
         ),

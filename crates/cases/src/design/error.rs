@@ -1,0 +1,158 @@
+//! Why there is no design, in words.
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+use super::{Extreme, Target};
+use crate::couple::Unknown;
+use crate::error::CaseError;
+
+/// Why there is no design.
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// The case file is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    /// A name that is no number of the case.
+    #[error("the case has no `{}` to vary", .0.name)]
+    #[diagnostic(help("{}", known(.0)))]
+    UnknownVariable(Unknown),
+    /// An end of a range that is no value of the quantity.
+    #[error("{option} is \"{written}\", and {fault}")]
+    #[diagnostic(help("{expected}"))]
+    Bracket {
+        /// The option.
+        option: &'static str,
+        /// What was given.
+        written: String,
+        /// What is wrong with it.
+        fault: String,
+        /// What is expected.
+        expected: String,
+    },
+    /// A range without inside.
+    #[error("the range {range} is empty; give its ends with {} and {}", options[0], options[1])]
+    EmptyBracket {
+        /// The range, "from 5 m to 1 m".
+        range: String,
+        /// The options that give its ends.
+        options: [&'static str; 2],
+    },
+    /// An end of a range that the quantity cannot have.
+    #[error("{option} is \"{written}\"; expected {expected}, as {name} has to be")]
+    Impossible {
+        /// The option.
+        option: &'static str,
+        /// What was given.
+        written: String,
+        /// What was varied.
+        name: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// The criteria are the target, and there are none.
+    #[error("the target {target} asks for the criteria of the case, which has none")]
+    #[diagnostic(help("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2"))]
+    NoCriteria {
+        /// The target.
+        target: Target,
+    },
+    /// The target asks for a factor on loads that there are not.
+    #[error(
+        "the target {target} asks how far the variable loads may rise, and the case has none: nothing rises, and it would be met \
+         by a body that just rests"
+    )]
+    #[diagnostic(help("SF_sliding, SF_overturning or factor say how safe a body is under permanent loads"))]
+    NothingRises {
+        /// The target.
+        target: Target,
+    },
+    /// No value of the range makes a case.
+    #[error("no {name} {range} makes a case; at {at}: {why}")]
+    #[diagnostic(help("--from and --to give another range"))]
+    NoCase {
+        /// What was varied.
+        name: String,
+        /// The range, "from 1 m to 5 m".
+        range: String,
+        /// A value of it.
+        at: String,
+        /// Why that makes no case.
+        why: String,
+    },
+    /// The target does not depend on the quantity.
+    #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
+    #[diagnostic(help("another quantity helps: see the sensitivities of a target that can be met"))]
+    NoInfluence {
+        /// What was varied.
+        name: String,
+        /// The target.
+        target: Target,
+        /// What fails.
+        binding: String,
+    },
+    /// No value meets the target.
+    #[error("no {name} {range} meets the target {target}; {best}")]
+    #[diagnostic(help(
+        "--from and --to widen the range; another quantity may help more: see the sensitivities of a \
+        target that can be met"
+    ))]
+    Unmet {
+        /// What was varied.
+        name: String,
+        /// The range, "from 1 m to 5 m".
+        range: String,
+        /// The target.
+        target: Target,
+        /// The best that was reached.
+        best: String,
+    },
+    /// The target is met as far as the range reaches on the side where an end was wanted.
+    #[error("there is no {extreme} {name} that meets the target {target}: it is met {met}")]
+    #[diagnostic(help("{help}"))]
+    NoEnd {
+        /// What was varied.
+        name: String,
+        /// The end that was wanted.
+        extreme: Extreme,
+        /// The target.
+        target: Target,
+        /// Where it is met.
+        met: String,
+        /// What to ask for instead.
+        help: String,
+    },
+    /// No value meets the target, whatever another quantity is.
+    #[error("whatever {name} is {range}, the target is not met; at {at}: {why}")]
+    #[diagnostic(help("--from, --to, --and-from and --and-to widen the ranges"))]
+    UnmetThroughout {
+        /// The other quantity.
+        name: String,
+        /// Its range, "from 1 m to 5 m".
+        range: String,
+        /// A value of it.
+        at: String,
+        /// Why there is none there.
+        why: String,
+    },
+    /// Both quantities are the same.
+    #[error("--vary and --and name the same number, {name}")]
+    #[diagnostic(help("--and takes another quantity of the case, as in --vary width --and friction"))]
+    Twice {
+        /// The number.
+        name: String,
+    },
+}
+
+fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
+    let names = format!(
+        "the quantities of this case: width, height, mass, friction, water_level, crest_height where it has them, or one of {}",
+        names.join(", ")
+    );
+    match suggestion {
+        Some(suggestion) => format!("did you mean `{suggestion}`? {names}"),
+        None => names,
+    }
+}
