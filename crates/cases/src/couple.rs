@@ -194,18 +194,29 @@ impl fmt::Display for Variable {
 /// The inputs with some numbers changed, and what goes with them; `case` is the case of the unchanged `inputs`.
 pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Inputs {
     let mut varied = inputs.clone();
+    change(&mut varied, inputs, case, changes.iter().copied());
+    varied
+}
+
+/// Changes numbers of `varied`, which has those of `inputs` that [`moved`] names, and what goes with them.
+pub(crate) fn change<'a>(
+    varied: &mut Inputs,
+    inputs: &Inputs,
+    case: &Case,
+    changes: impl Iterator<Item = (&'a Variable, f64)> + Clone,
+) {
     let mut moved = Moved::default();
-    for (variable, value) in changes {
+    for (variable, value) in changes.clone() {
         let present = variable.value(inputs, case);
         if variable.by_density {
             let density = inputs.number(variable.id).unwrap_or(0.0);
             varied.set(variable.id, density * (value / present));
         } else {
-            varied.set(variable.id, *value);
+            varied.set(variable.id, value);
         }
-        moved.add(variable, case, present, *value);
+        moved.add(variable, case, present, value);
     }
-    let named = |key: Key| changes.iter().any(|(variable, _)| variable.id == Id::from(key));
+    let named = |key: Key| changes.clone().any(|(variable, _)| variable.id == Id::from(key));
     for (key, by) in moved.levels {
         if let Some(value) = varied.number(key).filter(|_| !named(key) || key.info().moves == Moves::Alone) {
             varied.set(key, value + by);
@@ -216,7 +227,24 @@ pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Input
             varied.set(key, value * ratio);
         }
     }
-    varied
+}
+
+/// The keys of a case whose numbers go with these when they are varied, each once; one of them that is varied itself among
+/// them only if it is moved all the same.
+pub(crate) fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> {
+    let mut moved = Moved::default();
+    for variable in variables {
+        let present = variable.value(inputs, case);
+        moved.add(variable, case, present, present);
+    }
+    let named = |key: Key| variables.iter().any(|variable| variable.id == Id::from(key));
+    let levels = moved.levels.iter().map(|(key, _)| *key);
+    let levels = levels.filter(|key| !named(*key) || key.info().moves == Moves::Alone);
+    let scales = moved.scales.iter().map(|(key, _)| *key).filter(|key| !named(*key));
+    let mut keys: Vec<Key> = levels.chain(scales).filter(|key| inputs.number(*key).is_some()).collect();
+    keys.sort();
+    keys.dedup();
+    keys
 }
 
 /// What goes with varied numbers.

@@ -4,7 +4,6 @@ use std::io::Write;
 
 #[cfg(feature = "columnar")]
 use crate::TableFormat;
-use crate::answers::Task;
 use crate::guard::guarded;
 use crate::pieces::{Input, answer_pieces};
 use crate::text::Text;
@@ -40,12 +39,11 @@ fn text(
     options: &TableOptions,
     progress: &dyn Progress,
 ) -> Result<Summary, TableError> {
-    let task = Task::of(options)?;
     let (mut text, header) =
         guarded(|cause| options.damaged(cause), || Text::open(input.stream(), TEXT, options))?;
-    output.write_all(&task.header(&header.bytes, header.end)).map_err(TableError::Write)?;
+    output.write_all(&header.task.header(&header.bytes, header.end)).map_err(TableError::Write)?;
     let work = |piece| {
-        let answered = header.answer(piece, &task);
+        let answered = header.answer(piece);
         let rows = options.rows_to_write(answered.parsed.len(), answered.first_row());
         let bytes = answered.parsed.write(&header, &answered.results, rows);
         Ok(answered.done(bytes))
@@ -53,5 +51,5 @@ fn text(
     let write = |bytes: Vec<u8>| output.write_all(&bytes).map_err(TableError::Write);
     let summary = answer_pieces(options, progress, || text.next(), work, write)?;
     output.flush().map_err(TableError::Write)?;
-    Ok(summary)
+    Ok(Summary { varied: header.task.varied(), ..summary })
 }

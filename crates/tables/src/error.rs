@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 
 use miette::Diagnostic;
+use standfast_cases::CaseError;
+use standfast_cases::sweep::NoFactor;
 use thiserror::Error;
 
 /// Why a table was not processed.
@@ -66,12 +68,52 @@ pub enum TableError {
         /// The column.
         ours: String,
     },
-    /// `--columns` names a result of the other problem.
-    #[error("--columns {column}: this problem has no such result")]
+    /// The case that the rows vary is wrong by itself.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    /// No column has the name of a number of the case.
+    #[error("{name} has no column that varies the case; its columns are {found}")]
+    #[diagnostic(help(
+        "a column varies the number whose key it is called by, or say --map KEY=COLUMN; the numbers of the case are {keys}"
+    ))]
+    NothingVaries {
+        /// The table.
+        name: String,
+        /// The columns there are.
+        found: String,
+        /// The keys of the case.
+        keys: String,
+    },
+    /// A column whose name begins like a key, and is none that can vary.
+    #[error("{name}, column {column}: {error}")]
+    #[diagnostic(help("{}", error.help().map_or(String::new(), |help| help.to_string())))]
+    NoFactor {
+        /// The table.
+        name: String,
+        /// The column, as the table calls it.
+        column: String,
+        /// What is wrong with it.
+        error: NoFactor,
+    },
+    /// Two columns for one number of the case.
+    #[error("{name}: the columns {one} and {two} both vary {key}; expected one of them")]
+    SameKey {
+        /// The table.
+        name: String,
+        /// A column.
+        one: String,
+        /// Another.
+        two: String,
+        /// The key.
+        key: String,
+    },
+    /// `--columns` names a result that the problem does not have.
+    #[error("--columns {column}: there is no such result here")]
     #[diagnostic(help("its results are {results}"))]
     NoSuchResult {
         /// The column.
-        column: &'static str,
+        column: String,
         /// Those there are.
         results: String,
     },
@@ -204,6 +246,14 @@ pub enum RowProblem {
         /// What it has to be.
         expected: &'static str,
     },
+    /// Values that the case cannot have: the columns blamed, and what each says.
+    #[error("{}: {problem}", in_columns(fields))]
+    Case {
+        /// The columns, as the table calls them, and their fields as they are.
+        fields: Vec<(String, String)>,
+        /// What is wrong.
+        problem: String,
+    },
     /// No value.
     #[error("column {column}: null; expected {expected}")]
     Null {
@@ -220,6 +270,11 @@ pub enum RowProblem {
         /// The field with � for what cannot be read.
         value: String,
     },
+}
+
+fn in_columns(fields: &[(String, String)]) -> String {
+    let each = fields.iter().map(|(column, value)| format!("column {column}: \"{value}\""));
+    each.collect::<Vec<_>>().join(", ")
 }
 
 /// The words of the library for a format, without its name for them (`Parquet error: …`).

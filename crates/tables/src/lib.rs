@@ -29,6 +29,7 @@
 #![forbid(unsafe_code)]
 
 mod answers;
+mod case;
 #[cfg(feature = "columnar")]
 mod columnar;
 mod columns;
@@ -39,8 +40,11 @@ mod guard;
 mod pieces;
 mod pipeline;
 mod problem;
+mod results;
+mod task;
 mod text;
 
+pub use case::{CaseTable, TableWarning, Varied, VariedColumn};
 pub use columns::Mapping;
 pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};
@@ -87,11 +91,13 @@ pub struct TableOptions {
     pub from: TableFormat,
     /// The format of the output.
     pub to: TableFormat,
-    /// Which problem the rows are.
+    /// Which problem the rows are, unless they vary a case.
     pub problem: TableProblem,
+    /// The case that the rows vary, and what is computed of it.
+    pub case: Option<Arc<CaseTable>>,
     /// The names the problem's columns have in the table, where they are not ours.
     pub map: Vec<Mapping>,
-    /// What is computed, in this order; all results of the problem if empty.
+    /// What is computed of points, in this order; all results of the problem if empty.
     pub columns: Vec<ResultColumn>,
     /// What to do with a row that makes no sense.
     pub on_error: OnError,
@@ -112,6 +118,7 @@ impl TableOptions {
             from: TableFormat::Csv,
             to: TableFormat::Csv,
             problem: TableProblem::Force,
+            case: None,
             map: Vec::new(),
             columns: Vec::new(),
             on_error: OnError::Stop,
@@ -130,6 +137,8 @@ pub struct Summary {
     pub bad: u64,
     /// What was wrong with the first of those.
     pub first: Option<TableError>,
+    /// Which columns varied a case, and what went with them.
+    pub varied: Option<Varied>,
 }
 
 /// Answers every row of a table.

@@ -10,7 +10,6 @@ use arrow_schema::{DataType, SchemaRef};
 use super::parquet::{self as pq, Encoder, Group};
 use super::source::Reading;
 use super::table;
-use crate::answers::Task;
 use crate::{TableError, TableFormat, TableOptions};
 
 /// How pieces are written.
@@ -39,10 +38,10 @@ impl<W: Write + Send> Sink<W> {
     pub(super) fn create(
         mut output: W,
         reading: &Reading,
-        task: &Task,
         options: &TableOptions,
         unwritten: &impl Fn(String) -> TableError,
     ) -> Result<(Sink<W>, Writing), TableError> {
+        let task = reading.task();
         let (schema, fixed) = match reading {
             Reading::Text(header) => (header.schema(), false),
             Reading::Batches(_, schema) => (schema.clone(), options.from == TableFormat::Arrow),
@@ -70,7 +69,7 @@ impl<W: Write + Send> Sink<W> {
         let failed = |error: arrow_schema::ArrowError| unwritten(error.to_string());
         Ok(match options.to {
             TableFormat::Parquet => {
-                let created = pq::create(output, &schema, &task.results, source);
+                let created = pq::create(output, &schema, &task.fields, source);
                 let (sink, encoder) = created.map_err(|error| unwritten(error.to_string()))?;
                 (Sink::Parquet(sink), Writing::Parquet(schema, encoder))
             }
