@@ -51,6 +51,14 @@ impl Unit {
             Scale::Over(divisor) => value / divisor,
         }
     }
+
+    /// How many of it an SI value is.
+    pub fn of_si(self, value: f64) -> f64 {
+        match self.0 {
+            Scale::Times(factor) => value / factor,
+            Scale::Over(divisor) => value * divisor,
+        }
+    }
 }
 
 impl Dimension {

@@ -135,7 +135,8 @@ pub enum Command {
     ///
     /// Without it, the rows are points.
     /// The extensions tell the formats of input and output, in any combination: CSV with a header (.csv, .txt, and
-    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows).
+    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows), Excel
+    /// workbook (.xlsx).
     /// Columns gamma, k_prime, k and mu stand in any order; all columns are carried over as they are, and mode, unique,
     /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi are appended. Accelerations are in g, theta_ddot in g/B, forces in m g and xi in B; `also` lists the other consistent modes
     /// where the answer is not unique.
@@ -321,6 +322,9 @@ pub struct BatchArgs {
     /// The format of the file to write, whatever its name
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub output_format: Option<TableFormat>,
+    /// The sheet of a workbook that is read [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub sheet_name: Option<String>,
 }
 
 /// A number that [`Point::new`] takes in one of its places, the others being one.

@@ -102,9 +102,14 @@ pub fn format(
     option: &'static str,
 ) -> Result<TableFormat, BatchCommandError> {
     let format = said.map_or_else(|| TableFormat::of(file, option), Ok)?;
-    if format != TableFormat::Csv {
+    let feature = match format {
+        TableFormat::Csv => None,
+        TableFormat::Xlsx => Some(Feature::Workbooks),
+        TableFormat::Parquet | TableFormat::Arrow | TableFormat::Arrows => Some(Feature::Tables),
+    };
+    if let Some(feature) = feature {
         let asked = if said.is_some() { option.to_owned() } else { file.display().to_string() };
-        Feature::Tables.require(&asked, format.name())?;
+        feature.require(&asked, format.name())?;
     }
     Ok(format)
 }

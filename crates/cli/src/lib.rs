@@ -123,6 +123,7 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     let options = TableOptions {
         from: batch::format(&args.input, args.input_format, "--input-format")?,
         to: batch::format(&args.output, args.output_format, "--output-format")?,
+        sheet: args.sheet_name.clone(),
         problem: args.problem,
         case,
         map: args.map.clone(),

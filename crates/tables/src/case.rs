@@ -165,6 +165,12 @@ impl CaseRows {
         self.sweep.factors()[place].value(number)
     }
 
+    /// The unit that numbers in a column are in, where that is not the one of their values.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn unit(&self, place: usize) -> Option<standfast_cases::units::Unit> {
+        self.sweep.factors()[place].unit()
+    }
+
     /// The results of rows; those marked in `skip` get none.
     pub(crate) fn answer(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<Values> {
         let rows = columns[0].len();
@@ -271,10 +277,23 @@ impl Search<'_> {
             return Err(TableError::NothingVaries {
                 name: self.options.name.clone(),
                 found: self.found.join(", "),
-                keys: keys(&self.case.file).join(", "),
+                help: self.help(),
             });
         }
         Ok(columns)
+    }
+
+    /// What to do where no column varies the case.
+    fn help(&self) -> String {
+        let near = warnings(&self.case.file, self.found, &[]).into_iter().next();
+        let keys = keys(&self.case.file).join(", ");
+        let meant = near.map_or_else(
+            || "a column varies the number whose key it is called by, or say --map KEY=COLUMN".to_owned(),
+            |TableWarning::ColumnLikeKey { column, key }| {
+                format!("did you mean `{key}`? then say --map \"{key}={column}\"")
+            },
+        );
+        format!("{meant}; the numbers of the case are {keys}")
     }
 
     /// What a column varies, if anything.

@@ -2,12 +2,10 @@
 
 use std::io::Write;
 
-#[cfg(feature = "columnar")]
-use crate::TableFormat;
 use crate::guard::guarded;
 use crate::pieces::{Input, answer_pieces};
 use crate::text::Text;
-use crate::{Progress, Summary, TableError, TableOptions};
+use crate::{Progress, Summary, TableError, TableFormat, TableOptions};
 
 /// How much text is read at once: as little as stays in the caches.
 const TEXT: usize = 1 << 17;
@@ -24,6 +22,9 @@ pub fn answer(
 ) -> Result<Summary, TableError> {
     if let Some(format) = [options.from, options.to].into_iter().find(|format| !format.is_built_in()) {
         return Err(TableError::LeftOut { name: options.name.clone(), format: format.name() });
+    }
+    if let Some(sheet) = options.sheet.as_ref().filter(|_| options.from != TableFormat::Xlsx) {
+        return Err(TableError::NoSheets { name: options.name.clone(), sheet: sheet.clone() });
     }
     #[cfg(feature = "columnar")]
     if [options.from, options.to] != [TableFormat::Csv; 2] {
@@ -49,7 +50,7 @@ fn text(
         Ok(answered.done(bytes))
     };
     let write = |bytes: Vec<u8>| output.write_all(&bytes).map_err(TableError::Write);
-    let summary = answer_pieces(options, progress, || text.next(), work, write)?;
+    let summary = answer_pieces(options, None, progress, || text.next(), work, write)?;
     output.flush().map_err(TableError::Write)?;
     Ok(Summary { varied: header.task.varied(), ..summary })
 }

@@ -74,16 +74,14 @@ pub enum TableError {
     Case(#[from] CaseError),
     /// No column has the name of a number of the case.
     #[error("{name} has no column that varies the case; its columns are {found}")]
-    #[diagnostic(help(
-        "a column varies the number whose key it is called by, or say --map KEY=COLUMN; the numbers of the case are {keys}"
-    ))]
+    #[diagnostic(help("{help}"))]
     NothingVaries {
         /// The table.
         name: String,
         /// The columns there are.
         found: String,
-        /// The keys of the case.
-        keys: String,
+        /// What may be meant, and the keys of the case.
+        help: String,
     },
     /// A column whose name begins like a key, and is none that can vary.
     #[error("{name}, column {column}: {error}")]
@@ -126,7 +124,7 @@ pub enum TableError {
     /// The name of a file does not tell its format.
     #[error("cannot tell the format of {name} from its extension")]
     #[diagnostic(help(
-        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows; or say it: {option} parquet"
+        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx; or say it: {option} parquet"
     ))]
     Format {
         /// The file.
@@ -136,7 +134,9 @@ pub enum TableError {
     },
     /// This build has no code for a format.
     #[error("{name}: {format} is left out of this build")]
-    #[diagnostic(help("the feature `columnar` of standfast-tables adds Parquet and Arrow"))]
+    #[diagnostic(help(
+        "the feature `columnar` of standfast-tables adds Parquet and Arrow, `xlsx` Excel workbooks"
+    ))]
     LeftOut {
         /// The table.
         name: String,
@@ -153,8 +153,51 @@ pub enum TableError {
         /// What it holds.
         found: String,
     },
-    /// A column that has no place in a CSV file.
-    #[error("{name}, column {column}: holds {found}, for which CSV has no place")]
+    /// A sheet that the workbook does not have.
+    #[error("{name} has no sheet \"{sheet}\"")]
+    #[diagnostic(help("its sheets are {sheets}"))]
+    NoSheet {
+        /// The workbook.
+        name: String,
+        /// The sheet.
+        sheet: String,
+        /// Those there are.
+        sheets: String,
+    },
+    /// A sheet is named for a table that has none.
+    #[error("--sheet-name {sheet}: {name} is no workbook, and has no sheets")]
+    NoSheets {
+        /// The table.
+        name: String,
+        /// The sheet.
+        sheet: String,
+    },
+    /// Values without a column name above them.
+    #[error("{name}, cell {cell}: there is a value, but no name of a column in row {header}")]
+    #[diagnostic(help(
+        "a table begins with the names of its columns; what stands beside it has to go to another sheet"
+    ))]
+    Nameless {
+        /// The workbook.
+        name: String,
+        /// The cell.
+        cell: String,
+        /// The row of the header.
+        header: u64,
+    },
+    /// More than a sheet has room for.
+    #[error("{found} {what} do not fit into a sheet of an Excel workbook, which has room for {room}")]
+    #[diagnostic(help("write Parquet or CSV"))]
+    SheetFull {
+        /// How many are to be written.
+        found: u64,
+        /// Rows or columns.
+        what: &'static str,
+        /// How many there can be, the header apart.
+        room: u64,
+    },
+    /// A column that has no place in a text or a sheet.
+    #[error("{name}, column {column}: holds {found}, for which CSV and Excel have no place")]
     #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]
     Nested {
         /// The table.
@@ -214,6 +257,8 @@ pub enum Place {
     Line(u64),
     /// The row of a table that has no lines.
     Row(u64),
+    /// The row of a sheet, whose header counts.
+    SheetRow(u64),
 }
 
 impl fmt::Display for Place {
@@ -221,6 +266,7 @@ impl fmt::Display for Place {
         match self {
             Place::Line(line) => write!(f, "line {line}"),
             Place::Row(row) => write!(f, "row {row}"),
+            Place::SheetRow(row) => write!(f, "row {row} of the sheet"),
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Every row of a table of points, answered: columns in, columns out.
 //!
 //! The table is read piece by piece, the pieces are answered on all cores, and written in order: a table of any length
-//! needs the memory of a few pieces, and the result does not depend on the number of threads. CSV always; Parquet, Arrow
-//! IPC files and streams with the feature `columnar`.
+//! needs the memory of a few pieces, and the result does not depend on the number of threads. Rows are points, or cases: those of a
+//! case file with other numbers. CSV always; Parquet, Arrow IPC files and streams with the feature `columnar`, Excel workbooks
+//! with `xlsx`.
 //!
 //! | question | start at |
 //! |---|---|
 //! | How is a table answered? | [`run`], or [`answer()`] for files and progress |
-//! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`] |
+//! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`]; of cases [`CaseTable`] |
 //! | How is a file's format told? | [`TableFormat`] |
 //! | What can be wrong with it? | [`TableError`] |
 //!
@@ -91,6 +92,8 @@ pub struct TableOptions {
     pub from: TableFormat,
     /// The format of the output.
     pub to: TableFormat,
+    /// The sheet of a workbook that is read; the first if it is not said.
+    pub sheet: Option<String>,
     /// Which problem the rows are, unless they vary a case.
     pub problem: TableProblem,
     /// The case that the rows vary, and what is computed of it.
@@ -117,6 +120,7 @@ impl TableOptions {
             name: name.to_owned(),
             from: TableFormat::Csv,
             to: TableFormat::Csv,
+            sheet: None,
             problem: TableProblem::Force,
             case: None,
             map: Vec::new(),

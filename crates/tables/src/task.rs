@@ -1,5 +1,8 @@
 //! What is computed of every row of a table, once its columns are known.
 
+#[cfg(feature = "columnar")]
+use standfast_cases::units::Unit;
+
 use crate::answers::Points;
 use crate::case::CaseRows;
 use crate::results::{ResultField, Values};
@@ -149,6 +152,15 @@ impl Task {
         match &self.rows {
             Rows::Points(_) => number,
             Rows::Case(rows) => rows.value(place, number),
+        }
+    }
+
+    /// The unit that numbers in the column at a place of the problem's are in, where that is not the one of their values.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn unit(&self, place: usize) -> Option<Unit> {
+        match &self.rows {
+            Rows::Points(_) => None,
+            Rows::Case(rows) => rows.unit(place),
         }
     }
 

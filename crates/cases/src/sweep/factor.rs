@@ -123,6 +123,14 @@ impl Factor {
         }
     }
 
+    /// The unit of plain numbers, where that is not the one of the values.
+    pub fn unit(&self) -> Option<Unit> {
+        match self.unit {
+            Counted::Si | Counted::Gravity => None,
+            Counted::Unit(unit) => Some(unit),
+        }
+    }
+
     /// The value that a text says: a plain number, or one with its unit.
     ///
     /// # Errors

@@ -4,10 +4,14 @@ mod arrays;
 mod csv;
 mod ipc;
 mod parquet;
+#[cfg(feature = "xlsx")]
+mod sheet;
 mod sink;
 mod source;
 mod table;
 mod text;
+#[cfg(feature = "xlsx")]
+mod workbook;
 
 use std::io::{self, Write};
 use std::sync::{Arc, PoisonError};
@@ -43,8 +47,10 @@ pub(crate) fn answer<W: Write + Send>(
         guarded(|cause| options.damaged(cause), || Source::open(input, options, progress))?;
     let (mut sink, writing) = Sink::create(output, &reading, options, &unwritten)?;
     let worker = Worker { reading: &reading, writing: &writing, options };
-    let write = |output| sink.write(output, &reading).map_err(&unwritten);
-    let summary = answer_pieces(options, progress, || source.next(), |piece| worker.work(piece), write)?;
+    let write = |output| sink.write(output, &reading).map_err(|error| error.into_table(&unwritten));
+    let header = reading.header_row();
+    let summary =
+        answer_pieces(options, header, progress, || source.next(), |piece| worker.work(piece), write)?;
     guarded(|panic| panic, || sink.finish()).map_err(unwritten)?;
     Ok(Summary { varied: reading.task().varied(), ..summary })
 }

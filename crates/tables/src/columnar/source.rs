@@ -66,6 +66,14 @@ pub(super) enum Reading {
 }
 
 impl Reading {
+    /// The row of the header, where the table is that of a sheet.
+    pub(super) fn header_row(&self) -> Option<u64> {
+        match self {
+            Reading::Batches(inputs, _) => inputs.header_row,
+            Reading::Text(_) | Reading::Parquet(..) => None,
+        }
+    }
+
     /// What is computed of the rows.
     pub(super) fn task(&self) -> &Task {
         match self {
@@ -103,6 +111,7 @@ impl<'a> Source<'a> {
                 let parts = source.parts(copy, options.piece());
                 (SourceKind::Parquet(Box::new(parts)), Reading::Parquet(source, inputs))
             }
+            TableFormat::Xlsx => Source::sheet(input, options)?,
             TableFormat::Arrow | TableFormat::Arrows => {
                 let batches = match options.from {
                     TableFormat::Arrow => ArrowFile::open(seekable(input).map_err(unread)?)
@@ -120,6 +129,25 @@ impl<'a> Source<'a> {
             }
         };
         Ok((Source { options, kind }, reading))
+    }
+
+    /// The table of a sheet, which is read as a whole.
+    #[cfg(feature = "xlsx")]
+    fn sheet(input: Input<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
+        let unread =
+            |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
+        let (batch, header_row) = super::sheet::read(seekable(input).map_err(unread)?, options)?;
+        let schema = batch.schema();
+        let inputs = Inputs { header_row: Some(header_row), ..Inputs::find(&schema, options)? };
+        let batches = Batches::Whole(Some(batch), schema.clone());
+        let kind = SourceKind::Batches { batches, rest: None, gather: false, rows: options.piece() };
+        Ok((kind, Reading::Batches(inputs, schema)))
+    }
+
+    #[cfg(not(feature = "xlsx"))]
+    fn sheet(_: Input<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
+        let format = TableFormat::Xlsx.name();
+        Err(TableError::LeftOut { name: options.name.clone(), format })
     }
 
     pub(super) fn next(&mut self) -> Result<Option<Piece>, TableError> {

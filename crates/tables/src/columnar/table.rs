@@ -20,6 +20,8 @@ pub(crate) struct Inputs {
     pub(crate) names: Vec<String>,
     /// What is computed of the rows.
     pub(crate) task: Task,
+    /// The row of the header, where the table is that of a sheet.
+    pub(crate) header_row: Option<u64>,
 }
 
 impl Inputs {
@@ -33,7 +35,12 @@ impl Inputs {
                 return Err(TableError::Type { name, column, found: in_words(field.data_type()) });
             }
         }
-        Ok(Inputs { names: places.iter().map(|&place| names[place].clone()).collect(), places, task })
+        Ok(Inputs {
+            names: places.iter().map(|&place| names[place].clone()).collect(),
+            places,
+            task,
+            header_row: None,
+        })
     }
 
     /// The problem's columns of a batch that has all columns of the table.
