@@ -59,10 +59,8 @@ fn every_answer_is_that_of_the_file_written_out() {
         for _ in 0..30 {
             let share = random();
             let ids: Vec<Id> = all.iter().copied().filter(|_| random() < 0.3 * share).collect();
-            let factors: Vec<Factor> = ids
-                .iter()
-                .map(|id| Factor::find(&id.to_string(), None, file.inputs()).unwrap())
-                .collect();
+            let factors: Vec<Factor> =
+                ids.iter().map(|id| Factor::find(&id.to_string(), None, file.inputs()).unwrap()).collect();
             let sweep = Sweep::of(&file, factors.clone()).unwrap();
             let mut scratch = sweep.scratch();
             for _ in 0..10 {
@@ -79,7 +77,9 @@ fn every_answer_is_that_of_the_file_written_out() {
                 let changes: Vec<_> = factors.iter().map(Factor::variable).zip(in_si).collect();
                 let mut inputs = vary(file.inputs(), &case, &changes);
                 // A share of g is written as one: it goes with gravity.
-                for (id, value) in ids.iter().zip(&values).filter(|(id, _)| id.key.info().kind == Kind::InGravity) {
+                for (id, value) in
+                    ids.iter().zip(&values).filter(|(id, _)| id.key.info().kind == Kind::InGravity)
+                {
                     inputs.set(*id, *value * inputs.gravity());
                 }
                 let other = CaseFile::parse(name, &written(&file, &inputs)).and_then(|file| {
@@ -107,7 +107,7 @@ fn every_answer_is_that_of_the_file_written_out() {
             }
         }
     }
-    assert!(answered > 500 && refused > 100, "{answered} answered, {refused} refused");
+    assert!(answered > 1000 && refused > 20, "{answered} answered, {refused} refused");
 }
 
 /// What the rows before did leaves no trace.

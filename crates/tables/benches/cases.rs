@@ -1,8 +1,9 @@
-//! What the rows of a table of cases cost beside the mechanics they ask for, in one run: `cargo bench -p standfast-cases --bench sweep`.
+//! What a table of cases costs beside the mechanics it asks for, in one run: `cargo bench -p standfast-tables --bench cases`.
 //!
 //! Goda's caisson under random waves and with random friction. Each round answers the same rows in turn: by Goda's formulas and the
-//! contact problem called from a loop, which is the limit; by [`Sweep`] with all results; and by [`Assessment`] of varied inputs,
-//! row by row. Times are those this thread has had a processor. A number after `--` sets the rows.
+//! contact problem called from a loop, which is the limit; by [`Sweep`] with all results; by [`Assessment`] of varied inputs, row by
+//! row; and as a table, from CSV text to CSV text with all results. One thread; times are those it has had a processor. A number after
+//! `--` sets the rows.
 
 use std::fs;
 use std::hint::black_box;
@@ -15,6 +16,7 @@ use standfast_cases::couple::{Variable, vary};
 use standfast_cases::results::ResultName;
 use standfast_cases::sweep::{Factor, Sweep};
 use standfast_cases::{Assessment, Case, CaseFile};
+use standfast_tables::{CaseTable, TableOptions, run};
 
 const ROUNDS: usize = 15;
 
@@ -112,6 +114,17 @@ fn main() {
         }
     };
     let by_formulas = || rows.iter().for_each(|row| drop(black_box(direct(*row))));
+    let table: String =
+        rows.iter().fold(NAMES.join(",") + "\n", |table, [a, b, c, d]| table + &format!("{a},{b},{c},{d}\n"));
+    let options = TableOptions {
+        case: Some(CaseTable::of(file.clone()).expect("a case").into()),
+        ..TableOptions::new("rows.csv")
+    };
+    let by_table = || {
+        let mut answers = Vec::new();
+        run(table.as_bytes(), &mut answers, &options).expect("answers");
+        black_box(answers);
+    };
     // The same outcomes, or the comparison is none.
     for row in &rows[..count.min(1000)] {
         let answer = sweep.answer(&mut sweep.scratch(), row).expect("an answer");
