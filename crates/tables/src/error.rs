@@ -197,7 +197,7 @@ pub enum TableError {
         room: u64,
     },
     /// A column that has no place in a text or a sheet.
-    #[error("{name}, column {column}: holds {found}, for which CSV and Excel have no place")]
+    #[error("{name}, column {column}: holds {found}, for which {format} has no place")]
     #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]
     Nested {
         /// The table.
@@ -206,6 +206,8 @@ pub enum TableError {
         column: String,
         /// What it holds.
         found: String,
+        /// The format to be written.
+        format: &'static str,
     },
     /// A row that makes no sense.
     #[error("{name}, {place}, {problem}")]

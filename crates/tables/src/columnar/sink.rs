@@ -71,7 +71,8 @@ impl<W: Write + Send> Sink<W> {
         };
         let flat = matches!(options.to, TableFormat::Csv | TableFormat::Xlsx);
         if let Some((column, found)) = table::nested(&schema).filter(|_| flat) {
-            return Err(TableError::Nested { name: options.name.clone(), column, found });
+            let format = if options.to == TableFormat::Csv { "CSV" } else { "Excel" };
+            return Err(TableError::Nested { name: options.name.clone(), column, found, format });
         }
         if options.to == TableFormat::Csv {
             let line = task.header(&table::header(&schema), b"\n");
