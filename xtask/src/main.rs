@@ -9,6 +9,7 @@ mod keys;
 mod manifests;
 mod programs;
 mod python;
+mod sea_states;
 mod tally;
 #[cfg(test)]
 mod traceability;
@@ -24,6 +25,7 @@ Usage: cargo xtask COMMAND
   deny      licences, advisories, sources and duplicates of all dependencies, by cargo-deny
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
+  sea-states N  print a table of N synthetic sea states for examples/goda-2000.toml, whose first 100 are examples/sea-states.csv
   help      this text
 ";
 
@@ -46,6 +48,12 @@ fn main() -> ExitCode {
         },
         ["explorer"] => ended(explorer::serve(false)),
         ["explorer", "--open"] => ended(explorer::serve(true)),
+        ["sea-states", count] => ended(
+            count
+                .parse()
+                .map(|count| print!("{}", sea_states::table(count)))
+                .map_err(|_| format!("cargo xtask sea-states {count}: expected how many")),
+        ),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             ExitCode::SUCCESS

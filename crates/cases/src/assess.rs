@@ -93,10 +93,18 @@ impl Assessment {
     /// # Errors
     /// If the loads add up to what the mechanics cannot take.
     pub fn of(case: &Case) -> Result<Assessment, InputError> {
+        Assessment::owning(case.clone())
+    }
+
+    /// Answers a case that is not needed elsewhere.
+    ///
+    /// # Errors
+    /// As [`of`](Assessment::of).
+    pub fn owning(case: Case) -> Result<Assessment, InputError> {
         let acting = case.acting().into_iter().enumerate();
         let all =
-            acting.map(|(index, acting)| Assessed::of(case, index, acting)).collect::<Result<_, _>>()?;
-        Ok(Assessment { case: case.clone(), all })
+            acting.map(|(index, acting)| Assessed::of(&case, index, acting)).collect::<Result<_, _>>()?;
+        Ok(Assessment { case, all })
     }
 
     /// All situations under all accelerations of the base that were tried.
@@ -112,7 +120,9 @@ impl Assessment {
 
     /// The situation that is worst: see [`worst_first`](Assessment::worst_first).
     pub fn governing(&self) -> &Assessed {
-        self.worst_first()[0]
+        let severity = self.all.iter().map(|assessed| (assessed.severity(&self.case), assessed));
+        let worst = severity.min_by(|(one, _), (two, _)| Severity::compare(one, two));
+        worst.expect("a case has a situation").1
     }
 
     /// The situations, the worst first: by what is used of the criteria, then by where the body leaves rest, then by the lesser and

@@ -230,18 +230,29 @@ impl fmt::Display for Variable {
 /// The inputs with some numbers changed, and what goes with them; `case` is the case of the unchanged `inputs`.
 pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Inputs {
     let mut varied = inputs.clone();
+    change(&mut varied, inputs, case, changes.iter().copied());
+    varied
+}
+
+/// Changes numbers of `varied`, which has those of `inputs` that [`moved`] names, and what goes with them.
+pub(crate) fn change<'a>(
+    varied: &mut Inputs,
+    inputs: &Inputs,
+    case: &Case,
+    changes: impl Iterator<Item = (&'a Variable, f64)> + Clone,
+) {
     let mut moved = Moved::default();
-    for (variable, value) in changes {
+    for (variable, value) in changes.clone() {
         let present = variable.value(inputs, case);
         if variable.by_density {
             let density = inputs.number(variable.id).unwrap_or(0.0);
             varied.set(variable.id, density * (value / present));
         } else {
-            varied.set(variable.id, *value);
+            varied.set(variable.id, value);
         }
-        moved.add(variable, case, present, *value);
+        moved.add(variable, case, present, value);
     }
-    let named = |key: Key| changes.iter().any(|(variable, _)| variable.id == Id::from(key));
+    let named = |key: Key| changes.clone().any(|(variable, _)| variable.id == Id::from(key));
     for (key, by) in moved.levels {
         if let Some(value) = varied.number(key).filter(|_| !named(key) || key.info().moves == Moves::Alone) {
             varied.set(key, value + by);
@@ -252,16 +263,35 @@ pub fn vary(inputs: &Inputs, case: &Case, changes: &[(&Variable, f64)]) -> Input
             varied.set(key, value * ratio);
         }
     }
-    for (variable, _) in changes.iter().filter(|(variable, _)| variable.by_density) {
-        // The mass that is named is that of the body as wide and high as it has become.
-        let area = |inputs: &Inputs| {
-            inputs.number(Key::Width).unwrap_or(1.0) * inputs.number(Key::Height).unwrap_or(1.0)
+    for (variable, _) in changes.clone().filter(|(variable, _)| variable.by_density) {
+        // The mass that is named is that of the body as wide, long and high as it has become.
+        let volume = |inputs: &Inputs| {
+            let of = |key| inputs.number(key).unwrap_or(1.0);
+            let across = if case.body.plan() == Plan::Circle { of(Key::Width) } else { of(Key::Length) };
+            of(Key::Width) * across * of(Key::Height)
         };
         if let Some(density) = varied.number(variable.id) {
-            varied.set(variable.id, density * (area(inputs) / area(&varied)));
+            varied.set(variable.id, density * (volume(inputs) / volume(varied)));
         }
     }
-    varied
+}
+
+/// The keys of a case whose numbers go with these when they are varied, each once; one of them that is varied itself among
+/// them only if it is moved all the same.
+pub(crate) fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> {
+    let mut moved = Moved::default();
+    for variable in variables {
+        let present = variable.value(inputs, case);
+        moved.add(variable, case, present, present);
+    }
+    let named = |key: Key| variables.iter().any(|variable| variable.id == Id::from(key));
+    let levels = moved.levels.iter().map(|(key, _)| *key);
+    let levels = levels.filter(|key| !named(*key) || key.info().moves == Moves::Alone);
+    let scales = moved.scales.iter().map(|(key, _)| *key).filter(|key| !named(*key));
+    let mut keys: Vec<Key> = levels.chain(scales).filter(|key| inputs.number(*key).is_some()).collect();
+    keys.sort();
+    keys.dedup();
+    keys
 }
 
 /// What goes with varied numbers.

@@ -124,6 +124,10 @@ impl Inputs {
         }
     }
 
+    pub(crate) fn remove(&mut self, id: Id) {
+        self.values.retain(|(other, _)| *other != id);
+    }
+
     fn place(&self, id: Id) -> Result<usize, usize> {
         self.values.binary_search_by_key(&id, |(id, _)| *id)
     }

@@ -571,10 +571,21 @@ pub struct Id {
 impl Ord for Id {
     /// Table by table, as they are read, so that further values stand behind all others.
     fn cmp(&self, other: &Id) -> Ordering {
-        let place = |id: &Id| (id.key.info().table, id.index, id.key);
+        let place = |id: &Id| (TABLES[id.key as usize], id.index, id.key);
         place(self).cmp(&place(other))
     }
 }
+
+/// The table of each key, at hand where inputs are looked up by the million.
+const TABLES: [Table; Key::ALL.len()] = {
+    let mut tables = [Table::Top; Key::ALL.len()];
+    let mut place = 0;
+    while place < tables.len() {
+        tables[place] = Key::ALL[place].info().table;
+        place += 1;
+    }
+    tables
+};
 
 impl PartialOrd for Id {
     fn partial_cmp(&self, other: &Id) -> Option<Ordering> {

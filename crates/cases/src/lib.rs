@@ -12,6 +12,7 @@
 //! | What does a file say, and where? | [`CaseFile`], [`Inputs`] |
 //! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`]; what is asked of them: [`criteria`] |
 //! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
+//! | What is the answer for many values of some numbers? | [`sweep`] |
 //! | What is printed for one point? | [`point`] |
 //!
 //! ```
@@ -45,6 +46,7 @@ pub mod point;
 pub mod results;
 mod rounded;
 pub mod suggest;
+pub mod sweep;
 pub mod units;
 mod warning;
 

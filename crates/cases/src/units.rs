@@ -106,10 +106,32 @@ enum Scale {
     Over(f64),
 }
 
-type Unit = (&'static str, Scale);
+type Named = (&'static str, Scale);
+
+/// A unit of some dimension.
+#[derive(Debug, Clone, Copy)]
+pub struct Unit(Scale);
+
+impl Unit {
+    /// So many of it, in SI units.
+    pub fn si(self, value: f64) -> f64 {
+        match self.0 {
+            Scale::Times(factor) => value * factor,
+            Scale::Over(divisor) => value / divisor,
+        }
+    }
+
+    /// How many of it an SI value is.
+    pub fn of_si(self, value: f64) -> f64 {
+        match self.0 {
+            Scale::Times(factor) => value / factor,
+            Scale::Over(divisor) => value * divisor,
+        }
+    }
+}
 
 impl Dimension {
-    fn units(self) -> &'static [Unit] {
+    fn units(self) -> &'static [Named] {
         use Scale::{Over, Times};
         match self {
             Dimension::Length => &[("mm", Over(1e3)), ("cm", Over(1e2)), ("m", Times(1.0))],
@@ -229,11 +251,13 @@ impl Dimension {
         if unit.starts_with(',') {
             return Err(UnitError::Comma);
         }
-        match self.units().iter().find(|(name, _)| *name == unit) {
-            Some((_, Scale::Times(factor))) => Ok(value * factor),
-            Some((_, Scale::Over(divisor))) => Ok(value / divisor),
-            None => Err(UnitError::Unknown(unit.to_owned())),
-        }
+        let known = self.unit(unit).ok_or_else(|| UnitError::Unknown(unit.to_owned()))?;
+        Ok(known.si(value))
+    }
+
+    /// The unit of a name, where it fits.
+    pub fn unit(self, name: &str) -> Option<Unit> {
+        self.units().iter().find(|(known, _)| *known == name).map(|(_, scale)| Unit(*scale))
     }
 }
 

@@ -10,7 +10,7 @@ use standfast::{InputError, Point};
 use standfast_cases::design::Target;
 use standfast_figures::FigureId;
 use standfast_sheet::Date;
-use standfast_tables::{Mapping, OnError, ResultColumn, TableFormat, TableProblem};
+use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
 
 use crate::design::BoundaryFile;
 use crate::draw::{KMu, Picture, PictureFile};
@@ -146,10 +146,16 @@ pub enum Command {
     #[command(after_help = "Example:\n  standfast figures -o figures 3.3a 4.7b --as pdf")]
     Figures(FiguresArgs),
 
-    /// Classify every row of a table
+    /// Answer every row of a table: points, or cases
     ///
+    /// With --case every row is the case of a file with other numbers: a column varies the number whose key it is called by,
+    /// as in wave.Hmax, water_level or "wave.Hmax [m]"; what goes with it is said at the end. The results are those of the
+    /// situation that governs, under the names and in the SI units of `assess --format json`.
+    ///
+    /// Without it, the rows are points.
     /// The extensions tell the formats of input and output, in any combination: CSV with a header (.csv, .txt, and
-    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows).
+    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows), Excel
+    /// workbook (.xlsx).
     /// Columns gamma, k_prime, k and mu stand in any order; all columns are carried over as they are, and mode, unique,
     /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi are appended. Accelerations are in g, theta_ddot in g/B, forces in m g and xi in B; `also` lists the other consistent modes
     /// where the answer is not unique.
@@ -161,7 +167,8 @@ pub enum Command {
     /// units.
     #[command(after_help = "Examples:\n\
         \u{20} standfast batch examples/points.csv -o modes.csv\n\
-        \u{20} standfast batch points.parquet -o modes.parquet --map mu=friction --columns mode,unique")]
+        \u{20} standfast batch points.parquet -o modes.parquet --map mu=friction --columns mode,unique\n\
+        \u{20} standfast batch examples/sea-states.csv --case examples/goda-2000.toml -o answers.csv")]
     Batch(BatchArgs),
 
     /// Print a completion script for a shell
@@ -334,15 +341,18 @@ pub struct BatchArgs {
     /// The file to write; - writes to standard output, as far as rows make sense
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
+    /// The case file (TOML) whose numbers the columns vary
+    #[arg(long, value_name = "CASE.toml", conflicts_with = "problem")]
+    pub case: Option<PathBuf>,
     /// Which problem the rows are
     #[arg(long, value_enum, default_value_t)]
     pub problem: TableProblem,
-    /// The name one of our columns has in the table, e.g. mu=friction; may be given again
+    /// The name one of our columns has in the table, e.g. mu=friction or wave.Hmax=H; may be given again
     #[arg(long, value_name = "OURS=THEIRS")]
     pub map: Vec<Mapping>,
-    /// What to compute, in this order, e.g. mode,unique,x_ddot [default: all results of the problem]
-    #[arg(long, value_name = "NAMES", value_enum, value_delimiter = ',')]
-    pub columns: Vec<ResultColumn>,
+    /// What to compute, in this order, e.g. mode,unique,x_ddot or SF_sliding,load_factor [default: all results]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub columns: Vec<String>,
     /// What to do with a row that makes no sense
     #[arg(long, value_enum, default_value_t, value_name = "ACTION")]
     pub on_error: OnError,
@@ -355,6 +365,9 @@ pub struct BatchArgs {
     /// The format of the file to write, whatever its name
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub output_format: Option<TableFormat>,
+    /// The sheet of a workbook that is read [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub sheet_name: Option<String>,
 }
 
 /// A number that [`Point::new`] takes in one of its places, the others being one.

@@ -7,9 +7,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::HumanCount;
 use miette::Diagnostic;
-use standfast_tables::{Input, Summary, TableError, TableFormat, TableOptions, answer};
+use standfast_cases::layout::paragraph;
+use standfast_cases::sweep::SweepResult;
+use standfast_tables::{
+    CaseTable, Input, ResultColumn, Summary, TableError, TableFormat, TableOptions, TableProblem, Varied,
+    VariedColumn, answer,
+};
 use thiserror::Error;
 
+use crate::case_file::{self, CaseFileError};
 use crate::features::{Feature, LeftOut};
 use crate::progress::Bar;
 use crate::write::{Pending, WriteError};
@@ -25,9 +31,65 @@ pub enum BatchCommandError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     LeftOut(#[from] LeftOut),
+    /// The case file is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseFileError),
     /// The file of the result cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
+}
+
+/// The results of points of these names; all of the problem for none.
+///
+/// # Errors
+/// If there is no result of a name.
+pub fn columns(problem: TableProblem, names: &[String]) -> Result<Vec<ResultColumn>, TableError> {
+    let all = problem.results();
+    let of_name = |name: &String| {
+        let found = all.iter().find(|result| result.name() == name.trim());
+        found.copied().ok_or_else(|| no_result(name, all.iter().map(|result| result.name())))
+    };
+    names.iter().map(of_name).collect()
+}
+
+/// The case that rows vary, with the results of these names; with all for none.
+///
+/// # Errors
+/// If the case file cannot be read or is wrong, or there is no result of a name.
+pub fn case(path: &Path, names: &[String]) -> Result<CaseTable, BatchCommandError> {
+    let case = CaseTable::of(case_file::parse(path)?).map_err(CaseFileError::from)?;
+    let of_name = |name: &String| {
+        let found = SweepResult::find(name.trim());
+        found.ok_or_else(|| no_result(name, SweepResult::all().map(SweepResult::name)))
+    };
+    Ok(case.with_results(names.iter().map(of_name).collect::<Result<_, _>>()?))
+}
+
+fn no_result(name: &str, all: impl Iterator<Item = &'static str>) -> TableError {
+    TableError::NoSuchResult { column: name.to_owned(), results: all.collect::<Vec<_>>().join(", ") }
+}
+
+/// What is said of a table that was answered: nothing, unless there is something.
+pub fn said(summary: &Summary) -> String {
+    let mut text = String::new();
+    if let Some(Varied { columns, notes, warnings }) = &summary.varied {
+        let columns = columns.iter().map(|VariedColumn { column, key }| match column == key {
+            true => key.clone(),
+            false => format!("{key} (column {column})"),
+        });
+        text += &paragraph(&format!("varied: {}", columns.collect::<Vec<_>>().join(", ")), 0);
+        for note in notes {
+            text += &paragraph(note, 0);
+        }
+        for warning in warnings {
+            text += &paragraph(&format!("warning: {} ({})", warning, warning.name()), 0);
+        }
+    }
+    if let Summary { bad, rows, first: Some(first), .. } = summary {
+        text += &format!("warning: {bad} of {rows} rows without a result; the first: {first}\n");
+    }
+    text
 }
 
 /// The format of a table: the one that is said, or what the file's extension tells. `option` is the one that says it.
@@ -40,9 +102,14 @@ pub fn format(
     option: &'static str,
 ) -> Result<TableFormat, BatchCommandError> {
     let format = said.map_or_else(|| TableFormat::of(file, option), Ok)?;
-    if format != TableFormat::Csv {
+    let feature = match format {
+        TableFormat::Csv => None,
+        TableFormat::Xlsx => Some(Feature::Workbooks),
+        TableFormat::Parquet | TableFormat::Arrow | TableFormat::Arrows => Some(Feature::Tables),
+    };
+    if let Some(feature) = feature {
         let asked = if said.is_some() { option.to_owned() } else { file.display().to_string() };
-        Feature::Tables.require(&asked, format.name())?;
+        feature.require(&asked, format.name())?;
     }
     Ok(format)
 }

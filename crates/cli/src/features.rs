@@ -8,6 +8,8 @@ use thiserror::Error;
 pub enum Feature {
     /// Tables in Parquet and Arrow.
     Tables,
+    /// Tables as Excel workbooks.
+    Workbooks,
     /// Figures as PNG and PDF.
     Pictures,
 }
@@ -17,6 +19,7 @@ impl Feature {
     pub fn is_built_in(self) -> bool {
         match self {
             Feature::Tables => cfg!(feature = "tables"),
+            Feature::Workbooks => cfg!(feature = "xlsx"),
             Feature::Pictures => cfg!(feature = "pictures"),
         }
     }
@@ -24,6 +27,7 @@ impl Feature {
     fn name(self) -> &'static str {
         match self {
             Feature::Tables => "tables",
+            Feature::Workbooks => "xlsx",
             Feature::Pictures => "pictures",
         }
     }
@@ -31,6 +35,7 @@ impl Feature {
     fn adds(self) -> &'static str {
         match self {
             Feature::Tables => "Parquet and Arrow",
+            Feature::Workbooks => "Excel workbooks, with Parquet and Arrow",
             Feature::Pictures => "PNG and PDF",
         }
     }

@@ -36,7 +36,7 @@ use standfast::{Diagram, Point};
 use standfast_cases::{View, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
-use standfast_tables::{Summary, TableOptions};
+use standfast_tables::TableOptions;
 
 use args::{Cli, Command};
 use format::Format;
@@ -109,21 +109,25 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         args.input.display().to_string()
     };
     let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let plain = TableOptions::new(&name);
+    let (case, columns) = match &args.case {
+        Some(case) => (Some(batch::case(case, &args.columns)?.into()), Vec::new()),
+        None => (None, batch::columns(args.problem, &args.columns)?),
+    };
     let options = TableOptions {
         from: batch::format(&args.input, args.input_format, "--input-format")?,
         to: batch::format(&args.output, args.output_format, "--output-format")?,
+        sheet: args.sheet_name.clone(),
         problem: args.problem,
+        case,
         map: args.map.clone(),
-        columns: args.columns.clone(),
+        columns,
         on_error: args.on_error,
         threads: args.threads.map_or_else(all, NonZeroUsize::get),
-        ..TableOptions::new(&name)
+        ..plain
     };
     let summary = batch::process(&args.input, &args.output, &options)?;
-    if let Some(first) = &summary.first {
-        let Summary { bad, rows, .. } = summary;
-        complain(&format!("warning: {bad} of {rows} rows without a result; the first: {first}\n"));
-    }
+    complain(&batch::said(&summary));
     Ok(())
 }
 

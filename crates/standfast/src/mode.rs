@@ -164,7 +164,7 @@ impl Mode {
 
     /// The report's symbol in plain characters: `RE`, `SL`, `RO`, `SRO-`, `SRO+`, `SRO'-`; `RO'`, and `SL+`,
     /// `SRO'+`, `FL` for modes that the report's force cannot start.
-    pub fn symbol(self) -> &'static str {
+    pub const fn symbol(self) -> &'static str {
         match self {
             Mode::Rest => "RE",
             Mode::SlideLeft => "SL",

@@ -1,90 +1,39 @@
 //! Columns of numbers to columns of results.
 
 use standfast::batch::{Columns, classify};
-use standfast::{InputError, Mode, Modes};
+use standfast::{InputError, Mode};
 
 use crate::problem::{Answer, MOST};
-use crate::{ResultColumn, TableError, TableOptions, TableProblem};
+use crate::results::{NO_WORD, SYMBOLS, Values};
+use crate::task::{Fault, Faults, Wrong};
+use crate::{ResultColumn, TableProblem};
 
-/// What is computed of every row.
+/// What is computed of every row of points.
 #[derive(Debug, Clone)]
-pub(crate) struct Task {
+pub(crate) struct Points {
     pub(crate) problem: TableProblem,
     pub(crate) results: Vec<ResultColumn>,
 }
 
-/// The code of a row without mode.
-pub(crate) const NO_MODE: u8 = u8::MAX;
-
-/// A column of results. A row that has none holds `NO_MODE`, `None` or NaN.
-pub(crate) enum Values {
-    Mode(Vec<u8>),
-    Modes(Vec<Option<Modes>>),
-    Flag(Vec<Option<bool>>),
-    Number(Vec<f64>),
-}
-
-/// A row with a value that no problem can have.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Fault {
-    pub(crate) row: usize,
-    /// The place among the problem's columns.
-    pub(crate) column: usize,
-    pub(crate) expected: &'static str,
-}
-
-/// The rows without result.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Faults {
-    pub(crate) count: u64,
-    pub(crate) first: Option<Fault>,
-}
-
-impl Faults {
-    pub(crate) fn add(&mut self, fault: Fault) {
-        self.count += 1;
-        if self.first.is_none_or(|first| fault.row < first.row) {
-            self.first = Some(fault);
-        }
-    }
-}
-
-impl Task {
-    /// # Errors
-    /// If the options name a result that their problem does not have, or one twice.
-    pub(crate) fn of(options: &TableOptions) -> Result<Task, TableError> {
-        Ok(Task { problem: options.problem, results: options.results()? })
-    }
-
-    /// The line of a text that names the columns of the table and the results.
-    pub(crate) fn header(&self, columns: &[u8], end: &[u8]) -> Vec<u8> {
-        let mut line = columns.to_vec();
-        for result in &self.results {
-            line.push(b',');
-            line.extend_from_slice(result.name().as_bytes());
-        }
-        line.extend_from_slice(end);
-        line
-    }
-
+impl Points {
     /// The results for the problem's columns, in the order asked for. Rows marked in `skip`, which is as long as the
     /// columns or empty, get none.
     pub(crate) fn answer(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<Values> {
         let only_modes = self.results.iter().all(|&column| column == ResultColumn::Mode);
         if self.problem == TableProblem::Force && only_modes {
             let codes = self.codes(columns, skip, faults);
-            return self.results.iter().map(|_| Values::Mode(codes.clone())).collect();
+            return self.results.iter().map(|_| Values::Word(&SYMBOLS, codes.clone())).collect();
         }
         let rows = columns[0].len();
         let mut results: Vec<Values> =
-            self.results.iter().map(|&column| Values::empty(column, rows)).collect();
+            self.results.iter().map(|column| Values::empty(&column.kind(), rows)).collect();
         let moving = self.results.iter().any(|column| column.number().is_some());
         for row in 0..rows {
             let answer = self.row(columns, skip, row, faults);
             let motion = answer.as_ref().filter(|_| moving).and_then(Answer::motion);
             for (values, column) in results.iter_mut().zip(&self.results) {
                 match values {
-                    Values::Mode(codes) => codes.push(code(answer.as_ref())),
+                    Values::Word(_, codes) => codes.push(code(answer.as_ref())),
                     Values::Modes(sets) => sets.push(answer.as_ref().map(Answer::modes)),
                     Values::Flag(flags) => {
                         flags.push(answer.as_ref().map(|answer| answer.modes().is_empty()))
@@ -93,6 +42,7 @@ impl Task {
                         (Some(number), Some(motion)) => number(motion),
                         _ => f64::NAN,
                     }),
+                    Values::Name(..) | Values::Problem(_) => unreachable!("no result of a point"),
                 }
             }
         }
@@ -103,7 +53,7 @@ impl Task {
     fn codes(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<u8> {
         // As far as one wrong value makes the rows go one by one.
         const BLOCK: usize = 4096;
-        let mut codes = vec![NO_MODE; columns[0].len()];
+        let mut codes = vec![NO_WORD; columns[0].len()];
         for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
             let start = block * BLOCK;
             let rows = start..start + codes.len();
@@ -128,49 +78,13 @@ impl Task {
             *value = column[row];
         }
         let blame = |error: InputError| {
-            faults.add(Fault { row, column: self.problem.blame(&error), expected: error.expected.words() });
+            let column = self.problem.blame(&error);
+            faults.add(Fault { row, wrong: Wrong::Value { column, expected: error.expected.words() } });
         };
         self.problem.solve(values).map_err(blame).ok()
     }
 }
 
 fn code(answer: Option<&Answer>) -> u8 {
-    answer.and_then(Answer::mode).map_or(NO_MODE, Mode::code)
-}
-
-impl Values {
-    fn empty(column: ResultColumn, rows: usize) -> Values {
-        match column {
-            ResultColumn::Mode => Values::Mode(Vec::with_capacity(rows)),
-            ResultColumn::Modes | ResultColumn::Also => Values::Modes(Vec::with_capacity(rows)),
-            ResultColumn::Unique => Values::Flag(Vec::with_capacity(rows)),
-            _ => Values::Number(Vec::with_capacity(rows)),
-        }
-    }
-
-    /// Appends the result of a row to a line of text.
-    pub(crate) fn push_text(&self, row: usize, line: &mut Vec<u8>) {
-        match self {
-            Values::Mode(codes) => {
-                line.extend_from_slice(Mode::from_code(codes[row]).map_or("", Mode::symbol).as_bytes());
-            }
-            Values::Modes(sets) => {
-                for (i, mode) in sets[row].iter().flat_map(|set| set.iter()).enumerate() {
-                    if i > 0 {
-                        line.push(b' ');
-                    }
-                    line.extend_from_slice(mode.symbol().as_bytes());
-                }
-            }
-            Values::Flag(flags) => line.extend_from_slice(match flags[row] {
-                Some(true) => b"true",
-                Some(false) => b"false",
-                None => b"",
-            }),
-            Values::Number(numbers) if numbers[row].is_nan() => {}
-            Values::Number(numbers) => {
-                line.extend_from_slice(ryu::Buffer::new().format_finite(numbers[row]).as_bytes());
-            }
-        }
-    }
+    answer.and_then(Answer::mode).map_or(NO_WORD, Mode::code)
 }

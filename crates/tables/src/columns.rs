@@ -28,14 +28,17 @@ impl std::str::FromStr for Mapping {
 }
 
 impl TableOptions {
+    /// What a table has to have, in words.
+    pub(crate) fn needed(&self) -> String {
+        match &self.case {
+            Some(_) => "one that varies the case".to_owned(),
+            None => self.problem.needed(),
+        }
+    }
+
     /// Where in a table with the columns `found` those of the problem are, in the problem's order.
     pub(crate) fn places(&self, found: &[String]) -> Result<Vec<usize>, TableError> {
         let name = || self.name.clone();
-        let results = self.results()?;
-        let exists = results.iter().find(|result| found.iter().any(|column| column == result.name()));
-        if let Some(column) = exists {
-            return Err(TableError::ResultExists { name: name(), column: column.name() });
-        }
         let columns = self.problem.columns();
         let ours = || columns.iter().map(|column| column.name);
         for (i, Mapping { ours: our, .. }) in self.map.iter().enumerate() {
@@ -78,7 +81,7 @@ impl TableOptions {
         for (i, column) in self.columns.iter().enumerate() {
             if !all.contains(column) {
                 let results = in_words(all.iter().map(|column| column.name()));
-                return Err(TableError::NoSuchResult { column: column.name(), results });
+                return Err(TableError::NoSuchResult { column: column.name().to_owned(), results });
             }
             if self.columns[..i].contains(column) {
                 return Err(TableError::ResultTwice { column: column.name() });

@@ -2,13 +2,10 @@
 
 use std::io::Write;
 
-#[cfg(feature = "columnar")]
-use crate::TableFormat;
-use crate::answers::Task;
 use crate::guard::guarded;
 use crate::pieces::{Input, answer_pieces};
 use crate::text::Text;
-use crate::{Progress, Summary, TableError, TableOptions};
+use crate::{Progress, Summary, TableError, TableFormat, TableOptions};
 
 /// How much text is read at once: as little as stays in the caches.
 const TEXT: usize = 1 << 17;
@@ -26,6 +23,9 @@ pub fn answer(
     if let Some(format) = [options.from, options.to].into_iter().find(|format| !format.is_built_in()) {
         return Err(TableError::LeftOut { name: options.name.clone(), format: format.name() });
     }
+    if let Some(sheet) = options.sheet.as_ref().filter(|_| options.from != TableFormat::Xlsx) {
+        return Err(TableError::NoSheets { name: options.name.clone(), sheet: sheet.clone() });
+    }
     #[cfg(feature = "columnar")]
     if [options.from, options.to] != [TableFormat::Csv; 2] {
         return crate::columnar::answer(input, output, options, progress);
@@ -40,18 +40,17 @@ fn text(
     options: &TableOptions,
     progress: &dyn Progress,
 ) -> Result<Summary, TableError> {
-    let task = Task::of(options)?;
     let (mut text, header) =
         guarded(|cause| options.damaged(cause), || Text::open(input.stream(), TEXT, options))?;
-    output.write_all(&task.header(&header.bytes, header.end)).map_err(TableError::Write)?;
+    output.write_all(&header.task.header(&header.bytes, header.end)).map_err(TableError::Write)?;
     let work = |piece| {
-        let answered = header.answer(piece, &task);
+        let answered = header.answer(piece);
         let rows = options.rows_to_write(answered.parsed.len(), answered.first_row());
         let bytes = answered.parsed.write(&header, &answered.results, rows);
         Ok(answered.done(bytes))
     };
     let write = |bytes: Vec<u8>| output.write_all(&bytes).map_err(TableError::Write);
-    let summary = answer_pieces(options, progress, || text.next(), work, write)?;
+    let summary = answer_pieces(options, None, progress, || text.next(), work, write)?;
     output.flush().map_err(TableError::Write)?;
-    Ok(summary)
+    Ok(Summary { varied: header.task.varied(), ..summary })
 }

@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 
 use miette::Diagnostic;
+use standfast_cases::CaseError;
+use standfast_cases::sweep::NoFactor;
 use thiserror::Error;
 
 /// Why a table was not processed.
@@ -66,12 +68,50 @@ pub enum TableError {
         /// The column.
         ours: String,
     },
-    /// `--columns` names a result of the other problem.
-    #[error("--columns {column}: this problem has no such result")]
+    /// The case that the rows vary is wrong by itself.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    /// No column has the name of a number of the case.
+    #[error("{name} has no column that varies the case; its columns are {found}")]
+    #[diagnostic(help("{help}"))]
+    NothingVaries {
+        /// The table.
+        name: String,
+        /// The columns there are.
+        found: String,
+        /// What may be meant, and the keys of the case.
+        help: String,
+    },
+    /// A column whose name begins like a key, and is none that can vary.
+    #[error("{name}, column {column}: {error}")]
+    #[diagnostic(help("{}", error.help().map_or(String::new(), |help| help.to_string())))]
+    NoFactor {
+        /// The table.
+        name: String,
+        /// The column, as the table calls it.
+        column: String,
+        /// What is wrong with it.
+        error: NoFactor,
+    },
+    /// Two columns for one number of the case.
+    #[error("{name}: the columns {one} and {two} both vary {key}; expected one of them")]
+    SameKey {
+        /// The table.
+        name: String,
+        /// A column.
+        one: String,
+        /// Another.
+        two: String,
+        /// The key.
+        key: String,
+    },
+    /// `--columns` names a result that the problem does not have.
+    #[error("--columns {column}: there is no such result here")]
     #[diagnostic(help("its results are {results}"))]
     NoSuchResult {
         /// The column.
-        column: &'static str,
+        column: String,
         /// Those there are.
         results: String,
     },
@@ -84,7 +124,7 @@ pub enum TableError {
     /// The name of a file does not tell its format.
     #[error("cannot tell the format of {name} from its extension")]
     #[diagnostic(help(
-        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows; or say it: {option} parquet"
+        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx; or say it: {option} parquet"
     ))]
     Format {
         /// The file.
@@ -94,7 +134,9 @@ pub enum TableError {
     },
     /// This build has no code for a format.
     #[error("{name}: {format} is left out of this build")]
-    #[diagnostic(help("the feature `columnar` of standfast-tables adds Parquet and Arrow"))]
+    #[diagnostic(help(
+        "the feature `columnar` of standfast-tables adds Parquet and Arrow, `xlsx` Excel workbooks"
+    ))]
     LeftOut {
         /// The table.
         name: String,
@@ -111,8 +153,51 @@ pub enum TableError {
         /// What it holds.
         found: String,
     },
-    /// A column that has no place in a CSV file.
-    #[error("{name}, column {column}: holds {found}, for which CSV has no place")]
+    /// A sheet that the workbook does not have.
+    #[error("{name} has no sheet \"{sheet}\"")]
+    #[diagnostic(help("its sheets are {sheets}"))]
+    NoSheet {
+        /// The workbook.
+        name: String,
+        /// The sheet.
+        sheet: String,
+        /// Those there are.
+        sheets: String,
+    },
+    /// A sheet is named for a table that has none.
+    #[error("--sheet-name {sheet}: {name} is no workbook, and has no sheets")]
+    NoSheets {
+        /// The table.
+        name: String,
+        /// The sheet.
+        sheet: String,
+    },
+    /// Values without a column name above them.
+    #[error("{name}, cell {cell}: there is a value, but no name of a column in row {header}")]
+    #[diagnostic(help(
+        "a table begins with the names of its columns; what stands beside it has to go to another sheet"
+    ))]
+    Nameless {
+        /// The workbook.
+        name: String,
+        /// The cell.
+        cell: String,
+        /// The row of the header.
+        header: u64,
+    },
+    /// More than a sheet has room for.
+    #[error("{found} {what} do not fit into a sheet of an Excel workbook, which has room for {room}")]
+    #[diagnostic(help("write Parquet or CSV"))]
+    SheetFull {
+        /// How many are to be written.
+        found: u64,
+        /// Rows or columns.
+        what: &'static str,
+        /// How many there can be, the header apart.
+        room: u64,
+    },
+    /// A column that has no place in a text or a sheet.
+    #[error("{name}, column {column}: holds {found}, for which {format} has no place")]
     #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]
     Nested {
         /// The table.
@@ -121,6 +206,8 @@ pub enum TableError {
         column: String,
         /// What it holds.
         found: String,
+        /// The format to be written.
+        format: &'static str,
     },
     /// A row that makes no sense.
     #[error("{name}, {place}, {problem}")]
@@ -172,6 +259,8 @@ pub enum Place {
     Line(u64),
     /// The row of a table that has no lines.
     Row(u64),
+    /// The row of a sheet, whose header counts.
+    SheetRow(u64),
 }
 
 impl fmt::Display for Place {
@@ -179,6 +268,7 @@ impl fmt::Display for Place {
         match self {
             Place::Line(line) => write!(f, "line {line}"),
             Place::Row(row) => write!(f, "row {row}"),
+            Place::SheetRow(row) => write!(f, "row {row} of the sheet"),
         }
     }
 }
@@ -204,6 +294,14 @@ pub enum RowProblem {
         /// What it has to be.
         expected: &'static str,
     },
+    /// Values that the case cannot have: the columns blamed, and what each says.
+    #[error("{}: {problem}", in_columns(fields))]
+    Case {
+        /// The columns, as the table calls them, and their fields as they are.
+        fields: Vec<(String, String)>,
+        /// What is wrong.
+        problem: String,
+    },
     /// No value.
     #[error("column {column}: null; expected {expected}")]
     Null {
@@ -220,6 +318,11 @@ pub enum RowProblem {
         /// The field with � for what cannot be read.
         value: String,
     },
+}
+
+fn in_columns(fields: &[(String, String)]) -> String {
+    let each = fields.iter().map(|(column, value)| format!("column {column}: \"{value}\""));
+    each.collect::<Vec<_>>().join(", ")
 }
 
 /// The words of the library for a format, without its name for them (`Parquet error: …`).

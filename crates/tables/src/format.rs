@@ -16,6 +16,8 @@ pub enum TableFormat {
     Arrow,
     /// Arrow IPC stream (.arrows)
     Arrows,
+    /// Excel workbook (.xlsx)
+    Xlsx,
 }
 
 impl TableFormat {
@@ -30,13 +32,18 @@ impl TableFormat {
             Some("parquet" | "pq") => Ok(TableFormat::Parquet),
             Some("arrow" | "ipc" | "feather") => Ok(TableFormat::Arrow),
             Some("arrows") => Ok(TableFormat::Arrows),
+            Some("xlsx") => Ok(TableFormat::Xlsx),
             Some(_) => Err(TableError::Format { name: path.display().to_string(), option }),
         }
     }
 
-    /// Whether this build can read and write it: CSV always, the others with the feature `columnar`.
+    /// Whether this build can read and write it: CSV always, workbooks with the feature `xlsx`, the others with `columnar`.
     pub fn is_built_in(self) -> bool {
-        self == TableFormat::Csv || cfg!(feature = "columnar")
+        match self {
+            TableFormat::Csv => true,
+            TableFormat::Parquet | TableFormat::Arrow | TableFormat::Arrows => cfg!(feature = "columnar"),
+            TableFormat::Xlsx => cfg!(feature = "xlsx"),
+        }
     }
 
     /// What errors call it.
@@ -46,6 +53,7 @@ impl TableFormat {
             TableFormat::Parquet => "Parquet",
             TableFormat::Arrow => "Arrow IPC",
             TableFormat::Arrows => "Arrow IPC stream",
+            TableFormat::Xlsx => "Excel workbook",
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Every row of a table of points, answered: columns in, columns out.
 //!
 //! The table is read piece by piece, the pieces are answered on all cores, and written in order: a table of any length
-//! needs the memory of a few pieces, and the result does not depend on the number of threads. CSV always; Parquet, Arrow
-//! IPC files and streams with the feature `columnar`.
+//! needs the memory of a few pieces, and the result does not depend on the number of threads. Rows are points, or cases: those of a
+//! case file with other numbers. CSV always; Parquet, Arrow IPC files and streams with the feature `columnar`, Excel workbooks
+//! with `xlsx`.
 //!
 //! | question | start at |
 //! |---|---|
 //! | How is a table answered? | [`run`], or [`answer()`] for files and progress |
-//! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`] |
+//! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`]; of cases [`CaseTable`] |
 //! | How is a file's format told? | [`TableFormat`] |
 //! | What can be wrong with it? | [`TableError`] |
 //!
@@ -29,6 +30,7 @@
 #![forbid(unsafe_code)]
 
 mod answers;
+mod case;
 #[cfg(feature = "columnar")]
 mod columnar;
 mod columns;
@@ -39,8 +41,11 @@ mod guard;
 mod pieces;
 mod pipeline;
 mod problem;
+mod results;
+mod task;
 mod text;
 
+pub use case::{CaseTable, TableWarning, Varied, VariedColumn};
 pub use columns::Mapping;
 pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};
@@ -87,11 +92,15 @@ pub struct TableOptions {
     pub from: TableFormat,
     /// The format of the output.
     pub to: TableFormat,
-    /// Which problem the rows are.
+    /// The sheet of a workbook that is read; the first if it is not said.
+    pub sheet: Option<String>,
+    /// Which problem the rows are, unless they vary a case.
     pub problem: TableProblem,
+    /// The case that the rows vary, and what is computed of it.
+    pub case: Option<Arc<CaseTable>>,
     /// The names the problem's columns have in the table, where they are not ours.
     pub map: Vec<Mapping>,
-    /// What is computed, in this order; all results of the problem if empty.
+    /// What is computed of points, in this order; all results of the problem if empty.
     pub columns: Vec<ResultColumn>,
     /// What to do with a row that makes no sense.
     pub on_error: OnError,
@@ -111,7 +120,9 @@ impl TableOptions {
             name: name.to_owned(),
             from: TableFormat::Csv,
             to: TableFormat::Csv,
+            sheet: None,
             problem: TableProblem::Force,
+            case: None,
             map: Vec::new(),
             columns: Vec::new(),
             on_error: OnError::Stop,
@@ -130,6 +141,8 @@ pub struct Summary {
     pub bad: u64,
     /// What was wrong with the first of those.
     pub first: Option<TableError>,
+    /// Which columns varied a case, and what went with them.
+    pub varied: Option<Varied>,
 }
 
 /// Answers every row of a table.

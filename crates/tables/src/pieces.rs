@@ -33,9 +33,11 @@ pub(crate) struct Done<Output> {
     pub(crate) output: Output,
 }
 
-/// Answers the pieces of a table on all threads and writes them in order, until they end or a row stops the run.
+/// Answers the pieces of a table on all threads and writes them in order, until they end or a row stops the run. The rows of a
+/// sheet are counted from its `header`.
 pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
     options: &TableOptions,
+    header: Option<u64>,
     progress: &dyn Progress,
     next: impl FnMut() -> Result<Option<Piece>, TableError> + Send,
     work: impl Fn(Piece) -> Result<Done<Output>, TableError> + Sync,
@@ -45,7 +47,11 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
     let take = |done: Done<Output>| {
         let error = done.first.map(|(row, line, problem)| TableError::Row {
             name: options.name.clone(),
-            place: line.map_or(Place::Row(summary.rows + row as u64 + 1), Place::Line),
+            place: match (line, header, summary.rows + row as u64 + 1) {
+                (Some(line), _, _) => Place::Line(line),
+                (None, Some(header), row) => Place::SheetRow(header + row),
+                (None, None, row) => Place::Row(row),
+            },
             problem,
         });
         let stop = error.is_some() && options.on_error == OnError::Stop;

@@ -3,6 +3,7 @@
 use standfast::contact::{self, Block};
 use standfast::{InputError, Mode, Modes, Motion, Point, Quantity, Wrench};
 
+use crate::results::{FieldKind, SYMBOLS};
 use ResultColumn::{
     Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
 };
@@ -101,6 +102,17 @@ impl ResultColumn {
             FX => "f_x",
             FY => "f_y",
             Xi => "xi",
+        }
+    }
+
+    /// What the column holds.
+    pub(crate) fn kind(self) -> FieldKind {
+        match self {
+            // One byte a row in memory, and three or four bits in Parquet.
+            ModeColumn => FieldKind::Word(&SYMBOLS),
+            ModesColumn | Also => FieldKind::Modes,
+            Unique => FieldKind::Flag,
+            XDdot | YDdot | ThetaDdot | FX | FY | Xi => FieldKind::Number,
         }
     }
 

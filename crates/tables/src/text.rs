@@ -7,8 +7,9 @@ use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
-use crate::answers::{Fault, Faults, Task, Values};
 use crate::pieces::Done;
+use crate::results::Values;
+use crate::task::{Fault, Faults, Task, Wrong};
 use crate::{RowProblem, TableError, TableOptions};
 use cut::{CutError, Pieces};
 
@@ -31,6 +32,8 @@ pub(crate) struct Header {
     pub(crate) bytes: Vec<u8>,
     /// How its line ends.
     pub(crate) end: &'static [u8],
+    /// What is computed of the rows.
+    pub(crate) task: Task,
 }
 
 /// Whole rows of the table.
@@ -50,17 +53,17 @@ impl<R: Read> Text<R> {
         let name = options.name.clone();
         let mut text = Text { pieces: Pieces::new(source, size), first: None, line: 1, name };
         let Some(bytes) = text.piece()? else {
-            return Err(TableError::Empty { name: options.name.clone(), needed: options.problem.needed() });
+            return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
         };
         let mut rows = Rows::new(&bytes);
         if !rows.advance() {
-            return Err(TableError::Empty { name: options.name.clone(), needed: options.problem.needed() });
+            return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
         }
         let names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
-        let places = options.places(&names)?;
+        let (task, places) = Task::of(options, &names)?;
         let Range { start, end } = rows.range;
         let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
-        let header = Header { names, places, bytes: bytes[start..end].to_vec(), end: line_end };
+        let header = Header { names, places, bytes: bytes[start..end].to_vec(), end: line_end, task };
         text.line = 1 + feeds(&bytes[..end]);
         text.first = Some(bytes[end..].to_vec());
         Ok((text, header))
@@ -132,9 +135,8 @@ pub(crate) struct Parsed {
     pub(crate) numbers: Vec<Vec<f64>>,
     /// The rows that are not to be answered; empty if there are none.
     skip: Vec<bool>,
-    /// What is wrong with the first of them, and how many they are.
-    wrong: Option<(usize, RowProblem)>,
-    wrongs: u64,
+    /// What is wrong with them.
+    wrong: Vec<(usize, RowProblem)>,
 }
 
 impl Header {
@@ -143,8 +145,7 @@ impl Header {
         let mut rows = Vec::new();
         let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); self.places.len()];
         let mut skip = Vec::new();
-        let mut wrong = None;
-        let mut wrongs = 0;
+        let mut wrong = Vec::new();
         while found.advance() {
             let row = rows.len();
             match self.numbers(&found, &mut numbers) {
@@ -154,23 +155,26 @@ impl Header {
                     numbers.iter_mut().for_each(|column| column.resize(row + 1, f64::NAN));
                     skip.resize(row, false);
                     skip.push(true);
-                    wrongs += 1;
-                    wrong.get_or_insert((row, problem));
+                    wrong.push((row, problem));
                 }
             }
             rows.push(found.range.clone());
         }
         drop(found);
-        Parsed { bytes, line, rows, numbers, skip, wrong, wrongs }
+        Parsed { bytes, line, rows, numbers, skip, wrong }
     }
 
     /// The rows of a piece with their results.
-    pub(crate) fn answer(&self, piece: Piece, task: &Task) -> Answered {
-        let parsed = self.parse(piece);
-        let mut faults = Faults::default();
-        let results = task.answer(&parsed.columns(), &parsed.skip, &mut faults);
+    pub(crate) fn answer(&self, piece: Piece) -> Answered {
+        let mut parsed = self.parse(piece);
+        let mut faults = self.task.faults();
+        let mut results = self.task.answer(&parsed.columns(), &parsed.skip, &mut faults);
         let first = parsed.first_problem(self, &faults);
-        let bad = faults.count + parsed.wrongs;
+        let bad = faults.count + parsed.wrong.len() as u64;
+        let found = faults.all.take().unwrap_or_default();
+        let found: Vec<_> = found.iter().map(|fault| (fault.row, parsed.problem(self, fault))).collect();
+        let problems = std::mem::take(&mut parsed.wrong).into_iter().chain(found);
+        self.task.say_problems(&mut results, parsed.len(), problems);
         Answered { parsed, results, bad, first }
     }
 
@@ -187,15 +191,20 @@ impl Header {
                 }
             }
         }
-        for (column, &place) in numbers.iter_mut().zip(&self.places) {
+        for (i, (column, &place)) in numbers.iter_mut().zip(&self.places).enumerate() {
             let field = std::str::from_utf8(&record[place]).unwrap_or_default();
-            column.push(number(field).ok_or_else(|| RowProblem::Value {
-                column: self.names[place].clone(),
-                value: field.to_owned(),
-                expected: "a number",
-            })?);
+            column.push(self.task.read(i, field).map_err(|wrong| self.problem(record, wrong))?);
         }
         Ok(())
+    }
+
+    /// What is wrong with a row, in the table's words.
+    fn problem(&self, record: &ByteRecord, wrong: Wrong) -> RowProblem {
+        let field = |column: usize| {
+            let place = self.places[column];
+            (self.names[place].clone(), record.get(place).map(lossy).unwrap_or_default())
+        };
+        wrong.in_table(field)
     }
 }
 
@@ -232,19 +241,17 @@ impl Parsed {
 
     /// The first row without result, its line, and what is wrong with it.
     fn first_problem(&self, header: &Header, faults: &Faults) -> Option<(usize, u64, RowProblem)> {
-        let fault = faults.first.map(|fault| (fault.row, Err(fault)));
-        let wrong = self.wrong.as_ref().map(|(row, problem)| (*row, Ok(problem)));
+        let fault = faults.first.as_ref().map(|fault| (fault.row, Err(fault)));
+        let wrong = self.wrong.first().map(|(row, problem)| (*row, Ok(problem)));
         let (row, what) = fault.into_iter().chain(wrong).min_by_key(|(row, _)| *row)?;
-        let problem = what.map_or_else(|fault: Fault| self.value(header, fault), RowProblem::clone);
+        let problem = what.map_or_else(|fault| self.problem(header, fault), RowProblem::clone);
         Some((row, self.line + feeds(&self.bytes[..self.rows[row].start]), problem))
     }
 
-    fn value(&self, header: &Header, fault: Fault) -> RowProblem {
-        let place = header.places[fault.column];
+    fn problem(&self, header: &Header, fault: &Fault) -> RowProblem {
         let mut row = Rows::new(&self.bytes[self.rows[fault.row].clone()]);
         row.advance();
-        let value = row.record.get(place).map(lossy).unwrap_or_default();
-        RowProblem::Value { column: header.names[place].clone(), value, expected: fault.expected }
+        header.problem(&row.record, fault.wrong.clone())
     }
 
     /// The first `rows` rows as they are, each followed by its results.
@@ -262,7 +269,7 @@ impl Parsed {
             }
             for values in results {
                 text.push(b',');
-                values.push_text(row, &mut text);
+                values.push_field(row, &mut text);
             }
             text.extend_from_slice(header.end);
         }

@@ -6,7 +6,9 @@ use standfast_cli::features::Feature;
 fn transcripts() {
     let cases = trycmd::TestCases::new();
     cases.case("tests/cmd/*.trycmd").case("tests/cmd/*.toml");
-    for (feature, folder) in [(Feature::Tables, "tables"), (Feature::Pictures, "pictures")] {
+    let of_features =
+        [(Feature::Tables, "tables"), (Feature::Workbooks, "workbooks"), (Feature::Pictures, "pictures")];
+    for (feature, folder) in of_features {
         let built = if feature.is_built_in() { "built-in" } else { "left-out" };
         cases.case(format!("tests/cmd/{folder}/{built}*.trycmd"));
         cases.case(format!("tests/cmd/{folder}/{built}*.toml"));

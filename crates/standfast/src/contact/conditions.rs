@@ -22,20 +22,20 @@ pub(super) struct Rotation<T> {
 impl<T: Real> Rotation<T> {
     /// α = (Pr − Xd + M)/(ρ² + m_xd² + m_yr²).
     pub(super) fn rocking(numbers: &Numbers<T>, corner: Corner) -> Rotation<T> {
-        let [_, _, d, rho2, m_x, m_y, _, _, x, p, m] = numbers.clone();
+        let [_, _, d, rho2, m_x, m_y, _, _, x, p, m] = numbers;
         let r = position(numbers, corner);
         Rotation {
-            moment: p * r.clone() - x * d.clone() + m,
-            inertia: rho2 + m_x * d.clone() * d + m_y * r.clone() * r,
+            moment: p.clone() * r.clone() - x.clone() * d.clone() + m.clone(),
+            inertia: rho2.clone() + m_x.clone() * d.clone() * d.clone() + m_y.clone() * r.clone() * r,
         }
     }
 
     /// α = (Pc + M)/(ρ² + m_yrc), c = r − sμ_kd.
     pub(super) fn slipping(numbers: &Numbers<T>, corner: Corner, slip: Slip) -> Rotation<T> {
-        let [_, _, d, rho2, _, m_y, _, mu_k, _, p, m] = numbers.clone();
+        let [_, _, d, rho2, _, m_y, _, mu_k, _, p, m] = numbers;
         let r = position(numbers, corner);
-        let c = r.clone() - T::of(slip.sign()) * mu_k * d;
-        Rotation { moment: p * c.clone() + m, inertia: rho2 + m_y * r * c }
+        let c = r.clone() - T::of(slip.sign()) * mu_k.clone() * d.clone();
+        Rotation { moment: p.clone() * c.clone() + m.clone(), inertia: rho2.clone() + m_y.clone() * r * c }
     }
 }
 
@@ -67,7 +67,7 @@ pub(super) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     // −b₁P ≤ Nξ ≤ b₂P: the reaction acts on the base.
     let on_base = |moment: T| [moment.clone() + mul(b1, p), mul(b2, p) - moment];
 
-    let mut all = Vec::with_capacity(COUNT);
+    let mut all = Listed { all: std::array::from_fn(|_| T::of(0.0)), count: 0 };
     // rest: pulled to the left, to the right; on the base
     let grip = mul(mu_s, p);
     all.extend([sub(&signed(Slip::Left, x), &grip), sub(x, &grip)]);
@@ -98,8 +98,25 @@ pub(super) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     let spin = mul(m_y, m);
     all.extend([-fall.clone() - mul(b1, &spin), mul(b2, &spin) - fall]);
     // whether stick is stronger than slip
-    all.push(sub(mu_s, mu_k));
-    all.try_into().unwrap_or_else(|_| unreachable!("{COUNT} quantities"))
+    all.extend([sub(mu_s, mu_k)]);
+    debug_assert_eq!(all.count, COUNT);
+    all.all
+}
+
+/// The quantities so far: in place, because this is where the time of a load path goes.
+struct Listed<T> {
+    all: [T; COUNT],
+    count: usize,
+}
+
+impl<T> Listed<T> {
+    #[inline]
+    fn extend<const N: usize>(&mut self, more: [T; N]) {
+        for value in more {
+            self.all[self.count] = value;
+            self.count += 1;
+        }
+    }
 }
 
 /// The consistent modes and the one reported.

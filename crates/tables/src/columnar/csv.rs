@@ -6,7 +6,7 @@ use arrow_array::{Array, RecordBatch};
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_schema::{ArrowError, DataType};
 
-use crate::answers::Values;
+use crate::results::Values;
 
 /// Appends the first `rows` rows, each followed by its results, as CSV text. Floating-point numbers have as many digits
 /// as they need to be read again as what they are; a null is an empty field.

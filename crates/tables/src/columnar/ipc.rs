@@ -85,10 +85,13 @@ fn read(file: &mut File, length: u64, offset: u64, size: u64) -> Result<Vec<u8>,
     }
 }
 
-/// The batches of a table in Arrow.
+/// The batches of a table.
 pub(crate) enum Batches<'a> {
     File(Box<ArrowFile>),
     Stream(Box<StreamReader<Box<dyn Read + Send + 'a>>>),
+    /// One that is in memory.
+    #[cfg(feature = "xlsx")]
+    Whole(Option<RecordBatch>, SchemaRef),
 }
 
 impl Batches<'_> {
@@ -96,6 +99,8 @@ impl Batches<'_> {
         match self {
             Batches::File(file) => file.next(),
             Batches::Stream(stream) => stream.next().transpose(),
+            #[cfg(feature = "xlsx")]
+            Batches::Whole(batch, _) => Ok(batch.take()),
         }
     }
 
@@ -103,6 +108,8 @@ impl Batches<'_> {
         match self {
             Batches::File(file) => file.schema.clone(),
             Batches::Stream(stream) => stream.schema(),
+            #[cfg(feature = "xlsx")]
+            Batches::Whole(_, schema) => schema.clone(),
         }
     }
 }

@@ -4,22 +4,25 @@ mod arrays;
 mod csv;
 mod ipc;
 mod parquet;
+#[cfg(feature = "xlsx")]
+mod sheet;
 mod sink;
 mod source;
 mod table;
 mod text;
+#[cfg(feature = "xlsx")]
+mod workbook;
 
 use std::io::{self, Write};
 use std::sync::{Arc, PoisonError};
 
 use arrow_array::{ArrayRef, RecordBatch};
 
-use crate::answers::{Task, Values};
 use crate::guard::guarded;
 use crate::pieces::{Done, Input, answer_pieces};
+use crate::results::{SYMBOLS, Values};
 use crate::text::{self as rows, Header};
 use crate::{Progress, RowProblem, Summary, TableError, TableOptions};
-use arrays::symbols;
 use csv::write_batch;
 use parquet::{self as pq, Encoder, Group, Part};
 use sink::{Output, Remembering, Sink, Writing};
@@ -33,7 +36,6 @@ pub(crate) fn answer<W: Write + Send>(
     options: &TableOptions,
     progress: &dyn Progress,
 ) -> Result<Summary, TableError> {
-    let task = Task::of(options)?;
     let output = Remembering { output, failed: Arc::default() };
     let failed = output.failed.clone();
     // What the library for a format makes of the system's words does not read well.
@@ -43,20 +45,20 @@ pub(crate) fn answer<W: Write + Send>(
     };
     let (mut source, reading) =
         guarded(|cause| options.damaged(cause), || Source::open(input, options, progress))?;
-    let (mut sink, writing) = Sink::create(output, &reading, &task, options, &unwritten)?;
-    let worker = Worker { reading: &reading, writing: &writing, task: &task, symbols: symbols(), options };
-    let write = |output| sink.write(output, &reading).map_err(&unwritten);
-    let summary = answer_pieces(options, progress, || source.next(), |piece| worker.work(piece), write)?;
+    let (mut sink, writing) = Sink::create(output, &reading, options, &unwritten)?;
+    let worker = Worker { reading: &reading, writing: &writing, options };
+    let write = |output| sink.write(output, &reading).map_err(|error| error.into_table(&unwritten));
+    let header = reading.header_row();
+    let summary =
+        answer_pieces(options, header, progress, || source.next(), |piece| worker.work(piece), write)?;
     guarded(|panic| panic, || sink.finish()).map_err(unwritten)?;
-    Ok(summary)
+    Ok(Summary { varied: reading.task().varied(), ..summary })
 }
 
 /// What makes a [`Done`] of a [`Piece`], on any thread.
 struct Worker<'a> {
     reading: &'a Reading,
     writing: &'a Writing,
-    task: &'a Task,
-    symbols: ArrayRef,
     options: &'a TableOptions,
 }
 
@@ -82,8 +84,8 @@ impl Worker<'_> {
     }
 
     fn text(&self, piece: rows::Piece, header: &Header) -> Result<Done<Output>, TableError> {
-        let mut answered = header.answer(piece, self.task);
-        let results = self.arrays(std::mem::take(&mut answered.results));
+        let mut answered = header.answer(piece);
+        let results = arrays(std::mem::take(&mut answered.results));
         let batch = |schema| header.batch(&answered.parsed, results, schema);
         let output = match self.writing {
             Writing::Text => unreachable!("text that stays text needs no columns"),
@@ -114,7 +116,7 @@ impl Worker<'_> {
                     }
                 }
                 Writing::Arrow(schema) | Writing::Parquet(schema, _) => {
-                    answered.push(table::append(&batch, self.arrays(results), schema).map_err(unwritable)?);
+                    answered.push(table::append(&batch, arrays(results), schema).map_err(unwritable)?);
                 }
             }
         }
@@ -146,17 +148,17 @@ impl Worker<'_> {
         for batch in batches.map_err(|error| self.options.damaged(error.to_string()))? {
             let batch = batch.map_err(|error| self.options.damaged(error.to_string()))?;
             let sources = order.iter().map(|&place| batch.column(place).clone()).collect();
-            let numbers = Numbers::read(sources, batch.num_rows());
+            let numbers = inputs.read(sources, batch.num_rows());
             let numbers = numbers.map_err(|error| self.options.damaged(error.to_string()))?;
             let results = match &self.options.known_modes {
                 Some(codes) => {
                     let start = part.start + tally.rows;
                     tally.rows += batch.num_rows();
-                    vec![Values::Mode(codes[start..start + batch.num_rows()].to_vec())]
+                    vec![Values::Word(&SYMBOLS, codes[start..start + batch.num_rows()].to_vec())]
                 }
                 None => self.answer(&numbers, inputs, &mut tally, batch.num_rows()).0,
             };
-            encoder.write(&mut columns, &self.arrays(results)).map_err(unwritable)?;
+            encoder.write(&mut columns, &arrays(results)).map_err(unwritable)?;
         }
         let columns = pq::close(columns).map_err(unwritable)?;
         Ok(tally.done(part.rows as u64, Output::Group(Group { copied: Some(part), columns })))
@@ -170,23 +172,25 @@ impl Worker<'_> {
         tally: &mut Tally,
         rows: usize,
     ) -> (Vec<Values>, Option<usize>) {
-        let mut faults = numbers.faults;
-        let results = self.task.answer(&numbers.columns(), &numbers.skip, &mut faults);
-        if let (None, Some(fault)) = (&tally.first, faults.first) {
+        let mut faults = numbers.faults.clone();
+        let mut results = inputs.task.answer(&numbers.columns(), &numbers.skip, &mut faults);
+        if let (None, Some(fault)) = (&tally.first, &faults.first) {
             tally.first = Some((tally.rows + fault.row, inputs.problem(numbers, fault)));
         }
         tally.rows += rows;
         tally.bad += faults.count;
+        let all = faults.all.iter().flatten().map(|fault| (fault.row, inputs.problem(numbers, fault)));
+        inputs.task.say_problems(&mut results, rows, all);
         (results, faults.first.map(|fault| fault.row))
-    }
-
-    fn arrays(&self, results: Vec<Values>) -> Vec<ArrayRef> {
-        results.into_iter().map(|values| values.into_array(&self.symbols)).collect()
     }
 
     fn encode(&self, encoder: &Encoder, batches: &[RecordBatch]) -> Result<Group, TableError> {
         encoder.rows(batches).map_err(unwritable)
     }
+}
+
+fn arrays(results: Vec<Values>) -> Vec<ArrayRef> {
+    results.into_iter().map(Values::into_array).collect()
 }
 
 fn unwritable(error: impl std::error::Error + Send + Sync + 'static) -> TableError {

@@ -29,7 +29,7 @@ use parquet::file::reader::{ChunkReader, Length};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type};
 
-use crate::ResultColumn;
+use crate::results::{FieldKind, ResultField};
 
 /// Rows that are decoded at once.
 const ROWS: usize = 1 << 16;
@@ -203,7 +203,7 @@ impl Source {
     }
 
     /// How results are to be written: as the file's own columns are.
-    fn properties(&self, schema: &Schema, results: &[ResultColumn]) -> WriterProperties {
+    fn properties(&self, schema: &Schema, results: &[ResultField]) -> WriterProperties {
         let file = self.parquet().file_metadata();
         let group = self.parquet().row_groups().first();
         let compression = group.and_then(|group| group.columns().first()).map(|column| column.compression());
@@ -254,12 +254,12 @@ fn rows(group: &RowGroupMetaData) -> u64 {
     u64::try_from(group.num_rows()).unwrap_or_default()
 }
 
-fn properties(compression: Compression, results: &[ResultColumn]) -> WriterPropertiesBuilder {
+fn properties(compression: Compression, results: &[ResultField]) -> WriterPropertiesBuilder {
     let mut builder = WriterProperties::builder().set_compression(compression);
     for result in results {
-        let path = ColumnPath::from(result.name());
+        let path = ColumnPath::from(result.name);
         // Least and greatest symbols say nothing, and numbers hardly ever repeat.
-        if result.number().is_some() {
+        if matches!(result.kind, FieldKind::Number) {
             builder = builder
                 .set_column_dictionary_enabled(path.clone(), false)
                 .set_column_statistics_enabled(path, EnabledStatistics::Chunk);
@@ -297,7 +297,7 @@ pub(crate) struct Sink<W: Write + Send> {
 pub(crate) fn create<W: Write + Send>(
     output: W,
     schema: &SchemaRef,
-    results: &[ResultColumn],
+    results: &[ResultField],
     source: Option<&Source>,
 ) -> Result<(Sink<W>, Encoder)> {
     let added = schema.fields().len() - results.len();

@@ -10,7 +10,6 @@ use arrow_schema::{DataType, SchemaRef};
 use super::parquet::{self as pq, Encoder, Group};
 use super::source::Reading;
 use super::table;
-use crate::answers::Task;
 use crate::{TableError, TableFormat, TableOptions};
 
 /// How pieces are written.
@@ -33,25 +32,49 @@ pub(super) enum Sink<W: Write + Send> {
     Arrow(Box<FileWriter<W>>),
     Arrows(Box<StreamWriter<W>>),
     Parquet(pq::Sink<W>),
+    #[cfg(feature = "xlsx")]
+    Sheet(Box<super::workbook::Sheet<W>>),
+}
+
+/// Why something was not written.
+pub(super) enum Unwritten {
+    /// What a library says.
+    Words(String),
+    /// The table does not fit.
+    #[cfg(feature = "xlsx")]
+    Table(TableError),
+}
+
+impl Unwritten {
+    /// The same as an error of the table; `words` makes one of what a library says.
+    pub(super) fn into_table(self, words: impl Fn(String) -> TableError) -> TableError {
+        match self {
+            Unwritten::Words(cause) => words(cause),
+            #[cfg(feature = "xlsx")]
+            Unwritten::Table(error) => error,
+        }
+    }
 }
 
 impl<W: Write + Send> Sink<W> {
     pub(super) fn create(
         mut output: W,
         reading: &Reading,
-        task: &Task,
         options: &TableOptions,
         unwritten: &impl Fn(String) -> TableError,
     ) -> Result<(Sink<W>, Writing), TableError> {
+        let task = reading.task();
         let (schema, fixed) = match reading {
             Reading::Text(header) => (header.schema(), false),
             Reading::Batches(_, schema) => (schema.clone(), options.from == TableFormat::Arrow),
             Reading::Parquet(source, _) => (source.schema(), false),
         };
+        let flat = matches!(options.to, TableFormat::Csv | TableFormat::Xlsx);
+        if let Some((column, found)) = table::nested(&schema).filter(|_| flat) {
+            let format = if options.to == TableFormat::Csv { "CSV" } else { "Excel" };
+            return Err(TableError::Nested { name: options.name.clone(), column, found, format });
+        }
         if options.to == TableFormat::Csv {
-            if let Some((column, found)) = table::nested(&schema) {
-                return Err(TableError::Nested { name: options.name.clone(), column, found });
-            }
             let line = task.header(&table::header(&schema), b"\n");
             output.write_all(&line).map_err(|error| unwritten(error.to_string()))?;
             return Ok((Sink::Text(output), Writing::Text));
@@ -70,9 +93,17 @@ impl<W: Write + Send> Sink<W> {
         let failed = |error: arrow_schema::ArrowError| unwritten(error.to_string());
         Ok(match options.to {
             TableFormat::Parquet => {
-                let created = pq::create(output, &schema, &task.results, source);
+                let created = pq::create(output, &schema, &task.fields, source);
                 let (sink, encoder) = created.map_err(|error| unwritten(error.to_string()))?;
                 (Sink::Parquet(sink), Writing::Parquet(schema, encoder))
+            }
+            #[cfg(feature = "xlsx")]
+            TableFormat::Xlsx => {
+                let texts = if let Reading::Text(header) = reading { header.names.len() } else { 0 };
+                let sheet =
+                    super::workbook::Sheet::create(output, &schema, texts, source.map(pq::Source::rows));
+                let sheet = sheet.map_err(|error| error.into_table(unwritten))?;
+                (Sink::Sheet(Box::new(sheet)), Writing::Arrow(schema))
             }
             TableFormat::Arrow => {
                 let writer = FileWriter::try_new(output, &schema).map_err(failed)?;
@@ -85,8 +116,12 @@ impl<W: Write + Send> Sink<W> {
         })
     }
 
-    pub(super) fn write(&mut self, output: Output, reading: &Reading) -> Result<(), String> {
+    pub(super) fn write(&mut self, output: Output, reading: &Reading) -> Result<(), Unwritten> {
         match (self, output) {
+            #[cfg(feature = "xlsx")]
+            (Sink::Sheet(sheet), Output::Batches(batches)) => {
+                return batches.iter().try_for_each(|batch| sheet.write(batch));
+            }
             (Sink::Text(sink), Output::Text(text)) => {
                 sink.write_all(&text).map_err(|error| error.to_string())
             }
@@ -102,6 +137,7 @@ impl<W: Write + Send> Sink<W> {
             }
             _ => unreachable!("a piece is made for its sink"),
         }
+        .map_err(Unwritten::Words)
     }
 
     pub(super) fn finish(self) -> Result<(), String> {
@@ -110,6 +146,8 @@ impl<W: Write + Send> Sink<W> {
             Sink::Arrow(writer) => writer.into_inner().map_err(|error| error.to_string()),
             Sink::Arrows(writer) => writer.into_inner().map_err(|error| error.to_string()),
             Sink::Parquet(writer) => writer.finish().map_err(|error| error.to_string()),
+            #[cfg(feature = "xlsx")]
+            Sink::Sheet(sheet) => sheet.finish(),
         };
         output?.flush().map_err(|error| error.to_string())
     }

@@ -11,14 +11,12 @@ use super::ipc::{ArrowFile, Batches};
 use super::parquet::{self as pq, Part};
 use super::table::Inputs;
 use crate::pieces::Input;
+use crate::task::Task;
 use crate::text::{self as rows, Header, Text};
 use crate::{Progress, TableError, TableFormat, TableOptions};
 
-/// The most rows of a batch, and of a row group of Parquet that is not copied.
-const ROWS: usize = 1 << 17;
-
-/// How much text is read at once: about a row group for Parquet.
-const TEXT_OF_GROUP: usize = 1 << 23;
+/// How much text of a row is reckoned with: pieces of text are to be about a row group for Parquet.
+const TEXT_OF_ROW: usize = 1 << 6;
 
 /// A file that can be read from any place: a stream is copied into a temporary one.
 fn seekable(input: Input<'_>) -> io::Result<File> {
@@ -46,6 +44,8 @@ enum SourceKind<'a> {
         rest: Option<RecordBatch>,
         /// Whether short batches are to be gathered.
         gather: bool,
+        /// The most rows of a piece.
+        rows: usize,
     },
     Parquet(Box<dyn Iterator<Item = Part> + Send>),
 }
@@ -65,6 +65,24 @@ pub(super) enum Reading {
     Parquet(pq::Source, Inputs),
 }
 
+impl Reading {
+    /// The row of the header, where the table is that of a sheet.
+    pub(super) fn header_row(&self) -> Option<u64> {
+        match self {
+            Reading::Batches(inputs, _) => inputs.header_row,
+            Reading::Text(_) | Reading::Parquet(..) => None,
+        }
+    }
+
+    /// What is computed of the rows.
+    pub(super) fn task(&self) -> &Task {
+        match self {
+            Reading::Text(header) => &header.task,
+            Reading::Batches(inputs, _) | Reading::Parquet(_, inputs) => &inputs.task,
+        }
+    }
+}
+
 impl<'a> Source<'a> {
     pub(super) fn open(
         input: Input<'a>,
@@ -76,7 +94,7 @@ impl<'a> Source<'a> {
         let damaged = |cause: String| options.damaged(cause);
         let (kind, reading) = match options.from {
             TableFormat::Csv => {
-                let (text, header) = Text::open(input.stream(), TEXT_OF_GROUP, options)?;
+                let (text, header) = Text::open(input.stream(), options.piece() * TEXT_OF_ROW, options)?;
                 (SourceKind::Text(text), Reading::Text(header))
             }
             TableFormat::Parquet => {
@@ -89,9 +107,11 @@ impl<'a> Source<'a> {
                     return Err(TableError::Read { name: name(), cause });
                 }
                 progress.expect(source.rows());
-                let parts = source.parts(options.to == TableFormat::Parquet, ROWS);
+                let copy = options.to == TableFormat::Parquet && inputs.task.copies();
+                let parts = source.parts(copy, options.piece());
                 (SourceKind::Parquet(Box::new(parts)), Reading::Parquet(source, inputs))
             }
+            TableFormat::Xlsx => Source::sheet(input, options)?,
             TableFormat::Arrow | TableFormat::Arrows => {
                 let batches = match options.from {
                     TableFormat::Arrow => ArrowFile::open(seekable(input).map_err(unread)?)
@@ -104,19 +124,39 @@ impl<'a> Source<'a> {
                 let schema = batches.schema();
                 let inputs = Inputs::find(&schema, options)?;
                 let gather = options.to == TableFormat::Parquet;
-                (SourceKind::Batches { batches, rest: None, gather }, Reading::Batches(inputs, schema))
+                let rows = options.piece();
+                (SourceKind::Batches { batches, rest: None, gather, rows }, Reading::Batches(inputs, schema))
             }
         };
         Ok((Source { options, kind }, reading))
+    }
+
+    /// The table of a sheet, which is read as a whole.
+    #[cfg(feature = "xlsx")]
+    fn sheet(input: Input<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
+        let unread =
+            |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
+        let (batch, header_row) = super::sheet::read(seekable(input).map_err(unread)?, options)?;
+        let schema = batch.schema();
+        let inputs = Inputs { header_row: Some(header_row), ..Inputs::find(&schema, options)? };
+        let batches = Batches::Whole(Some(batch), schema.clone());
+        let kind = SourceKind::Batches { batches, rest: None, gather: false, rows: options.piece() };
+        Ok((kind, Reading::Batches(inputs, schema)))
+    }
+
+    #[cfg(not(feature = "xlsx"))]
+    fn sheet(_: Input<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
+        let format = TableFormat::Xlsx.name();
+        Err(TableError::LeftOut { name: options.name.clone(), format })
     }
 
     pub(super) fn next(&mut self) -> Result<Option<Piece>, TableError> {
         match &mut self.kind {
             SourceKind::Text(text) => Ok(text.next()?.map(Piece::Text)),
             SourceKind::Parquet(parts) => Ok(parts.next().map(Piece::Part)),
-            SourceKind::Batches { batches, rest, gather } => {
+            SourceKind::Batches { batches, rest, gather, rows } => {
                 let mut gathered = Vec::new();
-                let mut room = ROWS;
+                let mut room = *rows;
                 let mut ended = 0;
                 loop {
                     let next = rest.take().map_or_else(|| batches.next(), |rest| Ok(Some(rest)));

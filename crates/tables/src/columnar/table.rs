@@ -9,8 +9,7 @@ use arrow_cast::cast;
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 
-use crate::answers::{Fault, Faults};
-use crate::text::number;
+use crate::task::{Fault, Faults, Task, Wrong};
 use crate::{RowProblem, TableError, TableOptions};
 
 /// The columns of the problem in a table of Arrow.
@@ -19,12 +18,16 @@ pub(crate) struct Inputs {
     pub(crate) places: Vec<usize>,
     /// What the table calls them.
     pub(crate) names: Vec<String>,
+    /// What is computed of the rows.
+    pub(crate) task: Task,
+    /// The row of the header, where the table is that of a sheet.
+    pub(crate) header_row: Option<u64>,
 }
 
 impl Inputs {
     pub(crate) fn find(schema: &Schema, options: &TableOptions) -> Result<Inputs, TableError> {
         let names: Vec<String> = schema.fields().iter().map(|field| field.name().clone()).collect();
-        let places = options.places(&names)?;
+        let (task, places) = Task::of(options, &names)?;
         for &place in &places {
             let field = schema.field(place);
             if !is_readable(field.data_type()) {
@@ -32,28 +35,59 @@ impl Inputs {
                 return Err(TableError::Type { name, column, found: in_words(field.data_type()) });
             }
         }
-        Ok(Inputs { names: places.iter().map(|&place| names[place].clone()).collect(), places })
+        Ok(Inputs {
+            names: places.iter().map(|&place| names[place].clone()).collect(),
+            places,
+            task,
+            header_row: None,
+        })
     }
 
     /// The problem's columns of a batch that has all columns of the table.
     pub(crate) fn numbers(&self, batch: &RecordBatch) -> Result<Numbers, ArrowError> {
-        Numbers::read(
-            self.places.iter().map(|&place| batch.column(place).clone()).collect(),
-            batch.num_rows(),
-        )
+        self.read(self.places.iter().map(|&place| batch.column(place).clone()).collect(), batch.num_rows())
+    }
+
+    /// Columns of the problem as numbers.
+    pub(crate) fn read(&self, sources: Vec<ArrayRef>, rows: usize) -> Result<Numbers, ArrowError> {
+        let mut faults = self.task.faults();
+        let mut columns = Vec::new();
+        let mut wrong: Vec<Fault> = Vec::new();
+        for (place, source) in sources.iter().enumerate() {
+            columns.push(floats(source, place, &self.task, &mut wrong)?);
+        }
+        let mut skip = Vec::new();
+        if !wrong.is_empty() {
+            skip.resize(rows, false);
+            // The first column of a row is the one that is reported.
+            wrong.sort_by_key(|fault| fault.row);
+            wrong.dedup_by_key(|fault| fault.row);
+            for fault in wrong {
+                skip[fault.row] = true;
+                faults.add(fault);
+            }
+        }
+        Ok(Numbers { sources, columns, skip, faults })
     }
 
     /// What is wrong with a row.
-    pub(crate) fn problem(&self, numbers: &Numbers, fault: Fault) -> RowProblem {
-        let Fault { row, column: place, expected } = fault;
-        let column = self.names[place].clone();
-        let source = &numbers.sources[place];
-        if source.is_null(row) || source.data_type().is_null() {
-            return RowProblem::Null { column, expected };
+    pub(crate) fn problem(&self, numbers: &Numbers, fault: &Fault) -> RowProblem {
+        let row = fault.row;
+        let is_null = |place: usize| {
+            let source = &numbers.sources[place];
+            source.is_null(row) || source.data_type().is_null()
+        };
+        if let Wrong::Value { column, expected } = fault.wrong
+            && is_null(column)
+        {
+            return RowProblem::Null { column: self.names[column].clone(), expected };
         }
         let options = FormatOptions::default();
-        let value = ArrayFormatter::try_new(source, &options).map(|values| values.value(row).to_string());
-        RowProblem::Value { column, value: value.unwrap_or_default(), expected }
+        let text = |place: usize| {
+            let values = ArrayFormatter::try_new(&numbers.sources[place], &options);
+            values.map(|values| values.value(row).to_string()).unwrap_or_default()
+        };
+        fault.wrong.clone().in_table(|place| (self.names[place].clone(), text(place)))
     }
 }
 
@@ -88,37 +122,45 @@ pub(crate) struct Numbers {
 }
 
 impl Numbers {
-    pub(crate) fn read(sources: Vec<ArrayRef>, rows: usize) -> Result<Numbers, ArrowError> {
-        let columns = sources.iter().map(floats).collect::<Result<Vec<_>, _>>()?;
-        let mut skip = Vec::new();
-        let mut faults = Faults::default();
-        if columns.iter().any(|column| column.null_count() > 0) {
-            skip.resize(rows, false);
-            for (row, skip) in skip.iter_mut().enumerate() {
-                if let Some(column) = columns.iter().position(|column| column.is_null(row)) {
-                    *skip = true;
-                    faults.add(Fault { row, column, expected: "a number" });
-                }
-            }
-        }
-        Ok(Numbers { sources, columns, skip, faults })
-    }
-
     pub(crate) fn columns(&self) -> Vec<&[f64]> {
         self.columns.iter().map(|column| &column.values()[..]).collect()
     }
 }
 
-fn floats(column: &ArrayRef) -> Result<Float64Array, ArrowError> {
+/// A column as numbers of the problem; what is none is a fault of its row, and null.
+fn floats(
+    column: &ArrayRef,
+    place: usize,
+    task: &Task,
+    wrong: &mut Vec<Fault>,
+) -> Result<Float64Array, ArrowError> {
     let is_text = match column.data_type() {
         DataType::Dictionary(_, values) => values.is_string(),
         other => other.is_string(),
     };
-    if is_text {
-        let texts = cast(column, &DataType::Utf8)?;
-        return Ok(texts.as_string::<i32>().iter().map(|text| text.and_then(number)).collect());
+    let null = |row| Fault { row, wrong: Wrong::Value { column: place, expected: "a number" } };
+    if !is_text {
+        let numbers = cast(column, &DataType::Float64)?.as_primitive::<Float64Type>().clone();
+        wrong.extend((0..numbers.len()).filter(|row| numbers.is_null(*row)).map(null));
+        return Ok(numbers.unary(|number| task.value(place, number)));
     }
-    Ok(cast(column, &DataType::Float64)?.as_primitive::<Float64Type>().clone())
+    let texts = cast(column, &DataType::Utf8)?;
+    let texts = texts.as_string::<i32>().iter().enumerate();
+    let mut number = |(row, text): (usize, Option<&str>)| {
+        let read = text.map(|text| task.read(place, text));
+        match read {
+            Some(Ok(number)) => Some(number),
+            Some(Err(reason)) => {
+                wrong.push(Fault { row, wrong: reason });
+                None
+            }
+            None => {
+                wrong.push(null(row));
+                None
+            }
+        }
+    };
+    Ok(texts.map(|text| number(text)).collect())
 }
 
 /// The columns of a table followed by results.

@@ -1,0 +1,310 @@
+//! A case of which some numbers vary, answered over and over: the rows of a table, the draws of a sample.
+//!
+//! Each answer is that of [`Assessment`] for the case with these values, put in by the one [rule](crate::couple) for several keys,
+//! and its results stand under the names of the one [list](crate::results), behind those of the case as a whole.
+//!
+//! ```
+//! use standfast_cases::results::ResultValue;
+//! use standfast_cases::sweep::{Factor, Sweep, SweepResult};
+//! use standfast_cases::CaseFile;
+//!
+//! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
+//! let file = CaseFile::parse("case.toml", text)?;
+//! let sweep = Sweep::of(&file, vec![Factor::find("friction", None, file.inputs())?])?;
+//! let mut scratch = sweep.scratch();
+//! let mode = SweepResult::find("mode").expect("a result");
+//! assert_eq!(sweep.answer(&mut scratch, &[0.6])?.get(mode), ResultValue::Word("RE"));
+//! assert_eq!(sweep.answer(&mut scratch, &[0.2])?.get(mode), ResultValue::Word("SL"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod factor;
+
+use standfast::loads::Earthquake;
+
+pub use factor::{Factor, NoFactor};
+
+use crate::assess::{Assessed, Assessment};
+use crate::case::{Case, fault};
+use crate::couple::{STAYS, change, moved};
+use crate::criteria::Check;
+use crate::error::{CaseError, Fault};
+use crate::inputs::{Inputs, Value};
+use crate::key::{Key, Table};
+use crate::parse::CaseFile;
+use crate::results::{ResultKind, ResultName, ResultValue};
+
+/// A case, and which of its numbers vary.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    inputs: Inputs,
+    case: Case,
+    factors: Vec<Factor>,
+    /// What goes with the numbers that vary, as it is in the case.
+    moved: Vec<(Key, Value)>,
+}
+
+/// The inputs of one answer after the other: one for each thread.
+#[derive(Debug, Clone)]
+pub struct Scratch(Inputs);
+
+/// The answer for one set of values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    assessment: Assessment,
+    governing: usize,
+    /// The governing criterion, and whether all are met.
+    check: Option<(Check, bool)>,
+}
+
+/// A result of a case with varied numbers: of the case as a whole, or of the situation that governs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum SweepResult {
+    /// Which situation governs, by its name.
+    Situation,
+    /// The acceleration of the base that is the worst of those tried, to the right, m/s².
+    EarthquakeHorizontal,
+    /// The same upwards.
+    EarthquakeVertical,
+    /// Whether all criteria are met.
+    Met,
+    /// What of the governing criterion is used.
+    Utilisation,
+    /// The governing criterion.
+    Criterion,
+    /// Of the governing situation.
+    Of(ResultName),
+}
+
+/// The names of criteria, which are those of the keys that ask for them.
+const CRITERIA: [&str; 7] = [
+    "SF_sliding",
+    "SF_overturning",
+    "bearing_max",
+    "contact_share",
+    "eccentricity",
+    "load_factor",
+    "modes_not",
+];
+
+impl Sweep {
+    /// The case of a file, and the numbers of it that vary.
+    ///
+    /// # Errors
+    /// If the file's own values do not go together.
+    pub fn of(file: &CaseFile, factors: Vec<Factor>) -> Result<Sweep, CaseError> {
+        let case = file.case()?;
+        let mut inputs = file.inputs().clone();
+        // What is said of the case is not said again for every answer.
+        [Key::Title, Key::Note].into_iter().for_each(|key| inputs.remove(key.into()));
+        let variables: Vec<_> = factors.iter().map(Factor::variable).collect();
+        let moved = moved(&inputs, &case, &variables).into_iter();
+        let moved = moved.filter_map(|key| Some((key, inputs.get(key)?.clone()))).collect();
+        Ok(Sweep { inputs, case, factors, moved })
+    }
+
+    /// The case of the file.
+    pub fn case(&self) -> &Case {
+        &self.case
+    }
+
+    /// The numbers that vary, in the order of the values of an answer.
+    pub fn factors(&self) -> &[Factor] {
+        &self.factors
+    }
+
+    /// What goes with the numbers that vary, in sentences.
+    pub fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if !self.moved.is_empty() {
+            let names: Vec<_> = self.moved.iter().map(|(key, _)| key.to_string()).collect();
+            notes.push(format!("{} with what varies: {}.", goes(names.len()), names.join(", ")));
+        }
+        let of_each =
+            self.factors.iter().flat_map(|factor| factor.variable().notes(&self.inputs, &self.case));
+        if of_each.into_iter().any(|note| note == STAYS) {
+            notes.push(STAYS.to_owned());
+        }
+        notes
+    }
+
+    /// The names of the situations, by their places; none where there is only one.
+    pub fn situations(&self) -> Vec<String> {
+        let acting = self.case.acting();
+        acting.into_iter().filter_map(|acting| self.case.acting_name(acting)).collect()
+    }
+
+    /// The results that the case has, in the order in which they are shown.
+    pub fn results(&self) -> Vec<SweepResult> {
+        let asked = |factor: &Factor| factor.variable().id().key.info().table == Table::Criteria;
+        let has_criteria = !self.case.criteria.is_empty() || self.factors.iter().any(asked);
+        SweepResult::all()
+            .filter(|result| match result {
+                SweepResult::Situation => !self.situations().is_empty(),
+                SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical => {
+                    self.case.earthquake.is_some()
+                }
+                SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
+                SweepResult::Of(_) => true,
+            })
+            .collect()
+    }
+
+    /// Inputs to answer with.
+    pub fn scratch(&self) -> Scratch {
+        Scratch(self.inputs.clone())
+    }
+
+    /// The answer for these values, one for each number that varies.
+    ///
+    /// # Errors
+    /// If the case cannot have these values.
+    pub fn answer(&self, Scratch(inputs): &mut Scratch, values: &[f64]) -> Result<Answer, Fault> {
+        for (key, value) in &self.moved {
+            inputs.put((*key).into(), value.clone());
+        }
+        let variables = self.factors.iter().map(Factor::variable);
+        change(inputs, &self.inputs, &self.case, variables.zip(values.iter().copied()));
+        for (factor, value) in self.factors.iter().zip(values).filter(|(factor, _)| factor.counts_gravity()) {
+            inputs.put(factor.variable().id(), Value::InGravity(*value));
+        }
+        let assessment = Assessment::owning(Case::of(inputs)?).map_err(|error| fault(inputs, error))?;
+        Ok(Answer::of(assessment))
+    }
+
+    /// Which of the numbers that vary a fault is about; none if it is about others.
+    pub fn blamed(&self, fault: &Fault) -> Vec<usize> {
+        let places = || std::iter::once(fault.at).chain(fault.and);
+        let is_it = |factor: &Factor| places().any(|place| place == factor.variable().id().into());
+        (0..self.factors.len()).filter(|place| is_it(&self.factors[*place])).collect()
+    }
+}
+
+fn goes(count: usize) -> &'static str {
+    if count == 1 { "Goes" } else { "Go" }
+}
+
+impl Answer {
+    fn of(assessment: Assessment) -> Answer {
+        let checks = assessment.checks();
+        let check = checks.first().map(|first| (first.check, checks.iter().all(|check| check.check.met)));
+        let governing = assessment.governing().index;
+        Answer { assessment, governing, check }
+    }
+
+    /// Everything that is said about the case with these values.
+    pub fn assessment(&self) -> &Assessment {
+        &self.assessment
+    }
+
+    /// The situation that governs.
+    pub fn governing(&self) -> &Assessed {
+        &self.assessment.all[self.governing]
+    }
+
+    /// A result; which situation governs, by its place among them.
+    pub fn get(&self, result: SweepResult) -> ResultValue {
+        let shaken = |of: fn(&Earthquake) -> f64| {
+            self.governing()
+                .earthquake
+                .as_ref()
+                .map_or(ResultValue::Nothing, |earthquake| ResultValue::Number(of(earthquake)))
+        };
+        match result {
+            SweepResult::Situation => ResultValue::Number(self.governing as f64),
+            SweepResult::EarthquakeHorizontal => shaken(Earthquake::horizontal),
+            SweepResult::EarthquakeVertical => shaken(Earthquake::vertical),
+            SweepResult::Met => self.check.map_or(ResultValue::Nothing, |(_, met)| ResultValue::Truth(met)),
+            SweepResult::Utilisation => {
+                let used = self.check.and_then(|(check, _)| check.utilisation);
+                used.map_or(ResultValue::Nothing, ResultValue::Number)
+            }
+            SweepResult::Criterion => {
+                let name = self.check.map(|(check, _)| check.criterion.name());
+                name.map_or(ResultValue::Nothing, ResultValue::Word)
+            }
+            SweepResult::Of(name) => name.of(self.governing()),
+        }
+    }
+}
+
+impl SweepResult {
+    /// All of them, in the order in which they are shown.
+    pub fn all() -> impl Iterator<Item = SweepResult> {
+        let of_case = [
+            SweepResult::Situation,
+            SweepResult::EarthquakeHorizontal,
+            SweepResult::EarthquakeVertical,
+            SweepResult::Met,
+            SweepResult::Utilisation,
+            SweepResult::Criterion,
+        ];
+        of_case.into_iter().chain(ResultName::ALL.iter().copied().map(SweepResult::Of))
+    }
+
+    /// The result of a name.
+    pub fn find(name: &str) -> Option<SweepResult> {
+        SweepResult::all().find(|result| result.name() == name)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            SweepResult::Situation => "situation",
+            SweepResult::EarthquakeHorizontal => "earthquake_horizontal",
+            SweepResult::EarthquakeVertical => "earthquake_vertical",
+            SweepResult::Met => "met",
+            SweepResult::Utilisation => "utilisation",
+            SweepResult::Criterion => "criterion",
+            SweepResult::Of(name) => name.name(),
+        }
+    }
+
+    /// What its values are; for the situation, which is one of the [names](Sweep::situations) of the case, a number that is its
+    /// place among them.
+    pub fn kind(self) -> ResultKind {
+        use crate::units::Dimension::Acceleration;
+        match self {
+            SweepResult::Situation | SweepResult::Utilisation => ResultKind::Number(None),
+            SweepResult::EarthquakeHorizontal | SweepResult::EarthquakeVertical => {
+                ResultKind::Number(Some(Acceleration))
+            }
+            SweepResult::Met => ResultKind::Truth,
+            SweepResult::Criterion => ResultKind::Word(&CRITERIA),
+            SweepResult::Of(name) => name.info().kind,
+        }
+    }
+
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            SweepResult::Situation => {
+                "the situation that governs, whose results these are: the force that acts alone, or the combination"
+            }
+            SweepResult::EarthquakeHorizontal => {
+                "the acceleration of the base that is the worst of those tried, to the right"
+            }
+            SweepResult::EarthquakeVertical => "the same upwards",
+            SweepResult::Met => "whether all criteria are met",
+            SweepResult::Utilisation => {
+                "what is used of the governing criterion, met up to 1; none for `modes_not`"
+            }
+            SweepResult::Criterion => "the governing criterion",
+            SweepResult::Of(name) => name.info().words,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_criteria_those_of_the_keys() {
+        for result in SweepResult::all() {
+            assert_eq!(SweepResult::find(result.name()), Some(result));
+        }
+        assert_eq!(CRITERIA.to_vec(), Table::Criteria.keys().map(Key::name).collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,383 @@
+//! Rows that are cases: a case file, of which the columns of the table vary some numbers.
+
+use std::fmt;
+use std::sync::Arc;
+
+use standfast_cases::results::{ResultKind, ResultValue};
+use standfast_cases::suggest::closest;
+use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult};
+use standfast_cases::units::Dimension;
+use standfast_cases::{CaseError, CaseFile, Key};
+
+use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
+use crate::task::{Fault, Faults, Wrong};
+use crate::{TableError, TableOptions};
+
+/// The case that the rows of a table vary, and what is computed of them.
+#[derive(Debug, Clone)]
+pub struct CaseTable {
+    file: CaseFile,
+    results: Vec<SweepResult>,
+}
+
+impl CaseTable {
+    /// A case with all its results.
+    ///
+    /// # Errors
+    /// If the file's own values do not go together.
+    pub fn of(file: CaseFile) -> Result<CaseTable, CaseError> {
+        file.case()?;
+        Ok(CaseTable { file, results: Vec::new() })
+    }
+
+    /// The same with these results only, in this order; with all if there are none.
+    #[must_use]
+    pub fn with_results(self, results: Vec<SweepResult>) -> CaseTable {
+        CaseTable { results, ..self }
+    }
+}
+
+/// What was varied in a table of cases.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Varied {
+    /// The columns and the keys that they vary.
+    pub columns: Vec<VariedColumn>,
+    /// What went with them, in sentences.
+    pub notes: Vec<String>,
+    /// What is surely a slip, or almost.
+    pub warnings: Vec<TableWarning>,
+}
+
+/// A column that varies a number of the case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct VariedColumn {
+    /// The column, as the table calls it.
+    pub column: String,
+    /// The key.
+    pub key: String,
+}
+
+/// What in a table is possible, but may be a slip.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableWarning {
+    /// A column that varies nothing has a name like that of a number of the case.
+    ColumnLikeKey {
+        /// The column.
+        column: String,
+        /// The key.
+        key: String,
+    },
+}
+
+impl TableWarning {
+    /// Its name, to be told apart by programs.
+    pub fn name(&self) -> &'static str {
+        match self {
+            TableWarning::ColumnLikeKey { .. } => "column-like-key",
+        }
+    }
+}
+
+impl fmt::Display for TableWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            TableWarning::ColumnLikeKey { column, key } => {
+                write!(
+                    f,
+                    "column {column} varies nothing; if it is meant to vary {key}, say --map \"{key}={column}\""
+                )
+            }
+        }
+    }
+}
+
+/// What is computed of every row of a table of cases.
+#[derive(Debug)]
+pub(crate) struct CaseRows {
+    sweep: Sweep,
+    results: Vec<SweepResult>,
+    situations: Arc<[String]>,
+    varied: Varied,
+}
+
+impl ResultField {
+    /// What is wrong with a row.
+    pub(crate) const PROBLEM: ResultField = ResultField {
+        name: "problem",
+        kind: FieldKind::Problem,
+        said: Some(Said { unit: None, words: "what is wrong with a row that has no results" }),
+    };
+}
+
+impl CaseRows {
+    /// The case of the options, varied by the columns `found`, and the places of those that vary it.
+    pub(crate) fn of(
+        options: &TableOptions,
+        case: &CaseTable,
+        found: &[String],
+    ) -> Result<(CaseRows, Vec<usize>), TableError> {
+        let columns = Search { options, case, found }.columns()?;
+        let places: Vec<_> = columns.iter().map(|(place, _)| *place).collect();
+        let factors: Vec<_> = columns.into_iter().map(|(_, factor)| factor).collect();
+        let of_columns = places.iter().zip(&factors).map(|(place, factor)| VariedColumn {
+            column: found[*place].clone(),
+            key: factor.variable().id().to_string(),
+        });
+        let of_columns: Vec<_> = of_columns.collect();
+        let sweep = Sweep::of(&case.file, factors).map_err(TableError::Case)?;
+        let results = asked(&sweep, case)?;
+        let warnings = warnings(&case.file, found, &places);
+        let varied = Varied { columns: of_columns, notes: sweep.notes(), warnings };
+        let situations = sweep.situations().into();
+        Ok((CaseRows { sweep, results, situations, varied }, places))
+    }
+
+    pub(crate) fn varied(&self) -> Varied {
+        self.varied.clone()
+    }
+
+    /// The columns of the results.
+    pub(crate) fn fields(&self) -> Vec<ResultField> {
+        self.results.iter().map(|result| self.field(*result)).collect()
+    }
+
+    fn field(&self, result: SweepResult) -> ResultField {
+        let (kind, unit) = match result.kind() {
+            _ if result == SweepResult::Situation => (FieldKind::Name(self.situations.clone()), None),
+            ResultKind::Number(dimension) => (FieldKind::Number, dimension.map(Dimension::si)),
+            ResultKind::Word(words) => (FieldKind::Word(words), None),
+            ResultKind::Truth => (FieldKind::Flag, None),
+            ResultKind::Modes => (FieldKind::Modes, None),
+        };
+        ResultField { name: result.name(), kind, said: Some(Said { unit, words: result.words() }) }
+    }
+
+    /// The value that a text in a column says, or what is wrong with it.
+    pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, String> {
+        let factor = &self.sweep.factors()[place];
+        factor.parse(text).map_err(|error| format!("{error}; expected {}", factor.expected()))
+    }
+
+    /// The value that a number in a column stands for.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn value(&self, place: usize, number: f64) -> f64 {
+        self.sweep.factors()[place].value(number)
+    }
+
+    /// The unit that numbers in a column are in, where that is not the one of their values.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn unit(&self, place: usize) -> Option<standfast_cases::units::Unit> {
+        self.sweep.factors()[place].unit()
+    }
+
+    /// The results of rows; those marked in `skip` get none.
+    pub(crate) fn answer(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<Values> {
+        let rows = columns[0].len();
+        let fields = self.results.iter().map(|result| self.field(*result).kind);
+        let mut values: Vec<_> = fields.map(|kind| Values::empty(&kind, rows)).collect();
+        let mut scratch = self.sweep.scratch();
+        let mut row_values = vec![0.0; columns.len()];
+        for row in 0..rows {
+            let answer = if skip.get(row) == Some(&true) {
+                None
+            } else {
+                row_values.iter_mut().zip(columns).for_each(|(value, column)| *value = column[row]);
+                let answer = self.sweep.answer(&mut scratch, &row_values);
+                let blame = |fault: standfast_cases::Fault| {
+                    let columns = match self.sweep.blamed(&fault) {
+                        none if none.is_empty() => (0..columns.len()).collect(),
+                        some => some,
+                    };
+                    faults.add(Fault { row, wrong: Wrong::Case { columns, problem: fault.to_string() } });
+                };
+                answer.map_err(blame).ok()
+            };
+            for (values, result) in values.iter_mut().zip(&self.results) {
+                let value = answer.as_ref().map_or(ResultValue::Nothing, |answer| answer.get(*result));
+                push(values, value);
+            }
+        }
+        values
+    }
+}
+
+/// Appends the value of a row.
+fn push(values: &mut Values, value: ResultValue) {
+    match (values, value) {
+        (Values::Number(numbers), ResultValue::Number(number)) => numbers.push(number),
+        (Values::Number(numbers), _) => numbers.push(f64::NAN),
+        (Values::Word(words, codes), ResultValue::Word(word)) => {
+            let place = words.iter().position(|known| *known == word);
+            codes.push(place.and_then(|place| u8::try_from(place).ok()).unwrap_or(NO_WORD));
+        }
+        (Values::Word(_, codes), _) => codes.push(NO_WORD),
+        // Which situation it is, by its place.
+        (Values::Name(_, places), ResultValue::Number(place)) => places.push(place as u32),
+        (Values::Name(_, places), _) => places.push(NO_NAME),
+        (Values::Flag(flags), ResultValue::Truth(truth)) => flags.push(Some(truth)),
+        (Values::Flag(flags), _) => flags.push(None),
+        (Values::Modes(sets), ResultValue::Modes(modes)) => sets.push(Some(modes)),
+        (Values::Modes(sets), _) => sets.push(None),
+        (Values::Problem(_), _) => unreachable!("no result of a case"),
+    }
+}
+
+/// The results asked for, or all that the case has.
+fn asked(sweep: &Sweep, case: &CaseTable) -> Result<Vec<SweepResult>, TableError> {
+    let all = sweep.results();
+    for (i, result) in case.results.iter().enumerate() {
+        if !all.contains(result) {
+            let results = all.iter().map(|result| result.name()).collect::<Vec<_>>().join(", ");
+            return Err(TableError::NoSuchResult { column: result.name().to_owned(), results });
+        }
+        if case.results[..i].contains(result) {
+            return Err(TableError::ResultTwice { column: result.name() });
+        }
+    }
+    Ok(if case.results.is_empty() { all } else { case.results.clone() })
+}
+
+/// A column's name, and the unit in brackets behind it. As in load[2].force the bracket is part of the name where nothing parts
+/// the two.
+fn split(column: &str) -> (&str, Option<&str>) {
+    let parts = column.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    match parts.filter(|(name, _)| name.ends_with(char::is_whitespace)) {
+        Some((name, unit)) => (name.trim_end(), Some(unit.trim())),
+        None => (column, None),
+    }
+}
+
+/// Looks for the columns that vary the case.
+struct Search<'a> {
+    options: &'a TableOptions,
+    case: &'a CaseTable,
+    found: &'a [String],
+}
+
+impl Search<'_> {
+    /// The columns that vary the case, by their places, and what they vary.
+    fn columns(&self) -> Result<Vec<(usize, Factor)>, TableError> {
+        self.check_map()?;
+        let mut columns: Vec<(usize, Factor)> = Vec::new();
+        for (place, column) in self.found.iter().enumerate() {
+            let Some(factor) = self.factor(column)? else { continue };
+            let id = factor.variable().id();
+            if let Some((earlier, _)) = columns.iter().find(|(_, factor)| factor.variable().id() == id) {
+                return Err(TableError::SameKey {
+                    name: self.options.name.clone(),
+                    one: self.found[*earlier].clone(),
+                    two: column.clone(),
+                    key: id.to_string(),
+                });
+            }
+            columns.push((place, factor));
+        }
+        if columns.is_empty() {
+            return Err(TableError::NothingVaries {
+                name: self.options.name.clone(),
+                found: self.found.join(", "),
+                help: self.help(),
+            });
+        }
+        Ok(columns)
+    }
+
+    /// What to do where no column varies the case.
+    fn help(&self) -> String {
+        let near = warnings(&self.case.file, self.found, &[]).into_iter().next();
+        let keys = keys(&self.case.file).join(", ");
+        let meant = near.map_or_else(
+            || "a column varies the number whose key it is called by, or say --map KEY=COLUMN".to_owned(),
+            |TableWarning::ColumnLikeKey { column, key }| {
+                format!("did you mean `{key}`? then say --map \"{key}={column}\"")
+            },
+        );
+        format!("{meant}; the numbers of the case are {keys}")
+    }
+
+    /// What a column varies, if anything.
+    fn factor(&self, column: &str) -> Result<Option<Factor>, TableError> {
+        let (bare, unit) = split(column);
+        let mapped =
+            self.options.map.iter().find(|mapping| mapping.theirs == column || mapping.theirs == bare);
+        // What is called ours is another column.
+        let taken = self.options.map.iter().any(|mapping| mapping.ours == bare);
+        let ours = match mapped {
+            Some(mapping) => &mapping.ours,
+            None if taken => return Ok(None),
+            None => bare,
+        };
+        match Factor::find(ours, unit, self.case.file.inputs()) {
+            Ok(factor) => Ok(Some(factor)),
+            // A column may be called anything, but for what begins like a key.
+            Err(NoFactor::Unknown(_)) if mapped.is_none() && !begins_like_key(bare) => Ok(None),
+            Err(error) => {
+                let name = self.options.name.clone();
+                Err(TableError::NoFactor { name, column: column.to_owned(), error })
+            }
+        }
+    }
+
+    fn check_map(&self) -> Result<(), TableError> {
+        for (i, mapping) in self.options.map.iter().enumerate() {
+            if self.options.map[..i].iter().any(|earlier| earlier.ours == mapping.ours) {
+                return Err(TableError::MapTwice { ours: mapping.ours.clone() });
+            }
+            let is_it = |column: &&String| **column == mapping.theirs || split(column).0 == mapping.theirs;
+            match self.found.iter().filter(is_it).count() {
+                1 => {}
+                0 => {
+                    let nearest = closest(&mapping.theirs, self.found.iter().map(String::as_str));
+                    return Err(TableError::MissingColumn {
+                        name: self.options.name.clone(),
+                        column: mapping.theirs.clone(),
+                        found: self.found.join(", "),
+                        help: nearest.map_or_else(
+                            || format!("--map {}=… names a column of the table", mapping.ours),
+                            |nearest| {
+                                format!(
+                                    "did you mean `{nearest}`? then say --map \"{}={nearest}\"",
+                                    mapping.ours
+                                )
+                            },
+                        ),
+                    });
+                }
+                _ => {
+                    let (name, column) = (self.options.name.clone(), mapping.theirs.clone());
+                    return Err(TableError::TwoColumns { name, column });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a name begins as the keys of a table of case files do.
+fn begins_like_key(column: &str) -> bool {
+    let table = column.split_once(['.', '[']).map(|(table, _)| table);
+    table.is_some_and(|table| Key::ALL.iter().any(|key| key.info().table.name() == table))
+}
+
+/// The numbers of a case that columns can vary.
+fn keys(file: &CaseFile) -> Vec<String> {
+    standfast_cases::couple::Variable::all(file.inputs()).map(|id| id.to_string()).collect()
+}
+
+/// Columns that vary nothing and have almost the name of a number of the case, or that of its last part.
+fn warnings(file: &CaseFile, found: &[String], places: &[usize]) -> Vec<TableWarning> {
+    let keys = keys(file);
+    let others = found.iter().enumerate().filter(|(place, _)| !places.contains(place));
+    others
+        .filter_map(|(_, column)| {
+            let (bare, _) = split(column);
+            let last =
+                |key: &&String| key.rsplit_once('.').is_some_and(|(_, last)| last.eq_ignore_ascii_case(bare));
+            let key = keys.iter().find(last).map(String::as_str);
+            let near = || closest(bare, keys.iter().map(String::as_str));
+            let key = key.or_else(near)?.to_owned();
+            Some(TableWarning::ColumnLikeKey { column: column.clone(), key })
+        })
+        .collect()
+}

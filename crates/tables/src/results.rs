@@ -1,0 +1,129 @@
+//! Columns of results: what they are called, what they hold, and their values.
+
+use std::sync::Arc;
+
+use standfast::{Mode, Modes};
+
+/// A column of results.
+#[derive(Debug, Clone)]
+pub(crate) struct ResultField {
+    pub(crate) name: &'static str,
+    pub(crate) kind: FieldKind,
+    /// The unit of its numbers, and what it is; said where a format has room for it.
+    pub(crate) said: Option<Said>,
+}
+
+/// What is said of a column where a format has room for it.
+#[derive(Debug, Clone, Copy)]
+#[cfg_attr(not(feature = "columnar"), expect(dead_code, reason = "CSV has no room for it"))]
+pub(crate) struct Said {
+    /// `None` for what has no unit.
+    pub(crate) unit: Option<&'static str>,
+    pub(crate) words: &'static str,
+}
+
+/// What a column of results holds.
+#[derive(Debug, Clone)]
+pub(crate) enum FieldKind {
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// One of these names.
+    Name(Arc<[String]>),
+    /// Sets of modes.
+    Modes,
+    /// true or false.
+    Flag,
+    /// Numbers.
+    Number,
+    /// What is wrong with a row.
+    Problem,
+}
+
+/// The symbols of all modes, in the order of their codes.
+pub(crate) const SYMBOLS: [&str; Mode::ALL.len()] = {
+    let mut symbols = [""; Mode::ALL.len()];
+    let mut place = 0;
+    while place < symbols.len() {
+        symbols[place] = Mode::ALL[place].symbol();
+        place += 1;
+    }
+    symbols
+};
+
+/// The code of a row without word.
+pub(crate) const NO_WORD: u8 = u8::MAX;
+
+/// The place of a row without name.
+pub(crate) const NO_NAME: u32 = u32::MAX;
+
+/// A column of results. A row that has none holds `NO_WORD`, `NO_NAME`, `None` or NaN.
+pub(crate) enum Values {
+    Word(&'static [&'static str], Vec<u8>),
+    Name(Arc<[String]>, Vec<u32>),
+    Modes(Vec<Option<Modes>>),
+    Flag(Vec<Option<bool>>),
+    Number(Vec<f64>),
+    Problem(Vec<Option<String>>),
+}
+
+impl Values {
+    pub(crate) fn empty(kind: &FieldKind, rows: usize) -> Values {
+        match kind {
+            FieldKind::Word(words) => Values::Word(words, Vec::with_capacity(rows)),
+            FieldKind::Name(names) => Values::Name(names.clone(), Vec::with_capacity(rows)),
+            FieldKind::Modes => Values::Modes(Vec::with_capacity(rows)),
+            FieldKind::Flag => Values::Flag(Vec::with_capacity(rows)),
+            FieldKind::Number => Values::Number(Vec::with_capacity(rows)),
+            FieldKind::Problem => Values::Problem(vec![None; rows]),
+        }
+    }
+
+    /// Appends the result of a row to a line of CSV.
+    pub(crate) fn push_field(&self, row: usize, line: &mut Vec<u8>) {
+        let start = line.len();
+        self.push_text(row, line);
+        // Words of our own need no quotation marks.
+        let foreign = matches!(self, Values::Name(..) | Values::Problem(_));
+        if foreign && line[start..].iter().any(|byte| matches!(byte, b'"' | b',' | b'\n' | b'\r')) {
+            let text = line.split_off(start);
+            line.push(b'"');
+            for byte in text {
+                line.extend_from_slice(if byte == b'"' { b"\"\"" } else { std::slice::from_ref(&byte) });
+            }
+            line.push(b'"');
+        }
+    }
+
+    /// Appends the result of a row to a text.
+    pub(crate) fn push_text(&self, row: usize, text: &mut Vec<u8>) {
+        match self {
+            Values::Word(words, codes) => {
+                text.extend_from_slice(words.get(usize::from(codes[row])).unwrap_or(&"").as_bytes());
+            }
+            Values::Name(names, places) => {
+                text.extend_from_slice(names.get(places[row] as usize).map_or("", String::as_str).as_bytes());
+            }
+            Values::Modes(sets) => {
+                for (i, mode) in sets[row].iter().flat_map(|set| set.iter()).enumerate() {
+                    if i > 0 {
+                        text.push(b' ');
+                    }
+                    text.extend_from_slice(mode.symbol().as_bytes());
+                }
+            }
+            Values::Flag(flags) => text.extend_from_slice(match flags[row] {
+                Some(true) => b"true",
+                Some(false) => b"false",
+                None => b"",
+            }),
+            Values::Number(numbers) if numbers[row].is_nan() => {}
+            // An infinite one is "inf", which what reads CSV takes for a number.
+            Values::Number(numbers) => {
+                text.extend_from_slice(ryu::Buffer::new().format(numbers[row]).as_bytes());
+            }
+            Values::Problem(problems) => {
+                text.extend_from_slice(problems[row].as_deref().unwrap_or_default().as_bytes());
+            }
+        }
+    }
+}

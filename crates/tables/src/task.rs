@@ -1,0 +1,208 @@
+//! What is computed of every row of a table, once its columns are known.
+
+#[cfg(feature = "columnar")]
+use standfast_cases::units::Unit;
+
+use crate::answers::Points;
+use crate::case::CaseRows;
+use crate::results::{ResultField, Values};
+use crate::text::number;
+use crate::{OnError, RowProblem, TableError, TableOptions, Varied};
+
+/// What is computed of every row.
+#[derive(Debug)]
+pub(crate) struct Task {
+    rows: Rows,
+    /// The columns appended.
+    pub(crate) fields: Vec<ResultField>,
+    /// Whether the last of them says what is wrong with rows.
+    says_problems: bool,
+}
+
+#[derive(Debug)]
+enum Rows {
+    Points(Points),
+    Case(Box<CaseRows>),
+}
+
+/// A row without result.
+#[derive(Debug, Clone)]
+pub(crate) struct Fault {
+    pub(crate) row: usize,
+    pub(crate) wrong: Wrong,
+}
+
+/// What is wrong with a row whose columns hold numbers; columns by their place among those of the problem.
+#[derive(Debug, Clone)]
+pub(crate) enum Wrong {
+    /// A value that no problem can have.
+    Value { column: usize, expected: &'static str },
+    /// Values that a case cannot have.
+    Case { columns: Vec<usize>, problem: String },
+}
+
+impl Wrong {
+    /// The same in the table's words; `field` gives the name of a column and what the row has there.
+    pub(crate) fn in_table(self, field: impl Fn(usize) -> (String, String)) -> RowProblem {
+        match self {
+            Wrong::Value { column, expected } => {
+                let (column, value) = field(column);
+                RowProblem::Value { column, value, expected }
+            }
+            Wrong::Case { columns, problem } => {
+                RowProblem::Case { fields: columns.into_iter().map(field).collect(), problem }
+            }
+        }
+    }
+}
+
+/// The rows without result.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Faults {
+    pub(crate) count: u64,
+    pub(crate) first: Option<Fault>,
+    /// All of them, where it is asked for.
+    pub(crate) all: Option<Vec<Fault>>,
+}
+
+impl Faults {
+    pub(crate) fn add(&mut self, fault: Fault) {
+        self.count += 1;
+        if let Some(all) = &mut self.all {
+            all.push(fault.clone());
+        }
+        if self.first.as_ref().is_none_or(|first| fault.row < first.row) {
+            self.first = Some(fault);
+        }
+    }
+}
+
+impl Task {
+    /// What the options ask of a table with the columns `found`, and the places of those that hold it.
+    ///
+    /// # Errors
+    /// If the table lacks columns or has a result already, or the options name a result that there is not, or one twice.
+    pub(crate) fn of(options: &TableOptions, found: &[String]) -> Result<(Task, Vec<usize>), TableError> {
+        let (rows, mut fields, places) = match &options.case {
+            None => {
+                let results = options.results()?;
+                let field = |column: &crate::ResultColumn| ResultField {
+                    name: column.name(),
+                    kind: column.kind(),
+                    said: None,
+                };
+                let fields = results.iter().map(field).collect();
+                let points = Points { problem: options.problem, results };
+                (Rows::Points(points), fields, options.places(found)?)
+            }
+            Some(case) => {
+                let (rows, places) = CaseRows::of(options, case, found)?;
+                let fields = rows.fields();
+                (Rows::Case(Box::new(rows)), fields, places)
+            }
+        };
+        let says_problems = options.case.is_some() && options.on_error == OnError::Null;
+        if says_problems {
+            fields.push(ResultField::PROBLEM);
+        }
+        let exists = fields.iter().find(|field| found.iter().any(|column| column == field.name));
+        if let Some(field) = exists {
+            return Err(TableError::ResultExists { name: options.name.clone(), column: field.name });
+        }
+        Ok((Task { rows, fields, says_problems }, places))
+    }
+
+    /// What is said of the columns of a case.
+    pub(crate) fn varied(&self) -> Option<Varied> {
+        match &self.rows {
+            Rows::Points(_) => None,
+            Rows::Case(rows) => Some(rows.varied()),
+        }
+    }
+
+    /// The line of a text that names the columns of the table and the results.
+    pub(crate) fn header(&self, columns: &[u8], end: &[u8]) -> Vec<u8> {
+        let mut line = columns.to_vec();
+        for field in &self.fields {
+            line.push(b',');
+            line.extend_from_slice(field.name.as_bytes());
+        }
+        line.extend_from_slice(end);
+        line
+    }
+
+    /// What is wrong with rows, none yet.
+    pub(crate) fn faults(&self) -> Faults {
+        Faults { all: self.says_problems.then(Vec::new), ..Faults::default() }
+    }
+
+    /// The value that a text in the column at a place of the problem's says, or what is wrong with it beside the text.
+    pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, Wrong> {
+        match &self.rows {
+            Rows::Points(_) => number(text).ok_or(Wrong::Value { column: place, expected: "a number" }),
+            Rows::Case(rows) => {
+                rows.read(place, text).map_err(|problem| Wrong::Case { columns: vec![place], problem })
+            }
+        }
+    }
+
+    /// The value that a number in the column at a place of the problem's stands for.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn value(&self, place: usize, number: f64) -> f64 {
+        match &self.rows {
+            Rows::Points(_) => number,
+            Rows::Case(rows) => rows.value(place, number),
+        }
+    }
+
+    /// The unit that numbers in the column at a place of the problem's are in, where that is not the one of their values.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn unit(&self, place: usize) -> Option<Unit> {
+        match &self.rows {
+            Rows::Points(_) => None,
+            Rows::Case(rows) => rows.unit(place),
+        }
+    }
+
+    /// The results for the problem's columns, in the order asked for. Rows marked in `skip`, which is as long as the
+    /// columns or empty, get none.
+    pub(crate) fn answer(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<Values> {
+        match &self.rows {
+            Rows::Points(points) => points.answer(columns, skip, faults),
+            Rows::Case(rows) => rows.answer(columns, skip, faults),
+        }
+    }
+
+    /// Appends the column that says what is wrong with rows, if there is one.
+    pub(crate) fn say_problems(
+        &self,
+        results: &mut Vec<Values>,
+        rows: usize,
+        problems: impl Iterator<Item = (usize, RowProblem)>,
+    ) {
+        if !self.says_problems {
+            return;
+        }
+        let mut column = vec![None; rows];
+        for (row, problem) in problems {
+            column[row].get_or_insert_with(|| problem.to_string());
+        }
+        results.push(Values::Problem(column));
+    }
+
+    /// Whether row groups whose columns can be copied are worked on as one, however long: the rows of a case take so long that
+    /// shorter pieces are to share the cores.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn copies(&self) -> bool {
+        matches!(self.rows, Rows::Points(_))
+    }
+}
+
+impl TableOptions {
+    /// How many rows are worked on as one at most, where a piece can have any number.
+    #[cfg(feature = "columnar")]
+    pub(crate) fn piece(&self) -> usize {
+        // A row of a case takes a thousand times as long as that of a point.
+        if self.case.is_some() { 1 << 13 } else { 1 << 17 }
+    }
+}

@@ -1,0 +1,366 @@
+//! Tables of cases in every format against assessments of the cases they vary.
+
+use std::fs::{self, File};
+use std::path::Path;
+use std::sync::Arc;
+
+use arrow_array::cast::AsArray;
+use arrow_array::types::Float64Type;
+use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray};
+use arrow_cast::cast;
+use arrow_ipc::reader::{FileReader, StreamReader};
+use arrow_ipc::writer::{FileWriter, StreamWriter};
+use arrow_schema::DataType;
+use calamine::{Data, Reader, Xlsx};
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use standfast_cases::couple::{Variable, vary};
+use standfast_cases::results::{ResultName, ResultValue};
+use standfast_cases::sweep::SweepResult;
+use standfast_cases::{Assessment, Case, CaseFile};
+use standfast_tables::{
+    CaseTable, Input, OnError, Summary, TableError, TableFormat, TableOptions, TableWarning, run,
+};
+use tempfile::TempDir;
+
+const GODA: &str = include_str!("../../../examples/goda-2000.toml");
+const QUAY: &str = include_str!("../../../examples/quay.toml");
+const SHAKEN: &str = include_str!("../../../examples/seismic-block.toml");
+
+const EXTENSIONS: [&str; 5] = ["csv", "parquet", "arrow", "arrows", "xlsx"];
+
+/// Numbers from 0 to 1, the same in every run.
+fn random() -> impl FnMut() -> f64 {
+    let mut state: u64 = 2026;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// Columns that vary a case, each between two values.
+struct Table {
+    columns: Vec<&'static str>,
+    values: Vec<Vec<f64>>,
+}
+
+impl Table {
+    fn random<const N: usize>(rows: usize, columns: [(&'static str, f64, f64); N]) -> Table {
+        let mut random = random();
+        let row = |_| columns.iter().map(|(_, from, to)| from + (to - from) * random()).collect();
+        Table { values: (0..rows).map(row).collect(), columns: columns.map(|(name, ..)| name).to_vec() }
+    }
+
+    fn batch(&self) -> RecordBatch {
+        let names = (0..self.values.len()).map(|row| format!("row {row}, \"so\""));
+        let names: ArrayRef = Arc::new(StringArray::from_iter_values(names));
+        let column = |place: usize| -> ArrayRef {
+            Arc::new(self.values.iter().map(|row| Some(row[place])).collect::<Float64Array>())
+        };
+        let columns = (0..self.columns.len()).map(|place| (self.columns[place], column(place), true));
+        RecordBatch::try_from_iter_with_nullable([("name", names, true)].into_iter().chain(columns)).unwrap()
+    }
+
+    /// Writes the table in the format of the extension.
+    fn write(&self, path: &Path) {
+        let batch = self.batch();
+        let file = File::create(path).unwrap();
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some("parquet") => {
+                let mut writer = ArrowWriter::try_new(file, batch.schema(), None).unwrap();
+                writer.write(&batch).unwrap();
+                writer.close().unwrap();
+            }
+            Some("arrow") => {
+                let mut writer = FileWriter::try_new(file, &batch.schema()).unwrap();
+                writer.write(&batch).unwrap();
+                writer.finish().unwrap();
+            }
+            Some("arrows") => {
+                let mut writer = StreamWriter::try_new(file, &batch.schema()).unwrap();
+                writer.write(&batch).unwrap();
+                writer.finish().unwrap();
+            }
+            Some("xlsx") => {
+                let mut workbook = rust_xlsxwriter::Workbook::new();
+                let sheet = workbook.add_worksheet();
+                sheet
+                    .write_row(0, 0, batch.schema().fields().iter().map(|field| field.name().clone()))
+                    .unwrap();
+                for (row, values) in (1..).zip(&self.values) {
+                    sheet
+                        .write_string(row, 0, batch.column(0).as_string::<i32>().value(row as usize - 1))
+                        .unwrap();
+                    sheet.write_row(row, 1, values.iter().copied()).unwrap();
+                }
+                workbook.save(path).unwrap();
+            }
+            _ => {
+                let mut writer = csv::Writer::from_writer(file);
+                writer.write_record(batch.schema().fields().iter().map(|field| field.name())).unwrap();
+                for (row, values) in self.values.iter().enumerate() {
+                    let name = batch.column(0).as_string::<i32>().value(row).to_owned();
+                    let numbers = values.iter().map(|value| format!("{value:?}"));
+                    writer.write_record([name].into_iter().chain(numbers)).unwrap();
+                }
+            }
+        }
+    }
+
+    /// The answers by [`Assessment`], result by result.
+    fn expected(&self, file: &CaseFile) -> Vec<Assessment> {
+        let case = file.case().unwrap();
+        let variables: Vec<_> =
+            self.columns.iter().map(|name| Variable::find(name, file.inputs()).unwrap()).collect();
+        let answer = |row: &Vec<f64>| {
+            let changes: Vec<_> = variables.iter().zip(row.iter().copied()).collect();
+            Assessment::of(&Case::of(&vary(file.inputs(), &case, &changes)).unwrap()).unwrap()
+        };
+        self.values.iter().map(answer).collect()
+    }
+}
+
+fn number(x: f64) -> String {
+    ryu::Buffer::new().format(x).to_owned()
+}
+
+/// A result as it stands in a table.
+fn words(value: ResultValue) -> String {
+    match value {
+        ResultValue::Number(x) => number(x),
+        ResultValue::Word(word) => word.to_owned(),
+        ResultValue::Truth(truth) => truth.to_string(),
+        ResultValue::Modes(modes) => modes.to_string(),
+        _ => String::new(),
+    }
+}
+
+/// A column of a file in any format, as text; nulls are empty.
+fn read(path: &Path, column: &str) -> Vec<String> {
+    let file = File::open(path).unwrap();
+    let batches: Vec<RecordBatch> = match path.extension().and_then(|extension| extension.to_str()) {
+        Some("parquet") => {
+            let reader = ParquetRecordBatchReaderBuilder::try_new(file).unwrap().build().unwrap();
+            reader.collect::<Result<_, _>>().unwrap()
+        }
+        Some("arrow") => FileReader::try_new(file, None).unwrap().collect::<Result<_, _>>().unwrap(),
+        Some("arrows") => StreamReader::try_new(file, None).unwrap().collect::<Result<_, _>>().unwrap(),
+        Some("xlsx") => return read_sheet(path, column),
+        _ => {
+            let mut reader = csv::Reader::from_reader(file);
+            let place = reader.headers().unwrap().iter().position(|name| name == column);
+            let place = place.unwrap_or_else(|| panic!("no column {column}"));
+            return reader.records().map(|record| record.unwrap()[place].to_owned()).collect();
+        }
+    };
+    let texts = batches.iter().flat_map(|batch| {
+        let column = batch.column_by_name(column).unwrap_or_else(|| panic!("no column {column}"));
+        if let Some(numbers) = column.as_primitive_opt::<Float64Type>() {
+            return numbers.iter().map(|x| x.map_or(String::new(), number)).collect();
+        }
+        let text = cast(column, &DataType::Utf8).unwrap();
+        text.as_string::<i32>().iter().map(|text| text.unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    });
+    texts.collect()
+}
+
+fn read_sheet(path: &Path, column: &str) -> Vec<String> {
+    let mut workbook: Xlsx<_> = calamine::open_workbook(path).unwrap();
+    let range = workbook.worksheet_range_at(0).unwrap().unwrap();
+    let mut rows = range.rows();
+    let place = rows.next().unwrap().iter().position(|name| name.to_string() == column);
+    let place = place.unwrap_or_else(|| panic!("no column {column}"));
+    let text = |cell: &Data| match cell {
+        Data::Float(x) => number(*x),
+        other => other.to_string(),
+    };
+    rows.map(|row| text(&row[place])).collect()
+}
+
+fn of_case(text: &str) -> Option<Arc<CaseTable>> {
+    Some(CaseTable::of(CaseFile::parse("case.toml", text).unwrap()).unwrap().into())
+}
+
+fn answer(folder: &TempDir, from: &str, to: &str, options: &TableOptions) -> Result<Summary, TableError> {
+    let format = |name: &str| TableFormat::of(Path::new(name), "");
+    let options = TableOptions { from: format(from)?, to: format(to)?, ..options.clone() };
+    let input = Input::File(File::open(folder.path().join(from)).unwrap());
+    let mut output = Vec::new();
+    let summary = standfast_tables::answer(input, &mut output, &options, &())?;
+    fs::write(folder.path().join(to), output).unwrap();
+    Ok(summary)
+}
+
+/// A case with water and waves, one with combinations and criteria, one that is shaken: whatever the formats of input and output.
+#[test]
+fn every_row_is_the_assessment_of_its_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let goda = [
+        ("wave.deep_water_height", 3.0, 8.0),
+        ("water_level", 6.5, 8.0),
+        ("friction", 0.4, 0.8),
+        ("width", 10.0, 20.0),
+        ("wave.period", 6.0, 16.0),
+    ];
+    let quay = [("load[1].force", 0.0, 9e5), ("body.friction", 0.2, 0.7), ("load[2].distance", 0.0, 9.0)];
+    let shaken = [("body.friction", 0.05, 0.9), ("body.height", 2.0, 30.0), ("body.density", 1e3, 4e3)];
+    let tables = [
+        (GODA, Table::random(40, goda)),
+        (QUAY, Table::random(40, quay)),
+        (SHAKEN, Table::random(40, shaken)),
+    ];
+    for (text, table) in tables {
+        let file = CaseFile::parse("case.toml", text).unwrap();
+        let expected = table.expected(&file);
+        for from in EXTENSIONS {
+            let input = format!("in.{from}");
+            table.write(&folder.path().join(&input));
+            for to in EXTENSIONS {
+                let output = format!("out-{from}.{to}");
+                let options = TableOptions { case: of_case(text), threads: 2, ..TableOptions::new(&input) };
+                let summary = answer(&folder, &input, &output, &options).unwrap();
+                assert_eq!((summary.rows, summary.bad), (40, 0), "{output}");
+                let read = |column: &str| read(&folder.path().join(&output), column);
+                for result in ResultName::ALL {
+                    let of_all = expected.iter().map(|answer| words(result.of(answer.governing())));
+                    assert_eq!(read(result.name()), of_all.collect::<Vec<_>>(), "{output} {}", result.name());
+                }
+                if !file.case().unwrap().criteria.is_empty() {
+                    let met = expected.iter().map(|answer| answer.met().unwrap().to_string());
+                    assert_eq!(read("met"), met.collect::<Vec<_>>(), "{output}");
+                    let check = |answer: &Assessment| answer.checks()[0].check;
+                    let names = expected.iter().map(|answer| check(answer).criterion.name().to_owned());
+                    assert_eq!(read("criterion"), names.collect::<Vec<_>>(), "{output}");
+                    let used = expected.iter().map(|answer| number(check(answer).utilisation.unwrap()));
+                    assert_eq!(read("utilisation"), used.collect::<Vec<_>>(), "{output}");
+                    let names = expected.iter().map(|answer| answer.name(answer.governing()).unwrap());
+                    assert_eq!(read("situation"), names.collect::<Vec<_>>(), "{output}");
+                }
+                if file.case().unwrap().earthquake.is_some() {
+                    let shaken = expected.iter().map(|answer| answer.governing().earthquake.unwrap());
+                    let shaken = shaken.map(|earthquake| number(earthquake.horizontal()));
+                    assert_eq!(read("earthquake_horizontal"), shaken.collect::<Vec<_>>(), "{output}");
+                }
+                // What varies is carried over as it is.
+                for (place, column) in table.columns.iter().enumerate() {
+                    let values = read(column).iter().map(|text| text.parse().unwrap()).collect::<Vec<f64>>();
+                    assert_eq!(values, table.values.iter().map(|row| row[place]).collect::<Vec<_>>());
+                }
+                assert_eq!(read("name")[7], "row 7, \"so\"");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_byte() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = Table::random(9000, [("friction", 0.2, 0.9), ("mass", 300e3, 400e3)]);
+    for from in ["csv", "parquet"] {
+        let input = format!("in.{from}");
+        table.write(&folder.path().join(&input));
+        for to in EXTENSIONS {
+            let output = |threads| {
+                let columns =
+                    ["mode", "SF_sliding", "load_factor"].map(|name| SweepResult::find(name).unwrap());
+                let file = CaseFile::parse("case.toml", GODA).unwrap();
+                let case = CaseTable::of(file).unwrap().with_results(columns.to_vec());
+                let options = TableOptions { case: Some(case.into()), threads, ..TableOptions::new(&input) };
+                answer(&folder, &input, &format!("out.{to}"), &options).unwrap();
+                fs::read(folder.path().join(format!("out.{to}"))).unwrap()
+            };
+            let one = output(1);
+            assert!(one == output(2) && one == output(5), "{from} to {to}");
+        }
+    }
+}
+
+fn text(
+    table: &str,
+    case: &str,
+    options: impl FnOnce(TableOptions) -> TableOptions,
+) -> (String, Result<Summary, TableError>) {
+    let mut output = Vec::new();
+    let options = options(TableOptions { case: of_case(case), ..TableOptions::new("t.csv") });
+    let summary = run(table.as_bytes(), &mut output, &options);
+    (String::from_utf8(output).unwrap(), summary)
+}
+
+fn error(table: &str) -> String {
+    text(table, GODA, |options| options).1.unwrap_err().to_string()
+}
+
+#[test]
+fn what_is_wrong_with_a_row_is_said_with_its_values() {
+    let table = "wave.period,body.height,friction\n11.4,10.5,0.6\n-1,10.5,0.6\n9,10.5,high\n9,10.5,0.6\n";
+    assert_eq!(
+        error(table),
+        "t.csv, line 3, column wave.period: \"-1\": `period` is -1; expected a finite number above zero"
+    );
+    let null = |options| TableOptions { on_error: OnError::Null, ..options };
+    let (answers, summary) = text(table, GODA, null);
+    let summary = summary.unwrap();
+    assert_eq!((summary.rows, summary.bad), (4, 2));
+    let lines: Vec<_> = answers.lines().collect();
+    assert!(
+        lines[0].ends_with(",problem")
+            && lines[1].starts_with("11.4,10.5,0.6,RE,")
+            && lines[1].ends_with(',')
+    );
+    assert!(lines[2].contains(",,,,") && lines[2].ends_with("expected a finite number above zero\""));
+    assert!(
+        lines[3]
+            .ends_with("column friction: \"\"high\"\": it does not begin with a number; expected a number\"")
+    );
+    // Two numbers that do not go together are both named.
+    let apart = "wave.depth_above_berm,wave.period,wave.water_depth\n5,11.4,4\n";
+    let said = error(apart);
+    assert!(said.starts_with("t.csv, line 2, column wave.depth_above_berm: \"5\""), "{said}");
+    assert_eq!(
+        error("friction,body.friction\n0.5,0.6\n"),
+        "t.csv: the columns friction and body.friction both vary body.friction; expected one of them"
+    );
+    assert!(error("wave.perod\n9\n").contains("the case has no number `wave.perod`"));
+    assert!(error("a,b\n9,1\n").contains("no column that varies the case; its columns are a, b"));
+    assert!(error("friction,SF_sliding\n0.5,1\n").contains("already has a column SF_sliding"));
+    assert!(
+        error("wave.period [m]\n9\n").contains("`wave.period` in `m`: the unit does not fit; expected s")
+    );
+}
+
+/// A unit in the name of a column counts for its plain numbers, and they stay as they are written.
+#[test]
+fn units_are_those_of_case_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "wave.deep_water_height [cm],width,period\n633.3,1500 cm,11.4\n6.3 m,15 m,11.4\n";
+    fs::write(folder.path().join("in.csv"), table).unwrap();
+    let map = vec!["wave.period=period".parse().unwrap()];
+    let options = TableOptions { case: of_case(GODA), map, ..TableOptions::new("in.csv") };
+    let summary = answer(&folder, "in.csv", "out.parquet", &options).unwrap();
+    let varied = summary.varied.unwrap();
+    let keys: Vec<_> = varied.columns.iter().map(|column| column.key.as_str()).collect();
+    assert_eq!(keys, ["wave.deep_water_height", "body.width", "wave.period"]);
+    assert_eq!(varied.notes.len(), 1);
+    let read = |column: &str| read(&folder.path().join("out.parquet"), column);
+    assert_eq!(read("wave.deep_water_height [cm]"), ["633.3", "630.0"]);
+    assert_eq!(read("width"), ["15.0", "15.0"]);
+    let columns = vec!["wave.deep_water_height", "width", "wave.period"];
+    let values = vec![vec![633.3 / 100.0, 15.0, 11.4], vec![6.3, 15.0, 11.4]];
+    let expected = Table { columns, values }.expected(&CaseFile::parse("case.toml", GODA).unwrap());
+    let sliding = expected.iter().map(|answer| words(ResultName::SfSliding.of(answer.governing())));
+    assert_eq!(read("SF_sliding"), sliding.collect::<Vec<_>>());
+    // Units of results stand in the metadata.
+    let file = File::open(folder.path().join("out.parquet")).unwrap();
+    let schema = ParquetRecordBatchReaderBuilder::try_new(file).unwrap().schema().clone();
+    let unit = |column: &str| schema.field_with_name(column).unwrap().metadata().get("unit").cloned();
+    assert_eq!((unit("bearing_max").as_deref(), unit("SF_sliding")), (Some("Pa"), None));
+}
+
+#[test]
+fn a_column_that_may_be_meant_is_warned_about() {
+    let (_, summary) = text("friction,deep_water_height,id\n0.5,6,1\n", GODA, |options| options);
+    let warnings = summary.unwrap().varied.unwrap().warnings;
+    let [warning @ TableWarning::ColumnLikeKey { .. }] = &warnings[..] else { panic!("{warnings:?}") };
+    assert_eq!(warning.name(), "column-like-key");
+    assert!(warning.to_string().contains("--map \"wave.deep_water_height=deep_water_height\""));
+}

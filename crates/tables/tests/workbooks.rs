@@ -1,0 +1,155 @@
+//! Workbooks that are not as plain as what we write: dates, formulas, errors, several sheets, too many rows.
+
+use std::fs;
+use std::path::Path;
+
+use calamine::{Data, Reader, Xlsx};
+use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Workbook};
+use standfast_tables::{Input, OnError, Summary, TableError, TableFormat, TableOptions};
+use tempfile::TempDir;
+
+fn answer(folder: &TempDir, from: &str, to: &str, options: TableOptions) -> Result<Summary, TableError> {
+    let format = |name: &str| TableFormat::of(Path::new(name), "");
+    let options = TableOptions { from: format(from)?, to: format(to)?, ..options };
+    let input = Input::File(fs::File::open(folder.path().join(from)).unwrap());
+    let mut output = Vec::new();
+    let summary = standfast_tables::answer(input, &mut output, &options, &())?;
+    fs::write(folder.path().join(to), output).unwrap();
+    Ok(summary)
+}
+
+fn cells(folder: &TempDir, name: &str) -> Vec<Vec<Data>> {
+    let mut workbook: Xlsx<_> = calamine::open_workbook(folder.path().join(name)).unwrap();
+    let range = workbook.worksheet_range_at(0).unwrap().unwrap();
+    range.rows().map(<[Data]>::to_vec).collect()
+}
+
+/// A sheet of points below two empty rows, with all kinds of cells beside them; another sheet comes first.
+fn workbook(folder: &TempDir) {
+    let mut workbook = Workbook::new();
+    workbook.add_worksheet().set_name("Notes").unwrap().write_string(0, 0, "not a table").unwrap();
+    let sheet = workbook.add_worksheet().set_name("Points").unwrap();
+    let header = ["gamma", "k_prime", "k", "mu", "day", "time", "done", "count", "mixed"];
+    sheet.write_row(2, 1, header).unwrap();
+    let day = Format::new().set_num_format("yyyy-mm-dd");
+    let time = Format::new().set_num_format("yyyy-mm-dd hh:mm");
+    for row in 0..3_u32 {
+        let at = 3 + row;
+        sheet.write_row(at, 1, [1.0, 1.0]).unwrap();
+        // What the workbook keeps of a formula.
+        sheet.write_formula(at, 3, Formula::new("=1+1").set_result("2")).unwrap();
+        sheet.write_number(at, 4, 5.0).unwrap();
+        let date = ExcelDateTime::from_ymd(2026, 2, 27 + u8::try_from(row).unwrap() % 2).unwrap();
+        sheet.write_with_format(at, 5, &date, &day).unwrap();
+        let moment = ExcelDateTime::from_ymd(1987, 1, 31).unwrap().and_hms(13, 30, 0).unwrap();
+        sheet.write_with_format(at, 6, &moment, &time).unwrap();
+        sheet.write_boolean(at, 7, row == 1).unwrap();
+        sheet.write_number(at, 8, f64::from(row)).unwrap();
+    }
+    sheet.write_string(3, 9, "a, \"b\"").unwrap();
+    sheet.write_number(4, 9, 0.1).unwrap();
+    workbook.save(folder.path().join("in.xlsx")).unwrap();
+}
+
+fn options() -> TableOptions {
+    TableOptions { sheet: Some("Points".to_owned()), ..TableOptions::new("in.xlsx") }
+}
+
+#[test]
+fn cells_keep_their_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    workbook(&folder);
+    answer(&folder, "in.xlsx", "out.csv", options()).unwrap();
+    let text = fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    let lines: Vec<_> = text.lines().collect();
+    let results = "RO,true,,-1.125,1.125,1.125,0.875,2.125,-1.0";
+    assert_eq!(
+        lines[1],
+        format!("1,1,2,5,2026-02-27,1987-01-31T13:30:00,false,0,\"a, \"\"b\"\"\",{results}")
+    );
+    assert_eq!(lines[2], format!("1,1,2,5,2026-02-28,1987-01-31T13:30:00,true,1,0.1,{results}"));
+    assert_eq!(lines[3], format!("1,1,2,5,2026-02-27,1987-01-31T13:30:00,false,2,,{results}"));
+
+    answer(&folder, "in.xlsx", "out.xlsx", options()).unwrap();
+    let rows = cells(&folder, "out.xlsx");
+    assert_eq!(rows.len(), 4);
+    assert_eq!(rows[0][9], Data::String("mode".to_owned()));
+    let Data::DateTime(day) = rows[2][4] else { panic!("{:?}", rows[2][4]) };
+    assert_eq!(day.to_ymd_hms_milli(), (2026, 2, 28, 0, 0, 0, 0));
+    let Data::DateTime(moment) = rows[1][5] else { panic!("{:?}", rows[1][5]) };
+    assert_eq!(moment.to_ymd_hms_milli(), (1987, 1, 31, 13, 30, 0, 0));
+    assert_eq!((&rows[2][6], &rows[3][7]), (&Data::Bool(true), &Data::Float(2.0)));
+    assert_eq!((&rows[1][8], &rows[3][8]), (&Data::String("a, \"b\"".to_owned()), &Data::Empty));
+    assert_eq!((&rows[1][9], &rows[1][10]), (&Data::String("RO".to_owned()), &Data::Bool(true)));
+    assert_eq!(rows[1][12], Data::Float(-1.125));
+}
+
+#[test]
+fn what_is_wrong_is_said_with_its_place_in_the_sheet() {
+    let folder = tempfile::tempdir().unwrap();
+    workbook(&folder);
+    let failed = |options| answer(&folder, "in.xlsx", "out.csv", options).unwrap_err().to_string();
+    assert_eq!(
+        failed(TableOptions { sheet: Some("Storms".to_owned()), ..options() }),
+        "in.xlsx has no sheet \"Storms\""
+    );
+    assert!(failed(TableOptions { sheet: None, ..options() }).contains("in.xlsx has no column gamma"));
+
+    let write = |cell: fn(&mut rust_xlsxwriter::Worksheet)| {
+        let mut workbook = Workbook::new();
+        let sheet = workbook.add_worksheet().set_name("Points").unwrap();
+        sheet.write_row(2, 0, ["gamma", "k_prime", "k", "mu"]).unwrap();
+        (3..6).for_each(|row| drop(sheet.write_row(row, 0, [1.0, 1.0, 2.0, 5.0]).unwrap()));
+        cell(sheet);
+        workbook.save(folder.path().join("in.xlsx")).unwrap();
+    };
+    write(|sheet| drop(sheet.write_formula(4, 3, Formula::new("=NA()").set_result("#N/A")).unwrap()));
+    let said = "in.xlsx, row 5 of the sheet, column mu: \"#N/A\"; expected a number";
+    assert_eq!(failed(options()), said);
+    let null = TableOptions { on_error: OnError::Null, ..options() };
+    let summary = answer(&folder, "in.xlsx", "out.csv", null).unwrap();
+    assert_eq!((summary.rows, summary.bad), (3, 1));
+    write(|sheet| drop(sheet.clear_cell(5, 2)));
+    assert_eq!(failed(options()), "in.xlsx, row 6 of the sheet, column k: null; expected a number");
+    write(|sheet| drop(sheet.write_string(4, 28, "beside").unwrap()));
+    assert_eq!(failed(options()), "in.xlsx, cell AC5: there is a value, but no name of a column in row 3");
+    fs::write(folder.path().join("in.xlsx"), "no workbook").unwrap();
+    assert!(failed(options()).contains("not a whole Excel workbook file, or damaged"));
+    let csv = TableOptions { sheet: Some("Points".to_owned()), ..TableOptions::new("in.csv") };
+    fs::write(folder.path().join("in.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").unwrap();
+    let error = answer(&folder, "in.csv", "out.csv", csv).unwrap_err();
+    assert_eq!(error.to_string(), "--sheet-name Points: in.csv is no workbook, and has no sheets");
+}
+
+/// Numbers of a text are numbers in a sheet, names of digits are not.
+#[test]
+fn text_that_is_a_number_becomes_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "gamma,k_prime,k,mu,id,height,empty\n1,1,2,5,007,-0.25,\n1,1,2,5,1e3,12 m,x\n";
+    fs::write(folder.path().join("in.csv"), table).unwrap();
+    answer(&folder, "in.csv", "out.xlsx", TableOptions::new("in.csv")).unwrap();
+    let rows = cells(&folder, "out.xlsx");
+    let text = |text: &str| Data::String(text.to_owned());
+    assert_eq!(rows[1][4..7], [text("007"), Data::Float(-0.25), Data::Empty]);
+    assert_eq!(rows[2][4..7], [Data::Float(1000.0), text("12 m"), text("x")]);
+}
+
+/// Before anything is computed where the length is known, and else where the sheet is full.
+#[test]
+fn more_rows_than_a_sheet_has_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "gamma,k_prime,k,mu\n".to_owned() + &"1,1,2,5\n".repeat(1 << 20);
+    fs::write(folder.path().join("in.csv"), table).unwrap();
+    let only = || TableOptions {
+        columns: vec![standfast_tables::ResultColumn::Mode],
+        threads: 2,
+        ..TableOptions::new("in")
+    };
+    answer(&folder, "in.csv", "in.parquet", only()).unwrap();
+    let renamed = TableOptions { columns: vec![standfast_tables::ResultColumn::Xi], ..only() };
+    let error = answer(&folder, "in.parquet", "out.xlsx", renamed).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "1048576 rows do not fit into a sheet of an Excel workbook, which has room for 1048575"
+    );
+}
