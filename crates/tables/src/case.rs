@@ -6,7 +6,6 @@ use std::sync::Arc;
 use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult};
-use standfast_cases::units::Dimension;
 use standfast_cases::{CaseError, CaseFile, Key};
 
 use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
@@ -143,9 +142,10 @@ impl CaseRows {
     }
 
     fn field(&self, result: SweepResult) -> ResultField {
+        let extent = self.sweep.case().extent;
         let (kind, unit) = match result.kind() {
             _ if result == SweepResult::Situation => (FieldKind::Name(self.situations.clone()), None),
-            ResultKind::Number(dimension) => (FieldKind::Number, dimension.map(Dimension::si)),
+            ResultKind::Number(dimension) => (FieldKind::Number, dimension.map(|dimension| extent.of(dimension).si())),
             ResultKind::Word(words) => (FieldKind::Word(words), None),
             ResultKind::Truth => (FieldKind::Flag, None),
             ResultKind::Modes => (FieldKind::Modes, None),
