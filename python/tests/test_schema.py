@@ -56,7 +56,7 @@ DESIGNS = [
     ("goda-2000", "friction", "rest"),
     ("head-difference", "water_level", "load-factor=1.1"),
     ("caisson-in-air", "mass", "no-rock"),
-    ("block-two-loads", "load[3].force", "factor=0.1", "--greatest"),
+    ("block-two-loads", "load[3].force", "factor=0.2", "--greatest"),
     ("block-two-loads", "width", "no-slide"),
     ("quay", "width", "criteria"),
     ("quay", "width", "bearing_max=300kPa"),

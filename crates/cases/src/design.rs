@@ -209,14 +209,25 @@ impl<'a> Design<'a> {
         self.request.extreme.of(&self.stretches[self.at])
     }
 
-    /// What is to be minded of the value found: that the body moves though the target is met, and what is unusual about the case
-    /// and is not at present.
+    /// What is to be minded of the value found: that the body moves though the target is met, that nothing rises where it asks for
+    /// a rise, and what is unusual about the case and is not at present.
     fn warnings(&self) -> Vec<String> {
         let present = self.present.case.warnings();
         let new =
             self.found().answer.case.warnings().into_iter().filter(|warning| !present.contains(warning));
         let moves = moves_though_met(&self.found().answer);
-        moves.into_iter().chain(new.map(|warning| warning.to_string())).collect()
+        moves.into_iter().chain(self.unrisen()).chain(new.map(|warning| warning.to_string())).collect()
+    }
+
+    /// That of a target that asks how far the loads may rise nothing is said where none does.
+    fn unrisen(&self) -> Option<String> {
+        let answer = &self.found().answer;
+        let still = answer.all.iter().filter(|assessed| assessed.outcome.path.is_empty());
+        let names: Vec<_> = still.filter_map(|assessed| answer.name(assessed)).collect();
+        let asked = self.request.target.asks_for_rise() && !names.is_empty();
+        asked.then(|| {
+            format!("in {} no variable load acts: there the target is met by rest", names.join(", "))
+        })
     }
 
     fn notes(&self) -> Vec<String> {

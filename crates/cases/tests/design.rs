@@ -383,6 +383,17 @@ fn a_body_that_moves_though_the_target_is_met_is_named() {
     assert_eq!(rests["warnings"].as_array().unwrap().len(), 0, "{rests}");
 }
 
+/// Of two combinations nothing rises in the one.
+#[test]
+fn where_nothing_rises_a_load_factor_says_nothing() {
+    let text = BLOCK.replace("[[load]]", "[[load]]\nname = \"push\"")
+        + "[[combination]]\nname = \"storm\"\nfactors = { push = 1 }\n[[combination]]\nname = \"calm\"\nfactors = { weight = 1 }\n";
+    let json = design(&text, request("width", "load_factor=1.3", Extreme::Least));
+    let warnings = json["warnings"].as_array().unwrap();
+    let expected = "in calm no variable load acts: there the target is met by rest";
+    assert_eq!(warnings.iter().filter_map(Value::as_str).collect::<Vec<_>>(), [expected]);
+}
+
 fn boundary(text: &str, asked: Request, and: &str, from: &str, to: &str) -> (Value, String, String) {
     let file = file(text);
     let [from, to] = [from, to].map(|end| (!end.is_empty()).then(|| end.to_owned()));

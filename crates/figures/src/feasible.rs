@@ -134,9 +134,8 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let mut canvas = Canvas::new(frame);
 
     let pieces = clip_strips(&shifted.strips(), &frame.window);
-    for block in blocks(&pieces) {
-        canvas.scene.fill(&outline(&frame, block), FEASIBLE);
-    }
+    // One path, for two that touch show a seam.
+    canvas.scene.fill(&outline(&frame, &pieces), FEASIBLE);
     let runs = shifted.runs();
     let steps = shifted.steps(&frame.window);
     boundary(&mut canvas, &runs, &steps);
@@ -354,11 +353,6 @@ impl Shifted<'_> {
 fn line((x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Curve {
     let slope = (y1 - y0) / (x1 - x0);
     Curve::Line { slope, intercept: y0 - slope * x0 }
-}
-
-/// Pieces that run on without a step, so that an outline has no seams.
-fn blocks(pieces: &[Piece]) -> impl Iterator<Item = &[Piece]> {
-    pieces.chunk_by(|left, right| left.to == right.from)
 }
 
 /// Draws the boundary and keeps labels off it; a dot where something else begins to bind.
