@@ -139,7 +139,14 @@ fn arrow(situation: &Situation, load: &Load) -> Option<Arrow> {
         true => (wrench.x, (wrench.x.signum(), 0.0)),
         false => (wrench.p, (0.0, -wrench.p.signum())),
     };
-    let words = words(situation, load, sideways);
+    let mut words = words(situation, load, sideways);
+    if !is_inside {
+        let place = match sideways {
+            true => format!(", {} above the base", metres(at.1)),
+            false => format!(", {} right of O", metres(at.0 + body.base_edges().left)),
+        };
+        words += &place.replace(" -", " −");
+    }
     (size != 0.0).then(|| Arrow { at, towards, is_inside, label: kilonewtons(size.abs()), words })
 }
 
