@@ -75,6 +75,11 @@ fn every_load_of_the_case_is_drawn_with_its_value() {
         }
         for force in &case.forces {
             has(format!("{} kN/m", digits(force.magnitude / 1e3)));
+            let place = match force.distance {
+                Some(distance) => format!("{} m right of O", digits(distance)),
+                None => format!("{} m above the base", digits(force.elevation)),
+            };
+            assert!(figure.caption().contains(&place), "{place} in {}", figure.caption());
         }
         has(format!("crest +{} m", digits(case.body.height())));
         if let Some(water) = &case.water {

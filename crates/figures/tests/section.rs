@@ -172,14 +172,24 @@ fn parts_are_named_where_there_is_room() {
     assert_tidy(&figure, "parts");
 }
 
-/// A bed or a berm beyond the page is not silently drawn elsewhere.
+/// What lies beyond the page is not silently drawn elsewhere, and does not make the page grow.
 #[test]
-fn a_mound_that_is_cut_says_so() {
+fn what_is_drawn_nearer_is_said_to_be() {
     let parts = [block(10.0, 8.0)];
-    let says = |bed: f64, berm_width: f64| {
-        let mound = Some(Mound { bed, berm: 0.5, berm_width });
-        let figure = section(&Section { mound, ..bare(&parts, 10.0) });
-        figure.labels().iter().any(|label| label.text.contains("than is drawn"))
+    let says = |section_of: Section<'_>| {
+        let figure = section(&section_of);
+        assert!(figure.size().0 < 800.0 && figure.size().1 < 800.0, "{:?}", figure.size());
+        figure.labels().iter().any(|label| label.text.contains("nearer than to scale"))
     };
-    assert!(!says(-2.0, 4.0) && says(-40.0, 4.0) && says(-2.0, 80.0));
+    let mound = |bed: f64, berm_width: f64| {
+        says(Section { mound: Some(Mound { bed, berm: 0.5, berm_width }), ..bare(&parts, 10.0) })
+    };
+    assert!(!mound(-2.0, 4.0) && mound(-40.0, 4.0) && mound(-2.0, 80.0));
+    let force = |x: f64, y: f64, towards: (f64, f64)| {
+        let words = "force".to_owned();
+        let arrow = Arrow { at: (x, y), towards, is_inside: false, label: "1 kN/m".to_owned(), words };
+        says(Section { arrows: vec![arrow], ..bare(&parts, 10.0) })
+    };
+    assert!(!force(0.0, 9.0, (-1.0, 0.0)) && force(0.0, 900.0, (-1.0, 0.0)));
+    assert!(!force(-6.0, 8.0, (0.0, -1.0)) && force(-60.0, 8.0, (0.0, -1.0)));
 }

@@ -155,7 +155,14 @@ fn arrow(extent: Extent, situation: &Situation, load: &Load) -> Option<Arrow> {
         true => (wrench.x, (wrench.x.signum(), 0.0)),
         false => (wrench.p, (0.0, -wrench.p.signum())),
     };
-    let words = words(extent, situation, load, sideways);
+    let mut words = words(extent, situation, load, sideways);
+    if !is_inside {
+        let place = match sideways {
+            true => format!(", {} above the base", metres(at.1)),
+            false => format!(", {} right of O", metres(at.0 + body.base_edges().left)),
+        };
+        words += &place.replace(" -", " −");
+    }
     (size != 0.0).then(|| Arrow { at, towards, is_inside, label: extent.kilonewtons(size.abs()), words })
 }
 

@@ -134,3 +134,68 @@ fn a_sheet_replaces_an_older_one_whole_and_no_case_file() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("over the case file"));
     assert!(fs::read_to_string(&case).unwrap().starts_with("title"));
 }
+
+/// The headings of a page of HTML, as words.
+fn headings(html: &str) -> Vec<String> {
+    let inner = ["h2", "h3", "h4"].into_iter().flat_map(|name| {
+        let (open, close) = (format!("<{name}"), format!("</{name}>"));
+        let found = html.split(&open).skip(1).map(move |rest| rest.split(&close).next().unwrap().to_owned());
+        found.collect::<Vec<_>>()
+    });
+    // Behind the tag itself and each one within.
+    let bare = |inner: &str| -> String {
+        inner.split('>').skip(1).map(|part| part.split('<').next().unwrap()).collect()
+    };
+    inner.map(|inner| words(&bare(&inner))).collect()
+}
+
+#[test]
+fn no_printed_page_ends_with_a_heading() {
+    if !prints() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut pages = 0;
+    for case in ["goda-2000", "quay", "block-two-loads", "seismic-block"] {
+        let example = format!("examples/{case}.toml");
+        let [pdf, html] = ["pdf", "html"].map(|kind| folder.path().join(format!("{case}.{kind}")));
+        for file in [&pdf, &html] {
+            ended(&sheet(&[&example, "-o", file.to_str().unwrap()]).output().unwrap());
+        }
+        let headings = headings(&fs::read_to_string(&html).unwrap());
+        assert!(headings.len() > 15, "{headings:?}");
+        for page in text(&pdf).split('\u{c}').filter(|page| !page.trim().is_empty()) {
+            let lines: Vec<_> = page.lines().map(words).filter(|line| !line.is_empty()).collect();
+            let (footer, above) = (&lines[lines.len() - 1], &lines[lines.len() - 2]);
+            assert!(footer.contains("page "), "{case}: {footer}");
+            assert!(!headings.contains(above), "{case}, {footer}: {above}");
+            pages += 1;
+        }
+    }
+    assert!(pages > 40, "{pages}");
+}
+
+#[test]
+fn project_sheet_and_names_run_along_the_pages() {
+    if !prints() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let pdf = folder.path().join("sheet.pdf");
+    let options = ["--project", "Outer pier", "--client", "Port", "--sheet", "C-104", "--revision", "B"];
+    let names = ["--author", "A. Moreau", "--checker", "N. Okafor", "-o", pdf.to_str().unwrap()];
+    let arguments = [&["examples/monument.toml"][..], &options, &names].concat();
+    ended(&sheet(&arguments).output().unwrap());
+    let text = text(&pdf);
+    for page in text.split('\u{c}').filter(|page| !page.trim().is_empty()) {
+        let page = words(page);
+        for part in [
+            "Outer pier · Port · Statue on its pedestal",
+            "Sheet C-104 · Revision B",
+            "Author A. Moreau",
+            "N. Okafor",
+        ] {
+            assert!(page.contains(part), "{part} in {page}");
+        }
+    }
+}

@@ -72,7 +72,7 @@ impl Painter<'_> {
         // A vertical one may be moved aside, a letter stands beside each.
         let reach = inside.map(|arrow| {
             let along = if arrow.towards.0 * out > 0.0 { FORCE } else { 2.0 * FORCE * arrow.towards.1.abs() };
-            ((arrow.at.0 - edge) * self.scale) * out + along + APART
+            ((self.near_body(arrow.at).0 - edge) * self.scale) * out + along + APART
         });
         reach.fold(0.0, f64::max)
     }
@@ -89,7 +89,7 @@ impl Painter<'_> {
         let crest = self.place(0.0, self.bounds.y1).1;
         let mut spots = Vec::new();
         for (index, arrow) in arrows {
-            let (_, level) = self.place(0.0, arrow.at.1);
+            let (_, level) = self.place(0.0, self.near_body(arrow.at).1);
             let tip = (column.x(1.5), level);
             let tail = (column.x(column.end - GAP + FORCE), level);
             if level < crest {

@@ -177,11 +177,19 @@ impl<'a> Painter<'a> {
         self.ground(bed, (west, east));
     }
 
-    /// Whether the bed lies deeper or the berm reaches farther than is drawn.
+    /// Whether the bed, the end of the berm or a force lies farther off than it is drawn.
     fn is_cut(&self) -> bool {
-        self.given.mound.is_some_and(|mound| {
+        let mound = self.given.mound.is_some_and(|mound| {
             self.bed.is_some_and(|bed| bed > mound.bed) || self.berm_reach(&mound) < mound.berm_width
-        })
+        });
+        mound || self.given.arrows.iter().any(|arrow| self.near_body(arrow.at) != arrow.at)
+    }
+
+    /// Where a force is drawn that may act far off: no farther from the body than half its size.
+    pub(super) fn near_body(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let Rect { x0, y0, x1, y1 } = self.bounds;
+        let (across, up) = ((x1 - x0) / 2.0, (y1 - y0) / 2.0);
+        (x.clamp(x0 - across, x1 + across), y.clamp(y0 - up, y1 + up))
     }
 
     /// How far the berm is drawn, m.
@@ -242,7 +250,8 @@ impl<'a> Painter<'a> {
         for (index, arrow) in arrows {
             let markup = format!("${}$", tag(first + index));
             let text = Text::new(&markup, LABEL);
-            let at = self.place(arrow.at.0, arrow.at.1);
+            let at = self.near_body(arrow.at);
+            let at = self.place(at.0, at.1);
             // Two that act along one line are drawn side by side.
             let from = if arrow.towards.1 == 0.0 { at } else { (at.0 + vertical, at.1) };
             if arrow.towards.1 != 0.0 {
@@ -342,7 +351,7 @@ impl<'a> Painter<'a> {
     }
 }
 
-const CUT: &str = "The sea bed lies deeper, or the berm reaches farther, than is drawn.";
+const CUT: &str = "What lies far off is drawn nearer than to scale; its numbers hold.";
 /// How far the letters of the corners are from them, along each axis.
 const CORNER: f64 = 12.0;
 /// The distance of forces within the body that act along one line.

@@ -30,7 +30,7 @@ impl Painter<'_> {
         let arrows: Vec<_> = given.arrows.iter().enumerate().filter(|(_, arrow)| stands(arrow)).collect();
         let mut spots = Vec::new();
         for (index, arrow) in arrows {
-            let x = self.place(arrow.at.0, 0.0).0;
+            let x = self.place(self.near_body(arrow.at).0, 0.0).0;
             let (near, far) = ((x, crest - 1.5), (x, crest - FORCE));
             let (tail, tip) = if arrow.towards.1 < 0.0 { (far, near) } else { (near, far) };
             self.drawn.scene.arrow(tail, tip, Pen::solid(MARK, 2.0));

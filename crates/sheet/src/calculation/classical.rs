@@ -44,7 +44,7 @@ fn actions(steps: &mut Steps, actions: &ClassicalActions, components: &[Componen
     let (arm, sign, against) = if heel == Corner::O { ("b_1", "+", "−") } else { ("b_2", "−", "+") };
     let all = [Weight, Uplift, Horizontal];
 
-    let about = "Weight less buoyancy";
+    let about = "Weight less buoyancy, of all that counts as weight";
     match sum_of(components, &[Weight, Horizontal], 1, |wrench| wrench.p) {
         Some(formula) => steps.add(about, "", ["W'", &formula], buoyant_weight, KILONEWTON, "buoyant_weight"),
         None => steps.told(about, "W'", buoyant_weight, KILONEWTON, "none", "buoyant_weight"),
