@@ -1,7 +1,7 @@
 //! Modes and numbers as text, and back.
 
-use standfast::Mode;
 use standfast::number::significant;
+use standfast::{Corner, Mode, Modes, Slip};
 
 mod common;
 
@@ -23,6 +23,39 @@ fn every_mode_is_read_back_from_its_symbol() {
     let error = "".parse::<Mode>().unwrap_err().to_string();
     let listed = error.split("one of ").nth(1).unwrap().split(", ");
     assert_eq!(listed.collect::<Vec<_>>(), Mode::ALL.map(Mode::symbol));
+}
+
+/// A mode in words says whether and where the body slides, and whether and about which corner it rocks.
+#[test]
+fn a_mode_in_words_says_what_moves() {
+    for mode in Mode::ALL {
+        let words = mode.words();
+        assert_eq!(words.contains("slides"), mode.slip().is_some(), "{words}");
+        assert_eq!(words.contains("rocks"), mode.corner().is_some(), "{words}");
+        assert_eq!(words.ends_with("to the left"), mode.slip() == Some(Slip::Left), "{words}");
+        assert_eq!(words.ends_with("to the right"), mode.slip() == Some(Slip::Right), "{words}");
+        assert_eq!(words.contains("about O, the bottom left"), mode.corner() == Some(Corner::O), "{words}");
+        assert_eq!(
+            words.contains("about O', the bottom right"),
+            mode.corner() == Some(Corner::OPrime),
+            "{words}"
+        );
+        let same: Vec<Mode> = Mode::ALL.into_iter().filter(|other| other.words() == words).collect();
+        assert_eq!(same, [mode], "{words}");
+        assert!(words.len() > 8);
+    }
+}
+
+/// In the mirror a set of modes has the mirror images of its modes, and no other.
+#[test]
+fn a_set_of_modes_has_a_mirror_image() {
+    for set in 0..1u32 << Mode::ALL.len() {
+        let modes: Modes =
+            (0..).zip(Mode::ALL).filter(|(i, _)| set >> i & 1 == 1).map(|(_, mode)| mode).collect();
+        for mode in Mode::ALL {
+            assert_eq!(modes.mirrored().contains(mode.mirrored()), modes.contains(mode), "{modes} {mode}");
+        }
+    }
 }
 
 /// Read back, the text is the number rounded as Rust rounds it; it is as short as can be, and has a power of ten below 10⁻⁴ and
