@@ -607,6 +607,16 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
             assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
         }
     }
+    // T = 1 s and g = 50·2π m/s² make L₀ = 50 m, so that 1.5 m is as steep as 0.03 and no less.
+    let gravity = 50.0 * std::f64::consts::TAU;
+    let (sea, _, section) = example();
+    let sea = Sea { water_depth: 9.0, sea_bottom_slope: 0.05, period: 1.0, gravity, angle_deg: 10.0, ..sea };
+    let section = Section { berm_width: 0.0, depth_above_berm: 6.5, crest_height: 5.0, ..section };
+    for (height, warns) in [(1.5 * below, true), (1.5, false), (1.5 * above, false)] {
+        let g = goda(&sea, &Heights::DeepWater(height), &section, &Choices::default()).unwrap();
+        let impulsive = |warning: &Warning| matches!(warning, Warning::ImpulsiveBreaking { .. });
+        assert_eq!(g.warnings.iter().any(impulsive), warns, "{height}");
+    }
     for front in [berm, bed] {
         for (angle_deg, turn_deg, warns) in [
             (0.0, 0.0, true),
