@@ -7,9 +7,10 @@ use common::{Random, tries};
 use standfast::contact::path::up_to;
 use standfast::loads::LoadKind::{Horizontal, Weight};
 use standfast::loads::{
-    Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, Place, Pose, StillWater, Uplift,
+    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, PressureAt,
+    PressureDiagram, StillWater, Uplift,
 };
-use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Stability, Wrench};
+use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Slip, Stability, Wrench};
 
 const G: f64 = 9.81;
 
@@ -462,6 +463,18 @@ fn loads_say_what_they_are() {
     assert_eq!((AddedMass::NONE.mass(), AddedMass::NONE.height()), (0.0, None));
     assert_eq!(AddedMass::of(7.0).unwrap().height(), None);
     assert!(AddedMass::of(-1.0).is_err());
+}
+
+/// A diagram keeps its points, and a push that has shrunk to nothing is a push still.
+#[test]
+fn loads_keep_what_they_are_given() {
+    let points =
+        vec![PressureAt { position: 1.0, pressure: 3e3 }, PressureAt { position: 2.5, pressure: -1e3 }];
+    assert_eq!(PressureDiagram::new(points.clone()).unwrap().points(), points);
+    for magnitude in [0.0, 1e3] {
+        let push = HorizontalForce::new(magnitude, 2.0, Slip::Left).unwrap().load();
+        assert_eq!((push.kind, push.permanent), (Horizontal, false));
+    }
 }
 
 /// Without a horizontal force the heel is the corner that the moment turns the body about.

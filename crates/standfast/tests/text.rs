@@ -1,6 +1,6 @@
 //! Modes and numbers as text, and back.
 
-use standfast::number::significant;
+use standfast::number::{exact, significant};
 use standfast::{Corner, Mode, Modes, Slip};
 
 mod common;
@@ -81,4 +81,20 @@ fn a_rounded_number_reads_back() {
     assert_eq!(significant(f64::MAX, 4).to_string(), "1.798e308");
     assert_eq!(significant(5e-324, 4).to_string(), "4.941e-324");
     assert_eq!(significant(1234.5, 0).to_string(), "1000");
+}
+
+/// With all its digits a number reads back as itself, and is no longer than a person would write it.
+#[test]
+fn a_number_with_all_its_digits_reads_back() {
+    let mut random = Random(72);
+    for _ in 0..tries(5_000) {
+        let size = if random.coin() { random.log(1e-300, 1e300) } else { random.log(1e-7, 1e16) };
+        let x = size * random.pick(&[-1.0, 1.0]);
+        let text = exact(x);
+        assert_eq!(text.parse(), Ok(x), "{text}");
+        assert_eq!(text.contains('e'), !(1e-6..1e15).contains(&size), "{text}");
+    }
+    for (x, text) in [(0.0, "0"), (1e300, "1e300"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
+        assert_eq!(exact(x), text);
+    }
 }
