@@ -151,6 +151,7 @@ mod tests {
         let tiny = Exact::of(5e-324) * Exact::of(1e-300);
         assert_eq!(tiny.to_f64(), 5e-324);
         assert_eq!(tiny.sign(), Ordering::Greater);
+        assert_eq!((-tiny).to_f64(), -5e-324);
         let huge = Exact::of(1e300) * Exact::of(1e300);
         assert_eq!(huge.to_f64(), f64::INFINITY);
         assert_eq!((-huge).sign(), Ordering::Less);

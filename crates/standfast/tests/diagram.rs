@@ -5,7 +5,7 @@ mod common;
 use std::ops::Range;
 
 use common::{Boundary, Random, tries};
-use standfast::initiation::{Bounds, Chart, ChartCase, Crossing, PointName, enumerate};
+use standfast::initiation::{Bounds, Chart, ChartCase, Crossing, NamedPoint, PointName, enumerate};
 use standfast::{Diagram, Mode, Modes, Point};
 
 /// Bodies and elevations of every case, thresholds and special values included.
@@ -56,6 +56,12 @@ fn the_window_shows_all_named_points() {
         let window = Diagram::of(chart).window();
         for point in chart.points() {
             assert!(point.k < window.k && point.mu < window.mu, "{chart:?} {point:?} {window:?}");
+        }
+        // A fifth is left beside the farthest of them; of those on an axis, and where there is none, beside 1/γ.
+        let farthest =
+            |of: fn(&NamedPoint) -> f64| chart.points().iter().map(of).fold(1.0 / chart.gamma(), f64::max);
+        for (edge, farthest) in [(window.k, farthest(|p| p.k)), (window.mu, farthest(|p| p.mu))] {
+            assert!((0.8 * edge / farthest - 1.0).abs() < 1e-15, "{chart:?} {window:?}");
         }
         let expected = match chart.case() {
             ChartCase::OneA | ChartCase::OneB => vec![A, C, D],

@@ -139,6 +139,27 @@ fn extreme_magnitudes_agree_with_rational_arithmetic() {
     }
 }
 
+/// Through any point of the plane each boundary passes at some elevation of the force, for a body of any slenderness: where the
+/// terms of a sign are large beside its scale's other parts, a bound without one of these would take a wrong sign for sure.
+#[test]
+fn boundaries_moved_through_any_point_agree_with_rational_arithmetic() {
+    let mut random = Random(8);
+    for _ in 0..tries(40_000).max(2_000) {
+        let [γ, k] = [random.log(1e-5, 1e5), random.log(1e-9, 1e3)];
+        let μ = k * random.pick(&[0.0, 1e-6, 0.3, 1.0, 3.0]);
+        let inertia = 4.0 * (1.0 + γ * γ);
+        // γ k (1 + k') of `tip`, `turn`, `toe`, `slip_left` and `slip_right` at zero.
+        let turn = 1.0 + γ * (k - μ);
+        let slips = [inertia * (k - μ) / (3.0 * (μ + γ)), inertia * (k + μ) / (3.0 * (γ - μ))];
+        for u in [1.0, turn, turn - 2.0, 1.0 + slips[0], 1.0 + slips[1]] {
+            let k_prime = u / (γ * k) - 1.0;
+            if k_prime.abs() < 1e50 {
+                check([γ, random.nudge(k_prime), k, μ]);
+            }
+        }
+    }
+}
+
 /// Every compiled kernel says what the single call says, or that it is not sure; and it is rarely not sure.
 #[test]
 fn kernels_of_all_instruction_sets_agree_with_the_single_call() {

@@ -7,9 +7,10 @@ use common::{Random, tries};
 use standfast::contact::path::up_to;
 use standfast::loads::LoadKind::{Horizontal, Weight};
 use standfast::loads::{
-    Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, Place, Pose, StillWater, Uplift,
+    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, PressureAt,
+    PressureDiagram, StillWater, Uplift,
 };
-use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Stability, Wrench};
+use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Slip, Stability, Wrench};
 
 const G: f64 = 9.81;
 
@@ -281,7 +282,13 @@ fn a_departure_is_where_rest_ends() {
                 seen[2] += 1;
             }
         }
-        assert!(departure.mode() != Some(Mode::Rest));
+        let into = match departure {
+            Departure::Never => None,
+            Departure::AtOnce { mode, .. } | Departure::At { mode, .. } => mode,
+        };
+        assert_eq!(departure.mode(), into);
+        assert_eq!(into.is_none(), departure == Departure::Never);
+        assert!(into != Some(Mode::Rest));
     }
     assert!(seen.iter().all(|&count| count > tries(125)), "{seen:?}");
 }
@@ -354,6 +361,49 @@ fn a_rise_keeps_what_began() {
     let outcome = Situation::new(body, 3.0, 10.0).unwrap().with_weight().with(push).outcome().unwrap();
     // γ = 1, k' = −½, k = 5, μ = 3: SL, RO and SRO- are consistent, and it has rocked since k = 2.
     assert_eq!((outcome.full.mode, outcome.risen()), (Some(Mode::SlideLeft), Some(Mode::RockO)));
+    // μ m g is 5 kN: with a load of 5 kN the body has come to the limit of rest, and not beyond.
+    let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-5_000.0, 1.0));
+    let outcome = Situation::new(body, 0.5, 10.0).unwrap().with_weight().with(push).outcome().unwrap();
+    assert_eq!(outcome.departure, Departure::At { factor: 1.0, mode: Some(Mode::SlideLeft) });
+    assert_eq!((outcome.full.mode, outcome.risen()), (Some(Mode::Rest), Some(Mode::Rest)));
+}
+
+/// In SI units too a motion obeys Newton's laws, moves as a rigid body, and its reaction makes it; with and without the report's
+/// closed form.
+#[test]
+fn a_motion_in_si_units_obeys_the_laws() {
+    let mut random = Random(64);
+    let mut seen = [0, 0];
+    for i in 0..tries(2_000).max(200) {
+        let situation = match i % 2 {
+            0 => random_situation(&mut random),
+            _ => {
+                let body = Body::new(random.uniform(5.0, 20.0), random.uniform(5.0, 20.0), 2e5).unwrap();
+                let push = Action::horizontal(random.uniform(-4e6, 4e6), random.uniform(0.0, body.height()));
+                let push = Load::variable(LoadSource::Force, Horizontal, push);
+                Situation::new(body, random.uniform(0.1, 2.0), G).unwrap().with_weight().with(push)
+            }
+        };
+        let full = situation.outcome().unwrap().full;
+        let (body, wrench, motion) = (situation.body(), full.wrench, full.motion.unwrap());
+        let (b1, b2, d) = (body.heel_distance(), body.toe_distance(), body.centroid_height());
+        let spin = |arm: f64| arm * motion.theta_ddot;
+        let turning = [motion.f_x * d, motion.f_y * motion.xi, wrench.m];
+        let added = body.mass() + situation.added_mass();
+        for (left, terms) in [
+            (added * motion.x_ddot, &[motion.f_x, wrench.x][..]),
+            (body.mass() * motion.y_ddot, &[motion.f_y, -wrench.p]),
+            (spin(body.moment_of_inertia()), &turning),
+            (motion.slip, &[motion.x_ddot, spin(d)]),
+            (motion.lift_o, &[motion.y_ddot, spin(-b1)]),
+            (motion.lift_o_prime, &[motion.y_ddot, spin(b2)]),
+        ] {
+            let size: f64 = terms.iter().map(|term| term.abs()).sum();
+            assert!((left - terms.iter().sum::<f64>()).abs() <= 1e-9 * size, "{situation:?} {motion:?}");
+        }
+        seen[usize::from(full.effective.is_some())] += u32::from(motion.theta_ddot != 0.0);
+    }
+    assert!(seen.iter().all(|&count| count > tries(50)), "{seen:?}");
 }
 
 /// What each kind of load is: its source, kind and whether it grows; its wrench by hand.
@@ -413,6 +463,18 @@ fn loads_say_what_they_are() {
     assert_eq!((AddedMass::NONE.mass(), AddedMass::NONE.height()), (0.0, None));
     assert_eq!(AddedMass::of(7.0).unwrap().height(), None);
     assert!(AddedMass::of(-1.0).is_err());
+}
+
+/// A diagram keeps its points, and a push that has shrunk to nothing is a push still.
+#[test]
+fn loads_keep_what_they_are_given() {
+    let points =
+        vec![PressureAt { position: 1.0, pressure: 3e3 }, PressureAt { position: 2.5, pressure: -1e3 }];
+    assert_eq!(PressureDiagram::new(points.clone()).unwrap().points(), points);
+    for magnitude in [0.0, 1e3] {
+        let push = HorizontalForce::new(magnitude, 2.0, Slip::Left).unwrap().load();
+        assert_eq!((push.kind, push.permanent), (Horizontal, false));
+    }
 }
 
 /// Without a horizontal force the heel is the corner that the moment turns the body about.

@@ -523,12 +523,17 @@ fn numbers_that_no_situation_has_are_refused() {
         assert!(Situation::new(body, 0.6, gravity).is_err());
     }
     assert!(Situation::new(body, -0.1, G).is_err());
+    // −0 is 0, and stays so in what comes of it.
+    let point = Point::new(1.0, -0.0, -0.0, -0.0).unwrap();
+    assert!([point.k_prime(), point.k(), point.mu()].iter().all(|zero| zero.is_sign_positive()));
     let standing = standing(body, 0.6, G);
     assert_eq!(
         standing.clone().with_kinetic_friction(0.7).unwrap_err().to_string(),
         "kinetic friction is 0.7; expected no more than the friction to stick"
     );
-    assert!(standing.clone().with_added_mass(-1.0).is_err());
+    assert!(!standing.clone().with_kinetic_friction(0.7).unwrap_err().is_about_size());
+    assert!(standing.clone().with_kinetic_friction(-0.1).unwrap_err().is_about_size());
+    assert!(standing.clone().with_added_mass(-1.0).unwrap_err().is_about_size());
     assert!(standing.at(f64::NAN).is_err() && standing.plane(0.0).is_err());
 }
 

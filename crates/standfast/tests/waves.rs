@@ -590,6 +590,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
         (Front { berm_width_ratio: 0.02, ..berm }, false),
         (Front { berm_width_ratio: 0.02 * above, ..berm }, true),
         (Front { berm_width_ratio: 0.3 * below, ..berm }, true),
+        (Front { berm_width_ratio: 0.3, ..berm }, false),
         (Front { berm_width_ratio: 0.3 * above, ..berm }, false),
         (Front { berm_depth_ratio: 0.6 * below, ..berm }, true),
         (Front { berm_depth_ratio: 0.6, ..berm }, false),
@@ -600,6 +601,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
         (Front { bed_slope: 0.02, ..bed }, false),
         (Front { bed_slope: 0.02 * above, ..bed }, true),
         (Front { steepness: 0.03 * below, ..bed }, true),
+        (Front { steepness: 0.03, ..bed }, false),
         (Front { steepness: 0.03 * above, ..bed }, false),
     ] {
         let found = front.warned();
@@ -609,6 +611,16 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
         for (found, expected) in found.into_iter().flatten().zip(numbers) {
             assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
         }
+    }
+    // T = 1 s and g = 50·2π m/s² make L₀ = 50 m, so that 1.5 m is as steep as 0.03 and no less.
+    let gravity = 50.0 * std::f64::consts::TAU;
+    let (sea, _, section) = example();
+    let sea = Sea { water_depth: 9.0, sea_bottom_slope: 0.05, period: 1.0, gravity, angle_deg: 10.0, ..sea };
+    let section = Section { berm_width: 0.0, depth_above_berm: 6.5, crest_height: 5.0, ..section };
+    for (height, warns) in [(1.5 * below, true), (1.5, false), (1.5 * above, false)] {
+        let g = goda(&sea, &Heights::DeepWater(height), &section, &Choices::default()).unwrap();
+        let impulsive = |warning: &Warning| matches!(warning, Warning::ImpulsiveBreaking { .. });
+        assert_eq!(g.warnings.iter().any(impulsive), warns, "{height}");
     }
     for front in [berm, bed] {
         for (angle_deg, turn_deg, warns) in [
@@ -621,7 +633,7 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
         ] {
             assert_eq!(Front { angle_deg, turn_deg, ..front }.warned().is_some(), warns, "{angle_deg}°");
         }
-        for (crest_ratio, warns) in [(0.3 * below, false), (0.3 * above, true)] {
+        for (crest_ratio, warns) in [(0.3 * below, false), (0.3, false), (0.3 * above, true)] {
             assert_eq!(Front { crest_ratio, ..front }.warned().is_some(), warns, "{crest_ratio}");
         }
     }
@@ -659,7 +671,7 @@ fn every_other_warning_has_its_limit() {
     let length = wavelength(sea.period, sea.water_depth, sea.gravity);
     let limit = 0.142 * length * (std::f64::consts::TAU * sea.water_depth / length).tanh();
     let at_height = |maximum| warnings(sea, Heights::Local { significant: 1.0, maximum }, section);
-    assert!(at_height(limit * 0.999).is_empty());
+    assert!(at_height(limit * 0.999).is_empty() && at_height(limit).is_empty());
     assert_eq!(at_height(limit * 1.001), [Warning::HigherThanBreaking { height: limit * 1.001, limit }]);
     // α₃ = 0 at h' = h/(1 − 1/cosh(2πh/L)), below the bed.
     let h = sea.water_depth;
@@ -688,6 +700,32 @@ fn every_other_warning_has_its_limit() {
     let at_slope = |sea_bottom_slope| warnings(Sea { sea_bottom_slope, ..sea }, low, section);
     assert!(at_slope(0.1).is_empty());
     assert_eq!(at_slope(0.1001), [Warning::SteepBed { bed_slope: 0.1001 }]);
+}
+
+/// A warning's name for programs is that of its variant.
+#[test]
+fn a_warning_has_its_name() {
+    for warning in [
+        Warning::ImpulsiveBreaking {
+            berm_width_ratio: 0.1,
+            berm_depth_ratio: 0.5,
+            bed_slope: 0.01,
+            steepness: 0.02,
+        },
+        Warning::DeepWater { ratio: 0.3 },
+        Warning::HigherThanBreaking { height: 9.0, limit: 8.0 },
+        Warning::NoPressureAtBase { alpha_3: -0.1 },
+        Warning::BaseBelowBed { base_depth: 9.0, water_depth: 8.0 },
+        Warning::BermBelowBase { depth_above_berm: 9.0, base_depth: 8.0 },
+        Warning::LongPeriod { period: 40.0 },
+        Warning::SteepBed { bed_slope: 0.2 },
+    ] {
+        let variant = format!("{warning:?}");
+        let variant = variant.split(' ').next().unwrap();
+        let camel: String =
+            warning.name().split('-').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+        assert_eq!(camel, variant);
+    }
 }
 
 /// The steep bed's branch of the impulsive warning, for heights given either way.

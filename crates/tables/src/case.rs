@@ -145,7 +145,9 @@ impl CaseRows {
         let extent = self.sweep.case().extent;
         let (kind, unit) = match result.kind() {
             _ if result == SweepResult::Situation => (FieldKind::Name(self.situations.clone()), None),
-            ResultKind::Number(dimension) => (FieldKind::Number, dimension.map(|dimension| extent.of(dimension).si())),
+            ResultKind::Number(dimension) => {
+                (FieldKind::Number, dimension.map(|dimension| extent.of(dimension).si()))
+            }
             ResultKind::Word(words) => (FieldKind::Word(words), None),
             ResultKind::Truth => (FieldKind::Flag, None),
             ResultKind::Modes => (FieldKind::Modes, None),
