@@ -314,7 +314,7 @@ impl Search<'_> {
             Err(NoFactor::Unknown(_)) if mapped.is_none() && !begins_like_key(bare) => Ok(None),
             Err(error) => {
                 let name = self.options.name.clone();
-                Err(TableError::NoFactor { name, column: column.to_owned(), error })
+                Err(TableError::NoFactor { name, column: column.to_owned(), error: Box::new(error) })
             }
         }
     }

@@ -93,7 +93,7 @@ pub enum TableError {
         /// The column, as the table calls it.
         column: String,
         /// What is wrong with it.
-        error: NoFactor,
+        error: Box<NoFactor>,
     },
     /// Two columns for one number of the case.
     #[error("{name}: the columns {one} and {two} both vary {key}; expected one of them")]
