@@ -122,7 +122,7 @@ fn what_is_wrong_is_said_with_its_place_in_the_sheet() {
     });
     assert_eq!(failed(options()), "in.xlsx, cell AC5: there is a value, but no name of a column in row 3");
     fs::write(folder.path().join("in.xlsx"), "no workbook").unwrap();
-    assert!(failed(options()).contains("not a whole Excel workbook file, or damaged"));
+    assert!(failed(options()).contains("not a whole Excel file, or damaged"));
     let csv = TableOptions { sheet: Some("Points".to_owned()), ..TableOptions::new("in.csv") };
     fs::write(folder.path().join("in.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").unwrap();
     let error = answer(&folder, "in.csv", "out.csv", csv).unwrap_err();
