@@ -148,17 +148,17 @@ pub enum Command {
 
     /// Answer every row of a table: points, or cases
     ///
+    /// The extensions tell the formats of input and output, in any combination: CSV with a header (.csv, .txt, and
+    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows), Excel
+    /// workbook (.xlsx). All columns are carried over as they are, and results are appended.
+    ///
     /// With --case every row is the case of a file with other numbers: a column varies the number whose key it is called by,
     /// as in wave.Hmax, water_level or "wave.Hmax [m]"; what goes with it is said at the end. The results are those of the
     /// situation that governs, under the names and in the SI units of `assess --format json`.
     ///
-    /// Without it, the rows are points.
-    /// The extensions tell the formats of input and output, in any combination: CSV with a header (.csv, .txt, and
-    /// names without extension), Parquet (.parquet, .pq), Arrow IPC file (.arrow, .ipc, .feather) or stream (.arrows), Excel
-    /// workbook (.xlsx).
-    /// Columns gamma, k_prime, k and mu stand in any order; all columns are carried over as they are, and mode, unique,
-    /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi are appended. Accelerations are in g, theta_ddot in g/B, forces in m g and xi in B; `also` lists the other consistent modes
-    /// where the answer is not unique.
+    /// Else the rows are points, with the columns gamma, k_prime, k and mu in any order. The results are mode, unique,
+    /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi: accelerations in g, theta_ddot in g/B, forces in m g and xi in B;
+    /// `also` lists the other consistent modes where the answer is not unique.
     ///
     /// With --problem wrench the columns are b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s and mu_k, non-dimensional by the
     /// mass, g and one length: distances of O, O' and the base from the centre of mass, squared radius of gyration,
@@ -336,7 +336,7 @@ pub struct FiguresArgs {
 #[derive(Debug, Args)]
 pub struct BatchArgs {
     /// The table; - reads standard input
-    #[arg(value_name = "POINTS")]
+    #[arg(value_name = "TABLE")]
     pub input: PathBuf,
     /// The file to write; - writes to standard output, as far as rows make sense
     #[arg(short, long, value_name = "OUT")]

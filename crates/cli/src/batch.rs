@@ -67,7 +67,7 @@ pub fn case(path: &Path, names: &[String]) -> Result<CaseTable, BatchCommandErro
 }
 
 fn no_result(name: &str, all: impl Iterator<Item = &'static str>) -> TableError {
-    TableError::NoSuchResult { column: name.to_owned(), results: all.collect::<Vec<_>>().join(", ") }
+    TableError::NoSuchResult { column: name.to_owned(), results: all.collect() }
 }
 
 /// What is said of a table that was answered: nothing, unless there is something.

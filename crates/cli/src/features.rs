@@ -35,7 +35,7 @@ impl Feature {
     fn adds(self) -> &'static str {
         match self {
             Feature::Tables => "Parquet and Arrow",
-            Feature::Workbooks => "Excel workbooks, with Parquet and Arrow",
+            Feature::Workbooks => "Excel, Parquet and Arrow",
             Feature::Pictures => "PNG and PDF",
         }
     }

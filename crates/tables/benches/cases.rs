@@ -131,12 +131,13 @@ fn main() {
         assert_eq!(answer.governing().outcome, direct(*row));
     }
 
-    let work: [(&str, &dyn Fn()); 3] = [
+    let work: [(&str, &dyn Fn()); 4] = [
         ("formulas in a loop", &by_formulas),
         ("sweep, all results", &by_sweep),
         ("assessments", &by_assessment),
+        ("table, CSV to CSV", &by_table),
     ];
-    let mut times = [const { Vec::new() }; 3];
+    let mut times = [const { Vec::new() }; 4];
     for round in 0..ROUNDS {
         for i in (0..work.len()).map(|i| (i + round) % work.len()) {
             let start = Instant::now();

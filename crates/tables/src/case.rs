@@ -230,7 +230,7 @@ fn asked(sweep: &Sweep, case: &CaseTable) -> Result<Vec<SweepResult>, TableError
     let all = sweep.results();
     for (i, result) in case.results.iter().enumerate() {
         if !all.contains(result) {
-            let results = all.iter().map(|result| result.name()).collect::<Vec<_>>().join(", ");
+            let results = all.iter().map(|result| result.name()).collect();
             return Err(TableError::NoSuchResult { column: result.name().to_owned(), results });
         }
         if case.results[..i].contains(result) {
@@ -316,7 +316,7 @@ impl Search<'_> {
             Err(NoFactor::Unknown(_)) if mapped.is_none() && !begins_like_key(bare) => Ok(None),
             Err(error) => {
                 let name = self.options.name.clone();
-                Err(TableError::NoFactor { name, column: column.to_owned(), error })
+                Err(TableError::NoFactor { name, column: column.to_owned(), error: Box::new(error) })
             }
         }
     }
@@ -374,11 +374,12 @@ fn warnings(file: &CaseFile, found: &[String], places: &[usize]) -> Vec<TableWar
     others
         .filter_map(|(_, column)| {
             let (bare, _) = split(column);
-            let last =
-                |key: &&String| key.rsplit_once('.').is_some_and(|(_, last)| last.eq_ignore_ascii_case(bare));
-            let key = keys.iter().find(last).map(String::as_str);
+            let last = |key: &str| key.rsplit_once('.').map_or(key, |(_, last)| last).to_owned();
+            let lasts: Vec<String> = keys.iter().map(|key| last(key)).collect();
+            let of_last = closest(bare, lasts.iter().map(String::as_str));
+            let place = of_last.and_then(|found| lasts.iter().position(|last| last == found));
             let near = || closest(bare, keys.iter().map(String::as_str));
-            let key = key.or_else(near)?.to_owned();
+            let key = place.map(|place| keys[place].as_str()).or_else(near)?.to_owned();
             Some(TableWarning::ColumnLikeKey { column: column.clone(), key })
         })
         .collect()

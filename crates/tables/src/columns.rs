@@ -1,6 +1,6 @@
 //! The columns a table has to have, and where they are.
 
-use crate::problem::{Column, in_words};
+use crate::problem::Column;
 use crate::{ResultColumn, TableError, TableOptions};
 use standfast_cases::suggest::closest;
 
@@ -80,7 +80,7 @@ impl TableOptions {
         let all = self.problem.results();
         for (i, column) in self.columns.iter().enumerate() {
             if !all.contains(column) {
-                let results = in_words(all.iter().map(|column| column.name()));
+                let results = all.iter().map(|column| column.name()).collect();
                 return Err(TableError::NoSuchResult { column: column.name().to_owned(), results });
             }
             if self.columns[..i].contains(column) {

@@ -5,6 +5,7 @@ use std::io;
 
 use miette::Diagnostic;
 use standfast_cases::CaseError;
+use standfast_cases::suggest::closest;
 use standfast_cases::sweep::NoFactor;
 use thiserror::Error;
 
@@ -92,7 +93,7 @@ pub enum TableError {
         /// The column, as the table calls it.
         column: String,
         /// What is wrong with it.
-        error: NoFactor,
+        error: Box<NoFactor>,
     },
     /// Two columns for one number of the case.
     #[error("{name}: the columns {one} and {two} both vary {key}; expected one of them")]
@@ -108,12 +109,12 @@ pub enum TableError {
     },
     /// `--columns` names a result that the problem does not have.
     #[error("--columns {column}: there is no such result here")]
-    #[diagnostic(help("its results are {results}"))]
+    #[diagnostic(help("{}", meant_result(column, results)))]
     NoSuchResult {
         /// The column.
         column: String,
         /// Those there are.
-        results: String,
+        results: Vec<&'static str>,
     },
     /// `--columns` names a result twice.
     #[error("--columns names {column} twice")]
@@ -318,6 +319,14 @@ pub enum RowProblem {
         /// The field with � for what cannot be read.
         value: String,
     },
+}
+
+fn meant_result(column: &str, results: &[&'static str]) -> String {
+    let known = format!("the results are {}", results.join(", "));
+    match closest(column, results.iter().copied()).filter(|result| *result != column) {
+        Some(result) => format!("did you mean `{result}`? {known}"),
+        None => known,
+    }
 }
 
 fn in_columns(fields: &[(String, String)]) -> String {

@@ -53,7 +53,7 @@ impl TableFormat {
             TableFormat::Parquet => "Parquet",
             TableFormat::Arrow => "Arrow IPC",
             TableFormat::Arrows => "Arrow IPC stream",
-            TableFormat::Xlsx => "Excel workbook",
+            TableFormat::Xlsx => "Excel",
         }
     }
 }

@@ -10,6 +10,7 @@ pub(crate) struct ResultField {
     pub(crate) name: &'static str,
     pub(crate) kind: FieldKind,
     /// The unit of its numbers, and what it is; said where a format has room for it.
+    #[cfg_attr(not(feature = "columnar"), expect(dead_code, reason = "CSV has no room for it"))]
     pub(crate) said: Option<Said>,
 }
 

@@ -168,7 +168,7 @@ fn read_sheet(path: &Path, column: &str) -> Vec<String> {
     let mut workbook: Xlsx<_> = calamine::open_workbook(path).unwrap();
     let range = workbook.worksheet_range_at(0).unwrap().unwrap();
     let mut rows = range.rows();
-    let place = rows.next().unwrap().iter().position(|name| name.to_string() == column);
+    let place = rows.next().unwrap().iter().position(|name| *name == column);
     let place = place.unwrap_or_else(|| panic!("no column {column}"));
     let text = |cell: &Data| match cell {
         Data::Float(x) => number(*x),

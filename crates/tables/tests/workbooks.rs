@@ -99,22 +99,30 @@ fn what_is_wrong_is_said_with_its_place_in_the_sheet() {
         let mut workbook = Workbook::new();
         let sheet = workbook.add_worksheet().set_name("Points").unwrap();
         sheet.write_row(2, 0, ["gamma", "k_prime", "k", "mu"]).unwrap();
-        (3..6).for_each(|row| drop(sheet.write_row(row, 0, [1.0, 1.0, 2.0, 5.0]).unwrap()));
+        for row in 3..6 {
+            sheet.write_row(row, 0, [1.0, 1.0, 2.0, 5.0]).unwrap();
+        }
         cell(sheet);
         workbook.save(folder.path().join("in.xlsx")).unwrap();
     };
-    write(|sheet| drop(sheet.write_formula(4, 3, Formula::new("=NA()").set_result("#N/A")).unwrap()));
+    write(|sheet| {
+        sheet.write_formula(4, 3, Formula::new("=NA()").set_result("#N/A")).unwrap();
+    });
     let said = "in.xlsx, row 5 of the sheet, column mu: \"#N/A\"; expected a number";
     assert_eq!(failed(options()), said);
     let null = TableOptions { on_error: OnError::Null, ..options() };
     let summary = answer(&folder, "in.xlsx", "out.csv", null).unwrap();
     assert_eq!((summary.rows, summary.bad), (3, 1));
-    write(|sheet| drop(sheet.clear_cell(5, 2)));
+    write(|sheet| {
+        sheet.clear_cell(5, 2);
+    });
     assert_eq!(failed(options()), "in.xlsx, row 6 of the sheet, column k: null; expected a number");
-    write(|sheet| drop(sheet.write_string(4, 28, "beside").unwrap()));
+    write(|sheet| {
+        sheet.write_string(4, 28, "beside").unwrap();
+    });
     assert_eq!(failed(options()), "in.xlsx, cell AC5: there is a value, but no name of a column in row 3");
     fs::write(folder.path().join("in.xlsx"), "no workbook").unwrap();
-    assert!(failed(options()).contains("not a whole Excel workbook file, or damaged"));
+    assert!(failed(options()).contains("not a whole Excel file, or damaged"));
     let csv = TableOptions { sheet: Some("Points".to_owned()), ..TableOptions::new("in.csv") };
     fs::write(folder.path().join("in.csv"), "gamma,k_prime,k,mu\n1,1,2,5\n").unwrap();
     let error = answer(&folder, "in.csv", "out.csv", csv).unwrap_err();

@@ -21,6 +21,7 @@ pub(super) struct Rotation<T> {
 
 impl<T: Real> Rotation<T> {
     /// α = (Pr − Xd + M)/(ρ² + m_xd² + m_yr²).
+    #[inline]
     pub(super) fn rocking(numbers: &Numbers<T>, corner: Corner) -> Rotation<T> {
         let [_, _, d, rho2, m_x, m_y, _, _, x, p, m] = numbers;
         let r = position(numbers, corner);
@@ -31,6 +32,7 @@ impl<T: Real> Rotation<T> {
     }
 
     /// α = (Pc + M)/(ρ² + m_yrc), c = r − sμ_kd.
+    #[inline]
     pub(super) fn slipping(numbers: &Numbers<T>, corner: Corner, slip: Slip) -> Rotation<T> {
         let [_, _, d, rho2, _, m_y, _, mu_k, _, p, m] = numbers;
         let r = position(numbers, corner);
@@ -40,6 +42,7 @@ impl<T: Real> Rotation<T> {
 }
 
 /// r: −b₁ at O, b₂ at O'.
+#[inline]
 fn position<T: Real>(numbers: &Numbers<T>, corner: Corner) -> T {
     match corner {
         Corner::O => -numbers[0].clone(),

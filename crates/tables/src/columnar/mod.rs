@@ -47,7 +47,7 @@ pub(crate) fn answer<W: Write + Send>(
         guarded(|cause| options.damaged(cause), || Source::open(input, options, progress))?;
     let (mut sink, writing) = Sink::create(output, &reading, options, &unwritten)?;
     let worker = Worker { reading: &reading, writing: &writing, options };
-    let write = |output| sink.write(output, &reading).map_err(|error| error.into_table(&unwritten));
+    let write = |output| sink.write(output, &reading).map_err(|error| error.into_table(unwritten));
     let header = reading.header_row();
     let summary =
         answer_pieces(options, header, progress, || source.next(), |piece| worker.work(piece), write)?;

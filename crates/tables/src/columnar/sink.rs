@@ -71,7 +71,7 @@ impl<W: Write + Send> Sink<W> {
         };
         let flat = matches!(options.to, TableFormat::Csv | TableFormat::Xlsx);
         if let Some((column, found)) = table::nested(&schema).filter(|_| flat) {
-            let format = if options.to == TableFormat::Csv { "CSV" } else { "Excel" };
+            let format = options.to.name();
             return Err(TableError::Nested { name: options.name.clone(), column, found, format });
         }
         if options.to == TableFormat::Csv {

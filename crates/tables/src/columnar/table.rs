@@ -146,7 +146,7 @@ fn floats(
     }
     let texts = cast(column, &DataType::Utf8)?;
     let texts = texts.as_string::<i32>().iter().enumerate();
-    let mut number = |(row, text): (usize, Option<&str>)| {
+    let number = |(row, text): (usize, Option<&str>)| {
         let read = text.map(|text| task.read(place, text));
         match read {
             Some(Ok(number)) => Some(number),
@@ -160,7 +160,7 @@ fn floats(
             }
         }
     };
-    Ok(texts.map(|text| number(text)).collect())
+    Ok(texts.map(number).collect())
 }
 
 /// The columns of a table followed by results.
