@@ -367,7 +367,7 @@ listed! {
         .moves(Moves::Height).gives(&[Quantity::Height]);
     Length = key(Body, "length", length(Positive), "L_b", "length out of the plane of a single object, whose masses are in kg and forces in N", "\"0.8 m\"")
         .silent("length: all per metre run").moves(Moves::Length).gives(&[Quantity::Length]);
-    Shape = key(Body, "shape", SHAPES, "", "a block, or an upright cylinder whose diameter is the width; masses of it are in kg and forces in N", "\"cylinder\"")
+    Shape = key(Body, "shape", SHAPES, "", "shape; of an upright cylinder the width is the diameter, masses are in kg and forces in N", "\"cylinder\"")
         .silent("shape: a block");
     Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass, per metre run or of the whole object", "\"370 t/m\"")
         .moves(Moves::Mass).gives(&[Quantity::Mass]);
