@@ -153,8 +153,9 @@ pub enum Command {
     /// workbook (.xlsx). All columns are carried over as they are, and results are appended.
     ///
     /// With --case every row is the case of a file with other numbers: a column varies the number whose key it is called by,
-    /// as in wave.Hmax, water_level or "wave.Hmax [m]"; what goes with it is said at the end. The results are those of the
-    /// situation that governs, under the names and in the SI units of `assess --format json`.
+    /// as in wave.Hmax or water_level, with the unit of its numbers in brackets behind it if that is not SI; what goes with
+    /// it is said at the end. The results are those of the situation that governs, under the names and in the SI units of
+    /// `assess --format json`.
     ///
     /// Else the rows are points, with the columns gamma, k_prime, k and mu in any order. The results are mode, unique,
     /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi: accelerations in g, theta_ddot in g/B, forces in m g and xi in B;
