@@ -242,7 +242,7 @@ def compare(program: list[str], name: str, folder: Path) -> bool:
     document = json.loads(answer("--format", "json").stdout)
     # Python writes no files, and the text of the program ends with those it wrote.
     assert json.loads(found.to_json()) == document | {"figures": []}
-    assert re.sub(r"\n(Diagram|k–μ diagram|Load path)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
+    assert re.sub(r"\n(Diagram|k–μ diagram|Load path|Section)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
     if len(document["situations"]) > 1:
         parts = str(found).split(RULE)[1 : len(document["situations"]) + 1]
         # The worst first; the situations of the document in the order of the case.

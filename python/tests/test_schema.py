@@ -61,10 +61,14 @@ DESIGNS = [
     ("quay", "width", "criteria"),
     ("quay", "width", "bearing_max=300kPa"),
     ("quay", "load[1].force", "utilisation=0.98", "--greatest"),
+    ("server-rack", "load[1].force", "criteria", "--greatest"),
+    ("marble-drum", "width", "rest"),
+    ("crown-wall", "friction", "SF_sliding=1.5"),
 ]
 BOUNDARIES = [
     ("goda-2000", "width", "factor=1.2", "--and=friction"),
     ("seismic-block", "height", "factor=1", "--greatest", "--and=earthquake.horizontal"),
+    ("server-rack", "mass", "SF_sliding=1.5", "--and=load[1].force"),
 ]
 
 

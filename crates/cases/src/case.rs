@@ -147,7 +147,7 @@ impl Case {
         let (body, section) = given.body()?;
         let friction = given.required(Key::Friction)?;
         let kinetic_friction = given.kinetic_friction(friction)?;
-        let weight = given.weight(&body)?;
+        let weight = given.weight(&body, section.as_ref())?;
         let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity))?;
         let water = match (inputs.has(Table::Water), weight, &wave) {
             (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),

@@ -10,6 +10,7 @@
 use std::fmt;
 
 use standfast::Plan;
+use standfast::section::WaterTable;
 
 use crate::case::{Case, Weight};
 use crate::error::Problem;
@@ -108,6 +109,11 @@ impl Variable {
         self.id
     }
 
+    /// The key whose words, symbol and unit are its own: the mass's where the file gives the density.
+    pub fn key(&self) -> Key {
+        if self.by_density { Key::Mass } else { self.id.key }
+    }
+
     /// The name of its key, where it is that number with what goes with it; else what it is called.
     pub fn key_name(&self) -> String {
         let by_key = Variable { name: self.name.clone(), ..Variable::under(self.id, self.extent) };
@@ -116,8 +122,7 @@ impl Variable {
 
     /// What it measures; `None` for a plain number.
     pub fn dimension(&self) -> Option<Dimension> {
-        let dimension = if self.by_density { Some(Dimension::Mass) } else { self.id.key.info().dimension() };
-        dimension.map(|dimension| self.extent.of(dimension))
+        self.key().info().dimension().map(|dimension| self.extent.of(dimension))
     }
 
     /// Its value in a case, SI.
@@ -130,7 +135,7 @@ impl Variable {
     /// # Errors
     /// If it is no number, or its unit does not fit.
     pub fn read(&self, text: &str, inputs: &Inputs) -> Result<f64, Problem> {
-        let key = if self.by_density { Key::Mass } else { self.id.key };
+        let key = self.key();
         let kind = match key.info().kind {
             Kind::Measured(dimension, _) => Kind::Measured(dimension, Range::Finite),
             Kind::InGravity => Kind::InGravity,
@@ -263,6 +268,9 @@ pub(crate) fn change<'a>(
             varied.set(key, value * ratio);
         }
     }
+    for (variable, value) in changes.clone().filter(|(variable, _)| variable.moves == Moves::Mass) {
+        weigh(varied, inputs, case, &changes, variable, value);
+    }
     for (variable, _) in changes.clone().filter(|(variable, _)| variable.by_density) {
         // The mass that is named is that of the body as wide, long and high as it has become.
         let volume = |inputs: &Inputs| {
@@ -273,6 +281,36 @@ pub(crate) fn change<'a>(
         if let Some(density) = varied.number(variable.id) {
             varied.set(variable.id, density * (volume(inputs) / volume(varied)));
         }
+    }
+}
+
+/// What goes with a named mass or density beside what its body's size has moved already: the weight it adds or takes away, and
+/// the inertia.
+fn weigh<'a>(
+    varied: &mut Inputs,
+    inputs: &Inputs,
+    case: &Case,
+    changes: &(impl Iterator<Item = (&'a Variable, f64)> + Clone),
+    variable: &Variable,
+    value: f64,
+) {
+    let named = |key: Key| changes.clone().any(|(variable, _)| variable.id == Id::from(key));
+    let mut sized = Moved::default();
+    for (variable, value) in changes.clone().filter(|(variable, _)| variable.moves != Moves::Mass) {
+        sized.add(variable, case, variable.value(inputs, case), value);
+    }
+    let of_size: f64 =
+        sized.scales.iter().filter(|(key, _)| *key == Key::Mass).map(|(_, ratio)| ratio).product();
+    let coupled = case.body.mass() * of_size;
+    let ratio = match variable.key() {
+        Key::Density => value / variable.value(inputs, case),
+        _ => value / coupled,
+    };
+    if let Some(weight) = varied.number(Key::BuoyantWeight).filter(|_| !named(Key::BuoyantWeight)) {
+        varied.set(Key::BuoyantWeight, weight + coupled * (ratio - 1.0) * case.gravity);
+    }
+    if let Some(inertia) = varied.number(Key::MomentOfInertia).filter(|_| !named(Key::MomentOfInertia)) {
+        varied.set(Key::MomentOfInertia, inertia * ratio);
     }
 }
 
@@ -321,6 +359,9 @@ impl Moved {
                 // A cylinder is as long as it is wide.
                 let weight = if case.body.plan() == Plan::Circle { ratio * ratio } else { ratio };
                 self.scale(weight, &[Key::Mass, Key::BuoyantWeight, Key::MomentOfInertia]);
+                if case.body.plan() == Plan::Circle {
+                    self.scale(weight, &[Key::WaterMass]);
+                }
             }
             Moves::Length => {
                 self.scale(ratio, &[Key::Mass, Key::BuoyantWeight, Key::MomentOfInertia, Key::WaterMass])
@@ -329,9 +370,11 @@ impl Moved {
                 self.level(by, &[Key::CrestHeight, Key::Height]);
                 self.heighten(case, by);
             }
+            // Weight and inertia follow from the mass that the size alone would give; see `weigh`.
             Moves::Mass => {
-                self.scale(ratio, &[Key::Mass, Key::Density, Key::MomentOfInertia]);
-                self.level(case.body.mass() * (ratio - 1.0) * case.gravity, &[Key::BuoyantWeight]);
+                self.scale(ratio, &[Key::Mass, Key::Density]);
+                self.scale(1.0, &[Key::MomentOfInertia]);
+                self.level(0.0, &[Key::BuoyantWeight]);
             }
             Moves::Friction => self.scale(ratio, &[Key::KineticFriction]),
             Moves::WaterDensity => self.scale(ratio, &[Key::WaterDensity, Key::WaveWaterDensity]),
@@ -372,15 +415,16 @@ impl Moved {
     fn drown(&mut self, case: &Case, by: f64) {
         let Some(wave) = &case.wave else { return };
         let unit_weight = wave.sea.water_density * case.gravity;
-        let displaced = match &case.section {
-            Some(section) => {
-                let depth = wave.section.base_depth;
-                let area = section.area_below(depth + by) - section.area_below(depth);
-                area * case.body.plan().side(case.body.width())
-            }
-            None => by * case.body.base_area(),
+        let Some(section) = &case.section else {
+            return self.level(-unit_weight * by * case.body.base_area(), &[Key::BuoyantWeight]);
         };
-        self.level(-unit_weight * displaced, &[Key::BuoyantWeight]);
+        // Of parts, more is wet as well.
+        let weight = |depth: f64| {
+            let wet = section.mass(Some(WaterTable { left: depth, right: depth }));
+            wet.mass * case.gravity - unit_weight * section.below(depth).area
+        };
+        let depth = wave.section.base_depth;
+        self.level(weight(depth + by) - weight(depth), &[Key::BuoyantWeight]);
     }
 }
 
@@ -462,6 +506,39 @@ mod tests {
         }
     }
 
+    /// A mass that is named and is the one that the size alone would give changes nothing, whatever else is given.
+    #[test]
+    fn naming_the_mass_that_follows_changes_nothing() {
+        let heavy = |changes: &[(&str, f64)], text: &str| {
+            let file = CaseFile::parse("t.toml", text).unwrap();
+            let case = file.case().unwrap();
+            let variables: Vec<_> =
+                changes.iter().map(|(name, _)| Variable::find(name, file.inputs()).unwrap()).collect();
+            let changes: Vec<_> = variables.iter().zip(changes.iter().map(|(_, value)| *value)).collect();
+            vary(file.inputs(), &case, &changes)
+        };
+        let inertia = CAISSON.replace("mass = 346050", "mass = 346050\nmoment_of_inertia = 9e6");
+        let by_density = inertia.replace("mass = 346050", "density = 2197.142857142857");
+        for text in [inertia, by_density] {
+            for size in [[("width", 18.0), ("friction", 0.6)], [("height", 12.0), ("width", 12.0)]] {
+                let alone = heavy(&size, &text);
+                let mass = Case::of(&alone).unwrap().body.mass();
+                let named = heavy(&[size[0], ("mass", mass), size[1]], &text);
+                for (id, expected) in alone.numbers() {
+                    let found = named.number(id).unwrap();
+                    assert!(
+                        (found - expected).abs() <= 1e-9 * expected.abs(),
+                        "{id}: {found}, expected {expected}"
+                    );
+                }
+                // A tonne more weighs as much more.
+                let more = heavy(&[size[0], ("mass", mass + 1e3), size[1]], &text);
+                let weight = |inputs: &Inputs| inputs.number(Key::BuoyantWeight).unwrap();
+                assert!((weight(&more) - weight(&alone) - 9810.0).abs() < 1e-3);
+            }
+        }
+    }
+
     /// Several at once: named first, then levels, then scales, in whatever order they are named.
     #[test]
     fn the_order_of_names_does_not_matter() {
@@ -484,8 +561,11 @@ mod tests {
                 // Named, and raised with the sea.
                 (Key::WaterDepth, 13.0),
                 (Key::KineticFriction, 0.25),
-                // The weight added and the water displaced, then as much wider.
-                (Key::BuoyantWeight, (2318640.0 + (400e3 - 346050.0) * 9.81 - 1030.0 * 9.81 * 15.0) * 1.2),
+                // The water displaced, then as much wider, and the weight added to what is as wide.
+                (
+                    Key::BuoyantWeight,
+                    (2318640.0 - 1030.0 * 9.81 * 15.0) * 1.2 + (400e3 - 346050.0 * 1.2) * 9.81,
+                ),
             ],
         );
         // A number that moves others keeps its own value.

@@ -396,7 +396,7 @@ impl Problem {
             Problem::Neither { one: Key::Mass, .. } => {
                 "add one of them, for example density = \"2.1 t/m3\"".into()
             }
-            Problem::Neither { .. } => "add sides = 1 or 2, or for example mass = \"50 t/m\"".into(),
+            Problem::Neither { .. } => "add sides = 1 or 2 for a wall, or the mass of water, for example \"50 t/m\", or \"200 kg\" of a single object".into(),
             Problem::Syntax(message) if message.contains("missing value") || message.contains("quot") => {
                 "texts and numbers with a unit stand in quotes, e.g. width = \"15 m\"".into()
             }

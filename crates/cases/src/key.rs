@@ -391,7 +391,7 @@ listed! {
     BuoyantWeight = key(Body, "buoyant_weight", Measured(Dimension::Force, Positive), "W_g", "weight less buoyancy", "\"2300 kN/m\"")
         .gives(&[Quantity::BuoyantWeight]);
     WeightArm = key(Body, "weight_arm", length(Positive), "t_g", "its arm to the left corner O", "\"7.5 m\"")
-        .silent("arm of the buoyant weight: below the centre of mass").gives(&[Quantity::WeightArm]);
+        .silent("arm of the buoyant weight: that of the weight; of parts, that of the weight less buoyancy").gives(&[Quantity::WeightArm]);
     WidthScale = key(Body, "width_scale", Plain(Positive), "f_w", "what the lengths of all parts along the base are multiplied by", "1.1")
         .silent("lengths of parts along the base: as given").moves(Moves::Width).gives(&[Quantity::Width]);
 

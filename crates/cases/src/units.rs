@@ -296,7 +296,7 @@ fn split(text: &str) -> Option<(f64, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dimension, UnitError, in_gravity};
+    use super::{Dimension, Extent, UnitError, in_gravity};
 
     #[test]
     fn multiples_of_gravity() {
@@ -338,7 +338,8 @@ mod tests {
     #[test]
     fn units_on_paper_are_understood() {
         use Dimension::{Acceleration, Density, Force, Inertia, Length, Mass, Moment, Pressure, Time};
-        for dimension in [Length, Mass, Density, Force, Acceleration, Inertia, Pressure, Time, Moment] {
+        let per_metre = [Length, Mass, Density, Force, Acceleration, Inertia, Pressure, Time, Moment];
+        for dimension in per_metre.into_iter().chain(per_metre.map(|dimension| Extent::Whole.of(dimension))) {
             let (unit, scale) = dimension.on_paper();
             assert_eq!(dimension.parse(&format!("1 {unit}")), Ok(scale), "{unit}");
         }

@@ -38,6 +38,8 @@ pub enum Warning {
         density: f64,
         /// What it is the density of.
         extent: Extent,
+        /// Whether its volume is that of parts.
+        of_parts: bool,
     },
     /// The water is lighter or heavier than water is.
     WaterDensity {
@@ -117,10 +119,8 @@ pub enum Warning {
     BuoyantBesideParts {
         /// W', as given, N.
         buoyant: f64,
-        /// The weight of the parts less the water they displace, N.
+        /// The weight of the parts less the water they displace, N per metre run.
         of_parts: f64,
-        /// What both are of.
-        extent: Extent,
     },
     /// A wall is shaken in water that presses on it as if it were still.
     EarthquakeWithoutAddedMass {
@@ -192,13 +192,22 @@ impl fmt::Display for Warning {
                 digits(*arm),
                 digits(*base)
             ),
-            Warning::MeanDensity { density, extent: Extent::PerMetre } => write!(
+            Warning::MeanDensity { density, extent, of_parts: true } => {
+                let usual = if *extent == Extent::PerMetre { DENSITY } else { OBJECT };
+                write!(
+                    f,
+                    "the mean density of the parts is {} kg/m³; what is built has {usual} kg/m³: see their densities and \
+                     outlines, and their units",
+                    beyond(*density, usual.limit(*density))
+                )
+            }
+            Warning::MeanDensity { density, extent: Extent::PerMetre, .. } => write!(
                 f,
                 "the mean density, mass/(width × height), is {} kg/m³; what is built has {DENSITY} kg/m³: see mass or \
                  density, width and height, and their units",
                 beyond(*density, DENSITY.limit(*density))
             ),
-            Warning::MeanDensity { density, extent: Extent::Whole } => write!(
+            Warning::MeanDensity { density, extent: Extent::Whole, .. } => write!(
                 f,
                 "the mean density, mass/volume, is {} kg/m³; objects have {OBJECT} kg/m³: see mass or density, the \
                  dimensions, and their units",
@@ -271,21 +280,23 @@ impl fmt::Display for Warning {
                 extent.kilonewtons(*displaced),
                 extent.kilonewtons(weight - displaced)
             ),
-            Warning::BuoyantBesideParts { buoyant, of_parts, extent } => {
-                let [given, parts] = [buoyant, of_parts].map(|force| extent.kilonewtons(*force));
-                let off = 100.0 * (buoyant / of_parts - 1.0);
+            Warning::BuoyantBesideParts { buoyant, of_parts } => {
+                // Waves, which tell how deep they stand, are those of a long wall.
+                let [given, parts] = [buoyant, of_parts].map(|force| Extent::PerMetre.kilonewtons(*force));
+                let off = 100.0 * (of_parts / buoyant - 1.0);
                 write!(
                     f,
-                    "buoyant_weight = {given}, but the parts less the water they displace weigh {parts}: {} % {}; \
+                    "buoyant_weight = {given}, but the parts less the water they displace weigh {parts}, {} % {}; \
                      buoyant_weight is what counts",
                     digits(off.abs()),
-                    if off > 0.0 { "less" } else { "more" }
+                    if off < 0.0 { "less" } else { "more" }
                 )
             }
             Warning::EarthquakeWithoutAddedMass { acceleration } => write!(
                 f,
                 "earthquake.horizontal = {} m/s² shakes a wall in water, and there is no [added_mass]: the water's share \
-                 in the inertia and its pressure on the shaken wall are left out; sides = 1 or 2 counts them",
+                 in the inertia and its pressure on the shaken wall are left out; sides = 1 or 2 counts them for a wall, mass for \
+                 anything else",
                 digits(*acceleration)
             ),
             Warning::UpliftBesideWave { given: [left, right], of_waves } => write!(

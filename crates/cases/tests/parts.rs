@@ -292,8 +292,36 @@ fn a_given_weight_is_compared_with_the_parts() {
     for share in [0.9901, 1.0, 1.0099] {
         assert_eq!(with(weight * share), None);
     }
-    for share in [0.9899, 1.0101] {
+    for (share, off) in [(0.9899, "1.02 % more"), (1.0101, "0.9999 % less")] {
         let message = with(weight * share).unwrap();
-        assert!(message.contains("2319 kN/m: 1.01 % "), "{message}");
+        assert!(message.contains(&format!("2319 kN/m, {off}")), "{message}");
     }
+}
+
+/// Without an arm of its own, W' acts where that of the parts does: by hand for a wall off the middle of its footing.
+#[test]
+fn a_given_weight_of_parts_has_their_arm() {
+    let wave = include_str!("../../../examples/caisson-of-parts.toml");
+    let wave = &wave[wave.find("[wave]").unwrap()..];
+    let parts = "[[part]]\nleft = 0\nwidth = 15\nbottom = 0\nheight = 2\ndensity = 2400\n\
+         [[part]]\nleft = 2\nwidth = 8\nbottom = 2\nheight = 8.5\ndensity = 2300\n";
+    // 30 m² at 7.5 m and 68 m² at 6 m; of these 5.1 m of 8 m under water.
+    let [foot, wall] = [30.0 * 2400.0, 68.0 * 2300.0];
+    let [foot_water, wall_water] = [30.0 * 1030.0, 5.1 * 8.0 * 1030.0];
+    let weight = foot + wall - foot_water - wall_water;
+    let arm = ((foot - foot_water) * 7.5 + (wall - wall_water) * 6.0) / weight;
+    let text = format!("[body]\nfriction = 0.6\nbuoyant_weight = {}\n{parts}{wave}", weight * 9.81);
+    let assessment = assess(&text);
+    assert!((number(&assessment, ResultName::WeightArm) - arm).abs() < 1e-9);
+    // The sea 1 m higher takes off as much as it displaces; of parts that are wetter, less what they take up.
+    let file = CaseFile::parse(
+        "t.toml",
+        &text.replace("density = 2300", "density = 2300\ndensity_below_water = 2000"),
+    );
+    let file = file.unwrap();
+    let case = file.case().unwrap();
+    let level = standfast_cases::couple::Variable::find("water_level", file.inputs()).unwrap();
+    let higher = standfast_cases::couple::vary(file.inputs(), &case, &[(&level, 8.1)]);
+    let found = higher.number(standfast_cases::Key::BuoyantWeight).unwrap();
+    assert!((found - (weight - 8.0 * (1030.0 + 300.0)) * 9.81).abs() < 1e-6, "{found}");
 }

@@ -1,6 +1,7 @@
 //! Assumptions and method, in words.
 
 use maud::{Markup, html};
+use standfast::Plan;
 use standfast_cases::{Assessment, Case};
 
 use crate::limits::Setting;
@@ -43,7 +44,21 @@ pub fn words(assessment: &Assessment) -> Markup {
                 }
             }
             @if case.water.is_some() {
-                li { "Still water presses on the sides and under the whole base, linearly from one edge of the base to the other." }
+                li {
+                    "Still water presses on the sides and under the whole base, linearly from one edge of the base to the other."
+                    @if case.section.is_some() {
+                        " What stands on steps and slopes of the sides presses down, and lifts where the body overhangs."
+                    }
+                }
+            }
+            @if case.section.is_some() && case.wave.is_some() {
+                li { "The waves press on the upright plane through the seaward edge; what they do on steps and slopes is left out." }
+            }
+            @if case.body.plan() == Plan::Circle {
+                li {
+                    "The base bears as a circle that cannot pull, linearly where it is pressed. Pressures on a side act on the diameter, \
+                     those under and above the body on its circle."
+                }
             }
             @if !case.pressures.is_empty() {
                 li { "Pressures that the case file gives are linear from point to point, and nothing outside." }

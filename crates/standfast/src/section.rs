@@ -32,7 +32,6 @@
 use crate::body::{BaseEdges, Body};
 use crate::error::InputError;
 use crate::loads::{Action, Load, LoadKind, LoadSource, Place, StillWater};
-use crate::plan::Plan;
 
 /// A corner of a part's outline, m: to the right of the origin of the drawing, and above the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,6 +179,15 @@ struct Slice {
     right: [f64; 2],
 }
 
+/// The part of a section that lies under a level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Submerged {
+    /// m².
+    pub area: f64,
+    /// Its centre to the right of the origin of the drawing, m; zero without an area.
+    pub x: f64,
+}
+
 /// Mass, centre and inertia of a section, per metre of its length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SectionMass {
@@ -226,6 +234,10 @@ impl Section {
             return Err(SectionError::NotOnBase { height: lowest });
         }
         let slices = slices(&parts, size)?;
+        if slices.is_empty() {
+            // Parts so flat that their bottoms and tops are one level.
+            return Err(SectionError::NoArea);
+        }
         let section = Section { parts, slices, size };
         let [left, right] = section.base();
         if right - left <= TOUCHING * size {
@@ -261,12 +273,20 @@ impl Section {
         self.parts.iter().map(Part::area).sum()
     }
 
-    /// The area of what lies under a level, cavities with it, m²: what displaces water.
-    pub fn area_below(&self, level: f64) -> f64 {
-        let widths = |slice: Slice| {
-            (slice.top - slice.bottom) * (slice.right[0] - slice.left[0] + slice.right[1] - slice.left[1])
-        };
-        self.slices.iter().filter_map(|slice| slice.below(level)).map(|slice| widths(slice) / 2.0).sum()
+    /// What lies under a level, cavities with it: what displaces water.
+    pub fn below(&self, level: f64) -> Submerged {
+        let slices = self.slices.iter().filter_map(|slice| slice.below(level));
+        let sum = slices.fold((0.0, 0.0), |(area, moment), slice| {
+            let thickness = slice.top - slice.bottom;
+            let [l, r] = [slice.left, slice.right];
+            let squares = |[a, b]: [f64; 2]| a * a + a * b + b * b;
+            (
+                area + thickness * (r[0] - l[0] + r[1] - l[1]) / 2.0,
+                moment + thickness * (squares(r) - squares(l)) / 6.0,
+            )
+        });
+        let (area, moment) = sum;
+        Submerged { area, x: if area == 0.0 { 0.0 } else { moment / area } }
     }
 
     /// Its mass with the parts under the water table wet, or with all dry.
@@ -280,8 +300,14 @@ impl Section {
         sum.mass()
     }
 
-    /// The same of its parts one by one. A cavity has its centre where its area has it.
+    /// The same of its parts one by one, centres counted from mid-width. A cavity has its centre where its area has it.
     pub fn masses(&self, water: Option<WaterTable>) -> Vec<PartMass> {
+        let [left, right] = self.ends();
+        // As in `body`, so that they add up to its.
+        self.moved(-(left + right) / 2.0).masses_here(water)
+    }
+
+    fn masses_here(&self, water: Option<WaterTable>) -> Vec<PartMass> {
         let masses = self.parts.iter().map(|part| {
             let [(dry, density), (wet, below)] = self.dry_and_wet(part, water);
             let mut sum = Areas::default();
@@ -306,15 +332,12 @@ impl Section {
         [(whole.less(&wet), part.density), (wet, part.density_below_water)]
     }
 
-    /// The body of this section and plan, with the parts under the water table wet.
+    /// The body of this section, `length` long out of the plane (m; 1 for a body per metre run), with the parts under the water
+    /// table wet.
     ///
     /// # Errors
-    /// If it has no mass, or its centre of mass does not lie between the corners of the base.
-    pub fn body(&self, water: Option<WaterTable>, plan: Plan) -> Result<Body, InputError> {
-        let length = match plan {
-            Plan::Rectangle { length } => length,
-            Plan::Circle => 1.0,
-        };
+    /// If it has no mass, the length is none, or its centre of mass does not lie between the corners of the base.
+    pub fn body(&self, water: Option<WaterTable>, length: f64) -> Result<Body, InputError> {
         let ([left, right], height) = (self.ends(), self.height());
         // From the middle of the body, so that nothing is lost where the drawing begins far away.
         let middle = (left + right) / 2.0;
@@ -359,7 +382,7 @@ impl Section {
     pub fn water_on_sides(&self, body: &Body, water: &StillWater, gravity: f64) -> Vec<Load> {
         let unit_weight = water.density() * gravity * body.plan().side(body.width());
         let [o, o_prime] = self.base();
-        let sides = [
+        let sides: [(LoadSource, f64, f64, [Standing; 2]); 2] = [
             (
                 LoadSource::WaterOnLeft,
                 water.left(),
@@ -374,8 +397,10 @@ impl Section {
             ),
         ];
         let [edge_left, edge_right] = [0.0 - body.base_edges().left, body.base_edges().right];
-        let loads = sides.into_iter().filter_map(|(source, level, to_right, standing)| {
-            let Standing { area, moment } = standing;
+        let each = sides.into_iter().flat_map(|(source, level, to_right, standing)| {
+            standing.map(|standing| (source, level, to_right, standing))
+        });
+        let loads = each.filter_map(|(source, level, to_right, Standing { area, moment })| {
             // What rounding leaves of an upright side is no water.
             if area.abs() <= TOUCHING * self.size * level {
                 return None;
@@ -388,20 +413,29 @@ impl Section {
         loads.collect()
     }
 
-    /// The area between a side and the upright through its corner of the base, and its moment about that, up to a level.
-    fn standing(&self, level: f64, from_corner: impl Fn(&Slice) -> [f64; 2]) -> Standing {
-        let below = self.slices.iter().filter_map(|slice| slice.below(level));
-        below.fold(Standing { area: 0.0, moment: 0.0 }, |sum, slice| {
+    /// The area between a side and the upright through its corner of the base, and its moment about that, up to a level: where the
+    /// side lies within the base and water stands on it; and, below zero, where it overhangs.
+    fn standing(&self, level: f64, from_corner: impl Fn(&Slice) -> [f64; 2]) -> [Standing; 2] {
+        let mut sums = [Standing { area: 0.0, moment: 0.0 }; 2];
+        for slice in self.slices.iter().filter_map(|slice| slice.below(level)) {
             let ([a, b], thickness) = (from_corner(&slice), slice.top - slice.bottom);
-            Standing {
-                area: sum.area + thickness * (a + b) / 2.0,
-                moment: sum.moment + thickness * (a * a + a * b + b * b) / 6.0,
+            // Where the side crosses the upright.
+            let share = if a * b < 0.0 { a / (a - b) } else { 1.0 };
+            let cut = if a * b < 0.0 { 0.0 } else { b };
+            for ([a, b], thickness) in [([a, cut], share * thickness), ([cut, b], (1.0 - share) * thickness)]
+            {
+                let sum = &mut sums[usize::from(a + b < 0.0)];
+                // ∫a²/2 dy; over an area below zero it lies beside the body.
+                sum.area += thickness * (a + b) / 2.0;
+                sum.moment += thickness * (a * a + a * b + b * b) / 6.0;
             }
-        })
+        }
+        sums
     }
 }
 
 /// An area beside an upright line, m², and its moment about it, m³.
+#[derive(Debug, Clone, Copy)]
 struct Standing {
     area: f64,
     moment: f64,

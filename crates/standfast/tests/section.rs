@@ -7,7 +7,7 @@ use standfast::loads::{
     Action, Face, Load, LoadKind, LoadSource, Place, Pose, PressureAt, PressureDiagram, StillWater,
 };
 use standfast::section::{Part, Section, SectionError, SectionMass, Vertex, WaterTable};
-use standfast::{Bearing, Body, Departure, Plan, Situation, Wrench};
+use standfast::{Bearing, Body, Departure, Situation, Wrench};
 
 fn polygon(corners: &[(f64, f64)], density: f64, wet: f64) -> Part {
     let outline = corners.iter().map(|&(x, y)| Vertex { x, y }).collect();
@@ -103,10 +103,10 @@ fn parts_of_a_uniform_block_are_the_block() {
     for x0 in [0.0, -7.5, 1234.0] {
         let section = Section::new(parts(x0)).unwrap();
         let uniform = Body::of_density(15.0, 12.0, 2100.0).unwrap();
-        let body = section.body(None, Plan::PER_METRE).unwrap();
+        let body = section.body(None, 1.0).unwrap();
         assert_eq!((body.width(), body.height(), body.is_uniform()), (15.0, 12.0, true));
         assert!((body.mass() / uniform.mass() - 1.0).abs() < 1e-12);
-        let long = section.body(None, Plan::Rectangle { length: 20.0 }).unwrap();
+        let long = section.body(None, 20.0).unwrap();
         assert!((long.mass() / (20.0 * uniform.mass()) - 1.0).abs() < 1e-12 && long.is_uniform());
     }
 }
@@ -125,7 +125,7 @@ fn water_presses_along_the_outline() {
             [random.uniform(0.0, top), random.uniform(0.0, top)]
         };
         let (density, g) = (1025.0, 9.81);
-        let body = section.body(Some(WaterTable { left, right }), Plan::PER_METRE).unwrap();
+        let body = section.body(Some(WaterTable { left, right }), 1.0).unwrap();
         let water = StillWater::new(&body, left, right, density).unwrap();
         let [o, o_prime] = section.base();
         let [hull_left, hull_right] = section.ends();
@@ -182,7 +182,7 @@ fn water_presses_along_the_outline() {
         assert!(near(whole.m, sum.m, weight * top), "{whole:?} {sum:?}");
         if left == right {
             // Archimedes.
-            let displaced = density * g * section.area_below(left);
+            let displaced = density * g * section.below(left).area;
             assert!((whole.p + displaced).abs() < 1e-9 * weight, "{whole:?} {displaced}");
         }
     }
@@ -192,7 +192,7 @@ fn water_presses_along_the_outline() {
 #[test]
 fn nothing_stands_on_upright_sides() {
     let section = Section::new(vec![rectangle([3.0, 18.0], [0.0, 12.0], 2100.0)]).unwrap();
-    let body = section.body(None, Plan::PER_METRE).unwrap();
+    let body = section.body(None, 1.0).unwrap();
     let water = StillWater::new(&body, 7.0, 9.0, 1025.0).unwrap();
     assert_eq!(section.water_on_sides(&body, &water, 9.81), []);
 }
@@ -206,9 +206,9 @@ fn water_on_a_footing_by_hand() {
             vec![rectangle([0.0, 8.0], [0.0, 1.0], 2400.0), rectangle([2.0, 6.0], [1.0, 9.0], 2400.0)];
         Section::new(parts).unwrap()
     };
-    for (plan, length) in [(Plan::PER_METRE, 1.0), (Plan::Rectangle { length: 3.0 }, 3.0)] {
+    for length in [1.0, 3.0] {
         let (section, g) = (section(), 10.0);
-        let body = section.body(None, plan).unwrap();
+        let body = section.body(None, length).unwrap();
         assert_eq!(body.mass(), 2400.0 * 40.0 * length);
         let water = StillWater::new(&body, 5.0, 3.0, 1000.0).unwrap();
         let loads = section.water_on_sides(&body, &water, g);
@@ -340,4 +340,31 @@ fn a_cylinder_by_hand() {
         "{heel} {toe}"
     );
     assert_eq!((contact, share), (2.0, 1.0));
+}
+
+/// A ledge and a nose of one size, under water: their forces cancel, their moments do not.
+#[test]
+fn a_ledge_and_a_nose_do_not_cancel() {
+    // Set back by 1 m over 3 m, then overhanging by 1 m over 3 m, and upright on the other side.
+    let section = Section::new(vec![
+        rectangle([0.0, 9.0], [0.0, 2.0], 2400.0),
+        rectangle([1.0, 9.0], [2.0, 5.0], 2400.0),
+        rectangle([-1.0, 9.0], [5.0, 8.0], 2400.0),
+    ])
+    .unwrap();
+    let body = section.body(None, 1.0).unwrap();
+    let water = StillWater::new(&body, 8.0, 8.0, 1000.0).unwrap();
+    let loads = section.water_on_sides(&body, &water, 10.0);
+    let wrenches: Vec<_> = loads.iter().map(|load| load.wrench(&body, 10.0, Pose::UPRIGHT)).collect();
+    // 3 m² at 0.5 m to either side of O, 30 kN each: a couple of 30 kN m that turns clockwise.
+    assert_eq!(loads.len(), 2);
+    let sum: Wrench = wrenches.into_iter().sum();
+    assert!(sum.p.abs() < 1e-6 && (sum.m + 30e3).abs() < 1e-6, "{sum:?}");
+}
+
+#[test]
+fn parts_as_flat_as_rounding_are_no_section() {
+    let flat = |left: f64| rectangle([left, left + 1.0], [0.0, 1e-3], 1.0);
+    assert_eq!(Section::new(vec![flat(0.0), flat(1e7)]).map(|_| ()), Err(SectionError::NoArea));
+    assert!(Section::new(Vec::new()).is_err());
 }

@@ -1,6 +1,6 @@
 //! The body and its loads one by one, for reading.
 
-use standfast::loads::{Load, LoadSource};
+use standfast::loads::{Action, Load, LoadSource};
 use standfast::{Plan, Wrench};
 
 use super::Assessed;
@@ -46,6 +46,8 @@ pub(super) fn load_words(load: &Load) -> String {
         LoadSource::BuoyantWeight => "buoyant weight",
         LoadSource::Buoyancy => "buoyancy",
         LoadSource::StillWater => "still water on the sides",
+        LoadSource::WaterOnLeft if lifts(load) => "water under the overhang at the left",
+        LoadSource::WaterOnRight if lifts(load) => "water under the overhang at the right",
         LoadSource::WaterOnLeft => "water standing on the left side",
         LoadSource::WaterOnRight => "water standing on the right side",
         LoadSource::Uplift => "uplift",
@@ -59,6 +61,11 @@ pub(super) fn load_words(load: &Load) -> String {
         _ => "load",
     };
     words.to_owned()
+}
+
+/// Whether a force points upwards.
+fn lifts(load: &Load) -> bool {
+    matches!(load.action, Action::Force { up, .. } if up > 0.0)
 }
 
 /// A load of a situation: what it is called, whether it is permanent, and what it amounts to at the centre of mass. Water on

@@ -2,8 +2,8 @@
 //! at its key.
 
 use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
-use standfast::wave::{Choices, Heights, Sea, Section, goda};
-use standfast::{Body, InputError};
+use standfast::wave::{self, Choices, Heights, Sea, goda};
+use standfast::{Body, InputError, Section};
 
 use super::{Waves, Weight};
 use crate::error::{Fault, Place, Problem};
@@ -91,12 +91,26 @@ impl Given<'_> {
         Ok(kinetic)
     }
 
-    pub(super) fn weight(&self, body: &Body) -> Result<Weight, Fault> {
+    pub(super) fn weight(&self, body: &Body, section: Option<&Section>) -> Result<Weight, Fault> {
         match (self.number(Key::BuoyantWeight), self.number(Key::WeightArm)) {
-            (Some(force), arm) => Ok(Weight::Buoyant { force, arm: arm.unwrap_or(body.heel_distance()) }),
+            (Some(force), Some(arm)) => Ok(Weight::Buoyant { force, arm }),
+            (Some(force), None) => {
+                let arm = section.and_then(|section| self.arm_of_parts(body, section));
+                Ok(Weight::Buoyant { force, arm: arm.unwrap_or(body.heel_distance()) })
+            }
             (None, None) => Ok(Weight::Total),
             (None, Some(_)) => Err(Fault::new(Problem::ArmWithoutWeight, Key::WeightArm)),
         }
+    }
+
+    /// The arm of the weight of parts less the water that they displace under the waves' still water.
+    fn arm_of_parts(&self, body: &Body, section: &Section) -> Option<f64> {
+        let (depth, density) = (self.number(Key::BaseDepth)?, self.number(Key::WaveWaterDensity)?);
+        let [o, _] = section.base();
+        let displaced = section.below(depth);
+        let buoyancy = density * displaced.area;
+        let weight = body.mass() - buoyancy;
+        (weight > 0.0).then(|| (body.mass() * body.heel_distance() - buoyancy * (displaced.x - o)) / weight)
     }
 
     pub(super) fn water(&self, body: &Body, wave: Option<&Waves>) -> Result<StillWater, Fault> {
@@ -202,7 +216,7 @@ impl Given<'_> {
             let problem = Problem::CaissonWidth { width, base: caisson_width };
             return Err(Fault::new(problem, Key::CaissonWidth).and(self.base_key()));
         }
-        let section = Section {
+        let section = wave::Section {
             base_depth: self.required(Key::BaseDepth)?,
             depth_above_berm: self.required(Key::DepthAboveBerm)?,
             crest_height: self.required(Key::CrestHeight)?,
@@ -223,7 +237,7 @@ impl Given<'_> {
         };
         let goda =
             goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
-        let Section { base_depth, crest_height, .. } = section;
+        let wave::Section { base_depth, crest_height, .. } = section;
         if (base_depth + crest_height - body.height()).abs() > SAME_LENGTH {
             let problem = Problem::Height { base_depth, crest_height, height: body.height() };
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));

@@ -44,8 +44,7 @@ impl Given<'_> {
             return Err(Fault::new(Problem::FollowsFromParts { key }, key));
         }
         let section = self.section()?;
-        let plan = self.plan();
-        let body = section.body(self.water_table(), plan);
+        let body = section.body(self.water_table(), self.number(Key::Length).unwrap_or(1.0));
         let body =
             body.map_err(|error| Fault::new(Problem::Parts(error.into()), Place::Table(Table::Part, 0)))?;
         Ok((body, Some(section)))

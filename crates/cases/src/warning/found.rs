@@ -148,7 +148,8 @@ impl Case {
         let (density, extent) = (self.body.mass() / area, self.extent);
         let usual = if extent == Extent::PerMetre { DENSITY } else { OBJECT };
         if !usual.contains(density) {
-            warnings.push(Warning::MeanDensity { density, extent });
+            let of_parts = self.section.is_some();
+            warnings.push(Warning::MeanDensity { density, extent, of_parts });
         }
         let of_wave = self.wave.as_ref().map(|wave| (Key::WaveWaterDensity, wave.sea.water_density));
         let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
@@ -175,10 +176,9 @@ impl Case {
         let Waves { sea, section, .. } = self.wave.as_ref()?;
         let unit_weight = sea.water_density * self.gravity;
         if let Some(parts) = &self.section {
-            let area = parts.area_below(section.base_depth);
-            let of_parts = weight - unit_weight * area * self.body.plan().side(self.body.width());
+            let of_parts = weight - unit_weight * parts.below(section.base_depth).area;
             let off = (buoyant / of_parts - 1.0).abs();
-            return (off > OF_PARTS).then_some(Warning::BuoyantBesideParts { buoyant, of_parts, extent });
+            return (off > OF_PARTS).then_some(Warning::BuoyantBesideParts { buoyant, of_parts });
         }
         let displaced = unit_weight * self.body.base_area() * section.base_depth;
         let off = (weight - displaced - buoyant).abs();

@@ -66,12 +66,10 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
     let body = &case.body;
     let masses = section.masses(case.water_table);
     let long = if case.extent == Extent::Whole { " L_b" } else { "" };
-    let [end, _] = section.ends();
     steps.note(
-        "Of each part the area, its centre and its own moment of inertia are those of its outline (Green’s theorem); a part that \
-         reaches under still water is wet below it. `x` counts from the middle of the body’s width.",
+        "Of each part the area, its centre and its own moment of inertia are those of its outline (Green’s theorem); a part with another density under \
+         still water is parted there. `x` counts from the middle of the body’s width.",
     );
-    let middle = end + body.width() / 2.0;
     for (i, ((name, part), PartMass { dry, wet, mass, centre, moment_of_inertia })) in
         case.parts().zip(&masses).enumerate()
     {
@@ -80,8 +78,9 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
         let [dry_density, wet_density] =
             [Key::PartDensity, Key::PartDensityBelow].map(|key| numbered(key.info().symbol, i, masses.len()));
         let about = format!(
-            "Part {n}{}: area above still water",
-            name.map_or(String::new(), |name| format!(", {}", name.replace('`', "'")))
+            "Part {n}{}: area{}",
+            name.map_or(String::new(), |name| format!(", {}", name.replace('`', "'"))),
+            if *wet == 0.0 { "" } else { " above still water" },
         );
         steps.told(&about, &of("A"), *dry, AREA, "of its outline", "");
         steps.know(&dry_density, part.density(), DENSITY);
@@ -97,14 +96,7 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
         };
         let times = case.body.plan().side(body.width());
         steps.add("Its mass", "", [&of("m"), &formula], mass * times, TONNE, "");
-        steps.told(
-            "Its centre, right of mid-width",
-            &of("x"),
-            centre.x - middle,
-            METRE,
-            "of its outline",
-            "",
-        );
+        steps.told("Its centre, right of mid-width", &of("x"), centre.x, METRE, "of its outline", "");
         steps.told("above the base", &of("y"), centre.y, METRE, "of its outline", "");
         let words = "of its outline, about its own centre";
         steps.told("Its moment of inertia", &of("I"), moment_of_inertia * times, INERTIA, words, "");

@@ -185,12 +185,14 @@ fn given(steps: &mut Steps, case: &Case, load: &Load) {
         LoadSource::WaterOnLeft | LoadSource::WaterOnRight => {
             if let (Some(water), Action::Force { at, up, .. }) = (&case.water, &load.action) {
                 let unit_weight = water.density() * case.gravity * case.body.plan().side(case.body.width());
-                let [area, place] = match load.source {
-                    LoadSource::WaterOnLeft => ["A_wl", "x_wl"],
-                    _ => ["A_wr", "x_wr"],
-                };
+                let [area, place] = water_symbols(load);
                 let words = "between the outline of the parts and the upright through the corner of the base";
-                steps.told("Area of the water on the side", area, 0.0 - up / unit_weight, AREA, words, "");
+                let about = if *up > 0.0 {
+                    "Area of the overhang under water"
+                } else {
+                    "Area of the water on the side"
+                };
+                steps.told(about, area, up.abs() / unit_weight, AREA, words, "");
                 let arm = at.x + case.body.base_edges().left;
                 steps.told("Its centre, to the right of O", place, arm, METRE, "of that area", "");
                 steps.know("ρ_w", water.density(), DENSITY);
@@ -217,6 +219,17 @@ fn given(steps: &mut Steps, case: &Case, load: &Load) {
             }
         }
         _ => {}
+    }
+}
+
+/// The symbols of the area of water on a side, or of an overhang, and of its centre.
+fn water_symbols(load: &Load) -> [&'static str; 2] {
+    let lifts = matches!(load.action, Action::Force { up, .. } if up > 0.0);
+    match (load.source, lifts) {
+        (LoadSource::WaterOnLeft, false) => ["A_wl", "x_wl"],
+        (LoadSource::WaterOnLeft, true) => ["A_ol", "x_ol"],
+        (_, false) => ["A_wr", "x_wr"],
+        (_, true) => ["A_or", "x_or"],
     }
 }
 
@@ -291,8 +304,12 @@ fn formulas(
             let moment = format!("ρ_w g (h_r^2/2 (h_r/3 − y_C) − h_l^2/2 (h_l/3 − y_C)){side}");
             [some(&format!("ρ_w g (h_l^2 − h_r^2)/2{side}")), None, some(&moment)]
         }
-        LoadSource::WaterOnLeft => [None, some(&format!("ρ_w g A_wl{side}")), Some(moment_of_v("x_wl"))],
-        LoadSource::WaterOnRight => [None, some(&format!("ρ_w g A_wr{side}")), Some(moment_of_v("x_wr"))],
+        LoadSource::WaterOnLeft | LoadSource::WaterOnRight => {
+            let [area, place] = water_symbols(&component.load);
+            let force = format!("ρ_w g {area}{side}");
+            let force = if component.wrench.p < 0.0 { less(&force) } else { some(&force) };
+            [None, force, Some(moment_of_v(place))]
+        }
         LoadSource::Uplift => pressure("p_l", "p_r", ""),
         LoadSource::HorizontalInertia => [way(!turned(Earthquake::horizontal), "m a_h"), None, None],
         LoadSource::VerticalInertia => [None, way(turned(Earthquake::vertical), "m a_v"), None],

@@ -130,6 +130,8 @@ fn more() -> Vec<(String, String)> {
         ("parts in water", "[body]\nfriction = 0.6\nwidth_scale = 1.1\n[water]\nleft = 6\nright = 4\ndensity = 1000\n[[part]]\nname = \"`foot`\"\nleft = 3\nwidth = 9\nbottom = 0\n\
             height = 1.5\ndensity = 2400\n[[part]]\nleft = 5\nwidth = 4\nbottom = 1.5\nheight = 8\ntop_left = 4.5\ntop_width = 3\ndensity = 2300\n\
             density_below_water = 2100\n[[part]]\nname = \"cavity\"\nx = [9, 12, 8.71875]\ny = [1.5, 1.5, 3]\ndensity = 0\n[[load]]\nforce = 90e3\nelevation = 5\n".to_owned()),
+        ("a ledge and a nose in water", "[body]\nfriction = 0.6\n[water]\nleft = 8\nright = 5\ndensity = 1000\n[[part]]\nleft = 0\nwidth = 9\nbottom = 0\nheight = 2\n\
+            density = 2400\n[[part]]\nx = [1, 9, 9, -1]\ny = [2, 2, 8, 8]\ndensity = 2400\n[[load]]\nforce = 9e3\nelevation = 5\n".to_owned()),
         ("lifted", format!("{body}[uplift]\nleft = 300e3\nright = 300e3\n")),
         ("weight alone", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 1.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),
         ("weight at the toe", "[body]\nwidth = 6\nheight = 7\nmass = 100e3\nfriction = 0.6\nbuoyant_weight = 500e3\nweight_arm = 5.5\n[uplift]\nleft = 0\nright = 90e3\n".to_owned()),

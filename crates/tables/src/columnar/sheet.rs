@@ -11,6 +11,7 @@ use arrow_array::{
 use arrow_schema::{Field, Schema};
 use calamine::{DataRef, ExcelDateTime, Reader, Xlsx};
 
+use super::workbook::ROWS;
 use crate::{TableError, TableOptions};
 
 /// What a cell holds.
@@ -57,9 +58,14 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
                 header: u64::from(header) + 1,
             });
         };
-        let index = (row - header - 1) as usize;
-        rows = rows.max(index + 1);
         let cells = &mut columns[place].2;
+        // Rows rise in a sheet, and there are no more of them; what says otherwise is no sheet.
+        let index =
+            row.checked_sub(header + 1).filter(|_| u64::from(row) <= ROWS).map(|index| index as usize);
+        let Some(index) = index.filter(|index| cells.len() <= *index) else {
+            return Err(options.damaged("its cells are not in the order of rows".to_owned()));
+        };
+        rows = rows.max(index + 1);
         cells.resize_with(index, || Cell::Empty);
         cells.push(value);
     }

@@ -54,7 +54,7 @@ impl Axis<'_> {
     }
 
     fn drawn(&self) -> SetAxis<'_> {
-        let info = self.quantity.variable.id().key.info();
+        let info = self.quantity.variable.key().info();
         let present = self.quantity.present / self.scale;
         SetAxis { words: info.words, symbol: info.symbol, unit: self.unit, present }
     }
