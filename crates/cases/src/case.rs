@@ -36,6 +36,7 @@ use standfast::{Body, InputError, Situation};
 use given::Given;
 pub(crate) use given::fault;
 pub use loads::{Combination, Direction, FacePressure, PointForce};
+pub(crate) use section::OF_PARTS;
 
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};

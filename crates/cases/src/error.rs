@@ -435,9 +435,10 @@ impl Problem {
                  corners of a polygon, x and y"
                     .into()
             }
-            Problem::Parts(SectionError::Gap { .. }) => {
-                "parts touch each other; what is empty between them is a part of density 0".into()
+            Problem::Parts(SectionError::Gap { .. } | SectionError::Overlap { .. }) => {
+                "parts touch each other, to the millimetre; what is empty between them is a part of density 0".into()
             }
+            Problem::Parts(SectionError::Loose { .. }) => "parts stand on each other along a length".into(),
             Problem::NotOfCylinder { key: Key::WaterLeft } => {
                 "water stands around it: give `level` in place of left and right".into()
             }
@@ -494,10 +495,19 @@ fn line(key: Key) -> String {
 fn parts(error: SectionError) -> String {
     let place = |at: Vertex| format!("x = {} m, {} m above the base", digits(at.x), digits(at.y));
     match error {
-        SectionError::Overlap { one, two, at } => {
-            format!("parts {} and {} overlap, at {}", one + 1, two + 1, place(at))
+        SectionError::Overlap { one, two, at, by } => {
+            format!("parts {} and {} overlap by {} m, at {}", one + 1, two + 1, digits(by), place(at))
         }
-        SectionError::Gap { at } => format!("the parts leave a gap, at {}", place(at)),
+        SectionError::Gap { at, by } => {
+            format!("the parts leave a gap of {} m, at {}", digits(by), place(at))
+        }
+        SectionError::Loose { at } => {
+            format!(
+                "what lies above {} m does not stand on what is below it, at x = {} m",
+                digits(at.y),
+                digits(at.x)
+            )
+        }
         SectionError::BelowBase { depth } => {
             format!("the part reaches {} m below the base, which is at height 0", digits(depth))
         }
@@ -508,8 +518,9 @@ fn parts(error: SectionError) -> String {
             format!("the lowest part begins {} m above the base, which is at height 0", digits(height))
         }
         SectionError::Input(error) if error.quantity == Quantity::CentroidOffset => format!(
-            "the centre of mass lies {} m to the right of mid-width, not between the corners of the base",
-            digits(error.value)
+            "the centre of mass lies {} m to the {} of mid-width, not between the corners of the base",
+            digits(error.value.abs()),
+            if error.value < 0.0 { "left" } else { "right" }
         ),
         error => format!("the parts make no body: {error}"),
     }

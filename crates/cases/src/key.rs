@@ -369,7 +369,7 @@ listed! {
         .silent("length: all per metre run").moves(Moves::Length).gives(&[Quantity::Length]);
     Shape = key(Body, "shape", SHAPES, "", "shape; of an upright cylinder the width is the diameter, masses are in kg and forces in N", "\"cylinder\"")
         .silent("shape: a block");
-    Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass, per metre run or of the whole object", "\"370 t/m\"")
+    Mass = key(Body, "mass", Measured(Dimension::Mass, Positive), "m", "mass", "\"370 t/m\"")
         .moves(Moves::Mass).gives(&[Quantity::Mass]);
     Density = key(Body, "density", Measured(Dimension::Density, Positive), "ρ_b", "mean density of the body", "\"2.1 t/m3\"")
         .moves(Moves::Mass).gives(&[Quantity::Density, Quantity::Mass]);
@@ -506,7 +506,7 @@ listed! {
         .silent("pressure: variable");
 
     LoadName = key(Load, "name", Text, "", "name of the load", "\"breaking wave\"");
-    Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force, per metre run or on the whole object", "\"450 kN/m\"")
+    Force = key(Load, "force", Measured(Dimension::Force, NotNegative), "F", "force", "\"450 kN/m\"")
         .gives(&[Quantity::Force, Quantity::K]);
     Towards = key(Load, "direction", DIRECTIONS, "", "where it points", "\"left\"").silent("direction: left");
     Elevation = key(Load, "elevation", length(NotNegative), "e", "its height above the base", "\"8 m\"")

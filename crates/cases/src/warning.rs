@@ -41,6 +41,15 @@ pub enum Warning {
         /// Whether its volume is that of parts.
         of_parts: bool,
     },
+    /// A part is lighter or heavier than what is built.
+    PartDensity {
+        /// Above still water or below it.
+        id: Id,
+        /// kg/m³.
+        density: f64,
+        /// What the body is.
+        extent: Extent,
+    },
     /// The water is lighter or heavier than water is.
     WaterDensity {
         /// Where it is given.
@@ -145,6 +154,7 @@ impl Warning {
             Warning::BaseBeyondBody { .. } => "base-beyond-body",
             Warning::WeightBesideBase { .. } => "weight-beside-base",
             Warning::MeanDensity { .. } => "mean-density",
+            Warning::PartDensity { .. } => "part-density",
             Warning::WaterDensity { .. } => "water-density",
             Warning::HighFriction { .. } => "high-friction",
             Warning::UnusualGravity { .. } => "unusual-gravity",
@@ -213,6 +223,14 @@ impl fmt::Display for Warning {
                  dimensions, and their units",
                 beyond(*density, OBJECT.limit(*density))
             ),
+            Warning::PartDensity { id, density, extent } => {
+                let usual = if *extent == Extent::PerMetre { DENSITY } else { OBJECT };
+                write!(
+                    f,
+                    "{id} = {} kg/m³; what is built has {usual} kg/m³",
+                    beyond(*density, usual.limit(*density))
+                )
+            }
             Warning::WaterDensity { key, density } => {
                 write!(
                     f,

@@ -161,11 +161,11 @@ fn faults_of_parts_are_shown_where_they_are() {
     let cases = [
         (
             "[[part]]\nname = \"wall\"\nleft = 2\nwidth = 4\nbottom = 0.9\nheight = 8\ndensity = 2400\n",
-            "parts 1 and 2 overlap, at x = ",
+            "parts 1 and 2 overlap by 4 m, at x = ",
         ),
         (
             "[[part]]\nleft = 2\nwidth = 4\nbottom = 1.5\nheight = 8\ndensity = 2400\n",
-            "the parts leave a gap, at x = ",
+            "the parts leave a gap of 0.5 m, at x = ",
         ),
         ("[[part]]\nleft = 2\nwidth = 4\nbottom = 1\ndensity = 2400\n", "[[part]] lacks `height`"),
         ("[[part]]\nleft = 2\nwidth = 4\nbottom = 1\nheight = 8\n", "[[part]] lacks `density`"),
@@ -184,7 +184,11 @@ fn faults_of_parts_are_shown_where_they_are() {
             "[[part]]\nleft = 0\nwidth = 1\nbottom = 1\nheight = 1\ndensity = -2400\n",
             "`density` is -2400; expected a finite number",
         ),
-        ("[[part]]\nleft = 30\nwidth = 1\nbottom = 0\nheight = 1\ndensity = 2400\n", "gap"),
+        ("[[part]]\nleft = 30\nwidth = 1\nbottom = 0\nheight = 1\ndensity = 2400\n", "gap of 22 m"),
+        (
+            "[[part]]\nleft = 8.5\nwidth = 4\nbottom = 1\nheight = 2\ndensity = 2400\n",
+            "what lies above 1 m does not stand on what is below it, at x = 10.5 m",
+        ),
     ];
     for (part, expected) in cases {
         let error = error(&with(&format!("{block}{part}")));

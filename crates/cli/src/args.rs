@@ -50,7 +50,7 @@ pub enum Command {
     /// the variable loads rise, and where the mode changes. Draws the case in the k–μ plane, one diagram for every elevation
     /// of a force, and with water, waves, uplift or an earthquake the path of the rising load as well.
     #[command(after_help = "Example:\n  standfast assess examples/caisson-in-air.toml\n\n\
-        Example of a case file (numbers without unit are SI: m, kg/m, kg/m3, N/m; of a single object kg and N):\n\
+        Example of a case file (numbers without unit are SI: m, kg/m, kg/m3, N/m; objects kg, N):\n\
         \u{20} [body]\n\
         \u{20} width = \"15 m\"\n\
         \u{20} height = \"12 m\"\n\

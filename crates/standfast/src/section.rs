@@ -50,12 +50,13 @@ pub struct Part {
     density_below_water: f64,
 }
 
-/// A line under which the parts of a body are wet: straight from the water at the left to the water at the right.
+/// Under which line the parts of a body are wet: straight from where the water at the left meets it to where that at the right
+/// does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WaterTable {
-    /// Above the base at the left end of the section, m.
+    /// Above the base at the left of the body, m.
     pub left: f64,
-    /// Above the base at the right end.
+    /// Above the base at the right.
     pub right: f64,
 }
 
@@ -98,11 +99,21 @@ pub enum SectionError {
         two: usize,
         /// A place that both have.
         at: Vertex,
+        /// How wide, m.
+        by: f64,
     },
     /// A place between parts, or above them, that is in none.
     #[error("between parts there is a gap at {at:?}")]
     Gap {
         /// A place in it.
+        at: Vertex,
+        /// How wide, or where nothing is beside it how high, m.
+        by: f64,
+    },
+    /// Parts that stand on nothing, or on a corner.
+    #[error("what lies above {at:?} stands on nothing")]
+    Loose {
+        /// A place on their underside.
         at: Vertex,
     },
 }
@@ -125,9 +136,13 @@ impl Part {
         }
         let density = InputError::not_negative(Quantity::Density, density)?;
         let density_below_water = InputError::not_negative(Quantity::Density, density_below_water)?;
+        if outline.len() > 1 && outline.first() == outline.last() {
+            // A polygon that is closed by its first corner.
+            outline.pop();
+        }
         let size = extent(outline.iter());
         let area = areas(&outline).area;
-        if outline.len() < 3 || area.abs() <= TOUCHING * size * size {
+        if outline.len() < 3 || area.abs() <= ROUNDING * size * size {
             return Err(SectionError::NoArea);
         }
         if let Some((one, two)) = crossing(&outline) {
@@ -214,9 +229,14 @@ pub struct PartMass {
     pub moment_of_inertia: f64,
 }
 
-/// How far outlines may be apart, or overlap, that touch: as a share of the section's size, for the rounding of numbers such as
-/// 0.1 + 0.2.
-const TOUCHING: f64 = 1e-9;
+/// What lengths may be off by rounding, as a share of the section's size.
+const ROUNDING: f64 = 1e-9;
+
+/// How far outlines may be apart, or overlap, that touch, m: as drawings are given, to the millimetre; of a section less than a
+/// metre large, a thousandth of that.
+fn slack(size: f64) -> f64 {
+    1e-3 * size.min(1.0)
+}
 
 impl Section {
     /// A section of parts.
@@ -227,10 +247,10 @@ impl Section {
         let size = extent(parts.iter().flat_map(|part| &part.outline));
         let corners = || parts.iter().flat_map(|part| &part.outline);
         let lowest = corners().map(|vertex| vertex.y).fold(f64::INFINITY, f64::min);
-        if lowest < -TOUCHING * size {
+        if lowest < -slack(size) {
             return Err(SectionError::BelowBase { depth: 0.0 - lowest });
         }
-        if parts.is_empty() || lowest > TOUCHING * size {
+        if parts.is_empty() || lowest > slack(size) {
             return Err(SectionError::NotOnBase { height: lowest });
         }
         let slices = slices(&parts, size)?;
@@ -240,7 +260,7 @@ impl Section {
         }
         let section = Section { parts, slices, size };
         let [left, right] = section.base();
-        if right - left <= TOUCHING * size {
+        if right - left <= slack(size) {
             return Err(SectionError::NotOnBase { height: lowest });
         }
         Ok(section)
@@ -326,10 +346,36 @@ impl Section {
     fn dry_and_wet(&self, part: &Part, water: Option<WaterTable>) -> [(Areas, f64); 2] {
         let whole = areas(&part.outline);
         let wet = match water.filter(|_| part.density != part.density_below_water) {
-            Some(water) => areas(&under(&part.outline, water, self.ends())),
+            Some(water) => self.wet(part, water),
             None => Areas::default(),
         };
         [(whole.less(&wet), part.density), (wet, part.density_below_water)]
+    }
+
+    /// What of a part is under the water table.
+    fn wet(&self, part: &Part, water: WaterTable) -> Areas {
+        let flat = |level: f64| move |at: Vertex| at.y - level;
+        if water.left == water.right {
+            return areas(&within(&part.outline, flat(water.left)));
+        }
+        let [left, right] = [self.ends_at(water.left)[0], self.ends_at(water.right)[1]];
+        let slope = (water.right - water.left) / (right - left);
+        let sloping = move |at: Vertex| at.y - water.left - slope * (at.x - left);
+        // Beside the water table is open water, as high as it stands there.
+        let at_left = within(&within(&part.outline, move |at| at.x - left), flat(water.left));
+        let at_right = within(&within(&part.outline, move |at| right - at.x), flat(water.right));
+        let between = within(&within(&part.outline, move |at| left - at.x), move |at| at.x - right);
+        let mut sum = areas(&within(&between, sloping));
+        sum.add(&areas(&at_left), 1.0);
+        sum.add(&areas(&at_right), 1.0);
+        sum
+    }
+
+    /// Where a level cuts the left and the right side; above the section, its ends at the top.
+    fn ends_at(&self, level: f64) -> [f64; 2] {
+        let slice = self.slices.iter().find(|slice| level <= slice.top).or(self.slices.last());
+        let cut = slice.and_then(|slice| slice.below(level.max(slice.bottom + ROUNDING * self.size)));
+        cut.map_or(self.ends(), |slice| [slice.left[1], slice.right[1]])
     }
 
     /// The body of this section, `length` long out of the plane (m; 1 for a body per metre run), with the parts under the water
@@ -356,7 +402,7 @@ impl Section {
     /// Whether it is an upright rectangle of one density, wet or dry.
     fn is_uniform(&self) -> bool {
         let [left, right] = self.ends();
-        let near = |one: f64, two: f64| (one - two).abs() <= TOUCHING * self.size;
+        let near = |one: f64, two: f64| (one - two).abs() <= ROUNDING * self.size;
         let first = &self.parts[0];
         self.parts
             .iter()
@@ -402,7 +448,7 @@ impl Section {
         });
         let loads = each.filter_map(|(source, level, to_right, Standing { area, moment })| {
             // What rounding leaves of an upright side is no water.
-            if area.abs() <= TOUCHING * self.size * level {
+            if area.abs() <= ROUNDING * self.size * level {
                 return None;
             }
             let corner = if to_right > 0.0 { edge_left } else { edge_right };
@@ -542,12 +588,8 @@ fn crossing(outline: &[Vertex]) -> Option<(usize, usize)> {
     pairs.into_iter().find(meets)
 }
 
-/// What of an outline lies under a water table, by cutting its sides at the line.
-fn under(outline: &[Vertex], water: WaterTable, [left, right]: [f64; 2]) -> Vec<Vertex> {
-    let above = |at: Vertex| {
-        let share = (at.x - left) / (right - left);
-        at.y - (water.left + share * (water.right - water.left))
-    };
+/// What of an outline lies on one side of a straight line, where `above` is not above zero, by cutting its sides at the line.
+fn within(outline: &[Vertex], above: impl Fn(Vertex) -> f64) -> Vec<Vertex> {
     let mut cut = Vec::with_capacity(outline.len() + 2);
     for (p, q) in sides(outline) {
         let (of_p, of_q) = (above(p), above(q));
@@ -574,9 +616,18 @@ fn slices(parts: &[Part], size: f64) -> Result<Vec<Slice>, SectionError> {
     let mut levels: Vec<f64> = parts.iter().flat_map(|part| &part.outline).map(|vertex| vertex.y).collect();
     levels.extend(crossings_between(parts));
     levels.sort_by(f64::total_cmp);
-    levels.dedup_by(|next, before| *next - *before <= TOUCHING * size);
+    levels.dedup_by(|next, before| *next - *before <= slack(size));
     let slices = levels.windows(2).map(|pair| slice(parts, pair[0], pair[1], size));
-    slices.collect()
+    let slices: Vec<Slice> = slices.collect::<Result<_, _>>()?;
+    for pair in slices.windows(2) {
+        let [under, over] = [pair[0], pair[1]];
+        let (left, right) = (under.left[1].max(over.left[0]), under.right[1].min(over.right[0]));
+        if right - left <= slack(size) {
+            let x = (over.left[0] + over.right[0]) / 2.0;
+            return Err(SectionError::Loose { at: Vertex { x, y: over.bottom } });
+        }
+    }
+    Ok(slices)
 }
 
 /// The levels at which sides of different parts cross: parts that overlap, where a slice may not see it in its middle.
@@ -615,15 +666,14 @@ fn slice(parts: &[Part], bottom: f64, top: f64, size: f64) -> Result<Slice, Sect
         let [one, two] = [&pair[0], &pair[1]];
         let apart = two.left[1] - one.right[1];
         let at = Vertex { x: (two.left[1] + one.right[1]) / 2.0, y: middle };
-        if apart > TOUCHING * size {
-            return Err(SectionError::Gap { at });
+        if apart > slack(size) {
+            return Err(SectionError::Gap { at, by: apart });
         }
-        if apart < -TOUCHING * size {
-            return Err(SectionError::Overlap {
-                one: one.part.min(two.part),
-                two: one.part.max(two.part),
-                at,
-            });
+        if apart < -slack(size) {
+            let (first, second) = (one.part.min(two.part), one.part.max(two.part));
+            // One within the other overlaps it by all of its width.
+            let by = one.right[1].min(two.right[1]) - two.left[1];
+            return Err(SectionError::Overlap { one: first, two: second, at, by });
         }
     }
     match (cuts.first(), cuts.last()) {
@@ -633,7 +683,7 @@ fn slice(parts: &[Part], bottom: f64, top: f64, size: f64) -> Result<Slice, Sect
         }
         _ => {
             let x = parts[0].outline[0].x;
-            Err(SectionError::Gap { at: Vertex { x, y: middle } })
+            Err(SectionError::Gap { at: Vertex { x, y: middle }, by: top - bottom })
         }
     }
 }

@@ -61,19 +61,36 @@ fn mass_is_the_sum_of_small_squares() {
     let mut random = Random(11);
     for _ in 0..tries(6) {
         let section = wall(&mut random);
-        let water = WaterTable { left: random.uniform(0.0, 8.0), right: random.uniform(0.0, 8.0) };
+        let water = WaterTable { left: random.uniform(0.0, 5.0), right: random.uniform(0.0, 5.0) };
         for water in [None, Some(water)] {
             let SectionMass { mass, centre, moment_of_inertia } = section.mass(water);
             let ([left, right], top) = (section.ends(), section.height());
             let n = 1500;
             let [dx, dy] = [(right - left) / f64::from(n), top / f64::from(n)];
+            // Where the water meets the sides.
+            let side = |level: f64, farther: fn(f64, f64) -> f64, from: f64| {
+                let cut = section.parts().iter().flat_map(|part| {
+                    let outline = part.outline();
+                    (0..outline.len()).filter_map(move |i| {
+                        let (p, q) = (outline[i], outline[(i + 1) % outline.len()]);
+                        let crossed = (p.y > level) != (q.y > level);
+                        crossed.then(|| p.x + (level - p.y) / (q.y - p.y) * (q.x - p.x))
+                    })
+                });
+                cut.fold(from, farther)
+            };
+            let shore = water.map(|water| {
+                [side(water.left, f64::min, f64::INFINITY), side(water.right, f64::max, f64::NEG_INFINITY)]
+            });
             let (mut m, mut x_sum, mut y_sum, mut squares) = (0.0, 0.0, 0.0, 0.0);
             for i in 0..n * n {
                 let x = left + (f64::from(i % n) + 0.5) * dx;
                 let y = (f64::from(i / n) + 0.5) * dy;
                 let Some(part) = section.parts().iter().find(|part| holds(part, x, y)) else { continue };
                 let wet = water.is_some_and(|water| {
-                    y < water.left + (x - left) / (right - left) * (water.right - water.left)
+                    let [from, to] = shore.unwrap();
+                    let share = ((x - from) / (to - from)).clamp(0.0, 1.0);
+                    y < water.left + share * (water.right - water.left)
                 });
                 let density = if wet { part.density_below_water() } else { part.density() };
                 let dm = density * dx * dy;
@@ -236,8 +253,29 @@ fn parts_have_to_touch() {
     let of = |part: Part| Section::new(vec![block(), part]);
     assert!(of(rectangle([1.0, 3.0], [2.0, 5.0], 2400.0)).is_ok());
     assert!(of(rectangle([4.0, 5.0], [0.0, 3.0], 0.0)).is_ok());
-    // Within the rounding of decimals.
-    assert!(of(rectangle([0.1 + 0.2, 3.0], [2.000_000_000_01, 5.0], 2400.0)).is_ok());
+    // As drawings are given, to the millimetre.
+    assert!(of(rectangle([0.1 + 0.2, 3.0], [2.0009, 5.0], 2400.0)).is_ok());
+    assert!(of(rectangle([4.0009, 5.0], [0.0, 1.0], 2400.0)).is_ok());
+    assert!(of(rectangle([3.9991, 5.0], [0.0, 1.0], 2400.0)).is_ok());
+    // On nothing, on a corner, beside a corner.
+    for left in [4.0, 4.5, -2.0] {
+        let loose = of(rectangle([left, left + 2.0], [2.0, 5.0], 2400.0)).map(|_| ());
+        assert_eq!(loose, Err(SectionError::Loose { at: Vertex { x: left + 1.0, y: 2.0 } }));
+    }
+    assert!(of(rectangle([3.9, 6.0], [2.0, 5.0], 2400.0)).is_ok());
+    // How far they overlap, or are apart.
+    let by = |part| match of(part) {
+        Err(SectionError::Overlap { by, .. } | SectionError::Gap { by, .. }) => by,
+        other => panic!("{other:?}"),
+    };
+    for (part, expected) in [
+        (rectangle([3.9, 5.0], [0.0, 1.0], 2400.0), 0.1),
+        (rectangle([1.0, 3.0], [0.5, 1.5], 2400.0), 2.0),
+        (rectangle([4.1, 5.0], [0.0, 1.0], 2400.0), 0.1),
+        (rectangle([1.0, 3.0], [2.25, 5.0], 2400.0), 0.25),
+    ] {
+        assert!((by(part) - expected).abs() < 1e-12);
+    }
     let overlaps = |part| matches!(of(part), Err(SectionError::Overlap { one: 0, two: 1, .. }));
     assert!(overlaps(rectangle([1.0, 3.0], [1.9, 5.0], 2400.0)));
     assert!(overlaps(rectangle([3.9, 5.0], [0.0, 1.0], 2400.0)));
@@ -271,6 +309,8 @@ fn outlines_enclose_an_area_and_do_not_cross() {
     let touching = part(&[(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 0.0), (0.0, 2.0)]);
     assert_eq!(touching, Err(SectionError::Crossing { one: 1, two: 3 }));
     assert!(part(&[(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 2.0)]).is_ok());
+    // Closed by its first corner.
+    assert!(part(&[(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 0.0)]).is_ok());
     assert!(matches!(part(&[(0.0, f64::NAN), (2.0, 0.0), (4.0, 0.0)]), Err(SectionError::Input(_))));
     let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Vertex { x, y });
     assert!(matches!(Part::new(corners.to_vec(), -1.0, 1.0), Err(SectionError::Input(_))));

@@ -9,7 +9,7 @@ use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 
 /// What of [body] follows from its parts.
-const OF_PARTS: [Key; 9] = [
+pub const OF_PARTS: [Key; 9] = [
     Key::Width,
     Key::Height,
     Key::Mass,

@@ -3,6 +3,7 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
+use crate::case::OF_PARTS;
 use crate::couple::{Unknown, Variable};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Kind, Moves, Table};
@@ -36,7 +37,9 @@ pub enum NoFactor {
     #[diagnostic(help("{}", unknown(.0)))]
     Unknown(Unknown),
     /// A key that the file does not have, and for which nothing is taken.
-    #[error("the case file has no `{name}`, and nothing is taken for it where it is silent")]
+    #[error(
+        "the case file has no `{name}`: what varies is in the file, or has a value where the file is silent and moves nothing else"
+    )]
     #[diagnostic(help("put it into the case file, with any value it may have; what it has is {}", names.join(", ")))]
     Absent {
         /// The key.
@@ -145,6 +148,8 @@ impl Factor {
                 })
             }
             (_, _, Some(dimension)) => Ok(0.0 + dimension.parse(text)?),
+            // Two numbers to the one, a decimal to the other.
+            (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Comma),
             (_, _, None) => Err(UnitError::Number),
         }
     }
@@ -177,6 +182,8 @@ fn silent(inputs: &Inputs) -> impl Iterator<Item = Id> {
     let open = |key: &&Key| {
         let info = key.info();
         let taken = info.silent.is_some() && info.moves == Moves::Alone;
+        // Of parts, centre, inertia and base follow.
+        let taken = taken && !(inputs.has(Table::Part) && OF_PARTS.contains(*key));
         info.range().is_some() && (taken || info.table == Table::Criteria)
     };
     Key::ALL.iter().filter(open).flat_map(move |key| {

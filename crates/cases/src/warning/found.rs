@@ -151,6 +151,18 @@ impl Case {
             let of_parts = self.section.is_some();
             warnings.push(Warning::MeanDensity { density, extent, of_parts });
         }
+        warnings.extend(self.parts().enumerate().flat_map(|(index, (_, part))| {
+            let of = |key, density: f64| {
+                let is_it = density != 0.0 && !usual.contains(density);
+                is_it.then_some(Warning::PartDensity { id: Id { key, index }, density, extent })
+            };
+            let below = part.density_below_water();
+            let wet = (below != part.density()).then_some(below);
+            of(Key::PartDensity, part.density())
+                .into_iter()
+                .chain(wet.and_then(|below| of(Key::PartDensityBelow, below)))
+                .collect::<Vec<_>>()
+        }));
         let of_wave = self.wave.as_ref().map(|wave| (Key::WaveWaterDensity, wave.sea.water_density));
         let water = of_wave.or(self.water.map(|water| (Key::WaterDensity, water.density())));
         if let Some((key, density)) = water.filter(|(_, density)| !WATER.contains(*density)) {

@@ -7,6 +7,7 @@ use super::render::at_present;
 use crate::design::quantity::Quantity;
 use crate::design::set::End;
 use crate::design::text::words;
+use crate::key::KeyInfo;
 use crate::units::Dimension;
 
 pub(super) fn draw(boundary: &Boundary<'_>) -> Option<Figure> {
@@ -45,17 +46,25 @@ struct Axis<'a> {
     unit: &'static str,
     /// How many SI units make one.
     scale: f64,
+    /// What it is; of a table that a case may have several times, of which.
+    words: String,
 }
 
 impl Axis<'_> {
     fn of(quantity: &Quantity) -> Axis<'_> {
         let (unit, scale) = quantity.variable.dimension().map_or(("", 1.0), Dimension::on_paper);
-        Axis { quantity, unit, scale }
+        let id = quantity.variable.id();
+        let KeyInfo { table, words, .. } = *quantity.variable.key().info();
+        let words = match table.repeats() {
+            true => format!("{words}, {}[{}]", table.name(), id.index + 1),
+            false => words.to_owned(),
+        };
+        Axis { quantity, unit, scale, words }
     }
 
     fn drawn(&self) -> SetAxis<'_> {
         let info = self.quantity.variable.key().info();
         let present = self.quantity.present / self.scale;
-        SetAxis { words: info.words, symbol: info.symbol, unit: self.unit, present }
+        SetAxis { words: &self.words, symbol: info.symbol, unit: self.unit, present }
     }
 }
