@@ -29,9 +29,15 @@
 //!
 //! (x from O; upwards where the body overhangs), and sideways as on an upright wall. The right is its mirror image.
 
+mod polygon;
+mod slices;
+
 use crate::body::{BaseEdges, Body};
 use crate::error::InputError;
 use crate::loads::{Action, Load, LoadKind, LoadSource, Place, StillWater};
+
+use polygon::{Areas, areas, crossing, extent, within};
+use slices::{Slice, slices};
 
 /// A corner of a part's outline, m: to the right of the origin of the drawing, and above the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -181,17 +187,6 @@ pub struct Section {
     parts: Vec<Part>,
     slices: Vec<Slice>,
     size: f64,
-}
-
-/// What is between two levels that hold no corner, cut across.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Slice {
-    bottom: f64,
-    top: f64,
-    /// The left end at the bottom and at the top.
-    left: [f64; 2],
-    /// The right end.
-    right: [f64; 2],
 }
 
 /// The part of a section that lies under a level.
@@ -485,205 +480,4 @@ impl Section {
 struct Standing {
     area: f64,
     moment: f64,
-}
-
-impl Slice {
-    /// What of it lies under a level.
-    fn below(&self, level: f64) -> Option<Slice> {
-        if level <= self.bottom {
-            return None;
-        }
-        let share = ((level - self.bottom) / (self.top - self.bottom)).min(1.0);
-        let cut = |[bottom, top]: [f64; 2]| [bottom, bottom + share * (top - bottom)];
-        Some(Slice { top: self.top.min(level), left: cut(self.left), right: cut(self.right), ..*self })
-    }
-}
-
-/// ∫dA, ∫x dA, ∫y dA and ∫(x² + y²) dA; or the same times a density.
-#[derive(Debug, Clone, Copy, Default)]
-struct Areas {
-    area: f64,
-    x: f64,
-    y: f64,
-    polar: f64,
-}
-
-impl Areas {
-    fn add(&mut self, of: &Areas, density: f64) {
-        self.area += density * of.area;
-        self.x += density * of.x;
-        self.y += density * of.y;
-        self.polar += density * of.polar;
-    }
-
-    fn less(&self, part: &Areas) -> Areas {
-        let mut rest = *self;
-        rest.add(part, -1.0);
-        rest
-    }
-
-    /// Of areas times densities.
-    fn mass(&self) -> SectionMass {
-        let centre = Vertex { x: self.x / self.area, y: self.y / self.area };
-        let about_centre = self.polar - self.area * (centre.x * centre.x + centre.y * centre.y);
-        SectionMass { mass: self.area, centre, moment_of_inertia: about_centre }
-    }
-}
-
-fn sides(outline: &[Vertex]) -> impl Iterator<Item = (Vertex, Vertex)> + '_ {
-    outline.iter().copied().zip(outline.iter().copied().cycle().skip(1))
-}
-
-fn areas(outline: &[Vertex]) -> Areas {
-    let mut sum = Areas::default();
-    for (p, q) in sides(outline) {
-        let a = p.x * q.y - q.x * p.y;
-        sum.area += a / 2.0;
-        sum.x += (p.x + q.x) * a / 6.0;
-        sum.y += (p.y + q.y) * a / 6.0;
-        let squares = p.x * p.x + p.x * q.x + q.x * q.x + p.y * p.y + p.y * q.y + q.y * q.y;
-        sum.polar += squares * a / 12.0;
-    }
-    sum
-}
-
-/// The size of what has these corners, m.
-fn extent<'a>(corners: impl Iterator<Item = &'a Vertex>) -> f64 {
-    let mut ends = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
-    for Vertex { x, y } in corners {
-        ends = [ends[0].min(*x), ends[1].max(*x), ends[2].min(*y), ends[3].max(*y)];
-    }
-    (ends[1] - ends[0]).max(ends[3] - ends[2]).max(0.0)
-}
-
-/// On which side of the line from p to q a place is: left above zero.
-fn side(p: Vertex, q: Vertex, at: Vertex) -> f64 {
-    (q.x - p.x) * (at.y - p.y) - (q.y - p.y) * (at.x - p.x)
-}
-
-/// Two sides of an outline that meet where they should not.
-fn crossing(outline: &[Vertex]) -> Option<(usize, usize)> {
-    let n = outline.len();
-    let sides: Vec<_> = sides(outline).collect();
-    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
-    let meets = |(i, j): &(usize, usize)| {
-        let ((p, q), (r, s)) = (sides[*i], sides[*j]);
-        let neighbours = *j == i + 1 || (*i == 0 && *j == n - 1);
-        if neighbours {
-            // They share a corner; they must not fold back, nor be of no length.
-            let (before, shared, after) = if *j == i + 1 { (p, q, s) } else { (r, s, q) };
-            let back = side(before, shared, after) == 0.0
-                && (shared.x - before.x) * (after.x - shared.x)
-                    + (shared.y - before.y) * (after.y - shared.y)
-                    <= 0.0;
-            return back;
-        }
-        let (a, b, c, d) = (side(p, q, r), side(p, q, s), side(r, s, p), side(r, s, q));
-        let on = |p: Vertex, q: Vertex, at: Vertex, side: f64| {
-            let within = |a: f64, b: f64, at: f64| a.min(b) <= at && at <= a.max(b);
-            side == 0.0 && within(p.x, q.x, at.x) && within(p.y, q.y, at.y)
-        };
-        (a * b < 0.0 && c * d < 0.0) || on(p, q, r, a) || on(p, q, s, b) || on(r, s, p, c) || on(r, s, q, d)
-    };
-    pairs.into_iter().find(meets)
-}
-
-/// What of an outline lies on one side of a straight line, where `above` is not above zero, by cutting its sides at the line.
-fn within(outline: &[Vertex], above: impl Fn(Vertex) -> f64) -> Vec<Vertex> {
-    let mut cut = Vec::with_capacity(outline.len() + 2);
-    for (p, q) in sides(outline) {
-        let (of_p, of_q) = (above(p), above(q));
-        if of_p <= 0.0 {
-            cut.push(p);
-        }
-        if (of_p < 0.0) != (of_q < 0.0) && of_p != of_q {
-            let share = of_p / (of_p - of_q);
-            cut.push(Vertex { x: p.x + share * (q.x - p.x), y: p.y + share * (q.y - p.y) });
-        }
-    }
-    cut
-}
-
-/// Where a part is cut by a level: from its left to its right side, at the bottom, in the middle and at the top of a slice.
-struct Cut {
-    part: usize,
-    left: [f64; 3],
-    right: [f64; 3],
-}
-
-/// The section cut into slices at all corners, which are in order if parts touch.
-fn slices(parts: &[Part], size: f64) -> Result<Vec<Slice>, SectionError> {
-    let mut levels: Vec<f64> = parts.iter().flat_map(|part| &part.outline).map(|vertex| vertex.y).collect();
-    levels.extend(crossings_between(parts));
-    levels.sort_by(f64::total_cmp);
-    levels.dedup_by(|next, before| *next - *before <= slack(size));
-    let slices = levels.windows(2).map(|pair| slice(parts, pair[0], pair[1], size));
-    let slices: Vec<Slice> = slices.collect::<Result<_, _>>()?;
-    for pair in slices.windows(2) {
-        let [under, over] = [pair[0], pair[1]];
-        let (left, right) = (under.left[1].max(over.left[0]), under.right[1].min(over.right[0]));
-        if right - left <= slack(size) {
-            let x = (over.left[0] + over.right[0]) / 2.0;
-            return Err(SectionError::Loose { at: Vertex { x, y: over.bottom } });
-        }
-    }
-    Ok(slices)
-}
-
-/// The levels at which sides of different parts cross: parts that overlap, where a slice may not see it in its middle.
-fn crossings_between(parts: &[Part]) -> Vec<f64> {
-    let mut levels = Vec::new();
-    for (i, one) in parts.iter().enumerate() {
-        for two in &parts[i + 1..] {
-            for (p, q) in sides(&one.outline) {
-                for (r, s) in sides(&two.outline) {
-                    let (a, b) = (side(p, q, r), side(p, q, s));
-                    let (c, d) = (side(r, s, p), side(r, s, q));
-                    if a * b < 0.0 && c * d < 0.0 {
-                        levels.push(r.y + a / (a - b) * (s.y - r.y));
-                    }
-                }
-            }
-        }
-    }
-    levels
-}
-
-fn slice(parts: &[Part], bottom: f64, top: f64, size: f64) -> Result<Slice, SectionError> {
-    let middle = (bottom + top) / 2.0;
-    let mut cuts = Vec::new();
-    for (part, Part { outline, .. }) in parts.iter().enumerate() {
-        let crossed = sides(outline).filter(|(p, q)| (p.y < middle) != (q.y < middle));
-        let mut crossed: Vec<[f64; 3]> = crossed
-            .map(|(p, q)| [bottom, middle, top].map(|y| p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x)))
-            .collect();
-        crossed.sort_by(|one, two| one[1].total_cmp(&two[1]));
-        let pairs = crossed.chunks_exact(2);
-        cuts.extend(pairs.map(|pair| Cut { part, left: pair[0], right: pair[1] }));
-    }
-    cuts.sort_by(|one, two| one.left[1].total_cmp(&two.left[1]));
-    for pair in cuts.windows(2) {
-        let [one, two] = [&pair[0], &pair[1]];
-        let apart = two.left[1] - one.right[1];
-        let at = Vertex { x: (two.left[1] + one.right[1]) / 2.0, y: middle };
-        if apart > slack(size) {
-            return Err(SectionError::Gap { at, by: apart });
-        }
-        if apart < -slack(size) {
-            let (first, second) = (one.part.min(two.part), one.part.max(two.part));
-            // One within the other overlaps it by all of its width.
-            let by = one.right[1].min(two.right[1]) - two.left[1];
-            return Err(SectionError::Overlap { one: first, two: second, at, by });
-        }
-    }
-    match (cuts.first(), cuts.last()) {
-        (Some(first), Some(last)) => {
-            let ends = |x: [f64; 3]| [x[0], x[2]];
-            Ok(Slice { bottom, top, left: ends(first.left), right: ends(last.right) })
-        }
-        _ => {
-            let x = parts[0].outline[0].x;
-            Err(SectionError::Gap { at: Vertex { x, y: middle }, by: top - bottom })
-        }
-    }
 }
