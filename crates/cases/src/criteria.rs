@@ -12,6 +12,7 @@ use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
 use crate::layout::{apart, digits, plain};
 use crate::results::{ResultName, ResultValue};
+use crate::units::Dimension;
 
 /// What is asked of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,31 +47,30 @@ pub struct Check {
     pub met: bool,
 }
 
-/// A criterion of a number: which result it asks for, in which unit it is read.
+/// A criterion of a number: which result it asks for.
 struct Asked {
     key: Key,
     result: ResultName,
     bound: fn(f64) -> Bound,
-    /// With a space before it; empty for plain numbers.
-    unit: &'static str,
-    /// How many SI units make one.
-    si_units: f64,
+}
+
+impl Asked {
+    /// The unit in which it is read, empty for plain numbers, and how many SI units make one.
+    fn on_paper(&self) -> (&'static str, f64) {
+        self.key.info().dimension().map_or(("", 1.0), Dimension::on_paper)
+    }
 }
 
 const fn asked(key: Key, result: ResultName, bound: fn(f64) -> Bound) -> Asked {
-    Asked { key, result, bound, unit: "", si_units: 1.0 }
+    Asked { key, result, bound }
 }
 
 const NUMBERS: [Asked; 6] = [
     asked(Key::LeastSliding, ResultName::SfSliding, Bound::AtLeast),
     asked(Key::LeastOverturning, ResultName::SfOverturning, Bound::AtLeast),
-    Asked {
-        unit: " kPa",
-        si_units: 1e3,
-        ..asked(Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost)
-    },
+    asked(Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost),
     asked(Key::LeastContact, ResultName::ContactShare, Bound::AtLeast),
-    Asked { unit: " m", ..asked(Key::GreatestEccentricity, ResultName::Eccentricity, Bound::AtMost) },
+    asked(Key::GreatestEccentricity, ResultName::Eccentricity, Bound::AtMost),
     asked(Key::LeastLoadFactor, ResultName::LoadFactor, Bound::AtLeast),
 ];
 
@@ -140,11 +140,14 @@ impl Criterion {
 
     /// A number in the unit that it is read in.
     fn shown(&self, si: f64) -> f64 {
-        self.asked().map_or(si, |asked| si / asked.si_units)
+        self.asked().map_or(si, |asked| si / asked.on_paper().1)
     }
 
     fn with_unit(&self, number: &str) -> String {
-        format!("{number}{}", self.asked().map_or("", |asked| asked.unit))
+        match self.asked().map_or("", |asked| asked.on_paper().0) {
+            "" => number.to_owned(),
+            unit => format!("{number} {unit}"),
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use standfast::{Mode, Motion, Point};
 
 use crate::case::Case;
 use crate::layout::{apart, columns, digits, paragraph, row};
-use crate::units::Extent;
+use crate::units::{Dimension, Extent};
 
 /// What the non-dimensional numbers of a point are measured in: m, m g, g, B and g/B of the real body.
 #[derive(Debug, Clone, Copy)]
@@ -96,18 +96,14 @@ pub struct MotionPart {
     pub of: fn(&Motion) -> f64,
     /// What it is measured in where it is non-dimensional.
     pub unit: &'static str,
-    /// The unit of a real body's, per metre run.
-    pub si_unit: &'static str,
-    /// How many SI units make one `si_unit`.
-    pub si_units: f64,
+    /// What a real body's measures; `None` for a rotation.
+    pub dimension: Option<Dimension>,
 }
 
-const FORCE: (&str, f64) = ("kN/m", 1e3);
-
 impl MotionPart {
-    /// The unit of a real body's in a case of this extent.
-    pub fn unit_in(&self, extent: Extent) -> &'static str {
-        if self.si_unit == FORCE.0 { extent.force_unit() } else { self.si_unit }
+    /// The unit of a real body's in a case of this extent, and how many SI units make one.
+    pub fn on_paper(&self, extent: Extent) -> (&'static str, f64) {
+        self.dimension.map_or(("rad/s²", 1.0), |dimension| extent.of(dimension).on_paper())
     }
 }
 
@@ -119,19 +115,21 @@ pub const MOTION: [MotionPart; 9] = {
         words: &'static str,
         of: fn(&Motion) -> f64,
         unit: &'static str,
-        (si_unit, si_units): (&'static str, f64),
+        dimension: Option<Dimension>,
     ) -> MotionPart {
-        MotionPart { key, symbol, words, of, unit, si_unit, si_units }
+        MotionPart { key, symbol, words, of, unit, dimension }
     }
-    const LINEAR: (&str, f64) = ("m/s²", 1.0);
-    const ANGULAR: (&str, f64) = ("rad/s²", 1.0);
+    const LINEAR: Option<Dimension> = Some(Dimension::Acceleration);
+    const ANGULAR: Option<Dimension> = None;
+    const FORCE: Option<Dimension> = Some(Dimension::Force);
+    const LENGTH: Option<Dimension> = Some(Dimension::Length);
     [
         part("x_ddot", "ẍ", "of the centre of mass, to the right", |m| m.x_ddot, "g", LINEAR),
         part("y_ddot", "ÿ", "of the centre of mass, upwards", |m| m.y_ddot, "g", LINEAR),
         part("theta_ddot", "θ̈", "counter-clockwise", |m| m.theta_ddot, "g/B", ANGULAR),
         part("f_x", "f_x", "reaction on the body, to the right", |m| m.f_x, "m g", FORCE),
         part("f_y", "f_y", "reaction on the body, upwards", |m| m.f_y, "m g", FORCE),
-        part("xi", "ξ", "where f_y acts, right of the centre of mass", |m| m.xi, "B", ("m", 1.0)),
+        part("xi", "ξ", "where f_y acts, right of the centre of mass", |m| m.xi, "B", LENGTH),
         part("slip", "ẍ_O", "of both corners, along the base to the right", |m| m.slip, "g", LINEAR),
         part("lift_o", "ÿ_O", "of the left corner, upwards", |m| m.lift_o, "g", LINEAR),
         part("lift_o_prime", "ÿ_O'", "of the right corner, upwards", |m| m.lift_o_prime, "g", LINEAR),
@@ -141,9 +139,9 @@ pub const MOTION: [MotionPart; 9] = {
 /// Accelerations and reactions of a real body: in units of g, B and m g, and in SI units.
 pub fn real_motion(motion: &Motion, scale: &Scale) -> String {
     let reduced = motion.scaled(1.0 / scale.acceleration, 1.0 / scale.length, 1.0 / scale.weight);
-    let rows = MOTION.map(|part @ MotionPart { symbol, words, of, unit, si_units, .. }| {
-        let si_unit = part.unit_in(scale.extent);
-        row![symbol, words, digits(of(&reduced)), unit, digits(of(motion) / si_units), si_unit]
+    let rows = MOTION.map(|part @ MotionPart { symbol, words, of, unit, .. }| {
+        let (real, si) = part.on_paper(scale.extent);
+        row![symbol, words, digits(of(&reduced)), unit, digits(of(motion) / si), real]
     });
     columns(&rows, 2, &[2, 4])
 }

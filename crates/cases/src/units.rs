@@ -56,7 +56,7 @@ impl Extent {
     }
 
     /// What a quantity of a case of this extent measures.
-    pub fn of(self, dimension: Dimension) -> Dimension {
+    pub const fn of(self, dimension: Dimension) -> Dimension {
         match (self, dimension) {
             (Extent::Whole, Dimension::Mass) => Dimension::WholeMass,
             (Extent::Whole, Dimension::Force) => Dimension::WholeForce,
@@ -205,7 +205,7 @@ impl Dimension {
     }
 
     /// The unit in which people read it, and how many SI units make one.
-    pub fn on_paper(self) -> (&'static str, f64) {
+    pub const fn on_paper(self) -> (&'static str, f64) {
         match self {
             Dimension::Mass => ("t/m", 1e3),
             Dimension::Force => ("kN/m", 1e3),

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::number::{Significant, significant};
-use standfast_cases::units::Extent;
+use standfast_cases::units::{Dimension, Extent};
 
 /// Significant digits in the calculation, enough to follow it by hand.
 const DIGITS: usize = 5;
@@ -14,38 +14,43 @@ pub struct Unit {
     pub text: &'static str,
     /// In SI units.
     pub si: f64,
+    /// What it is of, where that is a quantity of case files.
+    dimension: Option<Dimension>,
+}
+
+impl Unit {
+    /// That in which people read a quantity of case files.
+    const fn of(dimension: Dimension) -> Unit {
+        let (text, si) = dimension.on_paper();
+        Unit { text, si, dimension: Some(dimension) }
+    }
+
+    /// One of what no case file gives.
+    const fn other(text: &'static str) -> Unit {
+        Unit { text, si: 1.0, dimension: None }
+    }
 }
 
 macro_rules! units {
-    ($($name:ident = $text:literal, $si:expr;)*) => {
-        $(#[doc = concat!("`", $text, "`")] pub const $name: Unit = Unit { text: $text, si: $si };)*
+    ($($name:ident = $unit:expr;)*) => {
+        $(#[doc = concat!("`", stringify!($unit), "`")] pub const $name: Unit = $unit;)*
     };
 }
 
 units! {
-    NONE = "", 1.0;
-    METRE = "m", 1.0;
-    SECOND = "s", 1.0;
-    DEGREE = "°", 1.0;
-    TONNE = "t/m", 1e3;
-    KILONEWTON = "kN/m", 1e3;
-    MOMENT = "kN m/m", 1e3;
-    INERTIA = "t m²/m", 1e3;
-    KILOPASCAL = "kPa", 1e3;
-    AREA = "m²", 1.0;
-    DENSITY = "kg/m³", 1.0;
-    ACCELERATION = "m/s²", 1.0;
-    ROTATION = "rad/s²", 1.0;
-}
-
-impl Unit {
-    /// Of a case per metre run, or without that of a whole object.
-    pub fn in_extent(self, extent: Extent) -> Unit {
-        match (extent, self.text.strip_suffix("/m")) {
-            (Extent::Whole, Some(text)) => Unit { text, ..self },
-            _ => self,
-        }
-    }
+    NONE = Unit::other("");
+    DEGREE = Unit::other("°");
+    AREA = Unit::other("m²");
+    ROTATION = Unit::other("rad/s²");
+    METRE = Unit::of(Dimension::Length);
+    SECOND = Unit::of(Dimension::Time);
+    MASS = Unit::of(Dimension::Mass);
+    KILONEWTON = Unit::of(Dimension::Force);
+    MOMENT = Unit::of(Dimension::Moment);
+    INERTIA = Unit::of(Dimension::Inertia);
+    KILOPASCAL = Unit::of(Dimension::Pressure);
+    DENSITY = Unit::of(Dimension::Density);
+    ACCELERATION = Unit::of(Dimension::Acceleration);
 }
 
 /// A number in the unit it is shown in.
@@ -66,7 +71,9 @@ impl Measured {
 
     /// The same of a case of this extent, where forces and masses are per metre run or of the whole.
     pub fn in_extent(self, extent: Extent) -> Measured {
-        Measured { unit: self.unit.in_extent(extent), ..self }
+        let Some(dimension) = self.unit.dimension else { return self };
+        let unit = Unit::of(extent.of(dimension));
+        Measured { value: self.value * (self.unit.si / unit.si), unit }
     }
 
     /// The number at full precision for machines, rounded for people, with its unit. `name` says which number of the case it

@@ -5,7 +5,7 @@ use standfast::{BaseEdges, Body, Plan, Section};
 use standfast_cases::units::Extent;
 use standfast_cases::{Case, Inputs, Key};
 
-use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, METRE, NONE, TONNE};
+use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, MASS, METRE, NONE};
 use crate::steps::Steps;
 use crate::symbols::numbered;
 
@@ -38,9 +38,9 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
             (_, Extent::Whole) => ("Mass", "ρ_b w h_body L_b"),
             (_, Extent::PerMetre) => ("Mass, per metre run", "ρ_b w h_body"),
         };
-        steps.add(about, "", ["m", formula], body.mass(), TONNE, "mass");
+        steps.add(about, "", ["m", formula], body.mass(), MASS, "mass");
     } else {
-        steps.know("m", body.mass(), TONNE);
+        steps.know("m", body.mass(), MASS);
     }
     steps.add("Weight", "", ["G", "m g"], body.mass() * case.gravity, KILONEWTON, "weight");
     if body.is_uniform() {
@@ -95,14 +95,14 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
             }
         };
         let times = case.body.plan().side(body.width());
-        steps.add("Its mass", "", [&of("m"), &formula], mass * times, TONNE, "");
+        steps.add("Its mass", "", [&of("m"), &formula], mass * times, MASS, "");
         steps.told("Its centre, right of mid-width", &of("x"), centre.x, METRE, "of its outline", "");
         steps.told("above the base", &of("y"), centre.y, METRE, "of its outline", "");
         let words = "of its outline, about its own centre";
         steps.told("Its moment of inertia", &of("I"), moment_of_inertia * times, INERTIA, words, "");
     }
     let sum = |term: &dyn Fn(usize) -> String| (1..=masses.len()).map(term).collect::<Vec<_>>().join(" + ");
-    steps.add("Mass", "", ["m", &sum(&|n| format!("m_{n}"))], body.mass(), TONNE, "mass");
+    steps.add("Mass", "", ["m", &sum(&|n| format!("m_{n}"))], body.mass(), MASS, "mass");
     steps.add("Weight", "", ["G", "m g"], body.mass() * case.gravity, KILONEWTON, "weight");
     let x = format!("({})/m", sum(&|n| format!("m_{n} x_{n}")));
     steps.add("Centre of mass, right of mid-width", "", ["x_C", &x], body.centroid_offset(), METRE, "");

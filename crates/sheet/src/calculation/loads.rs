@@ -9,7 +9,7 @@ use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case, Key};
 
 use crate::measured::{
-    ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, TONNE, number,
+    ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, Measured, NONE, number,
 };
 use crate::steps::{Step, Steps};
 use crate::symbols::{numbered, point};
@@ -106,7 +106,7 @@ fn added_mass(steps: &mut Steps, case: &Case) {
         (None, None) => None,
     };
     let (Some(height), Some((density, right, left))) = (height, from_water) else {
-        steps.told("Added mass of water", "m_a", mass, TONNE, "as given in the case file", "added_mass");
+        steps.told("Added mass of water", "m_a", mass, MASS, "as given in the case file", "added_mass");
         return;
     };
     steps.know("ρ_w", density, DENSITY);
@@ -122,7 +122,7 @@ fn added_mass(steps: &mut Steps, case: &Case) {
         false => format!("{coefficient} (h_r^2 + h_l^2){long}"),
     };
     let about = "Added mass of water, 14ζ(3)/π³ `ρ_w h^2` a side";
-    steps.add(about, "Westergaard's problem", ["m_a", &formula], mass, TONNE, "added_mass");
+    steps.add(about, "Westergaard's problem", ["m_a", &formula], mass, MASS, "added_mass");
     let depths = if one_side { "h_r" } else { "(h_r^3 + h_l^3)/(h_r^2 + h_l^2)" };
     // β(4) is Dirichlet's; the coefficient is 0.40142.
     let formula = format!("(1 − 16 0.9889445517411053/(7 π 1.2020569031595942)) {depths}");

@@ -8,7 +8,7 @@ use standfast_cases::{Assessed, Case};
 
 use crate::fault::Fault;
 use crate::mathml::{prose, symbol};
-use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, METRE, ROTATION, TONNE, number};
+use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, MASS, METRE, ROTATION, number};
 use crate::steps::Steps;
 
 /// The motion of the body, without what is zero.
@@ -18,12 +18,13 @@ fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
             thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
             tbody {
                 @for part in MOTION.iter().filter(|part| (part.of)(motion) != 0.0) {
-                    @let value = (part.of)(motion) / part.si_units;
+                    @let (unit, si) = part.on_paper(case.extent);
+                    @let value = (part.of)(motion) / si;
                     tr {
                         td { (PreEscaped(symbol(part.symbol))) }
                         td { (prose(&part.words.replace("f_y", "`f_y`"))?) }
                         td.n { data value=(value) data-quantity={ "motion." (part.key) } { (number(value)) } }
-                        td { (part.unit_in(case.extent)) }
+                        td { (unit) }
                     }
                 }
             }
@@ -51,7 +52,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
         false => "The equations of motion with these numbers:",
     });
     for (name, value, unit) in [
-        ("m", case.body.mass(), TONNE),
+        ("m", case.body.mass(), MASS),
         ("I", case.body.moment_of_inertia(), INERTIA),
         ("f_x", f_x, KILONEWTON),
         ("f_y", f_y, KILONEWTON),
