@@ -198,7 +198,7 @@ pub enum Problem {
         /// The table that may stand several times.
         table: Table,
     },
-    /// What [body] says of a body of parts, beside them.
+    /// What the body table says of a body of parts, beside them.
     #[error("[body] has `{}`, which follows from the parts", key.name())]
     FollowsFromParts {
         /// The key.

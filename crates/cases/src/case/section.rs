@@ -8,7 +8,7 @@ use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 
-/// What of [body] follows from its parts.
+/// What of the body table follows from its parts.
 pub const OF_PARTS: [Key; 9] = [
     Key::Width,
     Key::Height,
