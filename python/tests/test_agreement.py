@@ -75,7 +75,25 @@ def random_case(seed: int) -> str:
         criteria = ["SF_sliding = 1.2", "SF_overturning = 1.5", 'bearing_max = "400 kPa"', "contact_share = 0.667", "load_factor = 1.1"]
         criteria += [f"eccentricity = {width / 6}", 'modes_not = ["RO", "SRO-"]']
         lines += ["[criteria]", *n.sample(criteria, n.randint(1, len(criteria)))]
-    return "\n".join(lines) + "\n"
+    return of_a_kind("\n".join(lines) + "\n", width, height, random.Random(-1 - seed))
+
+
+def of_a_kind(text: str, width: float, height: float, n: random.Random) -> str:
+    """Of some cases of a metre of a wall one of an object of a length, of a cylinder, or of parts."""
+    kind = n.choice(["length", "cylinder", "parts", *["metre"] * 6])
+    if kind == "parts":
+        said = re.compile(r"^(width|height|density|mass|centroid_offset|centroid_height) = .*\n", re.MULTILINE)
+        body, rest = text.split("[", 2)[1], text.split("[", 2)[2:]
+        top = n.uniform(0.3, 1) * width
+        parts = f"[[part]]\nname = \"foot\"\nleft = 3\nwidth = {width}\nbottom = 0\nheight = {0.3 * height}\ndensity = 2400\n"
+        parts += f"[[part]]\nleft = 3\nwidth = {width}\nbottom = {0.3 * height}\nheight = {0.7 * height}\n"
+        parts += f"top_left = {3 + n.uniform(0, 1) * (width - top)}\ntop_width = {top}\ndensity = 1900\ndensity_below_water = 2100\n"
+        return "[" + said.sub("", body) + parts + "".join(f"[{more}" for more in rest)
+    walls = "[wave]" in text or "sides" in text or re.search(r"\[water\]\n.*\nleft", text)
+    if kind == "metre" or (walls if kind == "cylinder" else "[wave]" in text):
+        return text
+    whole = f"length = {n.uniform(0.3, 9)}" if kind == "length" else 'shape = "cylinder"'
+    return text.replace("[body]", f"[body]\n{whole}").replace('t/m"', 't"').replace('kN/m"', 'kN"')
 
 
 def digits(number: float | str | None) -> str:
@@ -105,8 +123,8 @@ def unwrapped(text: str) -> str:
     return " ".join(text.split())
 
 
-def compare_situation(said: dict[str, Any], text: str) -> None:
-    """A part of the text against the JSON."""
+def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
+    """A part of the text against the JSON; forces are `per` metre, or of the whole."""
     words = unwrapped(text)
     if said["mode"] == "RE":
         # Never said to rest without the lesser of its factors.
@@ -160,9 +178,9 @@ def compare_situation(said: dict[str, Any], text: str) -> None:
             expected = [digits(other["horizontal"] / gravity), digits(other["vertical"] / gravity), other["mode"] or "none"]
             expected += [digits(other["SF_sliding"]), digits(other["SF_overturning"]), share]
             assert re.split(r"\s{2,}", line.strip())[: len(expected)] == expected, line
-    assert row(text, "P")[0] == f"{digits(said['P'] / 1e3)} kN/m"
-    assert row(text, "P")[1] == f"M_p = {digits(said['M_p'] / 1e3)} kN m/m about the base"
-    assert row(text, "U")[0] == f"{digits(said['U'] / 1e3)} kN/m"
+    assert row(text, "P")[0] == f"{digits(said['P'] / 1e3)} kN{per}"
+    assert row(text, "P")[1] == f"M_p = {digits(said['M_p'] / 1e3)} kN m{per} about the base"
+    assert row(text, "U")[0] == f"{digits(said['U'] / 1e3)} kN{per}"
     if said["k_eff"] is not None:
         diagram = text.split("In the report's diagram", 1)[1]
         name = "k_eff" if "with effective coordinates" in diagram.splitlines()[0] else "k"
@@ -243,15 +261,16 @@ def compare(program: list[str], name: str, folder: Path) -> bool:
     # Python writes no files, and the text of the program ends with those it wrote.
     assert json.loads(found.to_json()) == document | {"figures": []}
     assert re.sub(r"\n(Diagram|k–μ diagram|Load path|Section)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
+    per = {"per-metre": "/m", "whole": ""}[document["extent"]]
     if len(document["situations"]) > 1:
         parts = str(found).split(RULE)[1 : len(document["situations"]) + 1]
         # The worst first; the situations of the document in the order of the case.
         number = lambda part: int(re.match(r"\s*(?:Load|Combination) (\d+)", part)[1])
         assert number(parts[0]) == sorted(map(number, parts))[document["governing"]]
         for said, part in zip(document["situations"], sorted(parts, key=number), strict=True):
-            compare_situation(said, part)
+            compare_situation(said, part, per)
     else:
-        compare_situation(document["situations"][0], str(found))
+        compare_situation(document["situations"][0], str(found), per)
     compare_criteria(document, str(found))
     assert found.met == document["met"] and len(found.criteria) == len(document["criteria"])
     for said, part in zip(document["situations"], found.situations, strict=True):
