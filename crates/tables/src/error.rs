@@ -22,6 +22,17 @@ pub enum TableError {
         /// The columns needed.
         needed: String,
     },
+    /// A header whose columns are parted by something else than commas.
+    #[error("{name} parts its columns by {separator}: its first line is {header}")]
+    #[diagnostic(help("CSV is read with commas between columns and points in numbers; convert it, or give it as .xlsx or .parquet"))]
+    Separator {
+        /// The table.
+        name: String,
+        /// What stands between its columns.
+        separator: &'static str,
+        /// Its first line.
+        header: String,
+    },
     /// One of the columns needed is not there.
     #[error("{name} has no column {column}; its columns are {found}")]
     #[diagnostic(help("{help}"))]

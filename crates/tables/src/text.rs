@@ -60,7 +60,13 @@ impl<R: Read> Text<R> {
             return Err(TableError::Empty { name: options.name.clone(), needed: options.needed() });
         }
         let names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
-        let (task, places) = Task::of(options, &names)?;
+        // Columns that are not there may be so because nothing parts them.
+        let (task, places) = Task::of(options, &names).map_err(|error| match (&names[..], separator(&names)) {
+            ([header], Some(separator)) => {
+                TableError::Separator { name: options.name.clone(), separator, header: header.clone() }
+            }
+            _ => error,
+        })?;
         let Range { start, end } = rows.range;
         let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
         let header = Header { names, places, bytes: bytes[start..end].to_vec(), end: line_end, task };
@@ -88,6 +94,13 @@ impl<R: Read> Text<R> {
             CutError::Quote => TableError::Quote { name: self.name.clone(), line: self.line },
         })
     }
+}
+
+/// What seems to part the columns of a header that has one only.
+fn separator(names: &[String]) -> Option<&'static str> {
+    [(';', "semicolons"), ('\t', "tabs"), ('|', "bars")]
+        .into_iter()
+        .find_map(|(separator, words)| names.iter().any(|name| name.contains(separator)).then_some(words))
 }
 
 fn feeds(text: &[u8]) -> u64 {
