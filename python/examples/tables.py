@@ -22,12 +22,12 @@ print(frame[["year", "mode"]].to_string(index=False))
 # polars: the whole table at once, under the names of its columns; or column by column.
 columns = {"gamma": 0.8, "k_prime": "elevation", "k": "force", "mu": "friction"}
 storm_table = pl.DataFrame(storms)
-onset = pl.DataFrame(standfast.onset(storm_table, columns=columns))
+onset = pl.DataFrame(standfast.onset(storm_table, map=columns))
 moving = storm_table.hstack(onset.select("mode", "theta_ddot")).filter(pl.col("mode") != standfast.Mode.REST)
 print(moving.select("year", "theta_ddot"))
 
 # DuckDB: a query in, its answer in the next query. Record batches are read as they come.
-modes = pa.table({"mode": pa.chunked_array(standfast.classify(duckdb.sql("from storm_table"), columns=columns, names=True))})
+modes = pa.table({"mode": pa.chunked_array(standfast.classify(duckdb.sql("from storm_table"), map=columns, names=True))})
 print(duckdb.sql("select mode, count(*) as storms from modes group by mode order by storms desc, mode"))
 
 assert frame["mode"].tolist() == modes["mode"].to_pylist()

@@ -25,6 +25,7 @@ use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_schema_pycapsule, t
 use pyo3_arrow::input::{AnyArray, AnyRecordBatch};
 use standfast::batch::{MOTION, OnsetColumns};
 use standfast::{InputError, Mode};
+use standfast_cases::suggest::{closest, similar};
 
 use crate::grid::{self, Grid, Kind, Operand};
 use crate::invalid;
@@ -51,9 +52,7 @@ impl Failure {
     fn raise(self, start: usize) -> PyErr {
         match self {
             Failure::Value(row, source) => invalid(source, &[start + row]),
-            Failure::Type(name, found) => PyTypeError::new_err(format!(
-                "{name} has the Arrow type {found}; expected a type of real numbers, as Float64"
-            )),
+            Failure::Type(name, found) => not_real(name, &found),
         }
     }
 }
@@ -163,14 +162,60 @@ impl Codes {
     fn finish(self, names: bool) -> ArrowArray {
         let nulls = self.validity.map(|valid| NullBuffer::new(BooleanBuffer::from(valid)));
         let codes = UInt8Array::new(self.codes.into(), nulls);
-        let array: ArrayRef = if names {
-            let symbols = StringArray::from_iter_values(Mode::ALL.into_iter().map(Mode::symbol));
-            let named = DictionaryArray::<UInt8Type>::try_new(codes, Arc::new(symbols));
-            Arc::new(named.expect("every code has a symbol"))
-        } else {
-            Arc::new(codes)
-        };
-        ArrowArray { field: Arc::new(Field::new("mode", array.data_type().clone(), true)), array }
+        let array: ArrayRef = if names { dictionary_of_symbols(codes) } else { Arc::new(codes) };
+        ArrowArray::new("mode", array)
+    }
+}
+
+/// Mode codes with the report's symbols as their dictionary.
+pub(crate) fn dictionary_of_symbols(codes: UInt8Array) -> ArrayRef {
+    let symbols = StringArray::from_iter_values(Mode::ALL.into_iter().map(Mode::symbol));
+    Arc::new(
+        DictionaryArray::<UInt8Type>::try_new(codes, Arc::new(symbols)).expect("every code has a symbol"),
+    )
+}
+
+/// The numbers of an array, and which of them are null if any is.
+pub(crate) fn numbers(array: &ArrayRef, name: &str, out: &mut [f64]) -> PyResult<Option<NullBuffer>> {
+    let operand = operand(array, "").map_err(|failure| match failure {
+        Failure::Type(_, found) => not_real(name, &found),
+        Failure::Value(row, source) => invalid(source, &[row]),
+    })?;
+    operand.gather(0, out);
+    Ok(array.nulls().filter(|nulls| nulls.null_count() > 0).cloned())
+}
+
+fn not_real(name: &str, found: &DataType) -> PyErr {
+    PyTypeError::new_err(format!(
+        "{name} has the Arrow type {found}; expected a type of real numbers, as Float64"
+    ))
+}
+
+/// The error for a column that a table lacks.
+pub(crate) fn no_column(name: &str, column: &str, found: &[&str]) -> PyErr {
+    let meant = match column == name {
+        true => similar(name, found, &NAMES),
+        false => closest(column, found.iter().copied()),
+    };
+    let advice = match meant {
+        Some(meant) => format!("did you mean {meant}? Then say map={{'{name}': '{meant}'}}"),
+        None => format!("name yours with map={{'{name}': …}}"),
+    };
+    let found = found.join(", ");
+    PyKeyError::new_err(format!("the table has no column {column} for {name}; it has {found}. {advice}"))
+}
+
+/// Where in a table the column of an operand is.
+pub(crate) fn place(schema: &Schema, column: &str, name: &str) -> PyResult<usize> {
+    let found: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
+    let mut places = (0..found.len()).filter(|&place| found[place] == column);
+    match (places.next(), places.count()) {
+        (Some(place), 0) => Ok(place),
+        (Some(_), others) => Err(PyValueError::new_err(format!(
+            "the table has {} columns {column}; expected one for {name}",
+            others + 1
+        ))),
+        (None, _) => Err(no_column(name, column, &found)),
     }
 }
 
@@ -283,17 +328,11 @@ fn batches(
     for ((pick, place), name) in picks.iter_mut().zip(places).zip(NAMES) {
         *pick = match place {
             Place::Number(value) => Err(value),
-            Place::Column(column) => Ok(schema.index_of(&column).map_err(|_| {
-                let names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
-                PyKeyError::new_err(format!(
-                    "the table has no column {column} for {name}; it has {}; name yours with columns={{'{name}': …}}",
-                    names.join(", ")
-                ))
-            })?),
+            Place::Column(column) => Ok(self::place(&schema, &column, name)?),
         };
     }
     if picks.iter().all(Result::is_err) {
-        return Err(PyValueError::new_err("columns names no column of the table, only numbers"));
+        return Err(PyValueError::new_err("map names no column of the table, only numbers"));
     }
     Ok(reader.map(move |batch| {
         let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
@@ -347,7 +386,7 @@ fn onset(
             batches.push(onset_batch(columns, rows, threads)?);
             Ok(())
         })?;
-        Ok(ArrowTable { batches })
+        Ok(ArrowTable { schema: onset_schema(), batches })
     })
 }
 
@@ -402,6 +441,12 @@ pub(crate) struct ArrowArray {
     field: FieldRef,
 }
 
+impl ArrowArray {
+    pub(crate) fn new(name: &str, array: ArrayRef) -> ArrowArray {
+        ArrowArray { field: Arc::new(Field::new(name, array.data_type().clone(), true)), array }
+    }
+}
+
 #[pymethods]
 impl ArrowArray {
     fn __len__(&self) -> usize {
@@ -443,7 +488,14 @@ impl ArrowArray {
 /// An Arrow table for any library that speaks the PyCapsule interface.
 #[pyclass(frozen, module = "standfast")]
 pub(crate) struct ArrowTable {
+    schema: SchemaRef,
     batches: Vec<RecordBatch>,
+}
+
+impl From<RecordBatch> for ArrowTable {
+    fn from(batch: RecordBatch) -> ArrowTable {
+        ArrowTable { schema: batch.schema(), batches: vec![batch] }
+    }
 }
 
 #[pymethods]
@@ -453,18 +505,17 @@ impl ArrowTable {
     }
 
     fn __repr__(&self) -> String {
-        let names: Vec<String> = onset_schema().fields().iter().map(|field| field.name().clone()).collect();
-        format!("<standfast.ArrowTable: {} rows of {}>", self.__len__(), names.join(", "))
+        format!("<standfast.ArrowTable: {} rows of {}>", self.__len__(), self.column_names().join(", "))
     }
 
     /// The names of the columns.
     #[getter]
     fn column_names(&self) -> Vec<String> {
-        onset_schema().fields().iter().map(|field| field.name().clone()).collect()
+        self.schema.fields().iter().map(|field| field.name().clone()).collect()
     }
 
     fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
-        Ok(to_schema_pycapsule(py, onset_schema().as_ref())?)
+        Ok(to_schema_pycapsule(py, self.schema.as_ref())?)
     }
 
     #[pyo3(signature = (requested_schema=None))]
@@ -473,7 +524,7 @@ impl ArrowTable {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyCapsule>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        let field = Field::new_struct("", onset_schema().fields().clone(), false);
+        let field = Field::new_struct("", self.schema.fields().clone(), false);
         let arrays: Vec<_> = self
             .batches
             .iter()

@@ -6,6 +6,7 @@ mod assess;
 mod diagram;
 mod grid;
 mod ndarray;
+mod numbers;
 
 use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
@@ -47,4 +48,6 @@ mod _standfast {
     use super::modes;
     #[pymodule_export]
     use super::ndarray::{classify, onset};
+    #[pymodule_export]
+    use super::numbers::{make_array, make_table, read_column, read_table, refuse_column};
 }

@@ -161,9 +161,8 @@ def test_what_counts_as_a_number() -> None:
     for wrong, words in [
         (True, "mu has dtype bool"),
         (1j, "mu has dtype complex128"),
-        ("0.6", "mu has dtype <U3"),
-        (np.ma.masked_array([0.5], [True]), "mu is a masked array"),
-        ({}, "mu holds objects that are no real numbers"),
+        ("0.6", "mu is '0.6', a str; expected a number"),
+        ({}, "mu is {}, a dict; expected a number"),
         (np.datetime64("2020-01-01"), "mu has dtype datetime64"),
     ]:
         with pytest.raises(TypeError, match=words):

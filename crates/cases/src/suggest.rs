@@ -14,3 +14,32 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .max_by(|one, other| one.0.total_cmp(&other.0))
         .map(|(_, candidate)| candidate)
 }
+
+/// What people call a column otherwise, in small letters: the four numbers of the report's problem, and the eleven of the
+/// general contact problem.
+const OTHER_NAMES: [(&str, &[&str]); 15] = [
+    ("gamma", &["γ", "slenderness", "h/b"]),
+    ("k_prime", &["k'", "kprime", "kp", "elevation", "height"]),
+    ("k", &["force", "f", "load"]),
+    ("mu", &["μ", "friction", "friction coefficient"]),
+    ("b1", &["b_1", "b₁"]),
+    ("b2", &["b_2", "b₂"]),
+    ("d", &["depth"]),
+    ("rho2", &["rho^2", "ρ²"]),
+    ("m_x", &["mx"]),
+    ("m_y", &["my"]),
+    ("x", &["f_x", "horizontal"]),
+    ("p", &["vertical"]),
+    ("m", &["moment"]),
+    ("mu_s", &["μ_s", "mus", "static friction"]),
+    ("mu_k", &["μ_k", "muk", "kinetic friction"]),
+];
+
+/// Of the columns `found` in a table the one that is most likely meant by `column`, of the columns `needed`.
+pub fn similar<'a>(column: &str, found: &[&'a str], needed: &[&str]) -> Option<&'a str> {
+    let other = OTHER_NAMES.iter().find(|(name, _)| *name == column).map_or(&[][..], |(_, others)| others);
+    let others = || std::iter::once(&column).chain(other).copied();
+    let free = || found.iter().copied().filter(|name| !needed.contains(name));
+    let exact = free().find(|name| others().any(|other| other == name.to_lowercase()));
+    exact.or_else(|| others().find_map(|other| closest(other, free())))
+}

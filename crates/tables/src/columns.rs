@@ -2,7 +2,7 @@
 
 use crate::problem::Column;
 use crate::{ResultColumn, TableError, TableOptions};
-use standfast_cases::suggest::closest;
+use standfast_cases::suggest::{closest, similar};
 
 /// One of our columns and the name it has in the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -59,9 +59,10 @@ impl TableOptions {
                 (Some((place, _)), None) => Ok(place),
                 (Some(_), Some(_)) => Err(TableError::TwoColumns { name: name(), column: wanted.to_owned() }),
                 (None, _) => {
+                    let found_names: Vec<&str> = found.iter().map(String::as_str).collect();
                     let meant = match mapped {
-                        None => similar(column, found, columns),
-                        Some(_) => closest(wanted, found.iter().map(String::as_str)).map(str::to_owned),
+                        None => similar(column.name, &found_names, &ours().collect::<Vec<_>>()),
+                        Some(_) => closest(wanted, found_names),
                     };
                     let help = meant.map_or_else(
                         || format!("the columns needed are {}, in any order", self.problem.needed()),
@@ -89,12 +90,4 @@ impl TableOptions {
         }
         Ok(if self.columns.is_empty() { all.to_vec() } else { self.columns.clone() })
     }
-}
-
-/// The column that is most likely meant.
-fn similar(column: &Column, found: &[String], columns: &[Column]) -> Option<String> {
-    let needed = |name: &str| columns.iter().any(|column| column.name == name);
-    let free = || found.iter().map(String::as_str).filter(|name| !needed(name));
-    let exact = free().find(|name| column.other_names.contains(&name.to_lowercase().as_str()));
-    exact.or_else(|| column.other_names.iter().find_map(|other| closest(other, free()))).map(str::to_owned)
 }

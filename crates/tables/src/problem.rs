@@ -24,33 +24,31 @@ pub(crate) struct Column {
     pub(crate) name: &'static str,
     /// Which quantity of the library it is.
     quantity: Quantity,
-    /// What people call it otherwise, in small letters.
-    pub(crate) other_names: &'static [&'static str],
 }
 
-const fn column(name: &'static str, quantity: Quantity, other_names: &'static [&'static str]) -> Column {
-    Column { name, quantity, other_names }
+const fn column(name: &'static str, quantity: Quantity) -> Column {
+    Column { name, quantity }
 }
 
 const FORCE: [Column; 4] = [
-    column("gamma", Quantity::Slenderness, &["gamma", "γ", "slenderness", "h/b"]),
-    column("k_prime", Quantity::KPrime, &["k_prime", "k'", "kprime", "kp", "elevation", "height"]),
-    column("k", Quantity::K, &["k", "force", "f", "load"]),
-    column("mu", Quantity::Friction, &["mu", "μ", "friction", "friction coefficient"]),
+    column("gamma", Quantity::Slenderness),
+    column("k_prime", Quantity::KPrime),
+    column("k", Quantity::K),
+    column("mu", Quantity::Friction),
 ];
 
 const WRENCH: [Column; 11] = [
-    column("b1", Quantity::B1, &["b1", "b_1", "b₁"]),
-    column("b2", Quantity::B2, &["b2", "b_2", "b₂"]),
-    column("d", Quantity::D, &["d", "depth"]),
-    column("rho2", Quantity::Rho2, &["rho2", "rho^2", "ρ²"]),
-    column("m_x", Quantity::InertiaX, &["m_x", "mx"]),
-    column("m_y", Quantity::InertiaY, &["m_y", "my"]),
-    column("x", Quantity::WrenchX, &["x", "f_x", "horizontal"]),
-    column("p", Quantity::WrenchP, &["p", "vertical"]),
-    column("m", Quantity::WrenchM, &["m", "moment"]),
-    column("mu_s", Quantity::MuS, &["mu_s", "μ_s", "mus", "static friction"]),
-    column("mu_k", Quantity::MuK, &["mu_k", "μ_k", "muk", "kinetic friction"]),
+    column("b1", Quantity::B1),
+    column("b2", Quantity::B2),
+    column("d", Quantity::D),
+    column("rho2", Quantity::Rho2),
+    column("m_x", Quantity::InertiaX),
+    column("m_y", Quantity::InertiaY),
+    column("x", Quantity::WrenchX),
+    column("p", Quantity::WrenchP),
+    column("m", Quantity::WrenchM),
+    column("mu_s", Quantity::MuS),
+    column("mu_k", Quantity::MuK),
 ];
 
 /// The most columns a problem has.

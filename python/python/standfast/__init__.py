@@ -12,10 +12,10 @@ k = F/(m g) (``k``), k' the height of the force above the centre of mass in H (`
 (``mu``). Numbers in parentheses are the report's equations.
 """
 
-from ._arrays import Onset, classify, onset
+from ._arrays import Onset, OnsetArrays, classify, onset, symbols
 from ._assess import Answer, Assessment, Figure, assess
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
-from ._modes import Mode, Modes, symbols
+from ._modes import Mode, Modes
 from ._standfast import ArrowArray, ArrowTable, __version__
 
 __all__ = [
@@ -31,6 +31,7 @@ __all__ = [
     "Modes",
     "NamedPoint",
     "Onset",
+    "OnsetArrays",
     "Region",
     "__version__",
     "assess",

@@ -1,20 +1,21 @@
-"""Modes and motions of points, one or millions: scalars, numpy arrays, Arrow columns and tables."""
+"""Modes and motions of points, one or millions: scalars, numpy arrays, columns and tables."""
 
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping
-from typing import Any, Literal, NamedTuple, Protocol, overload
+from collections.abc import Sequence
+from typing import Any, Literal, Protocol, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _standfast
-from ._modes import Mode, Modes, symbols
+from ._frames import SYMBOLS, Arrays, Arrow, Fields, Point
+from ._inputs import Map, Operands, read
+from ._modes import Mode, Modes
 from ._standfast import ArrowArray, ArrowTable
 
 _NAMES = ("gamma", "k_prime", "k", "mu")
-_REAL = "fiu"
 
 
 class _ArrowColumn(Protocol):
@@ -29,91 +30,72 @@ class _ArrowStream(Protocol):
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
 
 
-_Columns = Mapping[str, "str | float"]
 _Arrow = _ArrowColumn | _ArrowStream
 
 
-class Onset(NamedTuple):
-    """How a motion begins: :func:`onset`'s answer.
+class Onset(Fields[Any]):
+    """How a motion begins: :func:`onset`'s answer for four plain numbers.
 
-    Arrays have the shape of the operands broadcast together; for four scalars each field is one. Lengths are in B
-    (half the width), accelerations in g, the angular acceleration in g/B, forces in m g. Right and up are positive,
-    and counter-clockwise.
+    Lengths are in B (half the width), accelerations in g, the angular acceleration in g/B, forces in m g. Right and up
+    are positive, and counter-clockwise.
     """
 
-    #: The mode, as ``uint8`` codes of :class:`Mode`.
-    mode: Any
+    #: The mode.
+    mode: Mode
     #: Whether no other mode satisfies every law.
-    unique: Any
-    #: The other modes that satisfy every law, as ``uint16`` bits of :class:`Modes`; zero where ``unique``.
-    others: Any
+    unique: bool
+    #: The other modes that satisfy every law; none where ``unique``.
+    others: Modes
     #: ẍ of the centre of mass.
-    x_ddot: Any
+    x_ddot: float
     #: ÿ of the centre of mass.
-    y_ddot: Any
+    y_ddot: float
     #: θ̈.
-    theta_ddot: Any
+    theta_ddot: float
     #: Horizontal reaction on the body.
-    f_x: Any
+    f_x: float
     #: Vertical reaction on the body.
-    f_y: Any
+    f_y: float
     #: ξ, where f_y acts, right of the centre of mass.
-    xi: Any
+    xi: float
     #: ẍ of the base along the ground.
-    slip: Any
+    slip: float
     #: ÿ of the left corner O.
-    lift_o: Any
+    lift_o: float
     #: ÿ of the right corner O'.
-    lift_o_prime: Any
+    lift_o_prime: float
 
 
-def _is_arrow(value: Any) -> bool:
-    """Whether a value comes by the Arrow PyCapsule interface.
+class OnsetArrays(Fields[NDArray[Any]]):
+    """How motions begin: :func:`onset`'s answer for arrays, with those of the fields of :class:`Onset` that were asked for.
 
-    A pandas Series counts as the numpy array it is, and xarray objects are for :func:`_operand` to refuse.
+    Arrays have the shape of the operands broadcast together, and units and signs as in :class:`Onset`.
     """
-    if isinstance(value, np.ndarray) or hasattr(value, "iloc") or _is_xarray(value):
-        return False
-    return hasattr(value, "__arrow_c_array__") or hasattr(value, "__arrow_c_stream__")
 
-
-def _is_xarray(value: Any) -> bool:
-    return hasattr(value, "dims") and hasattr(value, "coords")
-
-
-def _is_table(value: Any) -> bool:
-    """Whether a single argument is meant as a table; a pandas DataFrame is one."""
-    return _is_arrow(value) or (hasattr(value, "iloc") and hasattr(value, "__arrow_c_stream__"))
-
-
-def _operand(value: Any, name: str) -> NDArray[Any]:
-    """The value as an array that the native module reads; copied only if its type is none the module knows."""
-    if not isinstance(value, np.ndarray):
-        if hasattr(value, "__dask_graph__"):
-            raise TypeError(
-                f"{name} is a lazy Dask collection, which would be loaded into this process whole; expected an array. "
-                "Call dask.array.map_blocks(standfast.classify, ...), or xarray.apply_ufunc with dask='parallelized'"
-            )
-        if _is_xarray(value):
-            raise TypeError(
-                f"{name} is an xarray object, whose dimensions have names; expected an array. "
-                "Call xarray.apply_ufunc(standfast.classify, ...), which matches the names"
-            )
-        value = np.asarray(value)
-    array: NDArray[Any] = value
-    if isinstance(array, np.ma.MaskedArray):
-        raise TypeError(f"{name} is a masked array, whose mask would be lost; expected a plain array")
-    dtype = array.dtype
-    if dtype.kind == "O":
-        try:
-            return array.astype(np.float64)
-        except (TypeError, ValueError) as error:
-            raise TypeError(f"{name} holds objects that are no real numbers: {error}") from None
-    if dtype.kind not in _REAL:
-        raise TypeError(f"{name} has dtype {dtype}; expected real numbers, as float64")
-    if dtype.itemsize > 8 or not dtype.isnative:
-        return array.astype(np.float64)
-    return array
+    #: The mode, as codes of :class:`Mode`.
+    mode: NDArray[np.uint8]
+    #: Whether no other mode satisfies every law.
+    unique: NDArray[np.bool_]
+    #: The other modes that satisfy every law, as bits of :class:`Modes`; zero where ``unique``.
+    others: NDArray[np.uint16]
+    #: ẍ of the centre of mass.
+    x_ddot: NDArray[np.float64]
+    #: ÿ of the centre of mass.
+    y_ddot: NDArray[np.float64]
+    #: θ̈.
+    theta_ddot: NDArray[np.float64]
+    #: Horizontal reaction on the body.
+    f_x: NDArray[np.float64]
+    #: Vertical reaction on the body.
+    f_y: NDArray[np.float64]
+    #: ξ, where f_y acts, right of the centre of mass.
+    xi: NDArray[np.float64]
+    #: ẍ of the base along the ground.
+    slip: NDArray[np.float64]
+    #: ÿ of the left corner O.
+    lift_o: NDArray[np.float64]
+    #: ÿ of the right corner O'.
+    lift_o_prime: NDArray[np.float64]
 
 
 def _threads(threads: int | None) -> int | None:
@@ -126,27 +108,6 @@ def _threads(threads: int | None) -> int | None:
     if number < 1 or isinstance(threads, bool):
         raise ValueError(f"threads is {threads!r}; expected a whole number above zero, or None for all processors")
     return number
-
-
-def _places(columns: _Columns | None) -> list[str | float]:
-    """Where a table has each operand."""
-    columns = {} if columns is None else dict(columns)
-    unknown = [name for name in columns if name not in _NAMES]
-    if unknown:
-        raise ValueError(f"columns has the key {unknown[0]!r}; expected {', '.join(_NAMES)}")
-    places = [columns.get(name, name) for name in _NAMES]
-    for place, name in zip(places, _NAMES):
-        if not isinstance(place, (str, int, float, np.integer, np.floating)) or isinstance(place, bool):
-            raise TypeError(f"columns gives {place!r} for {name}; expected the name of a column, or a number")
-    return places
-
-
-def _points(gamma: Any, k_prime: Any, k: Any, mu: Any) -> tuple[Any, Any, Any, Any]:
-    given = (gamma, k_prime, k, mu)
-    missing = [name for name, value in zip(_NAMES, given) if value is None]
-    if missing:
-        raise TypeError(f"{', '.join(missing)} missing; expected gamma, k_prime, k and mu, or one Arrow table")
-    return given
 
 
 @overload
@@ -190,7 +151,7 @@ def classify(
 ) -> ArrowArray: ...
 @overload
 def classify(
-    gamma: _Arrow, *, columns: _Columns | None = None, threads: int | None = 1, names: bool = False
+    gamma: _Arrow, *, map: Map | None = None, threads: int | None = 1, names: bool = False
 ) -> ArrowArray: ...
 def classify(
     gamma: Any,
@@ -198,7 +159,7 @@ def classify(
     k: Any = None,
     mu: Any = None,
     *,
-    columns: _Columns | None = None,
+    map: Map | None = None,
     out: Any = None,
     threads: int | None = 1,
     names: bool = False,
@@ -259,32 +220,21 @@ def classify(
     ValueError: friction μ is -0.5 at index 1; expected a number from 0 to 1e50
     """
     threads = _threads(threads)
-    if k_prime is None and k is None and mu is None and _is_table(gamma):
-        if out is not None:
-            raise TypeError("out is for arrays; the answer for a table is an Arrow array")
-        return _standfast.classify_table(gamma, _places(columns), threads, names)
-    if columns is not None:
-        raise TypeError("columns is for a table, given in place of gamma, k_prime, k and mu")
-    given = _points(gamma, k_prime, k, mu)
-    if any(map(_is_arrow, given)):
-        if out is not None:
-            raise TypeError("out is for arrays; the answer for Arrow columns is an Arrow array")
-        return _standfast.classify_columns(_arrow_operands(given), threads, names)
+    operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map)
+    form = operands.form
     if out is not None:
-        if names:
-            raise TypeError("out holds codes; it cannot be given together with names")
-        if not isinstance(out, np.ndarray) or out.dtype != np.uint8:
-            found = f"an array of {out.dtype}" if isinstance(out, np.ndarray) else f"a {type(out).__name__}"
-            raise TypeError(f"out is {found}; expected a numpy array of uint8")
-        if not out.flags.writeable:
-            raise ValueError("out is read-only; expected an array that can be written to")
-    codes = _standfast.classify(list(map(_operand, given, _NAMES)), out, threads)
-    if out is not None:
-        return out
-    if codes.ndim == 0:
-        mode = Mode(int(codes))
-        return mode.symbol if names else mode
-    return symbols(codes) if names else codes
+        _check_out(out, names, operands)
+    if operands.table is not None or operands.columns is not None:
+        if operands.table is not None:
+            found = _standfast.classify_table(*operands.table, threads, names)
+        else:
+            assert operands.columns is not None
+            found = _standfast.classify_columns(operands.columns, threads, names)
+        assert isinstance(form, Arrow)
+        return form.adopt(found)
+    arrays, missing = operands.arrays()
+    codes = _standfast.classify(arrays, out, threads)
+    return out if out is not None else form.column("mode", codes, missing, symbols=names)
 
 
 @overload
@@ -301,14 +251,14 @@ def onset(
     threads: int | None = 1,
 ) -> ArrowTable: ...
 @overload
-def onset(gamma: _Arrow, *, columns: _Columns | None = None, threads: int | None = 1) -> ArrowTable: ...
+def onset(gamma: _Arrow, *, map: Map | None = None, threads: int | None = 1) -> ArrowTable: ...
 def onset(
     gamma: Any,
     k_prime: Any = None,
     k: Any = None,
     mu: Any = None,
     *,
-    columns: _Columns | None = None,
+    map: Map | None = None,
     threads: int | None = 1,
 ) -> Any:
     """The mode that begins, with its motion and reactions, and whether it is the only one.
@@ -336,28 +286,51 @@ def onset(
     (<Mode.ROCK_O: 2>,)
     """
     threads = _threads(threads)
-    if k_prime is None and k is None and mu is None and _is_table(gamma):
-        return _standfast.onset_table(gamma, _places(columns), threads)
-    if columns is not None:
-        raise TypeError("columns is for a table, given in place of gamma, k_prime, k and mu")
-    given = _points(gamma, k_prime, k, mu)
-    if any(map(_is_arrow, given)):
-        return _standfast.onset_columns(_arrow_operands(given), threads)
-    mode, others, motion = _standfast.onset(list(map(_operand, given, _NAMES)), threads)
-    if mode.ndim == 0:
-        bits = Modes(int(others))
-        return Onset(Mode(int(mode)), not bits, bits, *map(float, motion))
-    return Onset(mode, others == 0, others, *motion)
+    operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map)
+    form = operands.form
+    if operands.table is not None or operands.columns is not None:
+        if operands.table is not None:
+            found = _standfast.onset_table(*operands.table, threads)
+        else:
+            assert operands.columns is not None
+            found = _standfast.onset_columns(operands.columns, threads)
+        assert isinstance(form, Arrow)
+        return form.adopt_table(found)
+    arrays, missing = operands.arrays()
+    mode, others, motion = _standfast.onset(arrays, threads)
+    names = OnsetArrays._fields
+    columns = dict(zip(names, (mode, others == 0, others, *motion)))
+    return form.table(columns, missing, point=Onset, arrays=OnsetArrays)
 
 
-def _arrow_operands(given: tuple[Any, ...]) -> list[Any]:
-    """Arrow columns as they are, all else as a float."""
-    operands = []
-    for value, name in zip(given, _NAMES):
-        if not _is_arrow(value):
-            array = _operand(value, name)
-            if array.ndim > 0:
-                raise TypeError(f"{name} is a numpy array beside Arrow columns; expected an Arrow column or a number")
-            value = float(array)
-        operands.append(value)
-    return operands
+def _check_out(out: object, names: bool, operands: Operands) -> None:
+    if names:
+        raise TypeError("out holds codes; it cannot be given together with names")
+    if not isinstance(operands.form, (Point, Arrays)) or operands.form.masked:
+        raise TypeError("out is for plain arrays; the answer for columns and tables is of their kind")
+    if not isinstance(out, np.ndarray) or out.dtype != np.uint8:
+        found = f"an array of {out.dtype}" if isinstance(out, np.ndarray) else f"a {type(out).__name__}"
+        raise TypeError(f"out is {found}; expected a numpy array of uint8")
+    if not out.flags.writeable:
+        raise ValueError("out is read-only; expected an array that can be written to")
+
+
+def symbols(codes: Any) -> Any:
+    """The report's symbols for mode codes: an array of strings of the same shape, or a ``str`` for one code.
+
+    A pandas or polars Series or an Arrow array gives one of its kind, with categories; what is missing stays missing.
+
+    Raises:
+        ValueError: if a code is not that of a mode.
+
+    >>> symbols([0, 5])
+    array(['RE', "SRO'-"], dtype='<U5')
+    >>> symbols(Mode.SLIDE_LEFT)
+    'SL'
+    """
+    operands = read("symbols", ("codes",), (codes,))
+    (values,), missing = operands.arrays()
+    right = (values >= 0) & (values < len(SYMBOLS)) & (values == np.floor(values))
+    if not np.all(right):
+        raise ValueError(f"{values[~right].flat[0]:g} is not the code of a mode; expected 0 to {len(SYMBOLS) - 1}")
+    return operands.form.column("mode", values.astype(np.uint8), missing, symbols=True)

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import enum
-from typing import Any
-
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from . import _standfast
 
@@ -84,27 +80,3 @@ class Modes(enum.IntFlag):
         (<Mode.SLIDE_LEFT: 1>, <Mode.ROCK_O: 2>)
         """
         return tuple(mode for mode in Mode if self & (1 << mode))
-
-
-_SYMBOLS: NDArray[np.str_] = np.array([symbol for _, symbol, _ in _NATIVE])
-
-
-def symbols(codes: ArrayLike) -> Any:
-    """The report's symbols for mode codes: an array of strings of the same shape, or a ``str`` for one code.
-
-    Raises:
-        ValueError: if a code is not that of a mode.
-
-    >>> symbols([0, 5])
-    array(['RE', "SRO'-"], dtype='<U5')
-    >>> symbols(Mode.SLIDE_LEFT)
-    'SL'
-    """
-    array = np.asarray(codes)
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"codes have dtype {array.dtype}; expected integers, as classify returns them")
-    if array.size and (array.min() < 0 or array.max() >= len(_SYMBOLS)):
-        wrong = array[(array < 0) | (array >= len(_SYMBOLS))].flat[0]
-        raise ValueError(f"{wrong} is not the code of a mode; expected 0 to {len(_SYMBOLS) - 1}")
-    named = _SYMBOLS[array]
-    return str(named) if named.ndim == 0 else named

@@ -16,10 +16,15 @@ __all__ = [
     "classify_table",
     "diagram_outlines",
     "diagram_svg",
+    "make_array",
+    "make_table",
     "modes",
     "onset",
     "onset_columns",
     "onset_table",
+    "read_column",
+    "read_table",
+    "refuse_column",
 ]
 
 __version__: str
@@ -44,6 +49,15 @@ class ArrowTable:
     def __len__(self) -> int: ...
     def __arrow_c_schema__(self) -> object: ...
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+
+_Read = tuple[NDArray[np.float64], NDArray[np.bool_] | None]
+_Values = NDArray[Any] | list[str]
+
+def make_array(name: str, values: _Values, missing: NDArray[np.bool_] | None, symbols: bool) -> ArrowArray: ...
+def make_table(columns: Sequence[tuple[str, _Values, NDArray[np.bool_] | None]]) -> ArrowTable: ...
+def read_column(column: Any, name: str) -> _Read: ...
+def read_table(table: Any, columns: Sequence[tuple[str, str]]) -> list[_Read]: ...
+def refuse_column(name: str, column: str, found: Sequence[str]) -> None: ...
 
 _Polyline = list[tuple[float, float]]
 

@@ -1,0 +1,259 @@
+"""What comes out for what came in: computed columns as scalars, arrays, pandas, polars, pyarrow or Arrow objects.
+
+:func:`standfast._inputs.read` picks the :class:`Form` by what was passed. Computed columns are numpy arrays of the
+operands' common shape; what they mean is told by their type, everywhere alike:
+
+=======  =============================  =========  ===========  =============
+numpy    meaning                        one point  pandas       Arrow, polars
+=======  =============================  =========  ===========  =============
+uint8    code of :class:`.Mode`         ``Mode``   ``UInt8``    uint8
+uint16   bits of :class:`.Modes`        ``Modes``  ``UInt16``   uint16
+bool     yes or no                      ``bool``   ``boolean``  boolean
+float64  a number                       ``float``  ``float64``  float64
+str      a word                         ``str``    a string     string
+=======  =============================  =========  ===========  =============
+
+What is missing is told by masks, never by a value: that of a row by ``missing``, that of a single value by a masked
+array in place of a plain one. It comes out as ``None`` for a point, as masked in a masked array, as ``<NA>`` (``NaN`` for
+float64) in pandas, and as null in Arrow and polars.
+"""
+
+from __future__ import annotations
+
+import sys
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _standfast
+from ._modes import Mode, Modes
+from ._standfast import ArrowArray, ArrowTable
+
+_T = TypeVar("_T")
+
+#: What is missing, in the shape of the answer; ``None`` if nothing is.
+Missing = NDArray[np.bool_] | None
+
+SYMBOLS: NDArray[np.str_] = np.array([mode.symbol for mode in Mode])
+
+
+class Fields(tuple[_T, ...]):
+    """A tuple whose items have names: those that were asked for, in that order.
+
+    A class of answers names its fields, with their types, by annotations; an instance has all or some of them. As with
+    a ``NamedTuple`` there are ``_fields`` and ``_asdict()``.
+    """
+
+    _fields: tuple[str, ...] = ()
+
+    def __init_subclass__(cls) -> None:
+        cls._fields = tuple(cls.__annotations__)
+
+    def __new__(cls, values: Mapping[str, _T]) -> Fields[_T]:
+        self = super().__new__(cls, values.values())
+        self.__dict__.update(values, _fields=tuple(values))
+        return self
+
+    def __getattr__(self, name: str) -> _T:
+        if name in type(self)._fields:
+            raise AttributeError(f"{name} was not asked for; columns named {', '.join(self._fields)} only")
+        raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self._fields)}")
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{type(self).__name__} cannot be changed")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._asdict(),)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._asdict().items())})"
+
+    def _asdict(self) -> dict[str, _T]:
+        """The fields as a dict."""
+        return dict(zip(self._fields, self))
+
+
+class Form(ABC):
+    """A kind of answer."""
+
+    #: Whether the answer tells by a mask what is missing, even if nothing is.
+    masked = False
+
+    @abstractmethod
+    def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
+        """One column; with ``symbols`` the values are codes of modes, to be shown as the report's symbols."""
+
+    @abstractmethod
+    def table(
+        self,
+        columns: Mapping[str, NDArray[Any]],
+        missing: Missing = None,
+        *,
+        point: type[Fields[Any]],
+        arrays: type[Fields[Any]],
+    ) -> Any:
+        """Several columns: a data frame or table, or the fields of ``point`` or ``arrays`` where there is no such thing."""
+
+
+class Point(Form):
+    """Four plain numbers, and a plain answer."""
+
+    def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
+        if missing is not None and missing.any() or np.ma.is_masked(values):
+            return None
+        if symbols:
+            return str(SYMBOLS[values])
+        value = values.item()
+        kind = values.dtype
+        return Mode(value) if kind == np.uint8 else Modes(value) if kind == np.uint16 else value
+
+    def table(
+        self,
+        columns: Mapping[str, NDArray[Any]],
+        missing: Missing = None,
+        *,
+        point: type[Fields[Any]],
+        arrays: type[Fields[Any]],
+    ) -> Any:
+        if missing is not None and missing.any():
+            return None
+        return point({name: self.column(name, values, missing) for name, values in columns.items()})
+
+
+class Arrays(Form):
+    """numpy arrays; masked ones where something is missing or masked arrays came in."""
+
+    def __init__(self, masked: bool = False) -> None:
+        self.masked = masked
+
+    def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
+        values, missing = _parted(values, missing)
+        shown = SYMBOLS[values] if symbols else values
+        if not self.masked and missing is None:
+            return shown
+        blanks: dict[str, float | str] = {"u": np.iinfo(np.uint8).max, "f": np.nan, "U": ""}
+        blank = blanks.get(shown.dtype.kind, False)
+        answer = np.ma.MaskedArray(shown, np.ma.nomask if missing is None else missing, fill_value=blank)
+        return answer[()] if answer.ndim == 0 else answer
+
+    def table(
+        self,
+        columns: Mapping[str, NDArray[Any]],
+        missing: Missing = None,
+        *,
+        point: type[Fields[Any]],
+        arrays: type[Fields[Any]],
+    ) -> Any:
+        return arrays({name: self.column(name, values, missing) for name, values in columns.items()})
+
+
+class Pandas(Form):
+    """A Series or a DataFrame with the index of the one that came in."""
+
+    def __init__(self, index: Any) -> None:
+        self.index = index
+
+    def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
+        pd = sys.modules["pandas"]
+        return pd.Series(self._array(values, missing, symbols), index=self.index, name=name, copy=False)
+
+    def table(
+        self,
+        columns: Mapping[str, NDArray[Any]],
+        missing: Missing = None,
+        *,
+        point: type[Fields[Any]],
+        arrays: type[Fields[Any]],
+    ) -> Any:
+        pd = sys.modules["pandas"]
+        made = {name: self._array(values, missing) for name, values in columns.items()}
+        return pd.DataFrame(made, index=self.index, columns=list(columns), copy=False)
+
+    @staticmethod
+    def _array(values: NDArray[Any], missing: Missing, symbols: bool = False) -> Any:
+        pd = sys.modules["pandas"]
+        values, missing = _parted(values, missing)
+        if symbols:
+            codes = values.astype(np.int8) if missing is None else np.where(missing, -1, values.astype(np.int8))
+            return pd.Categorical.from_codes(codes, categories=SYMBOLS.tolist())
+        if values.dtype.kind in "ub":
+            mask = np.zeros(values.shape, dtype=np.bool_) if missing is None else missing
+            made = pd.arrays.BooleanArray if values.dtype.kind == "b" else pd.arrays.IntegerArray
+            return made(np.ascontiguousarray(values), np.array(mask))
+        if missing is None:
+            return values
+        if values.dtype.kind == "f":
+            return np.where(missing, np.nan, values)
+        words = values.astype(object)
+        words[missing] = None
+        return pd.array(words)
+
+
+class Arrow(Form):
+    """An object of the library that the operands are of, or :class:`.ArrowArray` and :class:`.ArrowTable`."""
+
+    def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
+        values, missing = _parted(values, missing)
+        return self.adopt(_standfast.make_array(name, _native(values), missing, symbols), name)
+
+    def table(
+        self,
+        columns: Mapping[str, NDArray[Any]],
+        missing: Missing = None,
+        *,
+        point: type[Fields[Any]],
+        arrays: type[Fields[Any]],
+    ) -> Any:
+        parted = [(name, *_parted(values, missing)) for name, values in columns.items()]
+        return self.adopt_table(_standfast.make_table([(name, _native(values), mask) for name, values, mask in parted]))
+
+    def adopt(self, array: ArrowArray, name: str = "mode") -> Any:
+        """One column, without a copy."""
+        return array
+
+    def adopt_table(self, table: ArrowTable) -> Any:
+        """A table, without a copy."""
+        return table
+
+
+class Polars(Arrow):
+    """A Series or a DataFrame; symbols as an Enum."""
+
+    def adopt(self, array: ArrowArray, name: str = "mode") -> Any:
+        pl = sys.modules["polars"]
+        series = pl.Series(name, array)
+        return series.cast(pl.Enum(SYMBOLS.tolist())) if series.dtype == pl.Categorical else series
+
+    def adopt_table(self, table: ArrowTable) -> Any:
+        return sys.modules["polars"].DataFrame(table)
+
+
+class Pyarrow(Arrow):
+    """An Array or a Table."""
+
+    def adopt(self, array: ArrowArray, name: str = "mode") -> Any:
+        return sys.modules["pyarrow"].array(array)
+
+    def adopt_table(self, table: ArrowTable) -> Any:
+        return sys.modules["pyarrow"].table(table)
+
+
+def _parted(values: NDArray[Any], missing: Missing) -> tuple[NDArray[Any], Missing]:
+    """Values without mask, and what is missing in all."""
+    if isinstance(values, np.ma.MaskedArray):
+        if values.mask is not np.ma.nomask:
+            own = np.asarray(values.mask, dtype=np.bool_)
+            missing = own if missing is None else missing | own
+        values = values.data
+    return values, missing
+
+
+def _native(values: NDArray[Any]) -> NDArray[Any] | list[str]:
+    """What the native module takes for a column."""
+    if values.dtype.kind == "U":
+        words: list[str] = values.tolist()
+        return words
+    return np.ascontiguousarray(values)
