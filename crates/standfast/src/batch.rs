@@ -22,8 +22,12 @@
 
 use crate::error::InputError;
 use crate::initiation::Point;
+use crate::mode::Mode;
 use crate::motion::Motion;
 use crate::sign::{Fused, Rounded, UNSURE, screen};
+
+/// Points that are looked at twice in a row: small enough that the second look finds them in the first-level cache.
+const BLOCK: usize = 4096;
 
 /// Four columns of equal length: γ, k', k and μ.
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +63,16 @@ pub enum BatchError {
         /// The value.
         source: InputError,
     },
+}
+
+impl BatchError {
+    /// The error of points that come after `before` others.
+    fn after(self, before: usize) -> BatchError {
+        match self {
+            BatchError::Value { index, source } => BatchError::Value { index: before + index, source },
+            BatchError::Length { .. } => self,
+        }
+    }
 }
 
 impl<'a> Columns<'a> {
@@ -100,8 +114,6 @@ impl<'a> Columns<'a> {
 /// the modes of the points before it.
 pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError> {
     columns.check_lengths(codes.len())?;
-    // Small enough that the second look at the codes finds them in the first-level cache.
-    const BLOCK: usize = 4096;
     let set = InstructionSet::ALL.into_iter().find(|set| set.is_available());
     let set = set.expect("every processor has the baseline");
     for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
@@ -116,15 +128,17 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     Ok(())
 }
 
-/// Where [`onset`] writes: columns of equal length, in the units of [`Motion`].
-#[derive(Debug)]
+/// Where [`onset`] writes: columns of equal length, in the units of [`Motion`]. What is `None` is not computed.
+#[derive(Debug, Default)]
 pub struct OnsetColumns<'a> {
     /// The [code](crate::Mode::code) of the mode.
-    pub mode: &'a mut [u8],
+    pub mode: Option<&'a mut [u8]>,
+    /// Whether no other mode is consistent.
+    pub unique: Option<&'a mut [bool]>,
     /// The other consistent modes, as the [bits](crate::Modes::bits) of a set; zero where the answer is unique.
-    pub others: &'a mut [u16],
-    /// The motion of `mode`: [`MOTION`] names the columns.
-    pub motion: [&'a mut [f64]; 9],
+    pub others: Option<&'a mut [u16]>,
+    /// The motion of the mode: [`MOTION`] names the columns.
+    pub motion: [Option<&'a mut [f64]>; 9],
 }
 
 /// The names of the columns of [`OnsetColumns::motion`], which are the fields of [`Motion`].
@@ -133,11 +147,26 @@ pub const MOTION: [&str; 9] =
 
 impl<'a> OnsetColumns<'a> {
     fn check_lengths(&self, expected: usize) -> Result<(), BatchError> {
-        let named = MOTION.into_iter().zip(&self.motion).map(|(name, column)| (name, column.len()));
-        let mut lengths = [("mode", self.mode.len()), ("others", self.others.len())].into_iter().chain(named);
-        match lengths.find(|&(_, found)| found != expected) {
+        let fixed = [
+            ("mode", self.mode.as_ref().map(|column| column.len())),
+            ("unique", self.unique.as_ref().map(|column| column.len())),
+            ("others", self.others.as_ref().map(|column| column.len())),
+        ];
+        let motion = self.motion.iter().map(|column| column.as_ref().map(|column| column.len()));
+        let mut lengths = fixed.into_iter().chain(MOTION.into_iter().zip(motion));
+        match lengths.find_map(|(name, found)| Some((name, found.filter(|&found| found != expected)?))) {
             Some((column, found)) => Err(BatchError::Length { column, found, expected }),
             None => Ok(()),
+        }
+    }
+
+    /// The same columns, lent.
+    pub fn reborrow(&mut self) -> OnsetColumns<'_> {
+        OnsetColumns {
+            mode: self.mode.as_deref_mut(),
+            unique: self.unique.as_deref_mut(),
+            others: self.others.as_deref_mut(),
+            motion: self.motion.each_mut().map(Option::as_deref_mut),
         }
     }
 
@@ -146,39 +175,81 @@ impl<'a> OnsetColumns<'a> {
     /// # Panics
     /// If there are fewer points.
     pub fn split_at(self, index: usize) -> (OnsetColumns<'a>, OnsetColumns<'a>) {
-        let (mode, mode_rest) = self.mode.split_at_mut(index);
-        let (others, others_rest) = self.others.split_at_mut(index);
-        let (mut motion, mut motion_rest): ([&mut [f64]; 9], [&mut [f64]; 9]) = Default::default();
+        fn cut<T>(column: Option<&mut [T]>, index: usize) -> (Option<&mut [T]>, Option<&mut [T]>) {
+            column.map(|column| column.split_at_mut(index)).unzip()
+        }
+        let (mode, mode_rest) = cut(self.mode, index);
+        let (unique, unique_rest) = cut(self.unique, index);
+        let (others, others_rest) = cut(self.others, index);
+        let (mut motion, mut motion_rest): ([Option<&mut [f64]>; 9], [Option<&mut [f64]>; 9]) =
+            Default::default();
         for ((column, head), tail) in self.motion.into_iter().zip(&mut motion).zip(&mut motion_rest) {
-            (*head, *tail) = column.split_at_mut(index);
+            (*head, *tail) = cut(column, index);
         }
         (
-            OnsetColumns { mode, others, motion },
-            OnsetColumns { mode: mode_rest, others: others_rest, motion: motion_rest },
+            OnsetColumns { mode, unique, others, motion },
+            OnsetColumns { mode: mode_rest, unique: unique_rest, others: others_rest, motion: motion_rest },
         )
     }
 }
 
-/// Writes every point's mode, the other consistent modes, and the motion it begins with.
+/// Writes every point's mode, the other consistent modes, and the motion it begins with: of these, the columns that `out`
+/// has.
 ///
 /// # Errors
-/// If the columns differ in length, or at the first point with a value that is not valid; `out` then holds the
-/// points before it.
+/// If the columns differ in length, or at the first point with a value that is not valid; the columns of `out` are then
+/// written in part.
 pub fn onset(columns: Columns<'_>, out: OnsetColumns<'_>) -> Result<(), BatchError> {
-    columns.check_lengths(out.mode.len())?;
-    out.check_lengths(out.mode.len())?;
-    let OnsetColumns { mode, others, mut motion } = out;
-    for (index, (mode, others)) in mode.iter_mut().zip(others).enumerate() {
-        let point = columns.point(index).map_err(|source| BatchError::Value { index, source })?;
-        *mode = point.mode().code();
-        *others = point.others().bits();
-        let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = point.motion();
-        let values = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
-        for (column, value) in motion.iter_mut().zip(values) {
-            column[index] = value;
-        }
+    let length = columns.gamma.len();
+    columns.check_lengths(length)?;
+    out.check_lengths(length)?;
+    let mut rest = out;
+    let mut codes = [0; BLOCK];
+    for start in (0..length).step_by(BLOCK) {
+        let block = columns.slice(start, BLOCK.min(length - start));
+        let codes = &mut codes[..block.gamma.len()];
+        classify(block, codes).map_err(|error| error.after(start))?;
+        let (out, tail) = rest.split_at(codes.len());
+        rest = tail;
+        onset_of(block, codes, out);
     }
     Ok(())
+}
+
+/// What `out` asks of valid points whose modes are known.
+fn onset_of(columns: Columns<'_>, codes: &[u8], out: OnsetColumns<'_>) {
+    let modes = || codes.iter().map(|&code| Mode::from_code(code).expect("a point has a mode")).enumerate();
+    let point = |index: usize| {
+        let [gamma, k_prime] = [columns.gamma[index], columns.k_prime[index]];
+        Point::of_valid(gamma, k_prime, columns.k[index], columns.mu[index])
+    };
+    let OnsetColumns { mode, mut unique, mut others, mut motion } = out;
+    if let Some(mode) = mode {
+        mode.copy_from_slice(codes);
+    }
+    if unique.is_some() || others.is_some() {
+        for (index, mode) in modes() {
+            let found = point(index).others_beside(mode);
+            if let Some(unique) = &mut unique {
+                unique[index] = found.is_empty();
+            }
+            if let Some(others) = &mut others {
+                others[index] = found.bits();
+            }
+        }
+    }
+    if motion.iter().any(Option::is_some) {
+        for (index, mode) in modes() {
+            let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } =
+                point(index).motion_of(mode);
+            let values = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
+            for (column, value) in motion.iter_mut().zip(values) {
+                if let Some(column) = column {
+                    column[index] = value;
+                }
+            }
+        }
+    }
 }
 
 /// Decides exactly what the kernel left open.

@@ -214,28 +214,50 @@ fn onset_columns_agree_with_the_single_call() {
     let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
     let columns = Columns { gamma: &slenderness, k_prime: &elevation, k: &force, mu: &friction };
 
-    let (mut mode, mut others) = (vec![0; count], vec![0; count]);
+    let (mut mode, mut unique, mut others) = (vec![0; count], vec![false; count], vec![0; count]);
     let mut motion = [(); 9].map(|()| vec![0.0; count]);
-    let out = OnsetColumns {
-        mode: &mut mode,
-        others: &mut others,
-        motion: motion.each_mut().map(|column| column.as_mut_slice()),
+    let mut out = OnsetColumns {
+        mode: Some(&mut mode),
+        unique: Some(&mut unique),
+        others: Some(&mut others),
+        motion: motion.each_mut().map(|column| Some(column.as_mut_slice())),
     };
-    batch::onset(columns, out).unwrap();
+    batch::onset(columns, out.reborrow()).unwrap();
     for (i, &[g, h, k, m]) in points.iter().enumerate() {
         let point = Point::new(g, h, k, m).unwrap();
         assert_eq!(Mode::from_code(mode[i]), Some(point.mode()));
         let bits = Mode::ALL.into_iter().filter(|&mode| others[i] >> mode.code() & 1 == 1).collect();
-        assert_eq!(point.others(), bits);
+        assert_eq!((point.others(), point.is_unique()), (bits, unique[i]));
         let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = point.motion();
         let expected = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
         assert_eq!(motion.each_ref().map(|column| column[i]), expected);
     }
     assert!(others.iter().any(|bits| bits.count_ones() == 2));
 
+    // Each column alone is the one among all.
+    let mut alone = vec![7.0; count];
+    for (i, column) in motion.iter().enumerate() {
+        let mut out = OnsetColumns::default();
+        out.motion[i] = Some(&mut alone);
+        batch::onset(columns, out).unwrap();
+        assert_eq!(alone, *column);
+    }
+    let mut alone = vec![false; count];
+    batch::onset(columns, OnsetColumns { unique: Some(&mut alone), ..OnsetColumns::default() }).unwrap();
+    assert_eq!(alone, unique);
+
     let mut short = vec![0.0; count - 1];
-    let mut motion = motion.each_mut().map(|column| column.as_mut_slice());
-    motion[5] = &mut short;
-    let error = batch::onset(columns, OnsetColumns { mode: &mut mode, others: &mut others, motion });
+    let mut out = OnsetColumns { mode: Some(&mut mode), ..OnsetColumns::default() };
+    out.motion[5] = Some(&mut short);
+    let error = batch::onset(columns, out);
     assert_eq!(error, Err(BatchError::Length { column: "xi", found: count - 1, expected: count }));
+
+    // The first wrong value is named wherever it stands.
+    for place in [0, 1, count / 2, count - 1] {
+        let mut friction = friction.clone();
+        friction[place] = -1.0;
+        let out = OnsetColumns { mode: Some(&mut mode), ..OnsetColumns::default() };
+        let error = batch::onset(Columns { mu: &friction, ..columns }, out).unwrap_err();
+        assert!(matches!(error, BatchError::Value { index, .. } if index == place), "{error}");
+    }
 }

@@ -88,6 +88,11 @@ impl Point {
         })
     }
 
+    /// The point of four numbers that [`new`](Point::new) takes.
+    pub(crate) fn of_valid(gamma: f64, k_prime: f64, k: f64, mu: f64) -> Point {
+        Point { gamma, k_prime, k, mu }
+    }
+
     /// γ = H/B.
     pub fn gamma(&self) -> f64 {
         self.gamma
@@ -125,11 +130,16 @@ impl Point {
     /// N = {−1 < k' < 0, k > k_A, k ≥ k_B', μ*(k) ≤ μ ≤ 1/γ − k k'}, where it holds RO, and inside N also SRO-.
     /// It is decided exactly. An independent witness is [`enumerate`].
     pub fn others(&self) -> Modes {
+        self.others_beside(self.mode())
+    }
+
+    /// As [`others`](Point::others), where the mode is known.
+    pub(crate) fn others_beside(&self, mode: Mode) -> Modes {
         let mut others = Modes::NONE;
         if self.k_prime <= -1.0 || self.k_prime >= 0.0 {
             return others;
         }
-        if matches!(self.mode(), Mode::SlideLeft | Mode::SlideRockOPrimeLeft) {
+        if matches!(mode, Mode::SlideLeft | Mode::SlideRockOPrimeLeft) {
             let signs = self.polynomials(Need::Sign, |p| [p.turn, p.slip_left]);
             let Polynomials { turn, slip_left, .. } = signs;
             // That k > k_A follows: slip_left = 4(1+γ²)(μ − k) + 3 tip (μ + γ), and μ < k in both modes.
@@ -150,7 +160,12 @@ impl Point {
 
     /// The motion and reactions with which [`mode`](Point::mode) begins.
     pub fn motion(&self) -> Motion {
-        onset::motion(self, self.mode())
+        self.motion_of(self.mode())
+    }
+
+    /// As [`motion`](Point::motion), where the mode is known.
+    pub(crate) fn motion_of(&self, mode: Mode) -> Motion {
+        onset::motion(self, mode)
     }
 
     /// The motion of `mode`, if it is [`mode`](Point::mode) or one of [`others`](Point::others).
