@@ -3,17 +3,25 @@
 //!
 //! An operand that already is a column of f64 is used where it lies; a scalar is written out once per thread; anything
 //! else is gathered, a block at a time. No operand is ever copied as a whole.
+//!
+//! A point may have no answer: where a value is missing, and where that is asked for, where one is impossible. Blocks without
+//! such points pay nothing for those that have some.
 
-use std::num::NonZero;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use arrow_array::cast::AsArray;
+use arrow_array::types::Float64Type;
+use arrow_array::{Array, ArrayRef};
+use arrow_buffer::NullBuffer;
+use arrow_cast::cast;
+use arrow_schema::DataType;
 use half::f16;
+use standfast::InputError;
 use standfast::batch::{self, Columns, OnsetColumns};
-use standfast::{InputError, Point};
 
 /// The type of the numbers of an operand.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub(crate) enum Kind {
     F64,
     F32,
@@ -26,6 +34,8 @@ pub(crate) enum Kind {
     U32,
     U16,
     U8,
+    /// What Arrow converts: decimals, dictionaries, nulls. Of one axis; it has no pointer.
+    Arrow(ArrayRef),
 }
 
 /// An array in memory.
@@ -36,13 +46,44 @@ pub(crate) struct Operand {
     pub(crate) shape: Vec<usize>,
     /// In bytes.
     pub(crate) strides: Vec<isize>,
+    /// Which values are there, of a column of Arrow that says so.
+    pub(crate) nulls: Option<NullBuffer>,
 }
 
-/// Four operands of one shape.
+/// Four operands of one shape, and a mask of it if there is one.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub(crate) shape: Vec<usize>,
-    operands: [Operand; 4],
+    /// γ, k', k and μ; then, where there is one, the mask, which is not zero where a point has no answer.
+    operands: Vec<Operand>,
+}
+
+/// What is no error, and leaves a point without answer.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Gaps {
+    /// NaN, which says that a value is missing.
+    pub(crate) nan: bool,
+    /// Any value that no point can have.
+    pub(crate) errors: bool,
+}
+
+/// Why work was not finished.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Halt {
+    /// At a point that has no mode; see [`Grid::first_invalid`].
+    Invalid,
+    /// [`Watch`] said so.
+    Stopped,
+}
+
+/// Is told on the caller's thread, every few thousand points, how many are done; answers whether to go on.
+pub(crate) type Watch<'a> = dyn FnMut(usize) -> bool + Send + 'a;
+
+/// How work is to be done.
+pub(crate) struct Labour<'a, 'w> {
+    pub(crate) threads: usize,
+    pub(crate) gaps: Gaps,
+    pub(crate) watch: &'a mut Watch<'w>,
 }
 
 // SAFETY: an operand is only ever read, and whoever makes one keeps its memory alive; see `Grid::new`.
@@ -54,6 +95,9 @@ unsafe impl Sync for Operand {}
 
 /// Points that are gathered at a time: four columns of them stay in the second-level cache.
 const BLOCK: usize = 4096;
+/// Points that lie as columns are read in longer stretches: as many as are decided in a few milliseconds, should each of them
+/// need exact arithmetic.
+const STRETCH: usize = 4 * BLOCK;
 /// Points that a thread takes at a time.
 const PIECE: usize = 16 * BLOCK;
 
@@ -62,13 +106,14 @@ const PIECE: usize = 16 * BLOCK;
 pub(crate) struct ShapeMismatch;
 
 impl Grid {
-    /// Operands broadcast to their common shape by numpy's rules.
+    /// Operands broadcast to their common shape by numpy's rules: four, and a mask if there is one.
     ///
     /// # Safety
     /// For as long as the grid or a copy of it is read, every index within an operand's shape has to lead, by its
     /// strides, to a readable number of its kind.
     #[expect(unsafe_code, reason = "the grid trusts pointers and strides")]
-    pub(crate) unsafe fn new(operands: [Operand; 4]) -> Result<Grid, ShapeMismatch> {
+    pub(crate) unsafe fn new(operands: Vec<Operand>) -> Result<Grid, ShapeMismatch> {
+        debug_assert!(matches!(operands.len(), 4 | 5));
         let dimensions = operands.iter().map(|operand| operand.shape.len()).max().unwrap_or(0);
         let mut shape = vec![1; dimensions];
         for operand in &operands {
@@ -82,7 +127,7 @@ impl Grid {
                 }
             }
         }
-        let operands = operands.map(|operand| {
+        let broadcast = |operand: Operand| {
             let missing = dimensions - operand.shape.len();
             let own = |axis: usize| {
                 let own = axis.checked_sub(missing)?;
@@ -90,12 +135,25 @@ impl Grid {
             };
             let strides = (0..dimensions).map(|axis| own(axis).unwrap_or(0)).collect();
             Operand { strides, shape: shape.clone(), ..operand }
-        });
+        };
+        let operands = operands.into_iter().map(broadcast).collect();
         Ok(Grid { shape, operands })
     }
 
     pub(crate) fn len(&self) -> usize {
         self.shape.iter().product()
+    }
+
+    /// Where points without answer are to be marked: a flag for each point, none yet; empty if all have one.
+    pub(crate) fn gaps(&self, allowed: Gaps) -> Vec<bool> {
+        let some = self.has_gaps() || allowed.nan || allowed.errors;
+        // Zeros that nobody writes to take no memory.
+        vec![false; if some { self.len() } else { 0 }]
+    }
+
+    /// Whether values may be missing, NaN apart.
+    fn has_gaps(&self) -> bool {
+        self.operands.len() > 4 || self.operands.iter().any(Operand::has_nulls)
     }
 
     /// The axes from the one with the longest strides to that with the shortest, so that reading in this order runs
@@ -113,55 +171,74 @@ impl Grid {
     /// The grid with its axes in another order, neighbours joined where the memory allows it.
     pub(crate) fn along(&self, axes: &[usize]) -> Grid {
         let mut shape: Vec<usize> = Vec::new();
-        let mut strides: [Vec<isize>; 4] = Default::default();
+        let mut strides = vec![Vec::<isize>::new(); self.operands.len()];
         for &axis in axes.iter().filter(|&&axis| self.shape[axis] != 1) {
             let length = self.shape[axis];
-            let own = |i: usize| self.operands[i].strides[axis];
+            let own = || self.operands.iter().map(|operand| operand.strides[axis]);
             let joins = !shape.is_empty()
-                && (0..4).all(|i| strides[i].last().is_some_and(|&outer| outer == own(i) * length as isize));
+                && strides
+                    .iter()
+                    .zip(own())
+                    .all(|(strides, own)| strides.last() == Some(&(own * length as isize)));
             if joins {
                 *shape.last_mut().expect("there is an outer axis") *= length;
-                (0..4).for_each(|i| *strides[i].last_mut().expect("there is an outer axis") = own(i));
+                strides.iter_mut().for_each(|strides| strides.truncate(shape.len() - 1));
             } else {
                 shape.push(length);
-                (0..4).for_each(|i| strides[i].push(own(i)));
             }
+            strides.iter_mut().zip(own()).for_each(|(strides, own)| strides.push(own));
         }
-        let mut strides = strides.into_iter();
-        let operands = self.operands.clone().map(|operand| {
-            let strides = strides.next().expect("four operands");
-            Operand { shape: shape.clone(), strides, ..operand }
-        });
+        let along = |(operand, strides): (&Operand, Vec<isize>)| Operand {
+            shape: shape.clone(),
+            strides,
+            ..operand.clone()
+        };
+        let operands = self.operands.iter().zip(strides).map(along).collect();
         Grid { shape, operands }
     }
 
-    /// Writes the mode codes in the order of the grid; false if a point has no mode, see
-    /// [`first_invalid`](Grid::first_invalid).
-    pub(crate) fn classify(&self, codes: &mut [u8], threads: usize) -> bool {
-        let pieces = codes.chunks_mut(PIECE).enumerate().map(|(i, codes)| (i * PIECE, codes));
-        self.share(pieces, threads, |columns, start, codes: &mut [u8]| {
-            let reach = columns.reach();
+    /// Writes the mode codes in the order of the grid, and marks the points without answer in what [`gaps`](Grid::gaps) gave.
+    pub(crate) fn classify(
+        &self,
+        codes: &mut [u8],
+        missing: &mut [bool],
+        labour: Labour<'_, '_>,
+    ) -> Result<(), Halt> {
+        let pieces = pieces(codes, missing, self.len(), PIECE, |codes, length| codes.split_at_mut(length));
+        let gaps = labour.gaps;
+        self.share(pieces, labour, |reader, start, (codes, missing): (&mut [u8], &mut [bool]), pace| {
+            let reach = reader.reach();
+            let mut missing = missing.chunks_mut(reach);
             codes.chunks_mut(reach).enumerate().all(|(i, codes)| {
-                batch::classify(columns.read(start + i * reach, codes.len()), codes).is_ok()
+                let missing = missing.next().unwrap_or_default();
+                let length = codes.len();
+                reader.answer(start + i * reach, length, missing, gaps, |columns| {
+                    batch::classify(columns, codes).is_ok()
+                }) && pace.step(length)
             })
         })
     }
 
-    /// As [`classify`](Grid::classify), for everything about the onset.
-    pub(crate) fn onset(&self, out: OnsetColumns<'_>, threads: usize) -> bool {
-        let (mut rest, mut start) = (Some(out), 0);
-        let pieces = std::iter::from_fn(|| {
-            let out = rest.take().filter(|out| !out.mode.is_empty())?;
-            let length = out.mode.len().min(BLOCK);
-            let (head, tail) = out.split_at(length);
-            rest = Some(tail);
-            start += length;
-            Some((start - length, head))
-        });
-        self.share(pieces, threads, |columns, start, out: OnsetColumns<'_>| {
-            let length = out.mode.len();
-            batch::onset(columns.read(start, length), out).is_ok()
-        })
+    /// As [`classify`](Grid::classify), for what `out` asks of the onset.
+    pub(crate) fn onset(
+        &self,
+        out: OnsetColumns<'_>,
+        missing: &mut [bool],
+        labour: Labour<'_, '_>,
+    ) -> Result<(), Halt> {
+        let pieces = pieces(out, missing, self.len(), BLOCK, OnsetColumns::split_at);
+        let gaps = labour.gaps;
+        let last = self.len();
+        self.share(
+            pieces,
+            labour,
+            |reader, start, (mut out, missing): (OnsetColumns<'_>, &mut [bool]), pace| {
+                let length = BLOCK.min(last - start);
+                reader.answer(start, length, missing, gaps, |columns| {
+                    batch::onset(columns, out.reborrow()).is_ok()
+                }) && pace.step(length)
+            },
+        )
     }
 
     /// Lets threads take pieces of the output until none is left or one fails. The threads live as long as the call:
@@ -169,16 +246,17 @@ impl Grid {
     fn share<P: Send>(
         &self,
         pieces: impl Iterator<Item = (usize, P)> + Send,
-        threads: usize,
-        work: impl Fn(&mut Reader<'_>, usize, P) -> bool + Sync,
-    ) -> bool {
+        Labour { threads, watch, .. }: Labour<'_, '_>,
+        work: impl Fn(&mut Reader<'_>, usize, P, &mut Pace<'_, '_>) -> bool + Sync,
+    ) -> Result<(), Halt> {
         let pieces = Mutex::new(pieces);
-        let failed = AtomicBool::new(false);
+        let (done, failed, stopped) = (AtomicUsize::new(0), AtomicBool::new(false), AtomicBool::new(false));
         let take = || pieces.lock().expect("taking a piece does not panic").next();
-        let labour = || {
-            let mut columns = Reader::new(self);
+        let labour = |watch: Option<&mut Watch<'_>>| {
+            let mut reader = Reader::new(self);
+            let mut pace = Pace { done: &done, failed: &failed, stopped: &stopped, watch };
             while let Some((start, piece)) = take().filter(|_| !failed.load(Ordering::Relaxed)) {
-                if !work(&mut columns, start, piece) {
+                if !work(&mut reader, start, piece, &mut pace) {
                     failed.store(true, Ordering::Relaxed);
                 }
             }
@@ -187,26 +265,38 @@ impl Grid {
         std::thread::scope(|scope| {
             for _ in 1..threads {
                 // If the system has no more threads to give, those there are do the work.
-                if std::thread::Builder::new().spawn_scoped(scope, labour).is_err() {
+                if std::thread::Builder::new().spawn_scoped(scope, || labour(None)).is_err() {
                     break;
                 }
             }
-            labour();
+            labour(Some(watch));
         });
-        !failed.into_inner()
+        match (stopped.into_inner(), failed.into_inner()) {
+            (true, _) => Err(Halt::Stopped),
+            (false, true) => Err(Halt::Invalid),
+            (false, false) => Ok(()),
+        }
     }
 
-    /// The first point that has no mode, by its index in the order of the grid.
-    pub(crate) fn first_invalid(&self) -> Option<(usize, InputError)> {
-        let mut columns = Reader::new(self);
-        (0..self.len()).step_by(BLOCK).find_map(|start| {
+    /// The first point that has no mode and is not excused, by its index in the order of the grid; `None` also where `watch` does
+    /// not want to go on.
+    pub(crate) fn first_invalid(&self, gaps: Gaps, watch: &mut Watch<'_>) -> Option<(usize, InputError)> {
+        let mut reader = Reader::new(self);
+        let mut missing = self.gaps(gaps);
+        missing.truncate(BLOCK);
+        for start in (0..self.len()).step_by(BLOCK) {
             let length = BLOCK.min(self.len() - start);
-            let block = columns.read(start, length);
-            (0..length).find_map(|i| {
-                let [gamma, k_prime, k, mu] = [block.gamma[i], block.k_prime[i], block.k[i], block.mu[i]];
-                Point::new(gamma, k_prime, k, mu).err().map(|error| (start + i, error))
-            })
-        })
+            missing.fill(false);
+            let block = reader.read(start, length, &mut missing);
+            let excused = |i: usize| missing.get(i) == Some(&true) || gaps.nan && has_nan(&block, i);
+            let wrong = (0..length).find_map(|i| Some((i, block.point(i).err().filter(|_| !excused(i))?)));
+            match wrong {
+                Some((i, error)) => return Some((start + i, error)),
+                None if watch(start + length) => {}
+                None => return None,
+            }
+        }
+        None
     }
 
     /// An index in the order of the grid as one along every axis.
@@ -226,9 +316,51 @@ impl Grid {
     }
 }
 
-/// As many threads as the caller asks for, or as there are processors.
-pub(crate) fn threads(asked: Option<NonZero<usize>>) -> usize {
-    asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZero::get)
+/// An output in pieces of so many points, each with where it starts and its part of `missing`, if that is not empty.
+fn pieces<'a, T>(
+    out: T,
+    mut missing: &'a mut [bool],
+    total: usize,
+    length: usize,
+    cut: impl Fn(T, usize) -> (T, T),
+) -> impl Iterator<Item = (usize, (T, &'a mut [bool]))> {
+    let (mut rest, mut start) = (Some(out), 0);
+    std::iter::from_fn(move || {
+        let length = length.min(total - start);
+        let (head, tail) = cut(rest.take().filter(|_| length > 0)?, length);
+        rest = Some(tail);
+        let cut = length.min(missing.len());
+        let (gaps, others) = std::mem::take(&mut missing).split_at_mut(cut);
+        missing = others;
+        start += length;
+        Some((start - length, (head, gaps)))
+    })
+}
+
+fn has_nan(columns: &Columns<'_>, index: usize) -> bool {
+    let Columns { gamma, k_prime, k, mu } = columns;
+    [gamma, k_prime, k, mu].iter().any(|column| column[index].is_nan())
+}
+
+/// How far all threads are, as one of them sees it.
+struct Pace<'a, 'w> {
+    done: &'a AtomicUsize,
+    failed: &'a AtomicBool,
+    stopped: &'a AtomicBool,
+    /// On the caller's thread.
+    watch: Option<&'a mut Watch<'w>>,
+}
+
+impl Pace<'_, '_> {
+    /// Counts points as done; false if no more is to be done.
+    fn step(&mut self, points: usize) -> bool {
+        let done = self.done.fetch_add(points, Ordering::Relaxed) + points;
+        if self.watch.as_mut().is_some_and(|watch| !watch(done)) {
+            self.stopped.store(true, Ordering::Relaxed);
+            return false;
+        }
+        !self.failed.load(Ordering::Relaxed)
+    }
 }
 
 /// Where a thread gets one of its columns from.
@@ -244,54 +376,92 @@ enum Source {
 /// One thread's view of a grid.
 struct Reader<'a> {
     grid: &'a Grid,
-    sources: [(Source, Vec<f64>); 4],
+    sources: Vec<(Source, Vec<f64>)>,
 }
 
 impl<'a> Reader<'a> {
     fn new(grid: &'a Grid) -> Reader<'a> {
-        let sources = grid.operands.each_ref().map(|operand| {
-            let mut buffer = Vec::new();
-            let source = if operand.is_column() {
-                Source::Lying
-            } else if operand.strides.iter().all(|&stride| stride == 0) {
+        let block = BLOCK.min(grid.len());
+        let source = |operand: &Operand| {
+            if operand.is_column() {
+                (Source::Lying, Vec::new())
+            } else if operand.is_same() {
                 let mut value = [0.0];
                 if grid.len() > 0 {
                     operand.gather(0, &mut value);
                 }
-                buffer.resize(BLOCK.min(grid.len()), value[0]);
-                Source::Same
+                (Source::Same, vec![value[0]; block])
             } else {
-                buffer.resize(BLOCK.min(grid.len()), 0.0);
-                Source::Gathered
-            };
-            (source, buffer)
-        });
-        Reader { grid, sources }
+                (Source::Gathered, vec![0.0; block])
+            }
+        };
+        Reader { grid, sources: grid.operands.iter().map(source).collect() }
     }
 
     /// The longest block that [`read`](Reader::read) can return.
     fn reach(&self) -> usize {
         let lie = self.sources.iter().all(|(source, _)| matches!(source, Source::Lying));
-        if lie { PIECE } else { BLOCK }
+        if lie { STRETCH } else { BLOCK }
     }
 
-    /// The points from `start`.
-    fn read(&mut self, start: usize, length: usize) -> Columns<'_> {
-        let mut operands = self.grid.operands.iter();
-        let [gamma, k_prime, k, mu] = self.sources.each_mut().map(|(source, buffer)| {
-            let operand = operands.next().expect("four operands");
-            match source {
+    /// The points from `start`. Those with a value that is missing are marked; in its place is some number that points can have.
+    fn read(&mut self, start: usize, length: usize, missing: &mut [bool]) -> Columns<'_> {
+        let mut columns = [&[][..]; 4];
+        for (place, ((source, buffer), operand)) in
+            self.sources.iter_mut().zip(&self.grid.operands).enumerate()
+        {
+            let values = match source {
                 Source::Lying => operand.column(start, length),
                 Source::Same => &buffer[..length],
                 Source::Gathered => {
-                    operand.gather(start, &mut buffer[..length]);
+                    operand.gather_marked(start, &mut buffer[..length], missing);
                     &buffer[..length]
                 }
+            };
+            match columns.get_mut(place) {
+                Some(column) => *column = values,
+                None => {
+                    missing.iter_mut().zip(values).for_each(|(missing, &masked)| *missing |= masked != 0.0)
+                }
             }
-        });
+        }
+        let [gamma, k_prime, k, mu] = columns;
         Columns { gamma, k_prime, k, mu }
     }
+
+    /// Lets `work`, which fails at values that no point can have, answer the points from `start`. Those without answer are marked
+    /// in `missing`, which is as long as the points, or empty if all have one. False at a value that is an error.
+    fn answer(
+        &mut self,
+        start: usize,
+        length: usize,
+        missing: &mut [bool],
+        gaps: Gaps,
+        mut work: impl FnMut(Columns<'_>) -> bool,
+    ) -> bool {
+        let columns = self.read(start, length, missing);
+        if work(columns) {
+            return true;
+        }
+        // Only here are points looked at one by one.
+        let Columns { gamma, k_prime, k, mu } = columns;
+        let mut valid = [gamma, k_prime, k, mu].map(<[f64]>::to_vec);
+        for (i, missing) in missing.iter_mut().enumerate() {
+            if *missing || columns.point(i).is_err() {
+                *missing |= gaps.errors || gaps.nan && has_nan(&columns, i);
+                if !*missing {
+                    return false;
+                }
+                valid.iter_mut().for_each(|column| column[i] = VALID);
+            }
+        }
+        let [gamma, k_prime, k, mu] = &valid;
+        work(Columns { gamma, k_prime, k, mu })
+    }
 }
+
+/// A slenderness, elevation, force and friction that a point can have.
+const VALID: f64 = 1.0;
 
 impl Operand {
     /// Whether the values lie as f64 one after another, in the order of the grid.
@@ -302,7 +472,18 @@ impl Operand {
             step *= length as isize;
             as_expected
         });
-        self.kind == Kind::F64 && lies && self.pointer.cast::<f64>().is_aligned() && !self.shape.is_empty()
+        let plain = matches!(self.kind, Kind::F64) && !self.has_nulls() && !self.shape.is_empty();
+        plain && lies && self.pointer.cast::<f64>().is_aligned()
+    }
+
+    /// Whether the points share one value.
+    fn is_same(&self) -> bool {
+        !self.has_nulls() && self.strides.iter().all(|&stride| stride == 0)
+    }
+
+    /// Whether values may be missing.
+    fn has_nulls(&self) -> bool {
+        self.nulls.is_some() || matches!(self.kind, Kind::Arrow(_))
     }
 
     /// Values of a column that lies as such.
@@ -316,9 +497,30 @@ impl Operand {
         }
     }
 
+    /// As [`gather`](Operand::gather); marks what is missing, in place of which a valid number is written.
+    pub(crate) fn gather_marked(&self, start: usize, out: &mut [f64], missing: &mut [bool]) {
+        let nulls = match &self.kind {
+            Kind::Arrow(array) => {
+                let values = floats(&array.slice(start, out.len()));
+                out.copy_from_slice(values.as_primitive::<Float64Type>().values());
+                values.nulls().cloned()
+            }
+            _ => {
+                self.gather(start, out);
+                self.nulls.as_ref().map(|nulls| nulls.slice(start, out.len()))
+            }
+        };
+        for (i, valid) in nulls.iter().flatten().enumerate() {
+            if !valid {
+                (out[i], missing[i]) = (VALID, true);
+            }
+        }
+    }
+
     /// Copies the values from `start`, in the order of the grid, as f64.
-    pub(crate) fn gather(&self, start: usize, out: &mut [f64]) {
-        match self.kind {
+    fn gather(&self, start: usize, out: &mut [f64]) {
+        match &self.kind {
+            Kind::Arrow(_) => unreachable!("values that may be missing are gathered with marks"),
             Kind::F64 => self.gather_as(start, out, |value: f64| value),
             Kind::F32 => self.gather_as(start, out, |value: f32| value.into()),
             Kind::F16 => self.gather_as(start, out, |value: f16| value.into()),
@@ -366,6 +568,12 @@ impl Operand {
         }
     }
 
+    /// A column of Arrow that has to be converted to be read.
+    pub(crate) fn converted(array: ArrayRef) -> Operand {
+        let (shape, strides) = (vec![array.len()], vec![1]);
+        Operand { pointer: std::ptr::null(), kind: Kind::Arrow(array), shape, strides, nulls: None }
+    }
+
     /// The value at an offset in bytes.
     fn value<T: Copy>(&self, offset: isize) -> T {
         // SAFETY: `gather` picks T by the kind, and the offset comes from an index within the shape, so that by the
@@ -374,5 +582,19 @@ impl Operand {
         unsafe {
             self.pointer.offset(offset).cast::<T>().read_unaligned()
         }
+    }
+}
+
+/// Numbers of any kind that [`is_number`] as Arrow converts them, which is how `standfast batch` reads them.
+pub(crate) fn floats(array: &ArrayRef) -> ArrayRef {
+    cast(array, &DataType::Float64).unwrap_or_else(|_| unreachable!("every number can be a Float64"))
+}
+
+/// Whether a column of this type holds real numbers, or nothing at all.
+pub(crate) fn is_number(kind: &DataType) -> bool {
+    match kind {
+        DataType::Dictionary(_, values) => is_number(values),
+        DataType::Null => true,
+        other => other.is_numeric(),
     }
 }

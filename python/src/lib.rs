@@ -1,12 +1,15 @@
 //! The native module of the Python package `standfast`: numpy and Arrow arrays in and out of the library's batches,
 //! and diagrams as numbers. What users call, with its documentation, is the Python beside it.
 
-mod arrow;
+mod arrow_in;
+mod arrow_out;
 mod assess;
 mod diagram;
 mod grid;
 mod ndarray;
 mod numbers;
+mod onset;
+mod run;
 
 use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
@@ -34,9 +37,9 @@ type Codes<'py> = Bound<'py, PyArrayDyn<u8>>;
 #[pymodule]
 mod _standfast {
     #[pymodule_export]
-    use super::arrow::{
-        ArrowArray, ArrowTable, classify_columns, classify_table, onset_columns, onset_table,
-    };
+    use super::arrow_in::{classify_columns, classify_table, onset_columns, onset_table};
+    #[pymodule_export]
+    use super::arrow_out::{ArrowArray, ArrowTable};
     #[pymodule_export]
     use super::assess::assess;
     #[pymodule_export]

@@ -1,20 +1,19 @@
 //! numpy arrays in and out.
 
-use std::num::NonZero;
-
 use numpy::{
     PyArray1, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use standfast::batch::OnsetColumns;
 
-use crate::grid::{self, Grid, Kind, Operand};
+use crate::grid::{Grid, Halt, Kind, Operand};
+use crate::onset::{Choice, Column, NO_MODE, Onset};
+use crate::run::{Monitor, Run};
 use crate::{Codes, invalid};
 
 type Arrays<'py> = [Bound<'py, PyUntypedArray>; 4];
-type Floats<'py> = Bound<'py, PyArrayDyn<f64>>;
+type Mask<'py> = Bound<'py, PyArrayDyn<bool>>;
 
 /// The memory of an array.
 fn operand(array: &Bound<'_, PyUntypedArray>) -> PyResult<Operand> {
@@ -31,24 +30,27 @@ fn operand(array: &Bound<'_, PyUntypedArray>) -> PyResult<Operand> {
         (b'u', 8, _) => Some(Kind::U64),
         (b'u', 4, _) => Some(Kind::U32),
         (b'u', 2, _) => Some(Kind::U16),
-        (b'u', 1, _) => Some(Kind::U8),
+        (b'u', 1, _) | (b'b', 1, _) => Some(Kind::U8),
         _ => None,
     };
     let kind = kind.ok_or_else(|| PyTypeError::new_err(format!("dtype {dtype} is not read natively")))?;
     // SAFETY: the pointer to a live array object can be followed.
     #[expect(unsafe_code, reason = "numpy's interface has no other way to the memory of any type")]
     let pointer = unsafe { (*array.as_array_ptr()).fields.data.cast::<u8>().cast_const() };
-    Ok(Operand { pointer, kind, shape: array.shape().to_vec(), strides: array.strides().to_vec() })
+    let (shape, strides) = (array.shape().to_vec(), array.strides().to_vec());
+    Ok(Operand { pointer, kind, shape, strides, nulls: None })
 }
 
-/// The arrays broadcast to each other; to be used only while they are alive.
-fn broadcast(arrays: &Arrays<'_>) -> PyResult<Grid> {
-    let [gamma, k_prime, k, mu] = arrays.each_ref().map(operand);
+/// The arrays broadcast to each other, and to the mask if there is one; to be used only while they are alive.
+fn broadcast(arrays: &Arrays<'_>, mask: Option<&Mask<'_>>) -> PyResult<Grid> {
+    let mask = mask.map(|mask| mask.as_untyped());
+    let operands = arrays.iter().chain(mask).map(operand).collect::<PyResult<_>>()?;
     // SAFETY: numpy vouches for pointer, type, shape and strides for as long as the array is alive.
     #[expect(unsafe_code, reason = "the grid trusts pointers and strides")]
-    let grid = unsafe { Grid::new([gamma?, k_prime?, k?, mu?]) };
+    let grid = unsafe { Grid::new(operands) };
     grid.map_err(|_| {
-        let shapes = arrays.iter().zip(["gamma", "k_prime", "k", "mu"]).map(|(array, name)| {
+        let names = ["gamma", "k_prime", "k", "mu", "mask"];
+        let shapes = arrays.iter().chain(mask).zip(names).map(|(array, name)| {
             let shape = PyTuple::new(array.py(), array.shape())?;
             Ok(format!("{name} {}", shape.repr()?))
         });
@@ -62,12 +64,21 @@ fn broadcast(arrays: &Arrays<'_>) -> PyResult<Grid> {
     })
 }
 
-/// The exception for the first point, in the order of C, that is not valid.
-fn error(grid: &Grid) -> PyErr {
+/// Why work on the grid came to an end.
+fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monitor<'_>) -> PyErr {
     let in_order: Vec<usize> = (0..grid.shape.len()).collect();
-    match grid.along(&in_order).first_invalid() {
-        Some((index, source)) => invalid(source, &grid.unravel(index)),
-        None => PyValueError::new_err("the arrays changed while they were read"),
+    let found = match halt {
+        Halt::Stopped => None,
+        // The first in the order of C.
+        Halt::Invalid => {
+            let grid = grid.along(&in_order);
+            py.detach(|| grid.first_invalid(run.gaps(), &mut |_| monitor.step(0)))
+        }
+    };
+    match (monitor.raised(), found) {
+        (Some(error), _) => error,
+        (None, Some((index, source))) => invalid(source, &grid.unravel(index)),
+        (None, None) => PyValueError::new_err("the arrays changed while they were read"),
     }
 }
 
@@ -98,17 +109,28 @@ fn lying(array: &Codes<'_>) -> Option<Vec<usize>> {
     gapless.then_some(axes)
 }
 
-/// Mode codes of points, into `out` if it is given.
+/// Which points have no answer, if there are such; as an array that lies in the memory along `axes`.
+fn mask_of<'py>(
+    py: Python<'py>,
+    missing: Vec<bool>,
+    grid: &Grid,
+    axes: &[usize],
+) -> PyResult<Option<Mask<'py>>> {
+    let some = missing.contains(&true);
+    some.then(|| shaped(PyArray1::from_vec(py, missing), grid, axes)).transpose()
+}
+
+/// Mode codes of points, into `out` if it is given, and which points have none, if there are such.
 #[pyfunction]
-#[pyo3(signature = (arrays, out, threads))]
 pub(crate) fn classify<'py>(
     py: Python<'py>,
     arrays: Arrays<'py>,
+    mask: Option<Mask<'py>>,
     out: Option<Codes<'py>>,
-    threads: Option<NonZero<usize>>,
-) -> PyResult<Codes<'py>> {
-    let grid = broadcast(&arrays)?;
-    let Some(out) = out else { return new_codes(py, &grid, threads) };
+    run: Run,
+) -> PyResult<(Codes<'py>, Option<Mask<'py>>)> {
+    let grid = broadcast(&arrays, mask.as_ref())?;
+    let Some(out) = out else { return new_codes(py, &grid, &run) };
     if out.shape() != grid.shape {
         let shapes = [PyTuple::new(py, out.shape())?.repr()?, PyTuple::new(py, &grid.shape)?.repr()?];
         let [found, expected] = shapes;
@@ -118,69 +140,83 @@ pub(crate) fn classify<'py>(
     }
     let numpy = py.import("numpy")?;
     let mut shared = false;
-    for array in &arrays {
+    for array in arrays.iter().chain(mask.as_ref().map(|mask| mask.as_untyped())) {
         shared |= numpy.call_method1("may_share_memory", (&out, array))?.extract::<bool>()?;
     }
-    match lying(&out).filter(|_| !shared) {
+    let missing = match lying(&out).filter(|_| !shared) {
         Some(axes) => {
             // SAFETY: it was allocated by numpy, shares no memory with the operands, and lies without gaps.
             #[expect(unsafe_code, reason = "writes the caller's array, whatever the order of its axes")]
             let codes = unsafe { std::slice::from_raw_parts_mut(out.data(), grid.len()) };
-            fill(py, &grid, &axes, codes, threads)?;
+            fill(py, &grid, &axes, codes, &run)?
         }
         None => {
-            let codes = new_codes(py, &grid, threads)?;
+            let (codes, missing) = new_codes(py, &grid, &run)?;
             numpy.call_method1("copyto", (&out, codes))?;
+            missing
         }
-    }
-    Ok(out)
+    };
+    Ok((out, missing))
 }
 
-fn new_codes<'py>(py: Python<'py>, grid: &Grid, threads: Option<NonZero<usize>>) -> PyResult<Codes<'py>> {
+fn new_codes<'py>(py: Python<'py>, grid: &Grid, run: &Run) -> PyResult<(Codes<'py>, Option<Mask<'py>>)> {
     let axes = grid.axes();
     let flat = PyArray1::<u8>::zeros(py, [grid.len()], false);
-    fill(py, grid, &axes, flat.readwrite().as_slice_mut()?, threads)?;
-    shaped(flat, grid, &axes)
+    let missing = fill(py, grid, &axes, flat.readwrite().as_slice_mut()?, run)?;
+    Ok((shaped(flat, grid, &axes)?, missing))
 }
 
-fn fill(
-    py: Python<'_>,
+fn fill<'py>(
+    py: Python<'py>,
     grid: &Grid,
     axes: &[usize],
     codes: &mut [u8],
-    asked: Option<NonZero<usize>>,
-) -> PyResult<()> {
+    run: &Run,
+) -> PyResult<Option<Mask<'py>>> {
     let along = grid.along(axes);
-    if py.detach(|| along.classify(codes, grid::threads(asked))) { Ok(()) } else { Err(error(grid)) }
+    let mut missing = along.gaps(run.gaps());
+    let mut monitor = run.monitor(Some(grid.len()));
+    let done = py.detach(|| along.classify(codes, &mut missing, run.labour(&mut |done| monitor.step(done))));
+    if let Err(halt) = done {
+        return Err(halted(py, halt, grid, run, monitor));
+    }
+    codes.iter_mut().zip(&missing).filter(|(_, missing)| **missing).for_each(|(code, _)| *code = NO_MODE);
+    monitor.finish(py)?;
+    mask_of(py, missing, grid, axes)
 }
 
-/// Mode codes, bits of the other modes, and the nine columns of the motion.
+/// The columns asked for of the onset, and which points have none, if there are such.
 #[pyfunction]
 pub(crate) fn onset<'py>(
     py: Python<'py>,
     arrays: Arrays<'py>,
-    threads: Option<NonZero<usize>>,
-) -> PyResult<(Codes<'py>, Bound<'py, PyArrayDyn<u16>>, Vec<Floats<'py>>)> {
-    let grid = broadcast(&arrays)?;
+    mask: Option<Mask<'py>>,
+    columns: Choice,
+    run: Run,
+) -> PyResult<(Vec<Bound<'py, PyAny>>, Option<Mask<'py>>)> {
+    let grid = broadcast(&arrays, mask.as_ref())?;
     let axes = grid.axes();
-    let length = [grid.len()];
-    let modes = PyArray1::<u8>::zeros(py, length, false);
-    let others = PyArray1::<u16>::zeros(py, length, false);
-    let motion = [(); 9].map(|()| PyArray1::<f64>::zeros(py, length, false));
-    {
-        let (mut modes, mut others) = (modes.readwrite(), others.readwrite());
-        let mut motion = motion.each_ref().map(|column| column.readwrite());
-        let mut columns: [&mut [f64]; 9] = Default::default();
-        for (column, array) in columns.iter_mut().zip(&mut motion) {
-            *column = array.as_slice_mut()?;
-        }
-        let out =
-            OnsetColumns { mode: modes.as_slice_mut()?, others: others.as_slice_mut()?, motion: columns };
-        let along = grid.along(&axes);
-        if !py.detach(|| along.onset(out, grid::threads(threads))) {
-            return Err(error(&grid));
-        }
+    let along = grid.along(&axes);
+    let mut found = Onset::new(&columns, grid.len());
+    let mut missing = along.gaps(run.gaps());
+    let mut monitor = run.monitor(Some(grid.len()));
+    let done =
+        py.detach(|| along.onset(found.columns(), &mut missing, run.labour(&mut |done| monitor.step(done))));
+    if let Err(halt) = done {
+        return Err(halted(py, halt, &grid, &run, monitor));
     }
-    let motion = motion.into_iter().map(|column| shaped(column, &grid, &axes)).collect::<PyResult<_>>()?;
-    Ok((shaped(modes, &grid, &axes)?, shaped(others, &grid, &axes)?, motion))
+    if missing.contains(&true) {
+        found.blank(&missing);
+    }
+    monitor.finish(py)?;
+    let array = |column| {
+        Ok(match column {
+            Column::Mode(codes) => shaped(PyArray1::from_vec(py, codes), &grid, &axes)?.into_any(),
+            Column::Unique(unique) => shaped(PyArray1::from_vec(py, unique), &grid, &axes)?.into_any(),
+            Column::Others(others) => shaped(PyArray1::from_vec(py, others), &grid, &axes)?.into_any(),
+            Column::Motion(numbers) => shaped(PyArray1::from_vec(py, numbers), &grid, &axes)?.into_any(),
+        })
+    };
+    let arrays = found.in_order(&columns).map(array).collect::<PyResult<_>>()?;
+    Ok((arrays, mask_of(py, missing, &grid, &axes)?))
 }

@@ -3,17 +3,18 @@
 use std::sync::Arc;
 
 use arrow_array::{
-    Array, ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchReader, StringArray, UInt8Array,
-    UInt16Array,
+    Array, ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int32Array, Int64Array, RecordBatchReader,
+    StringArray, UInt8Array, UInt16Array,
 };
 use arrow_buffer::{BooleanBuffer, NullBuffer};
-use arrow_schema::{Field, Fields, Schema};
+use arrow_schema::ArrowError;
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3_arrow::input::AnyRecordBatch;
 
-use crate::arrow::{ArrowArray, ArrowTable, Given, dictionary_of_symbols, no_column, numbers};
+use crate::arrow_in::{Given, no_column, numbers};
+use crate::arrow_out::{ArrowArray, ArrowTable};
 
 /// A column's numbers, and which of them are missing if any is.
 type Column<'py> = (Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<bool>>>);
@@ -22,28 +23,20 @@ type Column<'py> = (Bound<'py, PyArray1<f64>>, Option<Bound<'py, PyArray1<bool>>
 #[derive(Default)]
 struct Numbers {
     values: Vec<f64>,
-    /// From the first null on.
-    missing: Option<Vec<bool>>,
+    missing: Vec<bool>,
 }
 
 impl Numbers {
     fn append(&mut self, chunk: &ArrayRef, name: &str) -> PyResult<()> {
         let start = self.values.len();
         self.values.resize(start + chunk.len(), 0.0);
-        let nulls = numbers(chunk, name, &mut self.values[start..])?;
-        match (&mut self.missing, nulls) {
-            (None, None) => {}
-            (Some(missing), None) => missing.resize(start + chunk.len(), false),
-            (missing, Some(nulls)) => {
-                let missing = missing.get_or_insert_with(|| vec![false; start]);
-                missing.extend(nulls.iter().map(|valid| !valid));
-            }
-        }
-        Ok(())
+        self.missing.resize(start + chunk.len(), false);
+        numbers(chunk, name, &mut self.values[start..], &mut self.missing[start..])
     }
 
     fn into_numpy(self, py: Python<'_>) -> Column<'_> {
-        (PyArray1::from_vec(py, self.values), self.missing.map(|missing| PyArray1::from_vec(py, missing)))
+        let some = self.missing.contains(&true);
+        (PyArray1::from_vec(py, self.values), some.then(|| PyArray1::from_vec(py, self.missing)))
     }
 }
 
@@ -67,7 +60,7 @@ pub(crate) fn read_table<'py>(
 ) -> PyResult<Vec<Column<'py>>> {
     let reader = table.into_reader()?;
     let schema = reader.schema();
-    let places = columns.iter().map(|(column, name)| crate::arrow::place(&schema, column, name));
+    let places = columns.iter().map(|(column, name)| crate::arrow_in::place(&schema, column, name));
     let places = places.collect::<PyResult<Vec<usize>>>()?;
     let read = py.detach(|| {
         let mut read: Vec<Numbers> = columns.iter().map(|_| Numbers::default()).collect();
@@ -87,59 +80,63 @@ pub(crate) fn read_table<'py>(
 pub(crate) enum Values<'py> {
     Codes(PyReadonlyArray1<'py, u8>),
     Sets(PyReadonlyArray1<'py, u16>),
+    Places(PyReadonlyArray1<'py, i64>),
     Flags(PyReadonlyArray1<'py, bool>),
     Numbers(PyReadonlyArray1<'py, f64>),
     Words(Vec<String>),
 }
 
-/// What is missing.
-type Missing<'py> = Option<PyReadonlyArray1<'py, bool>>;
-
-fn array(values: &Values<'_>, missing: &Missing<'_>, symbols: bool) -> PyResult<ArrayRef> {
-    let nulls = missing.as_ref().map(|missing| {
-        let valid: BooleanBuffer = missing.as_array().iter().map(|missing| !missing).collect();
-        NullBuffer::new(valid)
-    });
-    Ok(match values {
-        Values::Codes(codes) => {
-            let codes = UInt8Array::new(codes.as_array().to_vec().into(), nulls);
-            if symbols { dictionary_of_symbols(codes) } else { Arc::new(codes) }
-        }
-        Values::Sets(sets) => Arc::new(UInt16Array::new(sets.as_array().to_vec().into(), nulls)),
-        Values::Flags(flags) => {
-            Arc::new(BooleanArray::new(flags.as_array().iter().copied().collect(), nulls))
-        }
-        Values::Numbers(numbers) => Arc::new(Float64Array::new(numbers.as_array().to_vec().into(), nulls)),
-        Values::Words(words) => {
-            let valid = |row| nulls.as_ref().is_none_or(|nulls| nulls.is_valid(row));
-            let words = words.iter().enumerate().map(|(row, word)| valid(row).then_some(word));
-            Arc::new(words.collect::<StringArray>())
-        }
-    })
-}
-
-/// A computed column in Arrow; with `symbols` codes become the report's symbols.
+/// A computed column in Arrow; null where `missing` says so. With `words` the values are places in these, the dictionary of the
+/// column.
 #[pyfunction]
 pub(crate) fn make_array(
     name: &str,
     values: Values<'_>,
-    missing: Missing<'_>,
-    symbols: bool,
+    missing: Option<PyReadonlyArray1<'_, bool>>,
+    words: Option<Vec<String>>,
 ) -> PyResult<ArrowArray> {
-    Ok(ArrowArray::new(name, array(&values, &missing, symbols)?))
+    let nulls = missing.as_ref().map(|missing| {
+        let valid: BooleanBuffer = missing.as_array().iter().map(|missing| !missing).collect();
+        NullBuffer::new(valid)
+    });
+    let valid = |row| nulls.as_ref().is_none_or(|nulls| nulls.is_valid(row));
+    let failed = |error: ArrowError| PyValueError::new_err(error.to_string());
+    let array: ArrayRef = match (values, words) {
+        (Values::Codes(codes), Some(words)) => {
+            // What stands under a null is to be a place all the same.
+            let place = |(row, &code)| if valid(row) { code } else { 0 };
+            let codes: Vec<u8> = codes.as_array().iter().enumerate().map(place).collect();
+            let codes = UInt8Array::new(codes.into(), nulls);
+            Arc::new(DictionaryArray::try_new(codes, Arc::new(StringArray::from(words))).map_err(failed)?)
+        }
+        (Values::Places(places), Some(words)) => {
+            let place = |&place: &i64| i32::try_from(place).unwrap_or(-1);
+            let places: Vec<i32> = places.as_array().iter().map(place).collect();
+            let places = Int32Array::new(places.into(), nulls);
+            Arc::new(DictionaryArray::try_new(places, Arc::new(StringArray::from(words))).map_err(failed)?)
+        }
+        (_, Some(_)) => return Err(PyTypeError::new_err("words go with places in them, as uint8 or int64")),
+        (Values::Codes(codes), None) => Arc::new(UInt8Array::new(codes.as_array().to_vec().into(), nulls)),
+        (Values::Sets(sets), None) => Arc::new(UInt16Array::new(sets.as_array().to_vec().into(), nulls)),
+        (Values::Places(places), None) => Arc::new(Int64Array::new(places.as_array().to_vec().into(), nulls)),
+        (Values::Flags(flags), None) => {
+            Arc::new(BooleanArray::new(flags.as_array().iter().copied().collect(), nulls))
+        }
+        (Values::Numbers(numbers), None) => {
+            Arc::new(Float64Array::new(numbers.as_array().to_vec().into(), nulls))
+        }
+        (Values::Words(words), None) => {
+            let words = words.iter().enumerate().map(|(row, word)| valid(row).then_some(word));
+            Arc::new(words.collect::<StringArray>())
+        }
+    };
+    Ok(ArrowArray::new(name, array))
 }
 
-/// Computed columns in Arrow.
+/// A table in Arrow, of columns of one length.
 #[pyfunction]
-pub(crate) fn make_table(columns: Vec<(String, Values<'_>, Missing<'_>)>) -> PyResult<ArrowTable> {
-    let arrays = columns.iter().map(|(_, values, missing)| array(values, missing, false));
-    let arrays = arrays.collect::<PyResult<Vec<ArrayRef>>>()?;
-    let named = columns.iter().zip(&arrays);
-    let fields = named.map(|((name, ..), array)| Field::new(name, array.data_type().clone(), true));
-    let schema = Arc::new(Schema::new(fields.collect::<Fields>()));
-    let batch =
-        RecordBatch::try_new(schema, arrays).map_err(|error| PyValueError::new_err(error.to_string()))?;
-    Ok(ArrowTable::from(batch))
+pub(crate) fn make_table(columns: Vec<PyRef<'_, ArrowArray>>) -> PyResult<ArrowTable> {
+    ArrowTable::of_columns(&columns).map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
 /// Raises the error for a column that a table lacks.

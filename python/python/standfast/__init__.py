@@ -13,10 +13,11 @@ k = F/(m g) (``k``), k' the height of the force above the centre of mass in H (`
 """
 
 from ._arrays import Onset, OnsetArrays, classify, onset, symbols
+from ._arrow import ArrowArray, ArrowTable
 from ._assess import Answer, Assessment, Figure, assess
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
 from ._modes import Mode, Modes
-from ._standfast import ArrowArray, ArrowTable, __version__
+from ._standfast import __version__
 
 __all__ = [
     "Answer",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Sequence
 from typing import Any, Literal, Protocol, overload
 
@@ -10,10 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _standfast
+from ._arrow import ArrowArray, ArrowTable
 from ._frames import SYMBOLS, Arrays, Arrow, Fields, Point
 from ._inputs import Map, Operands, read
 from ._modes import Mode, Modes
-from ._standfast import ArrowArray, ArrowTable
+from ._run import Progress, run
 
 _NAMES = ("gamma", "k_prime", "k", "mu")
 
@@ -98,18 +98,6 @@ class OnsetArrays(Fields[NDArray[Any]]):
     lift_o_prime: NDArray[np.float64]
 
 
-def _threads(threads: int | None) -> int | None:
-    if threads is None:
-        return None
-    try:
-        number = operator.index(threads)
-    except TypeError:
-        number = 0
-    if number < 1 or isinstance(threads, bool):
-        raise ValueError(f"threads is {threads!r}; expected a whole number above zero, or None for all processors")
-    return number
-
-
 @overload
 def classify(  # type: ignore[overload-overlap]
     gamma: float, k_prime: float, k: float, mu: float, *, threads: int | None = 1, names: Literal[False] = False
@@ -163,6 +151,8 @@ def classify(
     out: Any = None,
     threads: int | None = 1,
     names: bool = False,
+    on_error: Literal["raise", "null"] = "raise",
+    progress: Progress | None = None,
 ) -> Any:
     """The mode that begins: does the body rest, slide, rock, or slide and rock?
 
@@ -219,21 +209,21 @@ def classify(
     ...
     ValueError: friction μ is -0.5 at index 1; expected a number from 0 to 1e50
     """
-    threads = _threads(threads)
+    how = run(threads, on_error, progress)
     operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map)
-    form = operands.form
+    form = operands.form.with_errors(how.null_errors)
     if out is not None:
         _check_out(out, names, operands)
     if operands.table is not None or operands.columns is not None:
         if operands.table is not None:
-            found = _standfast.classify_table(*operands.table, threads, names)
+            found = _standfast.classify_table(*operands.table, names, how)
         else:
             assert operands.columns is not None
-            found = _standfast.classify_columns(operands.columns, threads, names)
+            found = _standfast.classify_columns(operands.columns, names, how)
         assert isinstance(form, Arrow)
         return form.adopt(found)
     arrays, missing = operands.arrays()
-    codes = _standfast.classify(arrays, out, threads)
+    codes, missing = _standfast.classify(arrays, missing, out, how)
     return out if out is not None else form.column("mode", codes, missing, symbols=names)
 
 
@@ -259,7 +249,10 @@ def onset(
     mu: Any = None,
     *,
     map: Map | None = None,
+    columns: Sequence[str] | None = None,
     threads: int | None = 1,
+    on_error: Literal["raise", "null"] = "raise",
+    progress: Progress | None = None,
 ) -> Any:
     """The mode that begins, with its motion and reactions, and whether it is the only one.
 
@@ -285,22 +278,21 @@ def onset(
     >>> Modes(int(unsure.others[1])).modes
     (<Mode.ROCK_O: 2>,)
     """
-    threads = _threads(threads)
+    how = run(threads, on_error, progress)
     operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map)
-    form = operands.form
+    form = operands.form.with_errors(how.null_errors)
     if operands.table is not None or operands.columns is not None:
         if operands.table is not None:
-            found = _standfast.onset_table(*operands.table, threads)
+            found = _standfast.onset_table(*operands.table, columns, how)
         else:
             assert operands.columns is not None
-            found = _standfast.onset_columns(operands.columns, threads)
+            found = _standfast.onset_columns(operands.columns, columns, how)
         assert isinstance(form, Arrow)
         return form.adopt_table(found)
     arrays, missing = operands.arrays()
-    mode, others, motion = _standfast.onset(arrays, threads)
-    names = OnsetArrays._fields
-    columns = dict(zip(names, (mode, others == 0, others, *motion)))
-    return form.table(columns, missing, point=Onset, arrays=OnsetArrays)
+    values, missing = _standfast.onset(arrays, missing, columns, how)
+    named = dict(zip(OnsetArrays._fields if columns is None else columns, values))
+    return form.table(named, missing, point=Onset, arrays=OnsetArrays)
 
 
 def _check_out(out: object, names: bool, operands: Operands) -> None:

@@ -29,8 +29,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
+from ._arrow import ArrowArray, ArrowTable
 from ._modes import Mode, Modes
-from ._standfast import ArrowArray, ArrowTable
 
 _T = TypeVar("_T")
 
@@ -82,6 +82,10 @@ class Form(ABC):
     #: Whether the answer tells by a mask what is missing, even if nothing is.
     masked = False
 
+    def with_errors(self, null: bool) -> Form:
+        """The kind of answer of operands of this kind where, if ``null``, impossible values have none."""
+        return self
+
     @abstractmethod
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
         """One column; with ``symbols`` the values are codes of modes, to be shown as the report's symbols."""
@@ -129,9 +133,13 @@ class Arrays(Form):
     def __init__(self, masked: bool = False) -> None:
         self.masked = masked
 
+    def with_errors(self, null: bool) -> Form:
+        return Arrays(masked=True) if null else self
+
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
         values, missing = _parted(values, missing)
-        shown = SYMBOLS[values] if symbols else values
+        # What is missing may be the code of no mode.
+        shown = SYMBOLS[values if missing is None else np.where(missing, 0, values)] if symbols else values
         if not self.masked and missing is None:
             return shown
         blanks: dict[str, float | str] = {"u": np.iinfo(np.uint8).max, "f": np.nan, "U": ""}
@@ -197,7 +205,8 @@ class Arrow(Form):
 
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
         values, missing = _parted(values, missing)
-        return self.adopt(_standfast.make_array(name, _native(values), missing, symbols), name)
+        words = SYMBOLS.tolist() if symbols else None
+        return self.adopt(_standfast.make_array(name, _native(values), missing, words), name)
 
     def table(
         self,
@@ -208,36 +217,37 @@ class Arrow(Form):
         arrays: type[Fields[Any]],
     ) -> Any:
         parted = [(name, *_parted(values, missing)) for name, values in columns.items()]
-        return self.adopt_table(_standfast.make_table([(name, _native(values), mask) for name, values, mask in parted]))
+        made = [_standfast.make_array(name, _native(values), mask, None) for name, values, mask in parted]
+        return self.adopt_table(_standfast.make_table(made))
 
-    def adopt(self, array: ArrowArray, name: str = "mode") -> Any:
+    def adopt(self, array: _standfast.ArrowArray, name: str = "mode") -> Any:
         """One column, without a copy."""
-        return array
+        return ArrowArray(array)
 
-    def adopt_table(self, table: ArrowTable) -> Any:
+    def adopt_table(self, table: _standfast.ArrowTable) -> Any:
         """A table, without a copy."""
-        return table
+        return ArrowTable(table)
 
 
 class Polars(Arrow):
     """A Series or a DataFrame; symbols as an Enum."""
 
-    def adopt(self, array: ArrowArray, name: str = "mode") -> Any:
+    def adopt(self, array: _standfast.ArrowArray, name: str = "mode") -> Any:
         pl = sys.modules["polars"]
         series = pl.Series(name, array)
         return series.cast(pl.Enum(SYMBOLS.tolist())) if series.dtype == pl.Categorical else series
 
-    def adopt_table(self, table: ArrowTable) -> Any:
+    def adopt_table(self, table: _standfast.ArrowTable) -> Any:
         return sys.modules["polars"].DataFrame(table)
 
 
 class Pyarrow(Arrow):
     """An Array or a Table."""
 
-    def adopt(self, array: ArrowArray, name: str = "mode") -> Any:
+    def adopt(self, array: _standfast.ArrowArray, name: str = "mode") -> Any:
         return sys.modules["pyarrow"].array(array)
 
-    def adopt_table(self, table: ArrowTable) -> Any:
+    def adopt_table(self, table: _standfast.ArrowTable) -> Any:
         return sys.modules["pyarrow"].table(table)
 
 

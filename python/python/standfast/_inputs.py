@@ -154,7 +154,7 @@ def _table(function: str, names: Sequence[str], table: Any, kind: str, map: Map 
         ]
         return operands
     operands = Operands(names, _FORMS[kind]())
-    operands.table = table, places
+    operands.table = _exported(table) if kind == "polars" else table, places
     return operands
 
 
@@ -184,6 +184,16 @@ def pick(frame: Any, label: Any, name: str) -> Any:
     if column.ndim != 1:
         raise ValueError(f"the table has {column.shape[1]} columns {label!r}; expected one for {name}")
     return column
+
+
+def _exported(frame: Any) -> Any:
+    """A polars DataFrame whose columns of type Null hold nulls of Float64.
+
+    polars gives the former a buffer that Arrow's interface has no place for (polars 2.1), so that not even the other columns
+    could be read.
+    """
+    pl = sys.modules["polars"]
+    return frame.cast({pl.Null: pl.Float64}) if pl.Null in frame.dtypes else frame
 
 
 # Columns
@@ -283,7 +293,7 @@ def _column(value: Any, name: str, function: str) -> _Column:
         values, mask = _series(pd.Series(value), name)
         return _Column("array" if mask is None else "masked", values, mask)
     if _is(value, "polars", "Series"):
-        return _Column("polars", arrow=value)
+        return _Column("polars", arrow=_exported(value.to_frame()).to_series())
     if _is(value, "pyarrow", "Array", "ChunkedArray"):
         return _Column("pyarrow", arrow=value)
     for library, kinds in _TABLES.items():

@@ -1,0 +1,129 @@
+//! The columns of an onset that are asked for.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use standfast::batch::{MOTION, OnsetColumns};
+
+/// What an array of codes holds where a point has no answer: the code of no mode.
+pub(crate) const NO_MODE: u8 = u8::MAX;
+
+/// A column that is asked for, by its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Asked {
+    Mode,
+    Unique,
+    Others,
+    /// By its place among those of the motion.
+    Motion(usize),
+}
+
+impl Asked {
+    fn all() -> impl Iterator<Item = Asked> {
+        [Asked::Mode, Asked::Unique, Asked::Others].into_iter().chain((0..MOTION.len()).map(Asked::Motion))
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Asked::Mode => "mode",
+            Asked::Unique => "unique",
+            Asked::Others => "others",
+            Asked::Motion(place) => MOTION[place],
+        }
+    }
+}
+
+/// The columns asked for, in that order; each once.
+pub(crate) struct Choice(Vec<Asked>);
+
+impl<'py> FromPyObject<'_, 'py> for Choice {
+    type Error = PyErr;
+
+    /// From names; all for none.
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Choice> {
+        let Some(names) = given.extract::<Option<Vec<String>>>()? else {
+            return Ok(Choice(Asked::all().collect()));
+        };
+        let mut choice = Vec::new();
+        for name in &names {
+            let found = Asked::all().find(|asked| asked.name() == name).ok_or_else(|| {
+                let all: Vec<&str> = Asked::all().map(Asked::name).collect();
+                PyValueError::new_err(format!("columns has {name:?}; expected {}", all.join(", ")))
+            })?;
+            if choice.contains(&found) {
+                return Err(PyValueError::new_err(format!("columns has {name:?} twice; expected it once")));
+            }
+            choice.push(found);
+        }
+        Ok(Choice(choice))
+    }
+}
+
+impl Choice {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.0.iter().map(|asked| asked.name())
+    }
+}
+
+/// Memory for the columns asked for.
+pub(crate) struct Onset {
+    mode: Option<Vec<u8>>,
+    unique: Option<Vec<bool>>,
+    others: Option<Vec<u16>>,
+    motion: [Option<Vec<f64>>; 9],
+}
+
+/// A column of answers.
+pub(crate) enum Column {
+    Mode(Vec<u8>),
+    Unique(Vec<bool>),
+    Others(Vec<u16>),
+    Motion(Vec<f64>),
+}
+
+impl Onset {
+    pub(crate) fn new(Choice(asked): &Choice, length: usize) -> Onset {
+        let motion =
+            std::array::from_fn(|place| asked.contains(&Asked::Motion(place)).then(|| vec![0.0; length]));
+        Onset {
+            mode: asked.contains(&Asked::Mode).then(|| vec![0; length]),
+            unique: asked.contains(&Asked::Unique).then(|| vec![false; length]),
+            others: asked.contains(&Asked::Others).then(|| vec![0; length]),
+            motion,
+        }
+    }
+
+    pub(crate) fn columns(&mut self) -> OnsetColumns<'_> {
+        OnsetColumns {
+            mode: self.mode.as_deref_mut(),
+            unique: self.unique.as_deref_mut(),
+            others: self.others.as_deref_mut(),
+            motion: self.motion.each_mut().map(Option::as_deref_mut),
+        }
+    }
+
+    /// Puts what is none of the answers where a point has no answer, and false and 0 where there is nothing like that.
+    pub(crate) fn blank(&mut self, missing: &[bool]) {
+        fn put<T: Copy>(column: Option<&mut [T]>, missing: &[bool], blank: T) {
+            let places = column.into_iter().flatten().zip(missing).filter(|(_, missing)| **missing);
+            places.for_each(|(value, _)| *value = blank);
+        }
+        let OnsetColumns { mode, unique, others, motion } = self.columns();
+        put(mode, missing, NO_MODE);
+        put(unique, missing, false);
+        put(others, missing, 0);
+        motion.into_iter().for_each(|column| put(column, missing, f64::NAN));
+    }
+
+    /// The columns in the order in which they are asked for.
+    pub(crate) fn in_order(mut self, Choice(asked): &Choice) -> impl Iterator<Item = Column> {
+        asked.iter().map(move |asked| {
+            let column = match asked {
+                Asked::Mode => self.mode.take().map(Column::Mode),
+                Asked::Unique => self.unique.take().map(Column::Unique),
+                Asked::Others => self.others.take().map(Column::Others),
+                Asked::Motion(place) => self.motion[*place].take().map(Column::Motion),
+            };
+            column.expect("a column that is asked for once")
+        })
+    }
+}
