@@ -145,7 +145,9 @@ class Arrays(Form):
         blanks: dict[str, float | str] = {"u": np.iinfo(np.uint8).max, "f": np.nan, "U": ""}
         blank = blanks.get(shown.dtype.kind, False)
         answer = np.ma.MaskedArray(shown, np.ma.nomask if missing is None else missing, fill_value=blank)
-        return answer[()] if answer.ndim == 0 else answer
+        if answer.ndim == 0 and missing is None:
+            return Point().column(name, values, symbols=symbols)
+        return answer[()]
 
     def table(
         self,

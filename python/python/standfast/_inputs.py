@@ -14,11 +14,12 @@ imported: who has such an object has imported its library.
 
 from __future__ import annotations
 
+import difflib
 import numbers
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,13 +31,33 @@ from ._frames import Arrays, Arrow, Form, Missing, Pandas, Point, Polars, Pyarro
 Map = Mapping[str, "str | float"]
 
 
+class Numbers(NamedTuple):
+    """An operand's numbers."""
+
+    values: NDArray[Any]
+    #: Which are missing; ``None`` if none is, or ``nan`` tells.
+    mask: Missing = None
+    #: Whether NaN says that a value is missing, as in pandas.
+    nan: bool = False
+
+    def missing(self) -> Missing:
+        """Which are missing; ``None`` if none is."""
+        mask = self.mask
+        if self.nan:
+            # The sum is NaN if a value is, and costs a fraction of a mask.
+            with np.errstate(invalid="ignore", over="ignore"):
+                if np.isnan(self.values.sum()):
+                    mask = np.isnan(self.values)
+        return mask if mask is not None and mask.any() else None
+
+
 class Operands:
     """What a function was given, told apart.
 
     Attributes:
+        names: of the operands.
         form: what makes the answer, see :mod:`standfast._frames`.
-        shape: that of the answer; ``None`` for a stream whose length shows when it is read.
-        table: an Arrow table and the places of the operands in it, for a function that reads it natively.
+        table: an Arrow table and the places of the operands in it, for a function that reads it natively; or ``None``.
         columns: Arrow columns and floats, likewise.
     """
 
@@ -45,7 +66,7 @@ class Operands:
         self.form = form
         self.table: tuple[Any, list[str | float]] | None = None
         self.columns: list[Any] | None = None
-        self._read: list[tuple[NDArray[Any], Missing]] | None = None
+        self.numbers: list[Numbers] = []
 
     def arrays(self, *, together: bool = False) -> tuple[list[NDArray[Any]], Missing]:
         """The operands as numpy arrays of real numbers that the native module reads, and which points are missing.
@@ -53,43 +74,71 @@ class Operands:
         A missing value reads as 1; with ``together`` all operands of its point do, which copies them, for functions whose
         operands bound each other. The arrays are not broadcast: scalars have no axes. ``missing`` has the broadcast shape.
         """
-        if self._read is None:
-            self._read = self._from_arrow()
-        arrays = [values for values, _ in self._read]
-        masks = [mask for _, mask in self._read if mask is not None and mask.any()]
-        if not masks:
-            return arrays, None
-        shape = broadcast(self.names, arrays)
-        missing = np.zeros(shape, dtype=np.bool_)
-        for mask in masks:
-            missing |= mask
-        if together:
-            return [np.where(missing, 1.0, values) for values in arrays], missing
-        filled = [values if mask is None else np.where(mask, 1.0, values) for values, mask in self._read]
-        return filled, missing
+        masks = [numbers.missing() for numbers in self._loaded()]
+        missing = self._joined(masks)
+        if missing is None:
+            return [numbers.values for numbers in self.numbers], None
+        if not together:
+            return [
+                numbers.values if mask is None else np.where(mask, 1.0, numbers.values)
+                for numbers, mask in zip(self.numbers, masks)
+            ], missing
+        return [np.where(missing, 1.0, numbers.values) for numbers in self.numbers], missing
+
+    def native(self) -> tuple[list[NDArray[Any]], Missing, bool]:
+        """As :meth:`arrays`, without a copy, for a function that takes a mask and may read NaN as missing.
+
+        What is missing may be any number. The last is whether NaN is to be read as missing.
+        """
+        nan = any(numbers.nan for numbers in self._loaded())
+        if nan and all(n.nan or n.values.dtype.kind != "f" or not n.values.ndim and n.values == n.values for n in self.numbers):
+            masks = [numbers.mask for numbers in self.numbers]
+        else:
+            nan, masks = False, [numbers.missing() for numbers in self.numbers]
+        return [numbers.values for numbers in self.numbers], self._joined(masks), nan
 
     @property
     def shape(self) -> tuple[int, ...]:
         """That of the answer."""
-        if self._read is None:
-            self._read = self._from_arrow()
-        return broadcast(self.names, [values for values, _ in self._read])
+        return broadcast(self.names, [numbers.values for numbers in self._loaded()])
 
-    def _from_arrow(self) -> list[tuple[NDArray[Any], Missing]]:
+    def _joined(self, masks: Sequence[Missing]) -> Missing:
+        known = [mask for mask in masks if mask is not None and mask.any()]
+        if not known:
+            return None
+        missing = np.zeros(self.shape, dtype=np.bool_)
+        for mask in known:
+            missing |= mask
+        return missing
+
+    def _loaded(self) -> list[Numbers]:
+        """The operands' numbers, read from Arrow if they have not been."""
+        if self.numbers:
+            return self.numbers
         if self.table is not None:
             table, places = self.table
             named = [(place, name) for place, name in zip(places, self.names) if isinstance(place, str)]
             read = iter(_standfast.read_table(table, named))
-            return [next(read) if isinstance(place, str) else (np.asarray(place), None) for place in places]
-        assert self.columns is not None
-        return [
-            (np.asarray(column), None) if isinstance(column, float) else _standfast.read_column(column, name)
-            for column, name in zip(self.columns, self.names)
-        ]
+            self.numbers = [
+                Numbers(*next(read)) if isinstance(place, str) else _number(place, name)
+                for place, name in zip(places, self.names)
+            ]
+        elif self.columns is not None:
+            self.numbers = [
+                _number(column, name) if isinstance(column, float) else Numbers(*_standfast.read_column(column, name))
+                for column, name in zip(self.columns, self.names)
+            ]
+            _check_lengths(self.names, self.numbers, max(len(n.values) for n in self.numbers if n.values.ndim))
+        return self.numbers
 
 
 def read(
-    function: str, names: Sequence[str], given: Sequence[object], map: Map | None = None, **wrong: object
+    function: str,
+    names: Sequence[str],
+    given: Sequence[object],
+    map: Map | None = None,
+    *,
+    result: str | None = None,
 ) -> Operands:
     """Tells apart what a function was given.
 
@@ -98,6 +147,7 @@ def read(
         names: of its operands.
         given: as many operands, or a table and ``None`` for the others.
         map: which column of the table holds what.
+        result: one of the columns of its answer, if that has several, for advice.
 
     Raises:
         TypeError: for what is no real number, or comes from a library whose objects have to be unwrapped by the caller;
@@ -105,29 +155,55 @@ def read(
         ValueError: for lengths or indexes that differ, and for a wrong ``map``.
         KeyError: if a table lacks a column.
     """
+    if all(type(value) is float or type(value) is int for value in given) and map is None:
+        operands = Operands(names, Point())
+        operands.numbers = [_number(value, name) for value, name in zip(given, names)]
+        return operands
+    advice = Advice(function, result)
     first, *others = given
-    if others and all(value is None for value in others) and (kind := _table_kind(first, function)) is not None:
-        return _table(function, names, first, kind, map)
+    if others and all(value is None for value in others) and (kind := _table_kind(first, advice)) is not None:
+        return _table(names, first, kind, map)
     if map is not None:
         raise TypeError(f"map is for a table, given in place of {', '.join(names)}")
     missing = [name for name, value in zip(names, given) if value is None]
     if missing:
-        raise TypeError(f"{', '.join(missing)} missing; expected {', '.join(names)}, or one table with these columns")
-    if all(type(value) is float or type(value) is int for value in given):
-        operands = Operands(names, Point())
-        operands._read = [(_number(value, name), None) for value, name in zip(given, names)]
-        return operands
-    return _columns(function, names, given)
+        said = f"; unpack a dict: standfast.{function}(**columns)" if isinstance(first, Mapping) else ""
+        raise TypeError(f"{', '.join(missing)} missing; expected {', '.join(names)}, or one table with these columns{said}")
+    return _columns(names, given, advice)
+
+
+def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
+    """The columns to compute, in the order asked for; all that are known if none are.
+
+    Raises:
+        TypeError, ValueError: for what is no list of known names, each once.
+    """
+    if columns is None:
+        return list(known)
+    if isinstance(columns, (str, Mapping)) or not isinstance(columns, Iterable):
+        said = "; which column of a table holds what is said by map={...}" if isinstance(columns, Mapping) else ""
+        raise TypeError(f"columns is {_shown(columns)}; expected a list of what to compute, of {', '.join(known)}{said}")
+    names = list(columns)
+    for i, name in enumerate(names):
+        if name not in known:
+            near = difflib.get_close_matches(str(name), known, 1)
+            meant = f"did you mean {near[0]!r}? There are" if near else "expected"
+            raise ValueError(f"columns has {name!r}; {meant} {', '.join(known)}")
+        if name in names[:i]:
+            raise ValueError(f"columns has {name!r} twice; expected it once")
+    if not names:
+        raise ValueError(f"columns is empty; expected some of {', '.join(known)}")
+    return names
 
 
 # Tables
 
 
-def _table_kind(value: object, function: str) -> str | None:
+def _table_kind(value: object, advice: Advice) -> str | None:
     """Which library a table is of; ``None`` if the value is none."""
     if isinstance(value, (np.ndarray, int, float)):
         return None
-    _refuse_lazy(value, "the table", function)
+    advice.refuse_lazy(value, "the table")
     for library, kinds in _TABLES.items():
         if _is(value, library, *kinds):
             return library
@@ -142,14 +218,14 @@ _TABLES = {"pandas": ("DataFrame",), "polars": ("DataFrame",), "pyarrow": ("Tabl
 _FORMS: dict[str, Callable[[], Form]] = {"polars": Polars, "pyarrow": Pyarrow, "arrow": Arrow}
 
 
-def _table(function: str, names: Sequence[str], table: Any, kind: str, map: Map | None) -> Operands:
+def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Operands:
     places = _places(names, map, labels=kind == "pandas")
     if all(not isinstance(place, (str, tuple)) for place in places):
         raise ValueError("map names no column of the table, only numbers")
     if kind == "pandas":
         operands = Operands(names, Pandas(table.index))
-        operands._read = [
-            _series(pick(table, place, name), name) if isinstance(place, (str, tuple)) else (_number(place, name), None)
+        operands.numbers = [
+            _series(pick(table, place, name), name) if isinstance(place, (str, tuple)) else _number(place, name)
             for place, name in zip(places, names)
         ]
         return operands
@@ -199,53 +275,43 @@ def _exported(frame: Any) -> Any:
 # Columns
 
 
-class _Column:
+class _Column(NamedTuple):
     """An operand: numbers, or an Arrow object."""
 
-    def __init__(
-        self, kind: str, values: NDArray[Any] | None = None, mask: Missing = None, *, index: Any = None, arrow: Any = None
-    ) -> None:
-        self.kind, self.values, self.mask, self.index, self.arrow = kind, values, mask, index, arrow
+    kind: str
+    numbers: Numbers | None = None
+    arrow: Any = None
+    index: Any = None
 
 
-def _columns(function: str, names: Sequence[str], given: Sequence[object]) -> Operands:
-    columns = [_column(value, name, function) for value, name in zip(given, names)]
+def _columns(names: Sequence[str], given: Sequence[object], advice: Advice) -> Operands:
+    columns = [_column(value, name, advice) for value, name in zip(given, names)]
     kinds = {column.kind for column in columns}
-    arrows = kinds & {"polars", "pyarrow", "arrow"}
-    if "pandas" in kinds:
-        if arrows:
+    arrows = kinds & set(_FORMS)
+    if arrows:
+        if "pandas" in kinds:
             raise TypeError(
                 f"{_listed(names, columns)}; expected columns of one library: polars and pyarrow have to_pandas(), "
                 "and polars.from_pandas and pyarrow.array go the other way"
             )
-        index = _common_index(names, columns)
-        operands = Operands(names, Pandas(index))
-        _check_lengths(names, columns, len(index))
-    elif arrows:
         operands = Operands(names, _FORMS[arrows.pop() if len(arrows) == 1 else "arrow"]())
-        if all(column.arrow is not None or _is_scalar(column) for column in columns):
-            operands.columns = [_arrow_or_float(column) for column in columns]
-            return operands
-        for column, name in zip(columns, names):
-            if column.arrow is not None:
-                column.values, column.mask = _standfast.read_column(column.arrow, name)
-        _check_lengths(names, columns, max(len(c.values) for c in columns if c.arrow is not None and c.values is not None))
-    elif "masked" in kinds:
-        operands = Operands(names, Arrays(masked=True))
-    elif "array" in kinds:
-        operands = Operands(names, Arrays())
+        if kinds & {"array", "masked"}:
+            operands.numbers = [
+                column.numbers or Numbers(*_standfast.read_column(column.arrow, name)) for column, name in zip(columns, names)
+            ]
+            rows = next(len(n.values) for n, column in zip(operands.numbers, columns) if column.arrow is not None)
+            _check_lengths(names, operands.numbers, rows)
+        else:
+            operands.columns = [float(c.numbers.values) if c.numbers is not None else c.arrow for c in columns]
+        return operands
+    if "pandas" in kinds:
+        operands = Operands(names, Pandas(_common_index(names, columns)))
     else:
-        operands = Operands(names, Point())
-    operands._read = [(column.values, column.mask) for column in columns if column.values is not None]
+        operands = Operands(names, Arrays("masked" in kinds) if kinds & {"array", "masked"} else Point())
+    operands.numbers = [column.numbers for column in columns if column.numbers is not None]
+    if isinstance(operands.form, Pandas):
+        _check_lengths(names, operands.numbers, len(operands.form.index))
     return operands
-
-
-def _is_scalar(column: _Column) -> bool:
-    return column.values is not None and column.values.ndim == 0 and column.kind == "point"
-
-
-def _arrow_or_float(column: _Column) -> Any:
-    return column.arrow if column.values is None else float(column.values)
 
 
 def _listed(names: Sequence[str], columns: Sequence[_Column]) -> str:
@@ -272,35 +338,35 @@ def _same(one: object, other: object) -> bool:
     return bool(one == other) or (one != one and other != other)
 
 
-def _check_lengths(names: Sequence[str], columns: Sequence[_Column], rows: int) -> None:
+def _check_lengths(names: Sequence[str], columns: Sequence[Numbers], rows: int) -> None:
     """Beside columns of rows, arrays have as many; they are not broadcast."""
-    for name, column in zip(names, columns):
-        if column.values is not None and column.values.ndim > 0 and column.values.shape != (rows,):
-            raise ValueError(f"{name} has the shape {column.values.shape} beside columns of {rows} rows; expected ({rows},)")
+    for name, (values, *_) in zip(names, columns):
+        if values.ndim > 0 and values.shape != (rows,):
+            raise ValueError(f"{name} has the shape {values.shape} beside columns of {rows} rows; expected ({rows},)")
 
 
-def _column(value: Any, name: str, function: str) -> _Column:
+def _column(value: Any, name: str, advice: Advice) -> _Column:
     """One operand, told apart."""
     if isinstance(value, np.ndarray):
         return _array(value, name)
     if type(value) is float or type(value) is int or isinstance(value, (np.integer, np.floating)):
         return _Column("point", _number(value, name))
-    _refuse_lazy(value, name, function)
+    if _is(value, "pint", "Quantity"):
+        return _column(_magnitude(value, name), name, advice)
+    advice.refuse_lazy(value, name)
     if _is(value, "pandas", "Series"):
-        return _Column("pandas", *_series(value, name), index=value.index)
+        return _Column("pandas", _series(value, name), index=value.index)
     pd = sys.modules.get("pandas")
     if pd is not None and isinstance(value, (pd.Index, pd.api.extensions.ExtensionArray)):
-        values, mask = _series(pd.Series(value), name)
-        return _Column("array" if mask is None else "masked", values, mask)
+        values, mask, nan = _series(pd.Series(value), name)
+        read = Numbers(values, Numbers(values, mask, nan).missing())
+        return _Column("array" if read.mask is None else "masked", read)
     if _is(value, "polars", "Series"):
         return _Column("polars", arrow=_exported(value.to_frame()).to_series())
     if _is(value, "pyarrow", "Array", "ChunkedArray"):
         return _Column("pyarrow", arrow=value)
-    for library, kinds in _TABLES.items():
-        if _is(value, library, *kinds):
-            _refuse_table(value, name, function)
-    if hasattr(value, "dimensionality") and hasattr(value, "to_base_units"):
-        return _column(_magnitude(value, name), name, function)
+    if any(_is(value, library, *kinds) for library, kinds in _TABLES.items()):
+        advice.refuse_table(value, name)
     if hasattr(value, "__arrow_c_array__") or hasattr(value, "__arrow_c_stream__"):
         return _Column("arrow", arrow=value)
     if hasattr(value, "iloc"):
@@ -308,20 +374,20 @@ def _column(value: Any, name: str, function: str) -> _Column:
     if isinstance(value, (list, tuple)):
         _check_leaves(value, name, ())
         try:
-            return _array(np.asarray(value), name)
+            array = np.asarray(value)
         except ValueError:
             raise ValueError(f"{name} is a ragged list; expected rows of one length") from None
-    if isinstance(value, (Mapping, str, bytes, Iterator, set, frozenset)) or value is None:
+        return _array(array, name)
+    if isinstance(value, (Mapping, str, bytes, Iterator, set, frozenset)):
         raise TypeError(f"{name} is {_shown(value)}; expected a number, an array or a column")
-    array = np.asarray(value)
-    return _array(array, name)
+    return _array(np.asarray(value), name)
 
 
-def _number(value: Any, name: str) -> NDArray[Any]:
+def _number(value: Any, name: str) -> Numbers:
     try:
-        return np.asarray(value, dtype=np.float64)
+        return Numbers(np.asarray(value, dtype=np.float64))
     except OverflowError:
-        raise ValueError(f"{name} is {value}; expected a number that float64 holds") from None
+        raise ValueError(f"{name} is {_short(str(value))}; expected a number within float64") from None
 
 
 _REAL = "fiu"
@@ -338,9 +404,9 @@ def _array(array: NDArray[Any], name: str) -> _Column:
     elif type(array) is not np.ndarray:
         unit = getattr(array, "unit", None) or getattr(array, "units", None)
         if unit is not None:
-            raise TypeError(f"{name} is a {_called(array)} with the unit {unit}; expected numbers without unit, a ratio")
+            raise TypeError(f"{name} is a {_called(array)} in {unit}; expected a ratio, which has no unit")
         array = np.asarray(array)
-    return _Column(kind, _real(array, mask, name), mask)
+    return _Column(kind, Numbers(_real(array, mask, name), mask))
 
 
 def _real(array: NDArray[Any], mask: Missing, name: str) -> NDArray[Any]:
@@ -363,7 +429,7 @@ def _from_objects(array: NDArray[Any], mask: Missing, name: str) -> NDArray[np.f
     try:
         return array.astype(np.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        raise TypeError(f"{name} holds objects that are no real numbers: {error}") from None
+        raise ValueError(f"{name} holds what is no number within float64: {error}") from None
 
 
 def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> None:
@@ -378,39 +444,33 @@ def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> No
 
 
 def _check_leaf(item: Any, name: str, index: tuple[int, ...]) -> None:
-    real = isinstance(item, (numbers.Real, Decimal, np.floating, np.integer)) or hasattr(item, "__float__")
-    if real and not isinstance(item, (bool, np.bool_, np.complexfloating)) and not hasattr(item, "dimensionality"):
+    if _is(item, "pint", "Quantity"):
+        raise TypeError(f"{name} is {_shown(item)}{_at(index)}; expected real numbers, or one quantity, Quantity.from_list(...)")
+    real = isinstance(item, (numbers.Real, Decimal)) or hasattr(item, "__float__")
+    if real and not isinstance(item, (bool, np.bool_, np.complexfloating)) and not getattr(item, "ndim", 0):
         return
-    at = "" if not index else f" at index {index[0] if len(index) == 1 else index}"
     advice = "; what is missing is masked in a masked array, or null in pandas and polars" if item is None else ""
-    raise TypeError(f"{name} is {_shown(item)}{at}; expected real numbers{advice}")
+    raise TypeError(f"{name} is {_shown(item)}{_at(index)}; expected real numbers{advice}")
 
 
-def _series(series: Any, name: str) -> tuple[NDArray[Any], Missing]:
+def _at(index: tuple[int, ...]) -> str:
+    return "" if not index else f" at index {index[0] if len(index) == 1 else index}"
+
+
+def _series(series: Any, name: str) -> Numbers:
     """The numbers of a pandas Series, and what it calls missing: NaN, NA and None alike."""
     pd = sys.modules["pandas"]
     dtype = series.dtype
     if isinstance(dtype, pd.CategoricalDtype):
         return _series(series.astype(dtype.categories.dtype), name)
-    values: NDArray[Any]
     if isinstance(dtype, np.dtype) and dtype.kind in _REAL:
-        values = _real(series.to_numpy(), None, name)
-        if dtype.kind != "f":
-            return values, None
-    elif dtype == object:
+        return Numbers(_real(series.to_numpy(), None, name), nan=dtype.kind == "f")
+    if dtype == object:
         missing = series.isna().to_numpy()
-        values = _from_objects(series.to_numpy(), missing, name)
-        return values, missing if missing.any() else None
-    elif pd.api.types.is_numeric_dtype(dtype) and not pd.api.types.is_bool_dtype(dtype) and dtype.kind != "c":
-        values = series.to_numpy(dtype=np.float64, na_value=np.nan)
-    else:
-        raise TypeError(f"{name} is a pandas Series of dtype {dtype}; expected real numbers, as float64")
-    # The sum is NaN if a value is, and costs a fraction of a mask.
-    with np.errstate(invalid="ignore", over="ignore"):
-        if not np.isnan(values.sum()):
-            return values, None
-    missing = np.isnan(values)
-    return values, missing if missing.any() else None
+        return Numbers(_from_objects(series.to_numpy(), missing, name), missing)
+    if pd.api.types.is_numeric_dtype(dtype) and not pd.api.types.is_bool_dtype(dtype) and dtype.kind != "c":
+        return Numbers(series.to_numpy(dtype=np.float64, na_value=np.nan), nan=True)
+    raise TypeError(f"{name} is a pandas Series of dtype {dtype}; expected real numbers, as float64")
 
 
 # Who has to be unwrapped by the caller
@@ -424,68 +484,87 @@ def _is(value: object, library: str, *kinds: str) -> bool:
     return any(isinstance(value, found) for kind in kinds if isinstance(found := getattr(module, kind, None), type))
 
 
-def _is_xarray(value: Any) -> bool:
-    return _is(value, "xarray", "DataArray", "Dataset", "Variable", "DataTree")
-
-
 def _called(value: object) -> str:
     return f"{type(value).__module__.split('.')[0]} {type(value).__name__}"
 
 
+def _short(text: str) -> str:
+    text = " ".join(text.split())
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
 def _shown(value: object) -> str:
-    if value is None:
-        return "None"
-    text = repr(value)
-    return f"{text if len(text) <= 40 else text[:37] + '...'}, a {type(value).__name__}"
+    return "None" if value is None else f"{_short(repr(value))}, a {type(value).__name__}"
 
 
-def _refuse_lazy(value: Any, name: str, function: str) -> None:
-    """Refuses what would be loaded whole, or lose its labels, and says what to call."""
-    call = f"standfast.{function}"
-    if _is_xarray(value):
-        lazy = value.__dask_graph__() is not None if hasattr(value, "__dask_graph__") else False
-        several = "" if function == "classify" else ", output_core_dims=[[]] * number_of_results"
-        how = f"xarray.apply_ufunc({call}, ...{several}), which matches the names"
-        if lazy:
-            how = f"xarray.apply_ufunc({call}, ...{several}, dask='parallelized', output_dtypes=[...]), which stays lazy"
-        what = "an xarray Dataset" if _is(value, "xarray", "Dataset") else "an xarray object"
-        raise TypeError(f"{name} is {what}, whose dimensions have names; expected an array. Call {how}")
-    if hasattr(value, "__dask_graph__"):
-        if _is(value, "dask.array", "Array"):
-            how = f"dask.array.map_blocks({call}, ..., dtype=...)"
-        elif hasattr(value, "map_partitions") and getattr(value, "ndim", 0) == 2:
-            how = f"frame.map_partitions({call})"
-        elif hasattr(value, "map_partitions"):
-            how = f"dask.dataframe.map_partitions({call}, gamma, ...)"
-        else:
-            how = "its compute()"
-        raise TypeError(f"{name} is a lazy {_called(value)}, which would be loaded into this process whole. Call {how}")
-    if _is(value, "polars", "LazyFrame"):
-        raise TypeError(f"{name} is a polars LazyFrame, which holds no values yet. Call .collect()")
-    if _is(value, "polars", "Expr"):
+class Advice(NamedTuple):
+    """What to call in place of a call that is refused."""
+
+    function: str
+    result: str | None = None
+
+    @property
+    def call(self) -> str:
+        """A function of arrays whose answer is one array."""
+        name = f"standfast.{self.function}"
+        return name if self.result is None else f"lambda *columns: {name}(*columns).{self.result}"
+
+    @property
+    def dtype(self) -> str:
+        """That of its answer."""
+        return "np.uint8" if self.function == "classify" else "float"
+
+    def refuse_lazy(self, value: Any, name: str) -> None:
+        """Refuses what would be loaded whole or lose its labels."""
+        if _is(value, "xarray", "DataArray", "Dataset", "Variable", "DataTree"):
+            lazy = ""
+            if hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None:
+                lazy = f", dask='parallelized', output_dtypes=[{self.dtype}]"
+            kind = "an xarray Dataset; its variables go in one by one" if _is(value, "xarray", "Dataset") else "an xarray object"
+            raise TypeError(
+                f"{name} is {kind}, and dimensions that have names are matched by xarray. "
+                f"Call xarray.apply_ufunc({self.call}, ...{lazy})"
+            )
+        if hasattr(value, "__dask_graph__"):
+            if _is(value, "dask.array", "Array"):
+                how = f"dask.array.map_blocks({self.call}, ..., dtype={self.dtype})"
+            elif _is(value, "dask.dataframe", "DataFrame"):
+                how = f"frame.map_partitions(standfast.{self.function}), with map={{...}} where its columns have other names"
+            elif _is(value, "dask.dataframe", "Series"):
+                how = f"dask.dataframe.map_partitions(standfast.{self.function}, ...), or map_partitions of the frame"
+            else:
+                how = ".compute() first"
+            raise TypeError(f"{name} is a {_called(value)}, which is lazy and would be loaded whole. Call {how}")
+        if _is(value, "polars", "LazyFrame"):
+            raise TypeError(f"{name} is a polars LazyFrame, which holds no values yet. Call .collect()")
+        if _is(value, "polars", "Expr"):
+            raise TypeError(
+                f"{name} is a polars expression, which holds no values. Call "
+                f"frame.with_columns(mode=standfast.classify(frame)), or give columns of the DataFrame"
+            )
+        if _is(value, "pyarrow.dataset", "Dataset"):
+            raise TypeError(
+                f"{name} is a pyarrow Dataset, which holds no values yet. Call .to_table(), or .scanner().to_reader(), which is "
+                "read batch by batch"
+            )
+        if _is(value, "pyarrow.dataset", "Scanner"):
+            raise TypeError(
+                f"{name} is a pyarrow Scanner, which holds no values yet. Call .to_table(), or .to_reader(), which is read batch "
+                "by batch"
+            )
+
+    def refuse_table(self, value: object, name: str) -> NoReturn:
+        """Refuses a table in place of a column."""
         raise TypeError(
-            f"{name} is a polars expression, which holds no values. Call {call}(frame), or give columns of a DataFrame"
+            f"{name} is a {_called(value)}, a whole table; expected a column of it. standfast.{self.function} takes a table alone, "
+            "with map={...} where its columns have other names"
         )
-    if _is(value, "pyarrow.dataset", "Dataset"):
-        raise TypeError(
-            f"{name} is a pyarrow Dataset, which holds no values yet. Call .to_table(), or .scanner().to_reader() to read it batch "
-            "by batch"
-        )
-    if _is(value, "pyarrow.dataset", "Scanner"):
-        raise TypeError(f"{name} is a pyarrow Scanner, which holds no values yet. Call .to_table(), or .to_reader() to read by batch")
-
-
-def _refuse_table(value: object, name: str, function: str) -> NoReturn:
-    raise TypeError(
-        f"{name} is a {_called(value)}, a whole table; expected a column of it. standfast.{function} takes a table alone, with "
-        "map={...} where its columns have other names"
-    )
 
 
 def _magnitude(quantity: Any, name: str) -> Any:
     """The number of a pint quantity without dimension, as 1 in the unit it is a ratio of."""
     if quantity.dimensionality:
-        raise TypeError(f"{name} is a quantity in {quantity.units}; expected a number without unit, a ratio")
+        raise TypeError(f"{name} is a quantity in {quantity.units}; expected a ratio, which has no unit")
     return quantity.to_base_units().magnitude
 
 
