@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import enum
+import operator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _standfast
 
@@ -14,8 +18,8 @@ class Mode(enum.IntEnum):
 
     O is the bottom left corner, O' the bottom right one. The value is the code in arrays.
 
-    >>> Mode(2)
-    <Mode.ROCK_O: 2>
+    >>> Mode(2), Mode("SRO-")
+    (<Mode.ROCK_O: 2>, <Mode.SLIDE_ROCK_O_LEFT: 3>)
     >>> Mode.ROCK_O.symbol
     'RO'
     >>> print("The body", Mode.ROCK_O.words)
@@ -33,6 +37,19 @@ class Mode(enum.IntEnum):
     SLIDE_ROCK_O_PRIME_RIGHT = 8
     FLIGHT = 9
 
+    if TYPE_CHECKING:
+
+        def __new__(cls, value: int | np.integer[Any] | str) -> Mode: ...
+
+    @classmethod
+    def _missing_(cls, value: object) -> Mode | None:
+        """The mode of a symbol."""
+        for mode in cls:
+            if value == mode.symbol:
+                return mode
+        expected = ", ".join(f"{mode.symbol} or {mode.value}" for mode in cls)
+        raise ValueError(f"{value!r} is not a mode; expected {expected}")
+
     @property
     def symbol(self) -> str:
         """The report's symbol in plain characters, e.g. ``SRO'-``."""
@@ -44,13 +61,19 @@ class Mode(enum.IntEnum):
         return _NATIVE[self][2]
 
 
+#: Above all sets of modes.
+_BITS = 1 << len(Mode)
+
+
 class Modes(enum.IntFlag):
-    """A set of modes. The bits are those of the arrays in :attr:`Onset.others`.
+    """A set of modes. The bits are those of the arrays in :attr:`OnsetArrays.others`.
+
+    Made of bits, of modes by :meth:`of`, or of symbols in one string, as ``Modes("SL RO")``.
 
     >>> Modes.of(Mode.SLIDE_LEFT) | Modes.ROCK_O
     <Modes.SLIDE_LEFT|ROCK_O: 6>
-    >>> Modes.ROCK_O in Modes(6)
-    True
+    >>> Modes.ROCK_O in Modes(6), Mode.ROCK_O in Modes("SL RE")
+    (True, False)
     """
 
     REST = 1 << Mode.REST
@@ -63,6 +86,31 @@ class Modes(enum.IntFlag):
     SLIDE_RIGHT = 1 << Mode.SLIDE_RIGHT
     SLIDE_ROCK_O_PRIME_RIGHT = 1 << Mode.SLIDE_ROCK_O_PRIME_RIGHT
     FLIGHT = 1 << Mode.FLIGHT
+
+    if TYPE_CHECKING:
+
+        def __new__(cls, value: int | np.integer[Any] | str) -> Modes: ...
+
+    @classmethod
+    def _missing_(cls, value: object) -> Modes:
+        """The set of symbols in a string; of bits that are of another integer type, or that are none."""
+        if isinstance(value, str):
+            return cls.of(*(Mode(symbol) for symbol in value.split()))
+        if type(value) is not int:
+            try:
+                return cls(operator.index(value))  # type: ignore[arg-type]
+            except TypeError:
+                pass
+        elif -_BITS <= value < _BITS:
+            found = super()._missing_(value)
+            assert isinstance(found, cls)
+            return found
+        raise ValueError(f"{value!r} is not a set of modes; expected bits from 0 to {_BITS - 1}, or symbols in a string")
+
+    def __contains__(self, other: object) -> bool:
+        """Whether a mode, or each of a set of modes, is in the set."""
+        bits = 1 << other if isinstance(other, Mode) else int(Modes(other))  # type: ignore[arg-type]
+        return int(self) & bits == bits
 
     @classmethod
     def of(cls, *modes: Mode) -> Modes:
