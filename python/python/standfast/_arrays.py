@@ -1,39 +1,37 @@
-"""Modes and motions of points, one or millions: scalars, numpy arrays, columns and tables."""
+"""Modes and motions of points, one or millions: scalars, arrays, columns and tables."""
+
+# Every pair of overloads has a case that fits both (an empty list, a class made to fit): the first that fits is meant.
+# mypy: disable-error-code="overload-overlap"
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, Protocol, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
 from ._frames import SYMBOLS, Arrays, Arrow, Fields, Point
-from ._inputs import Map, Operands, read
+from ._inputs import Operands, chosen, read
 from ._modes import Mode, Modes
-from ._run import Progress, run
+from ._progress import shown
+from ._run import run
+from ._types import Array, Map, Number, OnError, Options, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
+from ._types import Arrow as ArrowLike
+from ._types import PyarrowArray, PyarrowTable
+
+if TYPE_CHECKING:
+    import pandas as pd  # type: ignore[import-untyped,unused-ignore]
+    import polars as pl
+    import pyarrow as pa  # type: ignore[import-untyped,unused-ignore]
+    from typing_extensions import Unpack
 
 _NAMES = ("gamma", "k_prime", "k", "mu")
 
 
-class _ArrowColumn(Protocol):
-    """An Arrow array; chunked ones have ``__arrow_c_stream__`` in its place."""
-
-    def __arrow_c_array__(self, requested_schema: object | None = None) -> tuple[object, object]: ...
-
-
-class _ArrowStream(Protocol):
-    """An Arrow table, chunked array, or reader of record batches."""
-
-    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
-
-
-_Arrow = _ArrowColumn | _ArrowStream
-
-
-class Onset(Fields[Any]):
+class Onset(Fields["Mode | Modes | bool | float"]):
     """How a motion begins: :func:`onset`'s answer for four plain numbers.
 
     Lengths are in B (half the width), accelerations in g, the angular acceleration in g/B, forces in m g. Right and up
@@ -99,48 +97,61 @@ class OnsetArrays(Fields[NDArray[Any]]):
 
 
 @overload
-def classify(  # type: ignore[overload-overlap]
-    gamma: float, k_prime: float, k: float, mu: float, *, threads: int | None = 1, names: Literal[False] = False
+def classify(
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["raise"] = "raise", names: Literal[False] = False, **options: Unpack[Options]
 ) -> Mode: ...
 @overload
-def classify(  # type: ignore[overload-overlap]
-    gamma: float, k_prime: float, k: float, mu: float, *, threads: int | None = 1, names: Literal[True]
+def classify(
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
 ) -> str: ...
 @overload
 def classify(
-    gamma: ArrayLike,
-    k_prime: ArrayLike,
-    k: ArrayLike,
-    mu: ArrayLike,
-    *,
-    out: NDArray[np.uint8] | None = None,
-    threads: int | None = 1,
-    names: Literal[False] = False,
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
+) -> Mode | None: ...
+@overload
+def classify(
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["null"], names: Literal[True], **options: Unpack[Options]
+) -> str | None: ...
+@overload
+def classify(
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["raise"] = "raise", names: Literal[False] = False, out: NDArray[np.uint8] | None = None, **options: Unpack[Options]
 ) -> NDArray[np.uint8]: ...
 @overload
 def classify(
-    gamma: ArrayLike,
-    k_prime: ArrayLike,
-    k: ArrayLike,
-    mu: ArrayLike,
-    *,
-    threads: int | None = 1,
-    names: Literal[True],
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
 ) -> NDArray[np.str_]: ...
 @overload
 def classify(
-    gamma: _Arrow | float,
-    k_prime: _Arrow | float,
-    k: _Arrow | float,
-    mu: _Arrow | float,
-    *,
-    threads: int | None = 1,
-    names: bool = False,
-) -> ArrowArray: ...
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
+) -> np.ma.MaskedArray[tuple[Any, ...], np.dtype[np.uint8]]: ...
 @overload
 def classify(
-    gamma: _Arrow, *, map: Map | None = None, threads: int | None = 1, names: bool = False
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["null"], names: Literal[True], **options: Unpack[Options]
+) -> np.ma.MaskedArray[tuple[Any, ...], np.dtype[np.str_]]: ...
+@overload
+def classify(
+    gamma: PandasSeries | Array, k_prime: PandasSeries | Array, k: PandasSeries | Array, mu: PandasSeries | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+) -> pd.Series[Any]: ...
+@overload
+def classify(
+    gamma: PolarsSeries | Array, k_prime: PolarsSeries | Array, k: PolarsSeries | Array, mu: PolarsSeries | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+) -> pl.Series: ...
+@overload
+def classify(
+    gamma: PyarrowArray | Array, k_prime: PyarrowArray | Array, k: PyarrowArray | Array, mu: PyarrowArray | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+) -> pa.Array: ...
+@overload
+def classify(
+    gamma: ArrowLike | Array, k_prime: ArrowLike | Array, k: ArrowLike | Array, mu: ArrowLike | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
 ) -> ArrowArray: ...
+@overload
+def classify(gamma: PandasFrame, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pd.Series[Any]: ...
+@overload
+def classify(gamma: PolarsFrame, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pl.Series: ...
+@overload
+def classify(gamma: PyarrowTable, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pa.Array: ...
+@overload
+def classify(gamma: ArrowLike, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> ArrowArray: ...
 def classify(
     gamma: Any,
     k_prime: Any = None,
@@ -148,11 +159,12 @@ def classify(
     mu: Any = None,
     *,
     map: Map | None = None,
-    out: Any = None,
-    threads: int | None = 1,
+    out: NDArray[np.uint8] | None = None,
     names: bool = False,
-    on_error: Literal["raise", "null"] = "raise",
-    progress: Progress | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = 1,
+    progress: Progress = None,
+    columns: None = None,
 ) -> Any:
     """The mode that begins: does the body rest, slide, rock, or slide and rock?
 
@@ -162,39 +174,45 @@ def classify(
     3.1-3.45 and 4.1-4.97). The decision is exact for the float64 numbers given: no tolerance.
 
     Args:
-        gamma: slenderness H/B, above zero.
+        gamma: slenderness H/B, above zero. Or, in place of all four, a table with columns of these names.
         k_prime: height of the force above the centre of mass in H; below it, negative.
         k: force over weight, F/(m g), not negative.
         mu: Coulomb friction between body and base, not negative.
-        columns: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all
-            rows, as ``{"k_prime": 0.4}``. What is not named here is in the column of its own name.
-        out: array of ``uint8`` for the answer, of the shape of the operands broadcast together.
-        threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
+        map: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all rows, as
+            ``{"k_prime": 0.4}``. What is not named here is in the column of its own name.
+        out: array of ``uint8`` for the answer to arrays, of their shape broadcast together.
         names: give the report's symbols (``"SL"``) in place of codes.
-
-    The four operands are
-
-    * scalars: the answer is a :class:`Mode`, or a ``str`` with ``names``;
-    * arrays of any real dtype, shape and strides that broadcast together, mixed with scalars: the answer is an array
-      of ``uint8`` codes (or of strings) in the memory order of the operands. Float64 columns are read where they lie,
-      all else block by block; only long double, byte-swapped and object arrays are converted first. A pandas Series
-      is an array;
-    * Arrow columns (pyarrow, polars, DuckDB, ...; chunked or not), mixed with scalars: the answer is an
-      :class:`ArrowArray`, null where an operand is null, dictionary-encoded strings with ``names``. Only columns with
-      nulls are copied.
-
-    In place of the four, one table (pyarrow, polars, pandas, DuckDB relation, a reader of record batches) with the
-    columns ``gamma``, ``k_prime``, ``k``, ``mu`` is read batch by batch; the answer is an :class:`ArrowArray`.
-
-    The GIL is released.
+        on_error: ``"null"`` leaves the answer out where a value is one that no body can have; ``"raise"`` names the first.
+        threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
+        progress: ``True`` for a bar (needs tqdm), or a function that is told how many points are done and how many there
+            are, ``None`` if that is not known.
+        columns: of :func:`onset`, not here.
 
     Returns:
-        As above; ``out`` if that is given. After an error ``out`` holds some of the answers.
+        The answer is of the kind of the operands:
+
+        ========================================  ==================================  =================================
+        operands                                  the answer                          with ``names``
+        ========================================  ==================================  =================================
+        numbers                                   :class:`Mode`                       ``str``
+        arrays, lists; numbers beside them        array of ``uint8`` codes            array of strings
+        masked arrays                             masked array                        masked array
+        pandas Series, arrays beside them         Series of ``UInt8`` with the index  Series of dtype ``category``
+        pandas DataFrame                          the same                            the same
+        polars Series or DataFrame                Series of ``UInt8``                 Series of dtype ``Enum``
+        pyarrow arrays, table, reader             Array of ``uint8``                  dictionary of strings
+        other Arrow objects, as DuckDB relations  :class:`ArrowArray`                 dictionary of strings
+        ========================================  ==================================  =================================
+
+        Arrays broadcast; columns have one length, and Series of pandas one index. Where a value is missing (NaN, NA or None
+        in pandas; null in polars and Arrow; masked), so is the answer. NaN elsewhere is an impossible value. ``out`` is
+        returned if it is given; after an error it holds some of the answers. The GIL is released, and Ctrl-C obeyed.
 
     Raises:
         ValueError: for the first value, in the order of C, that no body, force or friction can have (not finite,
-            beyond 1e50, negative, a slenderness of zero), with its index; for shapes that do not broadcast.
-        TypeError: for operands that are no real numbers.
+            beyond 1e50, negative, a slenderness of zero), with its index; for shapes that do not broadcast, and for
+            lengths and indexes that differ.
+        TypeError: for operands that are no real numbers, or that are to be unwrapped first; the error says how.
         KeyError: if a table lacks a column.
 
     >>> classify(1, 0.4, 0.5, 0.6)
@@ -209,58 +227,82 @@ def classify(
     ...
     ValueError: friction μ is -0.5 at index 1; expected a number from 0 to 1e50
     """
-    how = run(threads, on_error, progress)
+    if columns is not None:
+        raise TypeError("columns is what onset computes; which column of a table holds what is said by map={...}")
     operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map)
-    form = operands.form.with_errors(how.null_errors)
-    if out is not None:
-        _check_out(out, names, operands)
-    if operands.table is not None or operands.columns is not None:
-        if operands.table is not None:
-            found = _standfast.classify_table(*operands.table, names, how)
-        else:
-            assert operands.columns is not None
-            found = _standfast.classify_columns(operands.columns, names, how)
-        assert isinstance(form, Arrow)
-        return form.adopt(found)
-    arrays, missing = operands.arrays()
-    codes, missing = _standfast.classify(arrays, missing, out, how)
+    with shown(progress, "points") as told:
+        how = run(threads, on_error, told)
+        form = operands.form.with_errors(how.null_errors)
+        if out is not None:
+            _check_out(out, names, operands)
+        if isinstance(form, Arrow) and operands.table is not None:
+            return form.adopt(_standfast.classify_table(*operands.table, names, how))
+        if isinstance(form, Arrow) and operands.columns is not None:
+            return form.adopt(_standfast.classify_columns(operands.columns, names, how))
+        arrays, missing, nan = operands.native()
+        codes, missing = _standfast.classify(arrays, missing, out, how._replace(nan_is_missing=nan))
     return out if out is not None else form.column("mode", codes, missing, symbols=names)
 
 
 @overload
 def onset(
-    gamma: ArrayLike, k_prime: ArrayLike, k: ArrayLike, mu: ArrayLike, *, threads: int | None = 1
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, columns: Sequence[str] | None = None, on_error: Literal["raise"] = "raise", **options: Unpack[Options]
 ) -> Onset: ...
 @overload
 def onset(
-    gamma: _Arrow | float,
-    k_prime: _Arrow | float,
-    k: _Arrow | float,
-    mu: _Arrow | float,
-    *,
-    threads: int | None = 1,
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, columns: Sequence[str] | None = None, on_error: Literal["null"], **options: Unpack[Options]
+) -> Onset | None: ...
+@overload
+def onset(
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+) -> OnsetArrays: ...
+@overload
+def onset(
+    gamma: PandasSeries | Array, k_prime: PandasSeries | Array, k: PandasSeries | Array, mu: PandasSeries | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+) -> pd.DataFrame: ...
+@overload
+def onset(
+    gamma: PolarsSeries | Array, k_prime: PolarsSeries | Array, k: PolarsSeries | Array, mu: PolarsSeries | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+) -> pl.DataFrame: ...
+@overload
+def onset(
+    gamma: PyarrowArray | Array, k_prime: PyarrowArray | Array, k: PyarrowArray | Array, mu: PyarrowArray | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+) -> pa.Table: ...
+@overload
+def onset(
+    gamma: ArrowLike | Array, k_prime: ArrowLike | Array, k: ArrowLike | Array, mu: ArrowLike | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
 ) -> ArrowTable: ...
 @overload
-def onset(gamma: _Arrow, *, map: Map | None = None, threads: int | None = 1) -> ArrowTable: ...
+def onset(gamma: PandasFrame, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pd.DataFrame: ...
+@overload
+def onset(gamma: PolarsFrame, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pl.DataFrame: ...
+@overload
+def onset(gamma: PyarrowTable, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pa.Table: ...
+@overload
+def onset(gamma: ArrowLike, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> ArrowTable: ...
 def onset(
     gamma: Any,
     k_prime: Any = None,
     k: Any = None,
     mu: Any = None,
     *,
-    map: Map | None = None,
     columns: Sequence[str] | None = None,
+    map: Map | None = None,
+    on_error: OnError = "raise",
     threads: int | None = 1,
-    on_error: Literal["raise", "null"] = "raise",
-    progress: Progress | None = None,
+    progress: Progress = None,
 ) -> Any:
     """The mode that begins, with its motion and reactions, and whether it is the only one.
 
-    Args are those of :func:`classify`, and the operands may be the same: scalars, arrays, Arrow columns, a table.
+    The operands, ``map``, ``on_error``, ``threads`` and ``progress`` are those of :func:`classify`.
+
+    Args:
+        columns: which fields of :class:`Onset` to compute, in this order; all if it is left out.
 
     Returns:
-        An :class:`Onset`: of scalars for scalars, of arrays for arrays. For Arrow columns and tables an
-        :class:`ArrowTable` with the fields of :class:`Onset` as columns, null where an operand is null.
+        For four numbers an :class:`Onset`, for arrays :class:`OnsetArrays`; for columns and tables a DataFrame of pandas
+        (with the index) or polars, a Table of pyarrow, or an :class:`ArrowTable`. What is missing is so as for
+        :func:`classify`, in every column.
 
     The motion is that of the report's equations (3.3-3.8, 3.14-3.16, 3.30, 3.37, 3.43, 3.45; 4.36-4.39, 4.64, 4.76,
     4.89, 4.95). Where several modes satisfy every law (force below the centre of mass, friction above 4/3: Painlevé's
@@ -272,27 +314,24 @@ def onset(
     >>> rocks = onset(1, 1, 2, 5)
     >>> rocks.mode, rocks.unique, rocks.theta_ddot, rocks.f_y
     (<Mode.ROCK_O: 2>, True, 1.125, 2.125)
-    >>> unsure = onset(1, -0.5, 4, [0.3, 3])
+    >>> unsure = onset(1, -0.5, 4, [0.3, 3], columns=["unique", "others"])
     >>> unsure.unique
     array([ True, False])
-    >>> Modes(int(unsure.others[1])).modes
+    >>> Modes(unsure.others[1]).modes
     (<Mode.ROCK_O: 2>,)
     """
-    how = run(threads, on_error, progress)
-    operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map)
-    form = operands.form.with_errors(how.null_errors)
-    if operands.table is not None or operands.columns is not None:
-        if operands.table is not None:
-            found = _standfast.onset_table(*operands.table, columns, how)
-        else:
-            assert operands.columns is not None
-            found = _standfast.onset_columns(operands.columns, columns, how)
-        assert isinstance(form, Arrow)
-        return form.adopt_table(found)
-    arrays, missing = operands.arrays()
-    values, missing = _standfast.onset(arrays, missing, columns, how)
-    named = dict(zip(OnsetArrays._fields if columns is None else columns, values))
-    return form.table(named, missing, point=Onset, arrays=OnsetArrays)
+    fields = chosen(columns, Onset._fields)
+    operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map, result="theta_ddot")
+    with shown(progress, "points") as told:
+        how = run(threads, on_error, told)
+        form = operands.form.with_errors(how.null_errors)
+        if isinstance(form, Arrow) and operands.table is not None:
+            return form.adopt_table(_standfast.onset_table(*operands.table, fields, how))
+        if isinstance(form, Arrow) and operands.columns is not None:
+            return form.adopt_table(_standfast.onset_columns(operands.columns, fields, how))
+        arrays, missing, nan = operands.native()
+        values, missing = _standfast.onset(arrays, missing, fields, how._replace(nan_is_missing=nan))
+    return form.table(dict(zip(fields, values)), missing, point=Onset, arrays=OnsetArrays)
 
 
 def _check_out(out: object, names: bool, operands: Operands) -> None:
@@ -307,6 +346,18 @@ def _check_out(out: object, names: bool, operands: Operands) -> None:
         raise ValueError("out is read-only; expected an array that can be written to")
 
 
+@overload
+def symbols(codes: int | np.integer[Any]) -> str: ...
+@overload
+def symbols(codes: Array) -> NDArray[np.str_]: ...
+@overload
+def symbols(codes: PandasSeries) -> pd.Series[Any]: ...
+@overload
+def symbols(codes: PolarsSeries) -> pl.Series: ...
+@overload
+def symbols(codes: PyarrowArray) -> pa.Array: ...
+@overload
+def symbols(codes: ArrowLike) -> ArrowArray: ...
 def symbols(codes: Any) -> Any:
     """The report's symbols for mode codes: an array of strings of the same shape, or a ``str`` for one code.
 

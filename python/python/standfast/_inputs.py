@@ -25,10 +25,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
+from ._arrow import ArrowArray
 from ._frames import Arrays, Arrow, Form, Missing, Pandas, Point, Polars, Pyarrow
-
-#: Where a table has the operands: a column's name, or a number that holds for all rows.
-Map = Mapping[str, "str | float"]
+from ._types import Map
 
 
 class Numbers(NamedTuple):
@@ -209,7 +208,7 @@ def _table_kind(value: object, advice: Advice) -> str | None:
             return library
     if _is(value, "pandas", "Series") or _is(value, "polars", "Series") or _is(value, "pyarrow", "Array", "ChunkedArray"):
         return None
-    if isinstance(value, _standfast.ArrowArray) or hasattr(value, "iloc"):
+    if isinstance(value, ArrowArray) or hasattr(value, "iloc"):
         return None
     return "arrow" if hasattr(value, "__arrow_c_stream__") or hasattr(value, "__arrow_c_array__") else None
 
@@ -238,11 +237,11 @@ def _places(names: Sequence[str], map: Map | None, labels: bool) -> list[Any]:
     """Where a table has each operand."""
     if map is not None and not isinstance(map, Mapping):
         raise TypeError(f"map is a {type(map).__name__}; expected a dict of columns, as {{'{names[-1]}': 'friction'}}")
-    map = {} if map is None else dict(map)
-    unknown = [name for name in map if name not in names]
+    named: dict[str, Any] = {} if map is None else dict(map)
+    unknown = [name for name in named if name not in names]
     if unknown:
         raise ValueError(f"map has the key {unknown[0]!r}; expected {', '.join(names)}")
-    places: list[Any] = [map.get(name, name) for name in names]
+    places = [named.get(name, name) for name in names]
     for i, (place, name) in enumerate(zip(places, names)):
         if isinstance(place, (int, float, np.integer, np.floating)) and not isinstance(place, bool):
             places[i] = float(place)

@@ -1,20 +1,55 @@
 """What a type checker says of calls: checked by mypy, never run."""
 
-from typing import assert_type
+from typing import Any, assert_type
 
+import duckdb
 import numpy as np
 import polars as pl
 import standfast
 from numpy.typing import NDArray
-from standfast import Answer, ArrowArray, ArrowTable, Assessment, Diagram, Figure, Mode, Onset
+from standfast import Answer, ArrowArray, ArrowTable, Assessment, Diagram, Figure, Mode, Modes, Onset, OnsetArrays
 
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6), Mode)
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6, names=True), str)
 assert_type(standfast.classify(1, 0.4, np.ones(3), [0.6]), NDArray[np.uint8])
 assert_type(standfast.classify(1, 0.4, np.ones(3), 0.6, names=True), NDArray[np.str_])
-assert_type(standfast.classify(pl.DataFrame(), map={"mu": "friction", "k_prime": 0.4}), ArrowArray)
+assert_type(standfast.classify(1, np.float32(0.4), np.int64(1), 0.6), Mode)
+assert_type(standfast.classify([[1, 2], [3, 4]], 0.4, 1, 0.6, threads=None, progress=True), NDArray[np.uint8])
+assert_type(standfast.classify(1, 0.4, 0.5, -0.6, on_error="null"), Mode | None)
+assert_type(
+    standfast.classify(1, 0.4, [0.5], -0.6, on_error="null"), np.ma.MaskedArray[tuple[Any, ...], np.dtype[np.uint8]]
+)
+
+storms = pl.DataFrame({"k": [0.5], "friction": [0.6]})
+assert_type(standfast.classify(storms, map={"mu": "friction", "gamma": 0.8, "k_prime": 1}), pl.Series)
+assert_type(standfast.classify(storms, map={"mu": "friction"}, names=True), pl.Series)
+assert_type(standfast.classify(1, [0.4], storms["k"], np.ones(1)), pl.Series)
+assert_type(standfast.classify(duckdb.sql("from storms")), ArrowArray)
+modes = standfast.classify(duckdb.sql("from storms"))
+assert_type(modes == Mode.REST, NDArray[np.bool_])
+
 assert_type(standfast.onset(1, 0.4, 0.5, 0.6), Onset)
-assert_type(standfast.onset(pl.DataFrame()), ArrowTable)
+assert_type(standfast.onset(1, 0.4, 0.5, 0.6).mode, Mode)
+assert_type(standfast.onset(1, 0.4, 0.5, 0.6).others, Modes)
+assert_type(standfast.onset(1, 0.4, 0.5, 0.6).theta_ddot, float)
+assert_type(standfast.onset(1, 0.4, 0.5, 0.6, on_error="null"), Onset | None)
+assert_type(standfast.onset(1, 0.4, [0.5], 0.6), OnsetArrays)
+assert_type(standfast.onset(1, 0.4, [0.5], 0.6).mode, NDArray[np.uint8])
+assert_type(standfast.onset(1, 0.4, [0.5], 0.6, columns=["unique", "xi"]).xi, NDArray[np.float64])
+unique, xi = standfast.onset(1, 0.4, [0.5], 0.6, columns=["unique", "xi"])
+assert_type(xi, NDArray[Any])
+assert_type(standfast.onset(storms), pl.DataFrame)
+assert_type(standfast.onset(1, 0.4, storms["k"], 0.6), pl.DataFrame)
+assert_type(standfast.onset(duckdb.sql("from storms"), columns=["mode"]), ArrowTable)
+
+assert_type(standfast.symbols(Mode.REST), str)
+assert_type(standfast.symbols(np.zeros(3, dtype=np.uint8)), NDArray[np.str_])
+assert_type(standfast.symbols(storms["k"]), pl.Series)
+assert_type(standfast.symbols(modes), ArrowArray)
+assert_type(Mode("SL"), Mode)
+assert_type(Modes(np.uint16(12)).modes, tuple[Mode, ...])
+assert_type(Mode.REST in Modes("RE SL"), bool)
+
 assert_type(standfast.assess({"body": {}}), Assessment)
 assert_type(standfast.assess("case.toml", up_to=3, all=True).figures, list[Figure])
 assert_type(standfast.assess("case.toml").situations, list[Answer])

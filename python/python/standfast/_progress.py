@@ -1,0 +1,47 @@
+"""How far long work is: a bar, or whoever wants to be told."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+#: What ``progress=`` takes: nothing, a bar, or a function of what is done and of all there is, which is ``None`` where it is not
+#: known.
+Progress = bool | Callable[[int, int | None], object] | None
+
+
+@contextmanager
+def shown(progress: Progress, unit: str = "rows") -> Iterator[Callable[[int, int | None], object] | None]:
+    """What the native module is to call with what is done and all there is; ``None`` for nothing.
+
+    Raises:
+        ImportError: for a bar without tqdm.
+        TypeError: for anything else than what :data:`Progress` says.
+    """
+    if progress is None or progress is False:
+        yield None
+    elif progress is True:
+        bar = _bar(unit)
+        try:
+            yield lambda done, total: _advance(bar, done, total)
+        finally:
+            bar.close()
+    elif callable(progress):
+        yield progress
+    else:
+        raise TypeError(f"progress is {progress!r}; expected True for a bar, False, or a function of (done, total)")
+
+
+def _bar(unit: str) -> Any:
+    try:
+        from tqdm.auto import tqdm  # type: ignore[import-untyped,import-not-found,unused-ignore]
+    except ImportError:
+        raise ImportError('progress=True needs tqdm: pip install "standfast[progress]"') from None
+    return tqdm(unit=f" {unit}", unit_scale=True)
+
+
+def _advance(bar: Any, done: int, total: int | None) -> None:
+    if bar.total != total:
+        bar.total = total
+    bar.update(done - bar.n)
