@@ -107,7 +107,7 @@ fn on_grid(
             Ok(some.then(|| missing.into_iter().map(|missing| !missing).collect()))
         }
         Err(Halt::Stopped) => Err(Failure::Stopped),
-        Err(Halt::Invalid) => match grid.first_invalid(run.gaps(), &mut |_| monitor.step(0)) {
+        Err(Halt::Invalid) => match grid.first_invalid(run.gaps(), &mut |_| monitor.wait()) {
             Some((row, source)) => Err(Failure::Value(row, source)),
             None => Err(Failure::Stopped),
         },

@@ -72,7 +72,7 @@ fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monit
         // The first in the order of C.
         Halt::Invalid => {
             let grid = grid.along(&in_order);
-            py.detach(|| grid.first_invalid(run.gaps(), &mut |_| monitor.step(0)))
+            py.detach(|| grid.first_invalid(run.gaps(), &mut |_| monitor.wait()))
         }
     };
     match (monitor.raised(), found) {
@@ -181,6 +181,7 @@ fn fill<'py>(
         return Err(halted(py, halt, grid, run, monitor));
     }
     codes.iter_mut().zip(&missing).filter(|(_, missing)| **missing).for_each(|(code, _)| *code = NO_MODE);
+    monitor.advance(grid.len());
     monitor.finish(py)?;
     mask_of(py, missing, grid, axes)
 }
@@ -208,6 +209,7 @@ pub(crate) fn onset<'py>(
     if missing.contains(&true) {
         found.blank(&missing);
     }
+    monitor.advance(grid.len());
     monitor.finish(py)?;
     let array = |column| {
         Ok(match column {

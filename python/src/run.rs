@@ -60,12 +60,21 @@ impl Monitor<'_> {
 
     /// Looks after signals and progress if the last time is a while ago; false if Python raised an exception.
     pub(crate) fn step(&mut self, done: usize) -> bool {
+        self.look(Some(done))
+    }
+
+    /// As [`step`](Monitor::step), where nothing more is done.
+    pub(crate) fn wait(&mut self) -> bool {
+        self.look(None)
+    }
+
+    fn look(&mut self, done: Option<usize>) -> bool {
         if self.last.elapsed() < Self::PAUSE {
             return true;
         }
         let called = Python::attach(|py| {
             py.check_signals()?;
-            self.tell(py, done)
+            done.map_or(Ok(()), |done| self.tell(py, done))
         });
         self.last = Instant::now();
         self.raised = called.err();
