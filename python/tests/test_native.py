@@ -65,7 +65,10 @@ def test_numbers_of_every_type_are_read_as_batch_reads_them(kind: pa.DataType, t
     with pa.memory_map(str(tmp_path / "out.arrow")) as file:
         expected = pa.ipc.open_file(file).read_all()
 
-    for given in (table, pa.concat_tables([table[:5], table[5:4099], table[4099:]]), pl.DataFrame(table) if kind != pa.float16() else table):
+    tables = [table, pa.concat_tables([table[:5], table[5:4099], table[4099:]])]
+    if not (pa.types.is_float16(kind) or pa.types.is_decimal256(kind)):  # polars lacks these.
+        tables.append(pl.DataFrame(table))
+    for given in tables:
         found = pa.table(standfast.onset(given))
         for name in ("unique", "x_ddot", "theta_ddot", "f_x", "f_y", "xi"):
             assert found[name].to_pylist() == expected[name].to_pylist(), name

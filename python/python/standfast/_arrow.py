@@ -84,9 +84,7 @@ class ArrowArray:
         """
         values, mask, words = self._native.parts()
         if words is not None:
-            # The last word is never used: it is the place of nulls, whose own place may be any.
-            known = np.array([*words, ""])
-            values = known[values if mask is None else np.where(mask, -1, values)]
+            values = _texts(values, mask, words)
         if mask is None:
             return values
         if missing is _NOTHING:
@@ -103,7 +101,8 @@ class ArrowArray:
         with np.errstate(invalid="ignore"):
             held = held and filler.dtype.kind in "biufU" and np.array_equal(filler.astype(wide), filler, equal_nan=wide.kind == "f")
         if not held:
-            raise ValueError(f"missing is {missing!r}; expected a value that {values.dtype} can hold")
+            expected = "a word" if values.dtype.kind == "U" else f"a value that {values.dtype} can hold"
+            raise ValueError(f"missing is {missing!r}; expected {expected}")
         return np.where(mask, filler.astype(wide), values)
 
     def to_pylist(self) -> list[Value]:
@@ -182,8 +181,7 @@ class ArrowArray:
     def _compared(self, other: object, compare: Callable[[Any, Any], Any], if_null: bool) -> NDArray[np.bool_]:
         values, missing, words = self._native.parts()
         if words is not None:
-            # Of a null any word will do.
-            values = np.array(words + [""])[values if missing is None else np.where(missing, -1, values)]
+            values = _texts(values, missing, words)
         missing = np.zeros(len(self), dtype=np.bool_) if missing is None else missing
         if isinstance(other, ArrowArray):
             missing = missing | other.is_null()
@@ -351,6 +349,11 @@ def _array(
 
 def _table(columns: list[ArrowArray]) -> ArrowTable:
     return ArrowTable(_standfast.make_table([column._native for column in columns]))
+
+
+def _texts(places: NDArray[Any], missing: NDArray[np.bool_] | None, words: list[str]) -> NDArray[Any]:
+    """The words at the places, and an empty one where there is none: the place of a null may be any."""
+    return np.array([*words, ""])[places if missing is None else np.where(missing, len(words), places.astype(np.int64))]
 
 
 def _blank(array: ArrowArray) -> Any:
