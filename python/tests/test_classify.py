@@ -301,15 +301,6 @@ def test_no_memory_is_kept() -> None:
     assert [sys.getrefcount(operand) for operand in operands] == before
 
 
-def test_lazy_and_named_arrays_are_refused_with_advice() -> None:
-    dask_array = pytest.importorskip("dask.array")
-    xarray = pytest.importorskip("xarray")
-    with pytest.raises(TypeError, match="dask.array.map_blocks"):
-        standfast.classify(1, 0.4, 0.5, dask_array.ones(3))
-    with pytest.raises(TypeError, match="xarray.apply_ufunc"):
-        standfast.classify(1, 0.4, 0.5, xarray.DataArray([0.6]))
-
-
 def test_signatures_have_no_positional_options() -> None:
     for function in (standfast.classify, standfast.onset):
         kinds = [p.kind for p in inspect.signature(function).parameters.values()]

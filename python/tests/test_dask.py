@@ -10,7 +10,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import dask.array as da
+import dask.dataframe as dd
 import numpy as np
+import pandas as pd
 import pytest
 import standfast
 import xarray as xr
@@ -98,6 +100,21 @@ def test_arrays_broadcast_on_the_cluster(client: Client) -> None:
     alone = standfast.classify(3.0, 0.8, k.compute(), mu.compute())
     assert np.array_equal(codes.compute(), alone)
     assert codes.compute().flags.c_contiguous
+
+
+def test_data_frames_on_the_cluster(client: Client) -> None:
+    columns = dict(zip(("gamma", "k_prime", "k", "friction"), block(0, 20_000)))
+    whole = pd.DataFrame(columns, index=np.arange(20_000)[::-1])
+    frame = dd.from_pandas(whole, npartitions=7, sort=False)
+    modes = frame.map_partitions(standfast.classify, map={"mu": "friction"})
+    alone = standfast.classify(whole, map={"mu": "friction"})
+    assert modes.name == "mode" and modes.dtype == alone.dtype
+    found = modes.compute()
+    assert found.index.equals(whole.index) and found.tolist() == alone.tolist()
+    motion = frame.map_partitions(standfast.onset, map={"mu": "friction"}, columns=["mode", "theta_ddot"])
+    counts = motion[motion.theta_ddot != 0]["mode"].value_counts().compute()
+    turning = ~alone.isin([standfast.Mode.REST, standfast.Mode.SLIDE_LEFT, standfast.Mode.SLIDE_RIGHT])
+    assert counts.sum() == turning.sum()
 
 
 def test_modes_travel(client: Client) -> None:

@@ -34,7 +34,7 @@ class Numbers(NamedTuple):
     """An operand's numbers."""
 
     values: NDArray[Any]
-    #: Which are missing; ``None`` if none is, or ``nan`` tells.
+    #: Which are missing; ``None`` if none is, or if ``nan`` tells.
     mask: Missing = None
     #: Whether NaN says that a value is missing, as in pandas.
     nan: bool = False
@@ -46,7 +46,7 @@ class Numbers(NamedTuple):
             # The sum is NaN if a value is, and costs a fraction of a mask.
             with np.errstate(invalid="ignore", over="ignore"):
                 if np.isnan(self.values.sum()):
-                    mask = np.isnan(self.values)
+                    mask = np.isnan(self.values) if mask is None else mask | np.isnan(self.values)
         return mask if mask is not None and mask.any() else None
 
 
@@ -462,6 +462,8 @@ def _series(series: Any, name: str) -> Numbers:
     dtype = series.dtype
     if isinstance(dtype, pd.CategoricalDtype):
         return _series(series.astype(dtype.categories.dtype), name)
+    if isinstance(dtype, pd.ArrowDtype):
+        return Numbers(*_standfast.read_column(series.array.__arrow_array__(), name), nan=True)
     if isinstance(dtype, np.dtype) and dtype.kind in _REAL:
         return Numbers(_real(series.to_numpy(), None, name), nan=dtype.kind == "f")
     if dtype == object:

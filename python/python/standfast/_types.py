@@ -33,12 +33,16 @@ class Options(TypedDict, total=False):
     progress: Progress
 
 
+# The members are those that nobody else has, with their types: a relation of DuckDB has every name, as a column of its own.
+
+
 class PandasSeries(Protocol):
     """A pandas Series."""
 
     @property
     def iloc(self) -> Any: ...
     @property
+    def size(self) -> int: ...
     def to_frame(self) -> Any: ...
 
 
@@ -48,49 +52,41 @@ class PandasFrame(Protocol):
     @property
     def iloc(self) -> Any: ...
     @property
-    def columns(self) -> Any: ...
+    def size(self) -> int: ...
+    def iterrows(self) -> Any: ...
 
 
 class PolarsSeries(Protocol):
     """A polars Series."""
 
-    @property
     def arg_true(self) -> Any: ...
-    @property
-    def to_arrow(self) -> Any: ...
+    def to_physical(self) -> Any: ...
 
 
 class PolarsFrame(Protocol):
     """A polars DataFrame."""
 
-    @property
-    def get_column_index(self) -> Any: ...
-    @property
-    def to_arrow(self) -> Any: ...
+    def with_row_index(self) -> Any: ...
+    def to_dicts(self) -> Any: ...
 
 
 class PyarrowArray(Protocol):
     """A pyarrow Array or ChunkedArray."""
 
-    @property
     def dictionary_encode(self) -> Any: ...
-    @property
-    def to_pylist(self) -> Any: ...
+    def drop_null(self) -> Any: ...
 
 
 class _PyarrowTable(Protocol):
     """A pyarrow Table or RecordBatch."""
 
-    @property
     def replace_schema_metadata(self) -> Any: ...
-    @property
     def to_pydict(self) -> Any: ...
 
 
 class _PyarrowReader(Protocol):
     """A pyarrow RecordBatchReader."""
 
-    @property
     def read_next_batch(self) -> Any: ...
 
 
