@@ -1,4 +1,4 @@
-"""Columns of a table: pandas, polars, DuckDB. The answers are joined to the table without a copy of its columns."""
+"""Tables of pandas, polars and DuckDB, whole: the answers are columns beside theirs, without a copy of these."""
 
 import duckdb
 import numpy as np
@@ -14,21 +14,22 @@ storms = {
     "friction": [0.60, 0.62, 0.60, 0.58, 0.65, 0.70, 0.55, 0.60, 0.62, 0.61],
 }
 
-# pandas: columns are numpy arrays.
-frame = pd.DataFrame(storms)
-frame["mode"] = standfast.classify(0.8, frame.elevation, frame.force, frame.friction, names=True)
-print(frame[["year", "mode"]].to_string(index=False))
+map = {"gamma": 0.8, "k_prime": "elevation", "k": "force", "mu": "friction"}
 
-# polars: the whole table at once, under the names of its columns; or column by column.
-columns = {"gamma": 0.8, "k_prime": "elevation", "k": "force", "mu": "friction"}
+# pandas: a Series with the index of the table, or a DataFrame of the motion.
+frame = pd.DataFrame(storms).set_index("year")
+frame["mode"] = standfast.classify(frame, map=map, names=True)
+print(frame[["force", "mode"]])
+print(frame.groupby("mode", observed=True).force.agg(["count", "max"]))
+
+# polars: the same, with the answer as columns of the frame.
 storm_table = pl.DataFrame(storms)
-onset = pl.DataFrame(standfast.onset(storm_table, map=columns))
-moving = storm_table.hstack(onset.select("mode", "theta_ddot")).filter(pl.col("mode") != standfast.Mode.REST)
+onset = standfast.onset(storm_table, map=map, columns=["mode", "theta_ddot"])
+moving = storm_table.hstack(onset).filter(pl.col("mode") != standfast.Mode.REST)
 print(moving.select("year", "theta_ddot"))
 
 # DuckDB: a query in, its answer in the next query. Record batches are read as they come.
-modes = pa.table({"mode": pa.chunked_array(standfast.classify(duckdb.sql("from storm_table"), map=columns, names=True))})
+modes = pa.table({"mode": pa.array(standfast.classify(duckdb.sql("from storm_table"), map=map, names=True))})
 print(duckdb.sql("select mode, count(*) as storms from modes group by mode order by storms desc, mode"))
 
-assert frame["mode"].tolist() == modes["mode"].to_pylist()
-assert standfast.symbols(onset["mode"].to_numpy()).tolist() == frame["mode"].tolist()
+assert frame["mode"].tolist() == modes["mode"].to_pylist() == standfast.symbols(onset["mode"]).to_list()

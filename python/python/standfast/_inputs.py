@@ -327,10 +327,14 @@ def _common_index(names: Sequence[str], columns: Sequence[_Column]) -> Any:
             raise ValueError(f"{first} has {len(index)} rows and {name} {len(other)}; expected Series of one index")
         at = next(i for i, (ours, theirs) in enumerate(zip(index, other)) if not _same(ours, theirs))
         raise ValueError(
-            f"the indexes of {first} and {name} differ: at row {at}, {index[at]!r} and {other[at]!r}; expected Series of one "
+            f"the indexes of {first} and {name} differ: at row {at}, {_label(index[at])} and {_label(other[at])}; expected Series of one "
             f"index. {first}.align({name}) matches the labels, .to_numpy() pairs rows by their place"
         )
     return index
+
+
+def _label(label: object) -> str:
+    return repr(label.item() if isinstance(label, np.generic) else label)
 
 
 def _same(one: object, other: object) -> bool:
