@@ -38,11 +38,8 @@ pub(crate) struct Choice(Vec<Asked>);
 impl<'py> FromPyObject<'_, 'py> for Choice {
     type Error = PyErr;
 
-    /// From names; all for none.
     fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Choice> {
-        let Some(names) = given.extract::<Option<Vec<String>>>()? else {
-            return Ok(Choice(Asked::all().collect()));
-        };
+        let names: Vec<String> = given.extract()?;
         let mut choice = Vec::new();
         for name in &names {
             let found = Asked::all().find(|asked| asked.name() == name).ok_or_else(|| {

@@ -235,9 +235,10 @@ def test_ctrl_c_leaves_what_was_done() -> None:
 
 @pytest.mark.parametrize("threads", [1, 2])
 def test_progress_rises_to_the_total(threads: int) -> None:
-    for columns, total in [((1, 0.0, FEW, FEW), len(FEW)), ((1, 0, pa.array(FEW), 1), len(FEW)), ((), None)]:
+    for columns, known in [((1, 0.0, FEW, FEW), True), ((1, 0, pa.array(FEW), 1), True), ((), True), ((), False)]:
         seen: list[tuple[int, int | None]] = []
-        given = columns or (pa.table({"gamma": FEW, "k": FEW, "mu": FEW}),)
+        table = pa.table({"gamma": FEW, "k": FEW, "mu": FEW})
+        given = columns or (table if known else table.to_reader(),)
         start = time.monotonic()
         standfast.classify(
             *given, map=None if columns else {"k_prime": 0.0}, progress=lambda *at: seen.append(at), threads=threads
@@ -245,7 +246,7 @@ def test_progress_rises_to_the_total(threads: int) -> None:
         taken = time.monotonic() - start
         counts = [done for done, _ in seen]
         assert counts == sorted(counts) and seen[-1] == (len(FEW), len(FEW)) and len(seen) > 1
-        assert {found for _, found in seen[:-1]} == {total}
+        assert {total for _, total in seen[:-1]} == {len(FEW) if known else None}
         assert len(seen) <= 20 * taken + 2
 
 
@@ -263,7 +264,7 @@ def test_an_exception_of_progress_comes_out() -> None:
         standfast.onset(1, 0.4, 0.5, np.ones(5), progress=fail)
     with pytest.raises(LookupError):
         standfast.classify(1, 0.0, ONES, ONES, progress=fail, threads=2)
-    with pytest.raises(TypeError, match="progress is 3; expected a function"):
+    with pytest.raises(TypeError, match="progress is 3; expected"):
         standfast.classify(1, 0.4, 0.5, 0.6, progress=3)  # type: ignore[call-overload]
 
 
@@ -310,9 +311,9 @@ def test_columns_of_an_onset_are_those_of_the_whole() -> None:
 
 @pytest.mark.parametrize("given", [(1, 1, 2, 5), (1, 1, 2, [5, 5]), (1, 1, 2, pl.Series([5.0]))], ids=["scalars", "arrays", "Arrow"])
 def test_wrong_columns(given: tuple[Any, ...]) -> None:
-    with pytest.raises(ValueError, match='columns has "force"; expected mode, unique, others, x_ddot, y_ddot, theta_ddot'):
+    with pytest.raises(ValueError, match="columns has 'force'; expected mode, unique, others, x_ddot, y_ddot, theta_ddot"):
         standfast.onset(*given, columns=["mode", "force"])
-    with pytest.raises(ValueError, match='columns has "mode" twice'):
+    with pytest.raises(ValueError, match="columns has 'mode' twice"):
         standfast.onset(*given, columns=["mode", "xi", "mode"])
 
 

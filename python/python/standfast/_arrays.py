@@ -236,7 +236,7 @@ def classify(
         if out is not None:
             _check_out(out, names, operands)
         if isinstance(form, Arrow) and operands.table is not None:
-            return form.adopt(_standfast.classify_table(*operands.table, names, how))
+            return form.adopt(_standfast.classify_table(*operands.table, names, how._replace(total=operands.rows)))
         if isinstance(form, Arrow) and operands.columns is not None:
             return form.adopt(_standfast.classify_columns(operands.columns, names, how))
         arrays, missing, nan = operands.native()
@@ -326,7 +326,7 @@ def onset(
         how = run(threads, on_error, told)
         form = operands.form.with_errors(how.null_errors)
         if isinstance(form, Arrow) and operands.table is not None:
-            return form.adopt_table(_standfast.onset_table(*operands.table, fields, how))
+            return form.adopt_table(_standfast.onset_table(*operands.table, fields, how._replace(total=operands.rows)))
         if isinstance(form, Arrow) and operands.columns is not None:
             return form.adopt_table(_standfast.onset_columns(operands.columns, fields, how))
         arrays, missing, nan = operands.native()

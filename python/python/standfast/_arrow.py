@@ -353,7 +353,8 @@ def _table(columns: list[ArrowArray]) -> ArrowTable:
 
 def _texts(places: NDArray[Any], missing: NDArray[np.bool_] | None, words: list[str]) -> NDArray[Any]:
     """The words at the places, and an empty one where there is none: the place of a null may be any."""
-    return np.array([*words, ""])[places if missing is None else np.where(missing, len(words), places.astype(np.int64))]
+    known: NDArray[Any] = np.array([*words, ""])
+    return known.take(places if missing is None else np.where(missing, len(words), places.astype(np.int64)))
 
 
 def _blank(array: ArrowArray) -> Any:

@@ -57,6 +57,7 @@ class Operands:
         names: of the operands.
         form: what makes the answer, see :mod:`standfast._frames`.
         table: an Arrow table and the places of the operands in it, for a function that reads it natively; or ``None``.
+        rows: how many the table has; ``None`` if it does not tell before it is read.
         columns: Arrow columns and floats, likewise.
     """
 
@@ -64,6 +65,7 @@ class Operands:
         self.names = tuple(names)
         self.form = form
         self.table: tuple[Any, list[str | float]] | None = None
+        self.rows: int | None = None
         self.columns: list[Any] | None = None
         self.numbers: list[Numbers] = []
 
@@ -230,6 +232,8 @@ def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Oper
         return operands
     operands = Operands(names, _FORMS[kind]())
     operands.table = _exported(table) if kind == "polars" else table, places
+    # A relation of DuckDB would count by running its query.
+    operands.rows = len(table) if kind in ("polars", "pyarrow") and hasattr(table, "__len__") else None
     return operands
 
 

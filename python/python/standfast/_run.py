@@ -32,9 +32,6 @@ def run(
     threads: int | None,
     on_error: Literal["raise", "null"] = "raise",
     progress: Progress | None = None,
-    *,
-    nan_is_missing: bool = False,
-    total: int | None = None,
 ) -> Run:
     """The options of a call, checked.
 
@@ -53,4 +50,4 @@ def run(
         raise ValueError(f"on_error is {on_error!r}; expected 'raise' or 'null'")
     if progress is not None and not callable(progress):
         raise TypeError(f"progress is {progress!r}; expected a function of how many points are done and how many there are")
-    return Run(threads, on_error == "null", nan_is_missing, progress, total)
+    return Run(threads, on_error == "null", progress=progress)
