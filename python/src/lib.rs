@@ -52,5 +52,5 @@ mod _standfast {
     #[pymodule_export]
     use super::ndarray::{classify, onset};
     #[pymodule_export]
-    use super::numbers::{make_array, make_table, read_column, read_table, refuse_column};
+    use super::numbers::{closest, make_array, make_table, read_column, read_table, refuse_column};
 }

@@ -144,3 +144,9 @@ pub(crate) fn make_table(columns: Vec<PyRef<'_, ArrowArray>>) -> PyResult<ArrowT
 pub(crate) fn refuse_column(name: &str, column: &str, found: Vec<String>) -> PyResult<()> {
     Err(no_column(name, column, &found.iter().map(String::as_str).collect::<Vec<_>>()))
 }
+
+/// The word that is most likely meant by another, if any is.
+#[pyfunction]
+pub(crate) fn closest(word: &str, known: Vec<String>) -> Option<String> {
+    standfast_cases::suggest::closest(word, known.iter().map(String::as_str)).map(str::to_owned)
+}

@@ -327,8 +327,8 @@ def test_fields_behave_as_named_tuples() -> None:
 
 
 def test_columns_to_compute() -> None:
-    with pytest.raises(ValueError, match="columns has 'theta'; did you mean 'theta_ddot'"):
-        standfast.onset(1, 1, [2], 5, columns=["theta"])
+    with pytest.raises(ValueError, match="columns has 'theta_dot'; did you mean 'theta_ddot'"):
+        standfast.onset(1, 1, [2], 5, columns=["theta_dot"])
     with pytest.raises(ValueError, match="columns has 'mode' twice"):
         standfast.onset(frame(), columns=["mode", "mode"])
     with pytest.raises(ValueError, match="columns is empty; expected some of mode, unique"):

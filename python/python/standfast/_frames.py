@@ -106,7 +106,8 @@ class Point(Form):
     """Four plain numbers, and a plain answer."""
 
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
-        if missing is not None and missing.any() or np.ma.is_masked(values):
+        values, missing = _parted(values, missing)
+        if missing is not None and missing.any():
             return None
         if symbols:
             return str(SYMBOLS[values])

@@ -14,17 +14,17 @@ imported: who has such an object has imported its library.
 
 from __future__ import annotations
 
-import difflib
 import numbers
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from decimal import Decimal
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
+from ._advice import Advice, called, is_of, short, shown
 from ._arrow import ArrowArray
 from ._frames import Arrays, Arrow, Form, Missing, Pandas, Point, Polars, Pyarrow
 from ._types import Map
@@ -91,7 +91,9 @@ class Operands:
 
         What is missing may be any number. The last is whether NaN is to be read as missing.
         """
-        nan = any(numbers.nan for numbers in self._loaded())
+        if not any(numbers.nan or numbers.mask is not None for numbers in self._loaded()):
+            return [numbers.values for numbers in self.numbers], None, False
+        nan = any(numbers.nan for numbers in self.numbers)
         if nan and all(n.nan or n.values.dtype.kind != "f" or not n.values.ndim and n.values == n.values for n in self.numbers):
             masks = [numbers.mask for numbers in self.numbers]
         else:
@@ -181,14 +183,14 @@ def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
     """
     if columns is None:
         return list(known)
-    if isinstance(columns, (str, Mapping)) or not isinstance(columns, Iterable):
+    if isinstance(columns, (str, Mapping, Set)) or not isinstance(columns, Iterable):
         said = "; which column of a table holds what is said by map={...}" if isinstance(columns, Mapping) else ""
-        raise TypeError(f"columns is {_shown(columns)}; expected a list of what to compute, of {', '.join(known)}{said}")
+        raise TypeError(f"columns is {shown(columns)}; expected a list of what to compute, of {', '.join(known)}{said}")
     names = list(columns)
     for i, name in enumerate(names):
         if name not in known:
-            near = difflib.get_close_matches(str(name), known, 1)
-            meant = f"did you mean {near[0]!r}? There are" if near else "expected"
+            near = _standfast.closest(str(name), list(known))
+            meant = f"did you mean {near!r}? There are" if near else "expected"
             raise ValueError(f"columns has {name!r}; {meant} {', '.join(known)}")
         if name in names[:i]:
             raise ValueError(f"columns has {name!r} twice; expected it once")
@@ -206,13 +208,17 @@ def _table_kind(value: object, advice: Advice) -> str | None:
         return None
     advice.refuse_lazy(value, "the table")
     for library, kinds in _TABLES.items():
-        if _is(value, library, *kinds):
+        if is_of(value, library, *kinds):
             return library
-    if _is(value, "pandas", "Series") or _is(value, "polars", "Series") or _is(value, "pyarrow", "Array", "ChunkedArray"):
+    if is_of(value, "polars", "Series") or is_of(value, "pyarrow", "Array", "ChunkedArray"):
         return None
     if isinstance(value, ArrowArray) or hasattr(value, "iloc"):
         return None
-    return "arrow" if hasattr(value, "__arrow_c_stream__") or hasattr(value, "__arrow_c_array__") else None
+    return "arrow" if _speaks_arrow(value) else None
+
+
+def _speaks_arrow(value: object) -> bool:
+    return hasattr(value, "__arrow_c_array__") or hasattr(value, "__arrow_c_stream__")
 
 
 _TABLES = {"pandas": ("DataFrame",), "polars": ("DataFrame",), "pyarrow": ("Table", "RecordBatch", "RecordBatchReader")}
@@ -329,10 +335,12 @@ def _common_index(names: Sequence[str], columns: Sequence[_Column]) -> Any:
             continue
         if len(other) != len(index):
             raise ValueError(f"{first} has {len(index)} rows and {name} {len(other)}; expected Series of one index")
-        at = next(i for i, (ours, theirs) in enumerate(zip(index, other)) if not _same(ours, theirs))
+        at = next((i for i, (ours, theirs) in enumerate(zip(index, other)) if not _same(ours, theirs)), None)
+        if at is None:
+            continue
         raise ValueError(
-            f"the indexes of {first} and {name} differ: at row {at}, {_label(index[at])} and {_label(other[at])}; expected Series of one "
-            f"index. {first}.align({name}) matches the labels, .to_numpy() pairs rows by their place"
+            f"the indexes of {first} and {name} differ: at row {at}, {_label(index[at])} and {_label(other[at])}; expected Series of "
+            f"one index. {first}.align({name}) matches the labels, .to_numpy() pairs rows by their place"
         )
     return index
 
@@ -358,26 +366,26 @@ def _column(value: Any, name: str, advice: Advice) -> _Column:
         return _array(value, name)
     if type(value) is float or type(value) is int or isinstance(value, (np.integer, np.floating)):
         return _Column("point", _number(value, name))
-    if _is(value, "pint", "Quantity"):
+    if is_of(value, "pint", "Quantity"):
         return _column(_magnitude(value, name), name, advice)
     advice.refuse_lazy(value, name)
-    if _is(value, "pandas", "Series"):
+    if is_of(value, "pandas", "Series"):
         return _Column("pandas", _series(value, name), index=value.index)
     pd = sys.modules.get("pandas")
     if pd is not None and isinstance(value, (pd.Index, pd.api.extensions.ExtensionArray)):
         values, mask, nan = _series(pd.Series(value), name)
         read = Numbers(values, Numbers(values, mask, nan).missing())
         return _Column("array" if read.mask is None else "masked", read)
-    if _is(value, "polars", "Series"):
+    if is_of(value, "polars", "Series"):
         return _Column("polars", arrow=_exported(value.to_frame()).to_series())
-    if _is(value, "pyarrow", "Array", "ChunkedArray"):
+    if is_of(value, "pyarrow", "Array", "ChunkedArray"):
         return _Column("pyarrow", arrow=value)
-    if any(_is(value, library, *kinds) for library, kinds in _TABLES.items()):
+    if any(is_of(value, library, *kinds) for library, kinds in _TABLES.items()):
         advice.refuse_table(value, name)
-    if hasattr(value, "__arrow_c_array__") or hasattr(value, "__arrow_c_stream__"):
+    if _speaks_arrow(value):
         return _Column("arrow", arrow=value)
     if hasattr(value, "iloc"):
-        raise TypeError(f"{name} is a {_called(value)}, whose rows have labels; expected a pandas Series or an array")
+        raise TypeError(f"{name} is a {called(value)}, whose rows have labels; expected a pandas Series or an array")
     if isinstance(value, (list, tuple)):
         _check_leaves(value, name, ())
         try:
@@ -386,7 +394,7 @@ def _column(value: Any, name: str, advice: Advice) -> _Column:
             raise ValueError(f"{name} is a ragged list; expected rows of one length") from None
         return _array(array, name)
     if isinstance(value, (Mapping, str, bytes, Iterator, set, frozenset)):
-        raise TypeError(f"{name} is {_shown(value)}; expected a number, an array or a column")
+        raise TypeError(f"{name} is {shown(value)}; expected a number, an array or a column")
     return _array(np.asarray(value), name)
 
 
@@ -394,7 +402,7 @@ def _number(value: Any, name: str) -> Numbers:
     try:
         return Numbers(np.asarray(value, dtype=np.float64))
     except OverflowError:
-        raise ValueError(f"{name} is {_short(str(value))}; expected a number within float64") from None
+        raise ValueError(f"{name} is {short(str(value))}; expected a number within float64") from None
 
 
 _REAL = "fiu"
@@ -411,7 +419,7 @@ def _array(array: NDArray[Any], name: str) -> _Column:
     elif type(array) is not np.ndarray:
         unit = getattr(array, "unit", None) or getattr(array, "units", None)
         if unit is not None:
-            raise TypeError(f"{name} is a {_called(array)} in {unit}; expected a ratio, which has no unit")
+            raise TypeError(f"{name} is a {called(array)} in {unit}; expected a ratio, which has no unit")
         array = np.asarray(array)
     return _Column(kind, Numbers(_real(array, mask, name), mask))
 
@@ -446,18 +454,21 @@ def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> No
             continue
         if isinstance(item, (list, tuple)):
             _check_leaves(item, name, (*index, i))
-        elif not isinstance(item, np.ndarray):
+        elif isinstance(item, np.ndarray):
+            if _array(item, name + _at((*index, i))).kind == "masked":
+                raise TypeError(f"{name}{_at((*index, i))} is a masked array in a list; expected one masked array, numpy.ma.stack(...)")
+        else:
             _check_leaf(item, name, (*index, i))
 
 
 def _check_leaf(item: Any, name: str, index: tuple[int, ...]) -> None:
-    if _is(item, "pint", "Quantity"):
-        raise TypeError(f"{name} is {_shown(item)}{_at(index)}; expected real numbers, or one quantity, Quantity.from_list(...)")
+    if is_of(item, "pint", "Quantity"):
+        raise TypeError(f"{name} is {shown(item)}{_at(index)}; expected real numbers, or one quantity, Quantity.from_list(...)")
     real = isinstance(item, (numbers.Real, Decimal)) or hasattr(item, "__float__")
     if real and not isinstance(item, (bool, np.bool_, np.complexfloating)) and not getattr(item, "ndim", 0):
         return
     advice = "; what is missing is masked in a masked array, or null in pandas and polars" if item is None else ""
-    raise TypeError(f"{name} is {_shown(item)}{_at(index)}; expected real numbers{advice}")
+    raise TypeError(f"{name} is {shown(item)}{_at(index)}; expected real numbers{advice}")
 
 
 def _at(index: tuple[int, ...]) -> str:
@@ -480,94 +491,6 @@ def _series(series: Any, name: str) -> Numbers:
     if pd.api.types.is_numeric_dtype(dtype) and not pd.api.types.is_bool_dtype(dtype) and dtype.kind != "c":
         return Numbers(series.to_numpy(dtype=np.float64, na_value=np.nan), nan=True)
     raise TypeError(f"{name} is a pandas Series of dtype {dtype}; expected real numbers, as float64")
-
-
-# Who has to be unwrapped by the caller
-
-
-def _is(value: object, library: str, *kinds: str) -> bool:
-    """Whether the value is of a class of a library, which is not imported for the question."""
-    module = sys.modules.get(library)
-    if module is None:
-        return False
-    return any(isinstance(value, found) for kind in kinds if isinstance(found := getattr(module, kind, None), type))
-
-
-def _called(value: object) -> str:
-    return f"{type(value).__module__.split('.')[0]} {type(value).__name__}"
-
-
-def _short(text: str) -> str:
-    text = " ".join(text.split())
-    return text if len(text) <= 40 else text[:37] + "..."
-
-
-def _shown(value: object) -> str:
-    return "None" if value is None else f"{_short(repr(value))}, a {type(value).__name__}"
-
-
-class Advice(NamedTuple):
-    """What to call in place of a call that is refused."""
-
-    function: str
-    result: str | None = None
-
-    @property
-    def call(self) -> str:
-        """A function of arrays whose answer is one array."""
-        name = f"standfast.{self.function}"
-        return name if self.result is None else f"lambda *columns: {name}(*columns).{self.result}"
-
-    @property
-    def dtype(self) -> str:
-        """That of its answer."""
-        return "np.uint8" if self.function == "classify" else "float"
-
-    def refuse_lazy(self, value: Any, name: str) -> None:
-        """Refuses what would be loaded whole or lose its labels."""
-        if _is(value, "xarray", "DataArray", "Dataset", "Variable", "DataTree"):
-            lazy = ""
-            if hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None:
-                lazy = f", dask='parallelized', output_dtypes=[{self.dtype}]"
-            kind = "an xarray Dataset; its variables go in one by one" if _is(value, "xarray", "Dataset") else "an xarray object"
-            raise TypeError(
-                f"{name} is {kind}, and dimensions that have names are matched by xarray. "
-                f"Call xarray.apply_ufunc({self.call}, ...{lazy})"
-            )
-        if hasattr(value, "__dask_graph__"):
-            if _is(value, "dask.array", "Array"):
-                how = f"dask.array.map_blocks({self.call}, ..., dtype={self.dtype})"
-            elif _is(value, "dask.dataframe", "DataFrame"):
-                how = f"frame.map_partitions(standfast.{self.function}), with map={{...}} where its columns have other names"
-            elif _is(value, "dask.dataframe", "Series"):
-                how = f"dask.dataframe.map_partitions(standfast.{self.function}, ...), or map_partitions of the frame"
-            else:
-                how = ".compute() first"
-            raise TypeError(f"{name} is a {_called(value)}, which is lazy and would be loaded whole. Call {how}")
-        if _is(value, "polars", "LazyFrame"):
-            raise TypeError(f"{name} is a polars LazyFrame, which holds no values yet. Call .collect()")
-        if _is(value, "polars", "Expr"):
-            raise TypeError(
-                f"{name} is a polars expression, which holds no values. Call "
-                f"frame.with_columns(mode=standfast.classify(frame)), or give columns of the DataFrame"
-            )
-        if _is(value, "pyarrow.dataset", "Dataset"):
-            raise TypeError(
-                f"{name} is a pyarrow Dataset, which holds no values yet. Call .to_table(), or .scanner().to_reader(), which is "
-                "read batch by batch"
-            )
-        if _is(value, "pyarrow.dataset", "Scanner"):
-            raise TypeError(
-                f"{name} is a pyarrow Scanner, which holds no values yet. Call .to_table(), or .to_reader(), which is read batch "
-                "by batch"
-            )
-
-    def refuse_table(self, value: object, name: str) -> NoReturn:
-        """Refuses a table in place of a column."""
-        raise TypeError(
-            f"{name} is a {_called(value)}, a whole table; expected a column of it. standfast.{self.function} takes a table alone, "
-            "with map={...} where its columns have other names"
-        )
 
 
 def _magnitude(quantity: Any, name: str) -> Any:
