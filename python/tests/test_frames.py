@@ -305,6 +305,44 @@ def test_impossible_values_without_answer() -> None:
         standfast.classify(1, 0.4, 0.5, 0.6, on_error="stop")  # type: ignore[call-overload]
 
 
+def test_all_kinds_agree_on_what_is_missing() -> None:
+    """Random points, each operand missing in some: the answer is missing where any is, whoever says so."""
+    random = np.random.default_rng(11)
+    points = reference.points(600, seed=11)
+    gaps = random.random((4, len(points))) < 0.08
+    complete = ~gaps.any(axis=0)
+    plain = dict(zip(NAMES, np.array(points).T.copy()))
+    expected = [reference.mode(*point) if whole else None for point, whole in zip(points, complete)]
+    assert 0.6 < complete.mean() < 0.8 and len(set(expected)) > 5
+    holes = {name: np.where(gap, np.nan, column) for gap, (name, column) in zip(gaps, plain.items())}
+    nulls = {name: [None if hole != hole else hole for hole in column.tolist()] for name, column in holes.items()}
+    masked = {name: np.ma.MaskedArray(column, gap) for gap, (name, column) in zip(gaps, plain.items())}
+    storms, table, frame = pl.DataFrame(nulls), pa.table(nulls), pd.DataFrame(holes, index=random.permutation(600))
+    given: dict[str, tuple[Any, ...]] = {
+        "pandas": (frame,),
+        "columns of pandas": tuple(frame[name] for name in NAMES),
+        "nullable": (frame.convert_dtypes(),),
+        "objects": (pd.DataFrame(nulls, dtype=object),),
+        "Arrow in pandas": (frame.astype("double[pyarrow]"),),
+        "mixed in pandas": (masked["gamma"], frame.k_prime, pd.array(nulls["k"]), frame.mu.astype("Float64")),
+        "polars": (storms,),
+        "columns of polars": tuple(storms),
+        "mixed in polars": (masked["gamma"], storms["k_prime"], masked["k"], storms["mu"]),
+        "pyarrow": (table,),
+        "chunks": tuple(pa.chunked_array([table[name][:250].combine_chunks(), table[name][250:].combine_chunks()]) for name in NAMES),
+        "duckdb": (duckdb.from_arrow(table),),
+        "masked": tuple(masked.values()),
+        "masked of two axes": (masked["gamma"], masked["k_prime"], masked["k"][None], masked["mu"]),
+    }
+    motion = standfast.onset(*(plain[name][complete] for name in NAMES), columns=["slip"]).slip
+    for kind, operands in given.items():
+        found = standfast.classify(*operands, names=True)
+        assert values(found.ravel() if kind == "masked of two axes" else found) == expected, kind
+        slips = standfast.onset(*operands, columns=["mode", "slip"], threads=2)
+        slip = slips.slip.ravel() if "masked" in kind else slips["slip"]
+        assert [value for value in values(slip) if value is not None] == motion.tolist(), kind
+
+
 # Fields
 
 

@@ -369,11 +369,12 @@ def test_arrays_and_what_is_missing() -> None:
         assert a.tolist() == [1, 1, 3] and b.tolist() == 7 and missing is not None and missing.tolist() == [False, True, False]
     # Several columns, some of whose values are missing on their own.
     answer = _inputs.read("f", ("a", "b"), (frame, None)).form.table(
-        {"mode": np.ma.MaskedArray(np.array([0, 1, 2], dtype=np.uint8), [True, False, False]), "word": np.array(["p", "q", "r"])},
+        {"mode": np.ma.MaskedArray(np.array([0, 1, 2], dtype=np.uint8), [True, False, False]), "word": np.array(["p", "q", "r"]), "xi": np.ones(3)},
         np.array([False, True, False]),
         point=standfast.Onset,
         arrays=standfast.OnsetArrays,
     )
+    assert answer.xi.dtype == np.float64 and answer.xi.isna().tolist() == [False, True, False]
     assert answer.index.tolist() == list("xyz") and answer["mode"].isna().tolist() == [True, True, False]
     assert answer.word.isna().tolist() == [False, True, False] and answer.word["x"] == "p"
     for table in (pl.DataFrame(frame.to_dict("list")), pa.table(frame)):
