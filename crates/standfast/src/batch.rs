@@ -181,8 +181,7 @@ impl<'a> OnsetColumns<'a> {
         let (mode, mode_rest) = cut(self.mode, index);
         let (unique, unique_rest) = cut(self.unique, index);
         let (others, others_rest) = cut(self.others, index);
-        let (mut motion, mut motion_rest): ([Option<&mut [f64]>; 9], [Option<&mut [f64]>; 9]) =
-            Default::default();
+        let (mut motion, mut motion_rest) = ([const { None }; 9], [const { None }; 9]);
         for ((column, head), tail) in self.motion.into_iter().zip(&mut motion).zip(&mut motion_rest) {
             (*head, *tail) = cut(column, index);
         }

@@ -48,6 +48,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use crate::approx::Approx;
 use crate::error::{LARGEST, SMALLEST};
 use crate::exact::{Exact, Real};
 use crate::mode::Mode;
@@ -264,11 +265,14 @@ impl Polynomials<f64> {
             Need::Sign => FACTOR * float.scale,
             Need::Value => float.scale / 256.0,
         };
-        if needed(&float).iter().all(|value| value.abs() > floor) {
-            float
-        } else {
-            Polynomials::exact(g, point)
-        }
+        let known = |values: &Polynomials<f64>| needed(values).iter().all(|value| value.abs() > floor);
+        // The scale covers all polynomials; the bound of each alone is closer, and the values are the same.
+        let precise = || {
+            let tracked = Polynomials::<Approx>::about(g, point);
+            let precise = tracked.map(|value| value.precise().unwrap_or(f64::NAN));
+            needed(&precise).iter().all(|value| !value.is_nan())
+        };
+        if known(&float) || need == Need::Value && precise() { float } else { Polynomials::exact(g, point) }
     }
 
     #[cold]
