@@ -48,6 +48,4 @@ def run(
         threads = number
     if on_error not in ("raise", "null"):
         raise ValueError(f"on_error is {on_error!r}; expected 'raise' or 'null'")
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress is {progress!r}; expected a function of how many points are done and how many there are")
     return Run(threads, on_error == "null", progress=progress)
