@@ -23,7 +23,7 @@ from __future__ import annotations
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,9 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
 from ._modes import Mode, Modes
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 _T = TypeVar("_T")
 
@@ -52,15 +55,17 @@ class Fields(tuple[_T, ...]):
     def __init_subclass__(cls) -> None:
         cls._fields = tuple(cls.__annotations__)
 
-    def __new__(cls, values: Mapping[str, _T]) -> Fields[_T]:
+    def __new__(cls, values: Mapping[str, _T]) -> Self:
         self = super().__new__(cls, values.values())
         self.__dict__.update(values, _fields=tuple(values))
         return self
 
-    def __getattr__(self, name: str) -> _T:
-        if name in type(self)._fields:
-            raise AttributeError(f"{name} was not asked for; columns named {', '.join(self._fields)} only")
-        raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self._fields)}")
+    if not TYPE_CHECKING:  # A checker is to refuse names that are no fields.
+
+        def __getattr__(self, name: str) -> NoReturn:
+            if name in type(self)._fields:
+                raise AttributeError(f"{name} was not asked for; columns named {', '.join(self._fields)} only")
+            raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self._fields)}")
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
