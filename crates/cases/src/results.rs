@@ -5,7 +5,7 @@
 //! comes) is [`Nothing`](ResultValue::Nothing), and nothing else is; a number without bound is infinite.
 
 use serde::{Serialize, Serializer};
-use standfast::{Bearing, Departure, Mode, Modes, Response};
+use standfast::{Bearing, Departure, Margins, Mode, Modes, Response};
 
 use crate::assess::{Assessed, checks};
 use crate::list::listed;
@@ -144,6 +144,18 @@ listed! {
         "safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both corners: the whole weight against all water under the base and P",
         |a| factor(&a.outcome.full, a.outcome.gross.overturning()));
 
+    MarginSliding = number("margin_sliding", Some(Dimension::Force),
+        "what friction leaves of the horizontal force, μ(W' − U) − P: negative where the body cannot rest for want of friction, and where it is lifted",
+        |a| ResultValue::Number(margins(a).sliding));
+    MarginOverturning = number("margin_overturning", Some(Dimension::Moment),
+        "the lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and where the body is lifted; with `margin_sliding` not negative, the body can rest",
+        |a| ResultValue::Number(margins(a).overturning()));
+    MarginOverturningHeel = number("margin_overturning_heel", Some(Dimension::Moment), "the same about the heel, W' t − M_U − M_p",
+        |a| ResultValue::Number(margins(a).overturning_about_heel));
+    MarginOverturningToe = number("margin_overturning_toe", Some(Dimension::Moment),
+        "the same about the toe, W'(B_c − t) − U B_c + M_U + M_p",
+        |a| ResultValue::Number(margins(a).overturning_about_toe));
+
     Bearing = word("bearing", &["pressed", "outside-base", "lifted"],
         "whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses",
         |a| ResultValue::Word(match a.outcome.stability.bearing {
@@ -217,6 +229,12 @@ fn departure(departure: &Departure) -> &'static str {
 /// A safety factor; one of a lifted body means nothing.
 fn factor(full: &Response, factor: f64) -> ResultValue {
     if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
+}
+
+/// What the inequalities of rest leave under the full load.
+fn margins(assessed: &Assessed) -> Margins {
+    let situation = &assessed.situation;
+    assessed.outcome.actions.margins(situation.static_friction(), situation.body())
 }
 
 fn pressed(assessed: &Assessed, of: impl Fn(f64, f64, f64) -> f64) -> ResultValue {

@@ -59,7 +59,7 @@ pub use plan::Plan;
 pub use quantity::{Expected, Quantity};
 pub use section::Section;
 pub use situation::{Departure, Outcome, Response, Situation};
-pub use stability::{Bearing, ClassicalActions, GrossOverturning, Stability};
+pub use stability::{Bearing, ClassicalActions, GrossOverturning, Margins, Stability};
 pub use wrench::Wrench;
 
 /// The examples of the README are tests.

@@ -22,6 +22,14 @@
 //! It is 1 where the resultant of all loads passes the corner, as Goda's is; elsewhere it is nearer to 1. P and M_p are those of all
 //! horizontal loads together, water on both sides among them.
 //!
+//! What each inequality of rest leaves, as a number on both sides of it, is its margin; all three together are rest:
+//!
+//! ```text
+//! margin_sliding = μ(W' − U) − P                         ≥ 0
+//! margin_overturning = W' t − M_U − M_p                  ≥ 0, about the heel
+//!                      W'(B_c − t) − U B_c + M_U + M_p   ≥ 0, about the toe
+//! ```
+//!
 //! They say whether the body stays at rest. Which mode begins when it does not, they cannot say.
 
 use crate::body::Body;
@@ -112,6 +120,27 @@ impl Stability {
     }
 }
 
+/// What the inequalities of rest leave: none is negative of a body that can rest, and one is of a body that cannot. Unlike safety
+/// factors they change steadily where a force vanishes, changes its direction or lifts the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Margins {
+    /// μ(W' − U) − P, N per metre run.
+    pub sliding: f64,
+    /// W' t − M_U − M_p, N·m per metre run: the moment about the heel that presses the body on its base. Both moments together are
+    /// (W' − U) B_c, so that of a body that is lifted one is negative.
+    pub overturning_about_heel: f64,
+    /// W'(B_c − t) − U B_c + M_U + M_p, N·m per metre run: the same about the toe.
+    pub overturning_about_toe: f64,
+}
+
+impl Margins {
+    /// The lesser of the moments about both corners.
+    pub fn overturning(&self) -> f64 {
+        self.overturning_about_heel.min(self.overturning_about_toe)
+    }
+}
+
 /// Overturning by gross moments: the whole weight against all pressures of water under the base and the horizontal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrossOverturning {
@@ -188,19 +217,33 @@ impl ClassicalActions {
         }
     }
 
+    /// What resists: W' − U, and the moments of weight and uplift about the heel and about the toe.
+    fn resistance(&self, body: &Body) -> [f64; 3] {
+        let ClassicalActions { buoyant_weight, weight_arm, uplift, uplift_moment, .. } = *self;
+        let pressing = buoyant_weight - uplift;
+        let about_heel = buoyant_weight * weight_arm - uplift_moment;
+        [pressing, about_heel, pressing * body.base_width() - about_heel]
+    }
+
+    /// What the inequalities of rest leave, with friction μ.
+    pub fn margins(&self, friction: f64, body: &Body) -> Margins {
+        let [pressing, about_heel, about_toe] = self.resistance(body);
+        Margins {
+            sliding: friction * pressing - self.force,
+            overturning_about_heel: about_heel - self.force_moment,
+            overturning_about_toe: about_toe + self.force_moment,
+        }
+    }
+
     /// Safety factors with friction μ, and the pressure on the base of `body`.
     pub fn stability(&self, friction: f64, body: &Body) -> Stability {
         let base_width = body.base_width();
-        let ClassicalActions {
-            buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment, ..
-        } = *self;
-        let pressing = buoyant_weight - uplift;
-        let resisting = buoyant_weight * weight_arm - uplift_moment;
-        let about_toe = pressing * base_width - resisting;
-        let resultant_arm = (pressing > 0.0).then(|| (resisting - force_moment) / pressing);
+        let ClassicalActions { force, force_moment, .. } = *self;
+        let [pressing, about_heel, about_toe] = self.resistance(body);
+        let resultant_arm = (pressing > 0.0).then(|| (about_heel - force_moment) / pressing);
         Stability {
             sliding: ratio(friction * pressing, force),
-            overturning_about_heel: ratio(resisting, force_moment),
+            overturning_about_heel: ratio(about_heel, force_moment),
             overturning_about_toe: ratio(about_toe, -force_moment),
             resultant_arm,
             bearing: resultant_arm

@@ -133,6 +133,39 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
     assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
 }
 
+/// Whatever acts, lifted or not: the margins are the moments of all loads about both corners and what friction leaves of the
+/// horizontal force, summed here from the one wrench; and none is negative if and only if rest is a mode of the contact problem.
+#[test]
+fn margins_are_those_of_the_contact_problem() {
+    let mut random = Random(62);
+    let mut seen = [0; 4];
+    for _ in 0..tries(20_000).max(500) {
+        let situation = random_situation(&mut random);
+        let outcome = situation.outcome().unwrap();
+        let (body, Wrench { x, p, m }) = (situation.body(), outcome.full.wrench);
+        let margins = outcome.actions.margins(situation.static_friction(), body);
+        let weight = body.mass() * G;
+        // Counter-clockwise about O, of the loads: the right corner would press more.
+        let turning = m - x * body.centroid_height();
+        let about = [p * body.heel_distance() - turning, p * body.toe_distance() + turning];
+        let [heel, toe] = if outcome.actions.heel == Corner::O { about } else { [about[1], about[0]] };
+        let sliding = situation.static_friction() * p - x.abs();
+        let near = |one: f64, two: f64, size: f64| (one - two).abs() <= 1e-9 * size;
+        let size = weight * body.width();
+        assert!(near(margins.sliding, sliding, weight), "{situation:?}: {margins:?}");
+        assert!(near(margins.overturning_about_heel, heel, size), "{situation:?}: {margins:?}");
+        assert!(near(margins.overturning_about_toe, toe, size), "{situation:?}: {margins:?}");
+        assert_eq!(margins.overturning(), margins.overturning_about_heel.min(margins.overturning_about_toe));
+        let [slides, turns] = [margins.sliding / weight, margins.overturning() / size];
+        if slides.abs() > 1e-9 && turns.abs() > 1e-9 {
+            let rests = slides > 0.0 && turns > 0.0;
+            assert_eq!(outcome.full.modes.contains(Mode::Rest), rests, "{situation:?}: {margins:?}");
+            seen[usize::from(slides > 0.0) + 2 * usize::from(turns > 0.0)] += 1;
+        }
+    }
+    assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
+}
+
 /// By gross moments, summed load by load about each corner: what water does under the base turns, what weighs or is
 /// sucked down resists. The
 /// factor is below 1 just where the reaction would act beside the base.

@@ -1,7 +1,7 @@
 //! The classical checks: actions, safety factors, bearing pressure at both edges of the base.
 
 use standfast::loads::{LoadKind, LoadSource};
-use standfast::{Bearing, ClassicalActions, Corner, Outcome, Plan, Stability, Wrench};
+use standfast::{Bearing, ClassicalActions, Corner, Margins, Outcome, Plan, Stability, Wrench};
 use standfast_cases::assess::{Component, checks};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
@@ -17,6 +17,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, compone
     steps.heading("Classical checks");
     actions(steps, &assessed.outcome.actions, components);
     factors(steps, case, assessed, components);
+    margins(steps, assessed);
     pressure(steps, assessed);
 }
 
@@ -137,6 +138,21 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Co
         met(sliding),
         met(stability.overturning())
     ));
+}
+
+/// What the inequalities of rest leave.
+fn margins(steps: &mut Steps, assessed: &Assessed) {
+    let situation = &assessed.situation;
+    let margins = assessed.outcome.actions.margins(situation.static_friction(), situation.body());
+    let Margins { sliding, overturning_about_heel: heel, overturning_about_toe: toe } = margins;
+    let about = "What friction leaves of the horizontal force; rest needs 0 or more, as of the next two";
+    steps.add(about, "", ["Z_sliding", "μ (W' − U) − P"], sliding, KILONEWTON, "margin_sliding");
+    let about = "Moment that presses the body on its base, about the heel";
+    steps.add(about, "", ["Z_heel", "W' t − M_U − M_p"], heel, MOMENT, "margin_overturning_heel");
+    let formula = ["Z_toe", "W' (B_c − t) − U B_c + M_U + M_p"];
+    steps.add("The same about the toe", "", formula, toe, MOMENT, "margin_overturning_toe");
+    let formula = ["Z_overturning", "min(Z_heel, Z_toe)"];
+    steps.add("The lesser of both", "", formula, margins.overturning(), MOMENT, "margin_overturning");
 }
 
 /// The factor by gross moments, where water presses under the base.
