@@ -10,8 +10,8 @@ use miette::Diagnostic;
 use standfast_cases::layout::paragraph;
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
-    CaseTable, Input, ResultColumn, Summary, TableError, TableFormat, TableOptions, TableProblem, Varied,
-    VariedColumn, answer,
+    CaseTable, Face, Input, ResultColumn, Summary, TableError, TableFormat, TableOptions, TableProblem,
+    Varied, VariedColumn, answer,
 };
 use thiserror::Error;
 
@@ -67,7 +67,8 @@ pub fn case(path: &Path, names: &[String]) -> Result<CaseTable, BatchCommandErro
 }
 
 fn no_result(name: &str, all: impl Iterator<Item = &'static str>) -> TableError {
-    TableError::NoSuchResult { column: name.to_owned(), results: all.collect() }
+    let option = Face::Program.columns();
+    TableError::NoSuchResult { option, column: name.to_owned(), results: all.collect() }
 }
 
 /// What is said of a table that was answered: nothing, unless there is something.

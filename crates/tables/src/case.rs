@@ -10,7 +10,7 @@ use standfast_cases::{CaseError, CaseFile, Key};
 
 use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
 use crate::task::{Fault, Faults, Wrong};
-use crate::{TableError, TableOptions};
+use crate::{Face, TableError, TableOptions};
 
 /// The case that the rows of a table vary, and what is computed of them.
 #[derive(Debug, Clone)]
@@ -76,18 +76,23 @@ impl TableWarning {
             TableWarning::ColumnLikeKey { .. } => "column-like-key",
         }
     }
+
+    /// What it says to who called by this face.
+    pub fn words(&self, face: Face) -> String {
+        match self {
+            TableWarning::ColumnLikeKey { column, key } => {
+                format!(
+                    "column {column} varies nothing; if it is meant to vary {key}, say {}",
+                    face.map(key, column)
+                )
+            }
+        }
+    }
 }
 
 impl fmt::Display for TableWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            TableWarning::ColumnLikeKey { column, key } => {
-                write!(
-                    f,
-                    "column {column} varies nothing; if it is meant to vary {key}, say --map \"{key}={column}\""
-                )
-            }
-        }
+        f.write_str(&self.words(Face::Program))
     }
 }
 
@@ -125,7 +130,7 @@ impl CaseRows {
         });
         let of_columns: Vec<_> = of_columns.collect();
         let sweep = Sweep::of(&case.file, factors).map_err(TableError::Case)?;
-        let results = asked(&sweep, case)?;
+        let results = asked(&sweep, case, options.face)?;
         let warnings = warnings(&case.file, found, &places);
         let varied = Varied { columns: of_columns, notes: sweep.notes(), warnings };
         let situations = sweep.situations().into();
@@ -134,6 +139,12 @@ impl CaseRows {
 
     pub(crate) fn varied(&self) -> Varied {
         self.varied.clone()
+    }
+
+    /// How many situations a row has.
+    #[cfg(feature = "memory")]
+    pub(crate) fn situations(&self) -> usize {
+        self.situations.len()
     }
 
     /// The columns of the results.
@@ -162,7 +173,7 @@ impl CaseRows {
     }
 
     /// The value that a number in a column stands for.
-    #[cfg(feature = "columnar")]
+    #[cfg(feature = "memory")]
     pub(crate) fn value(&self, place: usize, number: f64) -> f64 {
         self.sweep.factors()[place].value(number)
     }
@@ -226,15 +237,16 @@ fn push(values: &mut Values, value: ResultValue) {
 }
 
 /// The results asked for, or all that the case has.
-fn asked(sweep: &Sweep, case: &CaseTable) -> Result<Vec<SweepResult>, TableError> {
+fn asked(sweep: &Sweep, case: &CaseTable, face: Face) -> Result<Vec<SweepResult>, TableError> {
     let all = sweep.results();
     for (i, result) in case.results.iter().enumerate() {
         if !all.contains(result) {
             let results = all.iter().map(|result| result.name()).collect();
-            return Err(TableError::NoSuchResult { column: result.name().to_owned(), results });
+            let option = face.columns();
+            return Err(TableError::NoSuchResult { option, column: result.name().to_owned(), results });
         }
         if case.results[..i].contains(result) {
-            return Err(TableError::ResultTwice { column: result.name() });
+            return Err(TableError::ResultTwice { option: face.columns(), column: result.name() });
         }
     }
     Ok(if case.results.is_empty() { all } else { case.results.clone() })
@@ -258,6 +270,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    fn face(&self) -> Face {
+        self.options.face
+    }
+
     /// The columns that vary the case, by their places, and what they vary.
     fn columns(&self) -> Result<Vec<(usize, Factor)>, TableError> {
         self.check_map()?;
@@ -290,9 +306,12 @@ impl Search<'_> {
         let near = warnings(&self.case.file, self.found, &[]).into_iter().next();
         let keys = keys(&self.case.file).join(", ");
         let meant = near.map_or_else(
-            || "a column varies the number whose key it is called by, or say --map KEY=COLUMN".to_owned(),
+            || {
+                let said = self.face().map("KEY", "COLUMN");
+                format!("a column varies the number whose key it is called by, or say {said}")
+            },
             |TableWarning::ColumnLikeKey { column, key }| {
-                format!("did you mean `{key}`? then say --map \"{key}={column}\"")
+                format!("did you mean `{key}`? then say {}", self.face().map(&key, &column))
             },
         );
         format!("{meant}; the numbers of the case are {keys}")
@@ -336,12 +355,15 @@ impl Search<'_> {
                         column: mapping.theirs.clone(),
                         found: self.found.join(", "),
                         help: nearest.map_or_else(
-                            || format!("--map {}=… names a column of the table", mapping.ours),
-                            |nearest| {
+                            || {
                                 format!(
-                                    "did you mean `{nearest}`? then say --map \"{}={nearest}\"",
-                                    mapping.ours
+                                    "{} is to name a column of the table",
+                                    self.face().map(&mapping.ours, "…")
                                 )
+                            },
+                            |nearest| {
+                                let said = self.face().map(&mapping.ours, nearest);
+                                format!("did you mean `{nearest}`? then say {said}")
                             },
                         ),
                     });

@@ -66,7 +66,9 @@ impl TableOptions {
                     };
                     let help = meant.map_or_else(
                         || format!("the columns needed are {}, in any order", self.problem.needed()),
-                        |found| format!("did you mean `{found}`? then say --map \"{}={found}\"", column.name),
+                        |found| {
+                            format!("did you mean `{found}`? then say {}", self.face.map(column.name, found))
+                        },
                     );
                     let column = wanted.to_owned();
                     Err(TableError::MissingColumn { name: name(), column, found: found.join(", "), help })
@@ -82,10 +84,11 @@ impl TableOptions {
         for (i, column) in self.columns.iter().enumerate() {
             if !all.contains(column) {
                 let results = all.iter().map(|column| column.name()).collect();
-                return Err(TableError::NoSuchResult { column: column.name().to_owned(), results });
+                let option = self.face.columns();
+                return Err(TableError::NoSuchResult { option, column: column.name().to_owned(), results });
             }
             if self.columns[..i].contains(column) {
-                return Err(TableError::ResultTwice { column: column.name() });
+                return Err(TableError::ResultTwice { option: self.face.columns(), column: column.name() });
             }
         }
         Ok(if self.columns.is_empty() { all.to_vec() } else { self.columns.clone() })

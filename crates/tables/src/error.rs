@@ -119,17 +119,21 @@ pub enum TableError {
         key: String,
     },
     /// `--columns` names a result that the problem does not have.
-    #[error("--columns {column}: there is no such result here")]
+    #[error("{option} {column}: there is no such result here")]
     #[diagnostic(help("{}", meant_result(column, results)))]
     NoSuchResult {
+        /// The option that names it.
+        option: &'static str,
         /// The column.
         column: String,
         /// Those there are.
         results: Vec<&'static str>,
     },
     /// `--columns` names a result twice.
-    #[error("--columns names {column} twice")]
+    #[error("{option} names {column} twice")]
     ResultTwice {
+        /// The option that names it.
+        option: &'static str,
         /// The column.
         column: &'static str,
     },
@@ -259,6 +263,9 @@ pub enum TableError {
         /// What the library for the format says.
         cause: String,
     },
+    /// Whoever is told of the progress asked for it.
+    #[error("stopped")]
+    Stopped,
     /// The result cannot be written.
     #[error("cannot write the result: {0}")]
     Write(io::Error),

@@ -3,11 +3,12 @@
 //! The table is read piece by piece, the pieces are answered on all cores, and written in order: a table of any length
 //! needs the memory of a few pieces, and the result does not depend on the number of threads. Rows are points, or cases: those of a
 //! case file with other numbers. CSV always; Parquet, Arrow IPC files and streams with the feature `columnar`, Excel workbooks
-//! with `xlsx`.
+//! with `xlsx`; record batches in memory with `memory`.
 //!
 //! | question | start at |
 //! |---|---|
 //! | How is a table answered? | [`run`], or [`answer()`] for files and progress |
+//! | How is one in memory answered? | `MemoryTable`, with the feature `memory` |
 //! | Which columns does it need, which can be computed? | [`TableProblem`], [`ResultColumn`]; of cases [`CaseTable`] |
 //! | How is a file's format told? | [`TableFormat`] |
 //! | What can be wrong with it? | [`TableError`] |
@@ -38,6 +39,8 @@ mod engine;
 mod error;
 mod format;
 mod guard;
+#[cfg(feature = "memory")]
+mod memory;
 mod pieces;
 mod pipeline;
 mod problem;
@@ -51,8 +54,12 @@ pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};
 pub use format::TableFormat;
 pub use guard::silence_caught_panics;
+#[cfg(feature = "memory")]
+pub use memory::{MemoryAnswer, MemoryTable};
 pub use pieces::Input;
 pub use problem::{ResultColumn, TableProblem};
+#[cfg(feature = "memory")]
+pub use results::{NO_NAME, NO_WORD, Values};
 
 use std::io::{Read, Write};
 use std::sync::Arc;
@@ -68,6 +75,11 @@ pub trait Progress: Sync {
     fn advance(&self, rows: u64, units: u64) {
         let _ = (rows, units);
     }
+
+    /// Whether a run in memory is to stop.
+    fn is_stopped(&self) -> bool {
+        false
+    }
 }
 
 impl Progress for () {}
@@ -81,6 +93,35 @@ pub enum OnError {
     Stop,
     /// Leave its results empty and go on; a row of the wrong length is filled up or cut to that of the header
     Null,
+}
+
+/// Where the options of a run come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Face {
+    /// A program's command line: `--map mu=friction`, `--columns mode`.
+    #[default]
+    Program,
+    /// A call in Python: `map={"mu": "friction"}`, `columns=["mode"]`.
+    Python,
+}
+
+impl Face {
+    /// How one says that our column is called so in the table.
+    pub(crate) fn map(self, ours: &str, theirs: &str) -> String {
+        match self {
+            Face::Program => format!("--map \"{ours}={theirs}\""),
+            Face::Python => format!("map={{\"{ours}\": \"{theirs}\"}}"),
+        }
+    }
+
+    /// The option that chooses results.
+    pub fn columns(self) -> &'static str {
+        match self {
+            Face::Program => "--columns",
+            Face::Python => "columns",
+        }
+    }
 }
 
 /// How to process a table.
@@ -104,6 +145,8 @@ pub struct TableOptions {
     pub columns: Vec<ResultColumn>,
     /// What to do with a row that makes no sense.
     pub on_error: OnError,
+    /// Where the options come from, and so what errors call them.
+    pub face: Face,
     /// How many threads work; the result is the same for any number.
     pub threads: usize,
     /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
@@ -126,6 +169,7 @@ impl TableOptions {
             map: Vec::new(),
             columns: Vec::new(),
             on_error: OnError::Stop,
+            face: Face::Program,
             threads: 1,
             known_modes: None,
         }

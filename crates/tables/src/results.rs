@@ -10,13 +10,13 @@ pub(crate) struct ResultField {
     pub(crate) name: &'static str,
     pub(crate) kind: FieldKind,
     /// The unit of its numbers, and what it is; said where a format has room for it.
-    #[cfg_attr(not(feature = "columnar"), expect(dead_code, reason = "CSV has no room for it"))]
+    #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
     pub(crate) said: Option<Said>,
 }
 
 /// What is said of a column where a format has room for it.
 #[derive(Debug, Clone, Copy)]
-#[cfg_attr(not(feature = "columnar"), expect(dead_code, reason = "CSV has no room for it"))]
+#[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
 pub(crate) struct Said {
     /// `None` for what has no unit.
     pub(crate) unit: Option<&'static str>,
@@ -52,18 +52,26 @@ pub(crate) const SYMBOLS: [&str; Mode::ALL.len()] = {
 };
 
 /// The code of a row without word.
-pub(crate) const NO_WORD: u8 = u8::MAX;
+pub const NO_WORD: u8 = u8::MAX;
 
 /// The place of a row without name.
-pub(crate) const NO_NAME: u32 = u32::MAX;
+pub const NO_NAME: u32 = u32::MAX;
 
-/// A column of results. A row that has none holds `NO_WORD`, `NO_NAME`, `None` or NaN.
-pub(crate) enum Values {
+/// A column of results. A row that has none holds [`NO_WORD`], [`NO_NAME`], `None` or NaN.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Values {
+    /// Of these words, by their places.
     Word(&'static [&'static str], Vec<u8>),
+    /// Of these names, by their places.
     Name(Arc<[String]>, Vec<u32>),
+    /// Sets of modes.
     Modes(Vec<Option<Modes>>),
+    /// true or false.
     Flag(Vec<Option<bool>>),
+    /// Numbers.
     Number(Vec<f64>),
+    /// What is wrong with a row.
     Problem(Vec<Option<String>>),
 }
 
@@ -76,6 +84,20 @@ impl Values {
             FieldKind::Flag => Values::Flag(Vec::with_capacity(rows)),
             FieldKind::Number => Values::Number(Vec::with_capacity(rows)),
             FieldKind::Problem => Values::Problem(vec![None; rows]),
+        }
+    }
+
+    /// Appends results of the same kind.
+    #[cfg(feature = "memory")]
+    pub(crate) fn append(&mut self, more: Values) {
+        match (self, more) {
+            (Values::Word(_, codes), Values::Word(_, more)) => codes.extend(more),
+            (Values::Name(_, places), Values::Name(_, more)) => places.extend(more),
+            (Values::Modes(sets), Values::Modes(more)) => sets.extend(more),
+            (Values::Flag(flags), Values::Flag(more)) => flags.extend(more),
+            (Values::Number(numbers), Values::Number(more)) => numbers.extend(more),
+            (Values::Problem(problems), Values::Problem(more)) => problems.extend(more),
+            _ => unreachable!("a column of results keeps its kind"),
         }
     }
 

@@ -17,6 +17,8 @@ pub(crate) struct Task {
     pub(crate) fields: Vec<ResultField>,
     /// Whether the last of them says what is wrong with rows.
     says_problems: bool,
+    /// Whether everything that is wrong with rows is kept.
+    keeps_faults: bool,
 }
 
 #[derive(Debug)]
@@ -83,6 +85,19 @@ impl Task {
     /// # Errors
     /// If the table lacks columns or has a result already, or the options name a result that there is not, or one twice.
     pub(crate) fn of(options: &TableOptions, found: &[String]) -> Result<(Task, Vec<usize>), TableError> {
+        let (task, places) = Task::apart(options, found)?;
+        let exists = task.fields.iter().find(|field| found.iter().any(|column| column == field.name));
+        if let Some(field) = exists {
+            return Err(TableError::ResultExists { name: options.name.clone(), column: field.name });
+        }
+        Ok((task, places))
+    }
+
+    /// The same for results that stand apart from the table.
+    ///
+    /// # Errors
+    /// As [`of`](Task::of), but for a result that the table has.
+    pub(crate) fn apart(options: &TableOptions, found: &[String]) -> Result<(Task, Vec<usize>), TableError> {
         let (rows, mut fields, places) = match &options.case {
             None => {
                 let results = options.results()?;
@@ -105,11 +120,22 @@ impl Task {
         if says_problems {
             fields.push(ResultField::PROBLEM);
         }
-        let exists = fields.iter().find(|field| found.iter().any(|column| column == field.name));
-        if let Some(field) = exists {
-            return Err(TableError::ResultExists { name: options.name.clone(), column: field.name });
+        Ok((Task { rows, fields, says_problems, keeps_faults: says_problems }, places))
+    }
+
+    /// The same, keeping everything that is wrong with rows.
+    #[cfg(feature = "memory")]
+    pub(crate) fn keeping_faults(self) -> Task {
+        Task { keeps_faults: true, ..self }
+    }
+
+    /// How many situations a row has.
+    #[cfg(feature = "memory")]
+    pub(crate) fn situations(&self) -> usize {
+        match &self.rows {
+            Rows::Points(_) => 1,
+            Rows::Case(rows) => rows.situations().max(1),
         }
-        Ok((Task { rows, fields, says_problems }, places))
     }
 
     /// What is said of the columns of a case.
@@ -133,7 +159,7 @@ impl Task {
 
     /// What is wrong with rows, none yet.
     pub(crate) fn faults(&self) -> Faults {
-        Faults { all: self.says_problems.then(Vec::new), ..Faults::default() }
+        Faults { all: self.keeps_faults.then(Vec::new), ..Faults::default() }
     }
 
     /// The value that a text in the column at a place of the problem's says, or what is wrong with it beside the text.
@@ -147,7 +173,7 @@ impl Task {
     }
 
     /// The value that a number in the column at a place of the problem's stands for.
-    #[cfg(feature = "columnar")]
+    #[cfg(feature = "memory")]
     pub(crate) fn value(&self, place: usize, number: f64) -> f64 {
         match &self.rows {
             Rows::Points(_) => number,

@@ -1,6 +1,5 @@
 //! Tables as columns: Parquet files, Arrow IPC files and streams, and text that comes from them or becomes them.
 
-mod arrays;
 mod csv;
 mod ipc;
 mod parquet;
@@ -19,6 +18,7 @@ use std::sync::{Arc, PoisonError};
 use arrow_array::{ArrayRef, RecordBatch};
 
 use crate::guard::guarded;
+use crate::memory::inputs::{Inputs, Numbers};
 use crate::pieces::{Done, Input, answer_pieces};
 use crate::results::{SYMBOLS, Values};
 use crate::text::{self as rows, Header};
@@ -27,7 +27,6 @@ use csv::write_batch;
 use parquet::{self as pq, Encoder, Group, Part};
 use sink::{Output, Remembering, Sink, Writing};
 use source::{Piece, Reading, Source};
-use table::{Inputs, Numbers};
 
 /// Answers a whole table.
 pub(crate) fn answer<W: Write + Send>(

@@ -9,7 +9,7 @@ use arrow_schema::SchemaRef;
 
 use super::ipc::{ArrowFile, Batches};
 use super::parquet::{self as pq, Part};
-use super::table::Inputs;
+use crate::memory::inputs::Inputs;
 use crate::pieces::Input;
 use crate::task::Task;
 use crate::text::{self as rows, Header, Text};
