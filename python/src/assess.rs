@@ -1,4 +1,4 @@
-//! A case assessed: the program's answer as text, JSON and figures.
+//! A case assessed: the program's answer as text, JSON and figures, each made when it is asked for.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -9,25 +9,41 @@ use crate::invalid;
 /// Words, suffix and SVG of a figure.
 type Figure = (String, String, String);
 
-/// The answer to the case file `text` as text, as JSON, and its figures; `name` is what errors call the case.
+/// The answer to a case.
+#[pyclass(frozen, module = "standfast._standfast")]
+pub(crate) struct CaseAnswer {
+    assessment: Assessment,
+    view: View,
+}
+
+#[pymethods]
+impl CaseAnswer {
+    /// For reading.
+    fn text(&self, py: Python<'_>) -> String {
+        py.detach(|| self.assessment.text(&self.view))
+    }
+
+    /// As one JSON document.
+    fn json(&self, py: Python<'_>) -> String {
+        py.detach(|| self.assessment.json(&self.view, &[]))
+    }
+
+    /// The figures.
+    fn figures(&self, py: Python<'_>) -> PyResult<Vec<Figure>> {
+        let figures = py.detach(|| self.assessment.figures(&self.view));
+        let figures = figures.map_err(|error| invalid(error, &[]))?.into_iter();
+        Ok(figures.map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned())).collect())
+    }
+}
+
+/// The answer to the case file `text`; `name` is what errors call the case.
 #[pyfunction]
-pub(crate) fn assess(
-    py: Python<'_>,
-    name: &str,
-    text: &str,
-    up_to: f64,
-    all: bool,
-) -> PyResult<(String, String, Vec<Figure>)> {
+pub(crate) fn assess(py: Python<'_>, name: &str, text: &str, up_to: f64, all: bool) -> PyResult<CaseAnswer> {
     py.detach(|| {
-        let answered = CaseFile::parse(name, text)
-            .and_then(|file| Assessment::of(&file.case()?).map_err(|error| file.refused(error)));
+        let file = CaseFile::parse(name, text);
+        let answered =
+            file.and_then(|file| Assessment::owning(file.case()?).map_err(|error| file.refused(error)));
         let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
-        let view = View { up_to, all };
-        let figures = assessment.figures(&view).map_err(|error| invalid(error, &[]))?;
-        let figures = figures
-            .into_iter()
-            .map(|figure| (figure.words, figure.suffix, figure.figure.svg().to_owned()))
-            .collect();
-        Ok((assessment.text(&view), assessment.json(&view, &[]), figures))
+        Ok(CaseAnswer { assessment, view: View { up_to, all } })
     })
 }

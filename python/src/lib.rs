@@ -10,6 +10,7 @@ mod ndarray;
 mod numbers;
 mod onset;
 mod run;
+mod table;
 
 use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
@@ -41,7 +42,7 @@ mod _standfast {
     #[pymodule_export]
     use super::arrow_out::{ArrowArray, ArrowTable};
     #[pymodule_export]
-    use super::assess::assess;
+    use super::assess::{CaseAnswer, assess};
     #[pymodule_export]
     use super::diagram::{diagram_outlines, diagram_svg};
     #[pymodule_export]
@@ -53,4 +54,6 @@ mod _standfast {
     use super::ndarray::{classify, onset};
     #[pymodule_export]
     use super::numbers::{closest, make_array, make_table, read_column, read_table, refuse_column};
+    #[pymodule_export]
+    use super::table::Sweep;
 }

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import copy
+import gc
 import json
 import math
 import pickle
+import types
+import typing
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import standfast
-from standfast import Answer, Assessment, Mode, Modes
+from standfast import Answer, Criterion, Mode, Modes, Situation
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
@@ -31,6 +34,7 @@ def test_every_example(path: Path) -> None:
     document = found.to_dict()
     assert json.loads(json.dumps(document)) == document
     assert document["title"] in str(found) and document["title"] in repr(found)
+    assert found.figures is found.figures and str(found) is str(found) and found.situations is found.situations
     assert found.figures and all(figure.svg.startswith("<svg") for figure in found.figures)
     assert found._repr_svg_() == found.figures[0].svg
     for other in (pickle.loads(pickle.dumps(found)), copy.copy(found), copy.deepcopy(found)):
@@ -91,8 +95,8 @@ def test_modes_in_attributes() -> None:
     # No consistent mode.
     document = json.loads(found.to_json())
     document["situations"][0].update(mode=None, motion=None)
-    torn = Assessment(json.dumps(document), "", [])
-    assert torn.mode is None and torn.motion is None and repr(torn) == "<Assessment of a case: none>"
+    torn = Situation(document["situations"][0])
+    assert torn.mode is None and torn.motion is None
 
 
 def test_alternative_loads() -> None:
@@ -188,3 +192,74 @@ def test_a_file_that_is_not_text(tmp_path: Path) -> None:
     path.write_bytes(b"title = 'x'\nnote = '\xff'\n")
     with pytest.raises(ValueError, match="is not UTF-8 text: line 2"):
         standfast.assess(path)
+
+
+def test_nothing_is_made_before_it_is_asked_for() -> None:
+    """A handle alone: a thousand of the caisson with its waves hold little, where text, document and figures hold 160 kB each."""
+    psutil = pytest.importorskip("psutil")
+    process = psutil.Process()
+    path = ROOT / "examples/goda-2000.toml"
+    kept = [standfast.assess(path) for _ in range(200)]
+    gc.collect()
+    before = process.memory_info().rss
+    kept += [standfast.assess(path) for _ in range(2000)]
+    gc.collect()
+    assert (process.memory_info().rss - before) / 2000 < 40_000
+    assert all(not {"_text", "_document", "figures", "situations"} & vars(found).keys() for found in kept)
+    assert len(pickle.dumps(kept[0])) < 6000
+    loaded = pickle.loads(pickle.dumps(kept[0]))
+    assert loaded.governing.SF_sliding == kept[0].governing.SF_sliding and loaded == kept[0]
+
+
+def plain(kind: Any) -> set[Any]:
+    """The classes that a type is made of."""
+    if typing.get_origin(kind) in (typing.Union, types.UnionType, list, dict):
+        return {part for argument in typing.get_args(kind) for part in plain(argument)}
+    return {type(word) for word in typing.get_args(kind)} if typing.get_origin(kind) is typing.Literal else {kind}
+
+
+def test_every_attribute_has_a_type_and_words() -> None:
+    found = standfast.assess(ROOT / "examples/eccentric-caisson.toml")
+    for kind in [getattr(standfast.answers, name) for name in standfast.answers.__all__]:
+        for name, attribute in vars(kind).items():
+            if isinstance(attribute, property):
+                assert attribute.__doc__ and attribute.__doc__.endswith("."), (kind, name)
+                types = plain(typing.get_type_hints(attribute.fget)["return"])
+                assert types and Any not in types and object not in types, (kind, name)
+    # As they say, over all examples.
+    for path in EXAMPLES + sorted(ODD.glob("*.toml")):
+        answers: list[Any] = [found := standfast.assess(path), *found.situations]
+        for answer in answers:
+            for name in {*dir(type(answer))} - {"figures", "situations", "governing"}:
+                attribute = getattr(type(answer), name)
+                if name.startswith("_") or not isinstance(attribute, property) or name not in dir(answer):
+                    continue
+                value = getattr(answer, name)
+                hint = typing.get_type_hints(attribute.fget)["return"]
+                allowed = tuple(float if part is float else part for part in plain(hint))
+                assert isinstance(value, (*allowed, *((int,) if float in allowed else ()), *((list,) if "list" in str(hint) else ()), *((dict,) if "dict" in str(hint) else ()))), (path, name, value)
+                answers += [value] if isinstance(value, Answer) else [part for part in value if isinstance(part, Answer)] if isinstance(value, list) else []
+    assert "Safety factor against sliding" in (Situation.SF_sliding.__doc__ or "")
+    assert isinstance(found.situations[0], Situation)
+    assert isinstance(standfast.assess(ROOT / "examples/quay.toml").criteria[0], Criterion)
+
+
+def test_keys_do_not_depend_on_the_kind_of_case() -> None:
+    keys: dict[str, set[tuple[str, ...]]] = {}
+
+    def look(name: str, part: Any) -> None:
+        # N/m, never kN/m; what a user wrote and warnings are for reading.
+        assert not isinstance(part, str) or "kN" not in part or name in ("title", "note", "message"), (name, part)
+        if isinstance(part, dict) and name != "factors":
+            keys.setdefault(name, set()).add(tuple(part))
+            for key, value in part.items():
+                look(key, value)
+        elif isinstance(part, list):
+            for value in part:
+                look(name, value)
+
+    for path in EXAMPLES + sorted(ODD.glob("*.toml")):
+        look("document", standfast.assess(path).to_dict())
+    assert {"situations", "wave", "report", "earthquake", "combination", "criteria"} < keys.keys()
+    # A motion is that of a situation, in SI units, or of its point; both have the same keys.
+    assert {name: len(found) for name, found in keys.items()} == dict.fromkeys(keys, 1)

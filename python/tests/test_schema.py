@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import importlib.util
 import json
 import subprocess
 from collections.abc import Iterator
@@ -232,3 +233,15 @@ def test_schemas_are_closed_and_say_what_everything_is() -> None:
                 assert closed or part is SCHEMAS["answer.schema.json"]["$defs"]["point"], name
                 for key, value in part["properties"].items():
                     assert value.get("description") or "$ref" in value, (name, key)
+
+
+def test_the_classes_of_answers_are_those_of_the_schema() -> None:
+    place = importlib.util.spec_from_file_location("make_answers", ROOT / "python/make_answers.py")
+    assert place and place.loader
+    make_answers = importlib.util.module_from_spec(place)
+    place.loader.exec_module(make_answers)
+    assert make_answers.FILE.read_text(encoding="utf-8") == make_answers.made(), "run: python python/make_answers.py"
+    for name, definition in SCHEMAS["answer.schema.json"]["$defs"].items():
+        if "properties" in definition:
+            known = vars(getattr(standfast.answers, make_answers.class_name(name)))
+            assert {key if key not in ("from", "lambda") else f"{key}_" for key in definition["properties"]} <= known.keys()

@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
-import copy
 import functools
 import json
-import keyword
 import math
 import os
-from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from . import _standfast
-from ._modes import Mode, Modes
-
-#: The keys under which a text is the symbol of a mode.
-_MODES_AT = ("mode", "departure_mode", "from", "to")
-_BY_SYMBOL = {mode.symbol: mode for mode in Mode}
-
-#: The keys of what a user wrote, which may be any word.
-_WRITTEN = ("title", "note", "name")
+from ._answer import parts, with_infinity
+from .answers import Document, OnlySituation, Situation
 
 #: How many modes a representation lists.
 _SHOWN = 8
@@ -39,116 +31,74 @@ class Figure(NamedTuple):
         return self.svg
 
 
-def _attribute(key: str) -> str:
-    """The attribute for a key: the key itself, or with an underscore where it is a word of Python's."""
-    return f"{key}_" if keyword.iskeyword(key) else key
-
-
-class Answer(Mapping[str, Any]):
-    """A part of an :class:`Assessment`: its JSON object, with the keys as attributes too.
-
-    Items are as in the JSON document, but for numbers without bound, which are ``math.inf``; ``None`` says that there is
-    no such thing. Attributes are the same, with modes as :class:`Mode`, ``also`` as :class:`Modes`, and objects as
-    :class:`Answer`. Where a key is a word of Python's, the attribute ends in an underscore: ``lambda_``, ``from_``.
-    """
-
-    _what = "this answer"
-
-    def __init__(self, document: dict[str, Any]) -> None:
-        self._document = document
-
-    def __getitem__(self, key: str) -> Any:
-        return self._document[key]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._document)
-
-    def __len__(self) -> int:
-        return len(self._document)
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        for key in self:
-            if _attribute(key) == name:
-                return _value_of(key, self[key])
-        names = ", ".join(_attribute(key) for key in self)
-        raise AttributeError(f"{self._what} has no {name!r}; it has {names}", name=name, obj=self)
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *(_attribute(key) for key in self)})
-
-    def to_dict(self) -> dict[str, Any]:
-        """The answer as plain dicts, lists, strings and numbers."""
-        return copy.deepcopy(self._document)
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({self._document!r})"
-
-
-def _value_of(key: str, value: Any) -> Any:
-    """The value of an attribute."""
-    if isinstance(value, dict):
-        return Answer(value)
-    if isinstance(value, list) and key == "also":
-        return Modes.of(*(_BY_SYMBOL[symbol] for symbol in value))
-    if isinstance(value, list):
-        return [Answer(part) if isinstance(part, dict) else part for part in value]
-    if isinstance(value, str) and key in _MODES_AT:
-        return _BY_SYMBOL[value]
-    return value
-
-
-class Assessment(Answer):
+class Assessment(Document, OnlySituation):
     """The answer to a case: the program's, as text, figures and numbers.
 
     ``print`` shows the text. The keys of the JSON document, which ``docs/answer.schema.json`` describes, are attributes. The
     answer to each combination of a case, or to each of its forces that act alone, is one of :attr:`situations`; where there is
     only one, its keys are attributes of the assessment as well: ``mode``, ``departure``, ``load_factor``, ``SF_sliding``,
     ``k_eff``, ... ``met`` says whether all ``criteria`` of the case are met; it is ``None`` where the case has none.
+
+    Text, figures and the document are made when they are first asked for. A pickle holds the case, which is answered anew where it
+    is loaded.
     """
 
     _what = "this assessment"
 
-    def __init__(self, document: str, text: str, figures: list[Figure]) -> None:
-        super().__init__(json.loads(document, object_hook=_with_infinity))
-        self._json = document
-        self._text = text
-        #: The figures of the case. The item ``"figures"`` names the files of the program's, and is empty here.
-        self.figures = figures
+    def __init__(self, name: str, text: str, up_to: float, all: bool) -> None:
+        self._case = (name, text, up_to, all)
+        self._answer = _standfast.assess(name, text, up_to, all)
 
     @functools.cached_property
-    def situations(self) -> list[Answer]:
+    def _document(self) -> dict[str, Any]:  # type: ignore[override]
+        document: dict[str, Any] = json.loads(self._answer.json(), object_hook=with_infinity)
+        return document
+
+    @functools.cached_property
+    def figures(self) -> list[Figure]:
+        """The figures of the case. The item ``"figures"`` names the files of the program's, and is empty here."""
+        return [Figure(words, svg) for words, _, svg in self._answer.figures()]
+
+    @functools.cached_property
+    def situations(self) -> list[Situation]:
         """The answers to the combinations of the case, or to its forces that act alone; else one, to all loads."""
-        return [Answer(situation) for situation in self["situations"]]
+        return parts(Situation, self["situations"])
 
     @property
-    def governing(self) -> Answer:
+    def governing(self) -> Situation:
         """The worst situation; the item ``"governing"`` is its place among :attr:`situations`."""
         place: int = self["governing"]
         return self.situations[place]
 
-    def __getattr__(self, name: str) -> Any:
-        situations = self["situations"] if "_document" in self.__dict__ and not name.startswith("_") else []
-        own = name in ("criteria", "met")
-        if situations and not own and any(_attribute(key) == name for key in situations[0]):
-            if len(situations) == 1:
-                return getattr(self.situations[0], name)
-            raise AttributeError(
-                f"the case has {len(situations)} situations; see situations[0].{name} and so on, or governing.{name}, that of "
-                "the worst one",
-                name=name,
-                obj=self,
-            )
-        return super().__getattr__(name)
+    def _only(self) -> Situation:
+        if len(self.situations) > 1:
+            raise AttributeError
+        return self.situations[0]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            # What a property of the only situation could not give comes here too.
+            if hasattr(OnlySituation, name) and not name.startswith("_"):
+                raise AttributeError(
+                    f"the case has {len(self.situations)} situations; see situations[0].{name} and so on, or governing.{name}, "
+                    "that of the worst one",
+                    name=name,
+                    obj=self,
+                )
+            return super().__getattr__(name)
 
     def __dir__(self) -> list[str]:
-        own = super().__dir__()
-        return sorted({*own, *dir(self.situations[0])}) if len(self.situations) == 1 else own
+        own = set(super().__dir__())
+        return sorted(own if len(self.situations) == 1 else own - vars(OnlySituation).keys())
 
     def to_json(self) -> str:
         """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
-        return self._json
+        return self._answer.json()
+
+    @functools.cached_property
+    def _text(self) -> str:
+        return self._answer.text()
 
     def __str__(self) -> str:
         return self._text
@@ -163,16 +113,11 @@ class Assessment(Answer):
     def _repr_svg_(self) -> str | None:
         return self.figures[0].svg if self.figures else None
 
-    def __reduce__(self) -> Any:
-        return Assessment, (self._json, self._text, self.figures)
+    def __reduce__(self) -> tuple[type[Assessment], tuple[str, str, float, bool]]:
+        return Assessment, self._case
 
 
-def _with_infinity(part: dict[str, Any]) -> dict[str, Any]:
-    """A JSON object with numbers without bound as such."""
-    return {key: math.inf if value == "infinite" and key not in _WRITTEN else value for key, value in part.items()}
-
-
-def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2.0, all: bool = False) -> Assessment:
+def assess(case: str | os.PathLike[str] | Mapping[str, object], *, up_to: float = 2.0, all: bool = False) -> Assessment:
     """Assesses a body and its loads: water, uplift, waves, earthquakes, forces.
 
     Args:
@@ -202,19 +147,23 @@ def assess(case: str | os.PathLike[str] | Mapping[str, Any], *, up_to: float = 2
     up_to = float(up_to)
     if not 0 < up_to <= 1e6:
         raise ValueError(f"up_to is {up_to}; expected a load factor above zero, as 2")
+    return Assessment(*case_text(case), up_to, all)
+
+
+def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str, str]:
+    """What errors call a case, and the text of its file."""
     if isinstance(case, Mapping):
-        name, text = "the case", _toml(case)
-    else:
-        name = os.fspath(case)
-        with open(name, "rb") as file:
-            content = file.read()
-        try:
-            text = content.decode("utf-8")
-        except UnicodeDecodeError as error:
-            line = 1 + content[: error.start].count(b"\n")
-            raise ValueError(f"{name} is not UTF-8 text: line {line} has a byte that is no character") from None
-    answer, document, figures = _standfast.assess(name, text, up_to, all)
-    return Assessment(document, answer, [Figure(words, svg) for words, _, svg in figures])
+        return "the case", _toml(case)
+    if not isinstance(case, (str, os.PathLike)):
+        raise TypeError(f"case is {case!r}, a {type(case).__name__}; expected the path of a case file, or a dict with the same keys")
+    name = os.fspath(case)
+    with open(name, "rb") as file:
+        content = file.read()
+    try:
+        return name, content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = 1 + content[: error.start].count(b"\n")
+        raise ValueError(f"{name} is not UTF-8 text: line {line} has a byte that is no character") from None
 
 
 def _toml(case: Mapping[str, Any]) -> str:

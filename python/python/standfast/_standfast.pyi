@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 __all__ = [
     "ArrowArray",
     "ArrowTable",
+    "CaseAnswer",
+    "Sweep",
     "__version__",
     "assess",
     "classify",
@@ -113,4 +115,61 @@ def diagram_outlines(
 def diagram_svg(
     gamma: float, k_prime: float, points: list[tuple[float, float, str]]
 ) -> tuple[str, str, str]: ...
-def assess(name: str, text: str, up_to: float, all: bool) -> tuple[str, str, list[tuple[str, str, str]]]: ...
+@final
+class CaseAnswer:
+    """The answer to a case."""
+
+    def text(self) -> str:
+        """For reading."""
+
+    def json(self) -> str:
+        """As one JSON document."""
+
+    def figures(self) -> list[tuple[str, str, str]]:
+        """Words, suffix and SVG of each figure."""
+
+def assess(name: str, text: str, up_to: float, all: bool) -> CaseAnswer: ...
+
+_Numbers = tuple[NDArray[np.float64], NDArray[np.bool_] | None]
+
+@final
+class Sweep:
+    """A case and the columns that vary it."""
+
+    def __new__(
+        cls,
+        name: str,
+        text: str,
+        given: Any,
+        map: Sequence[tuple[str, str]],
+        results: Sequence[str] | None,
+        null: bool,
+        threads: int | None,
+    ) -> Sweep: ...
+    @property
+    def places(self) -> list[int]:
+        """The places of the columns that vary the case."""
+
+    @property
+    def varied(self) -> list[tuple[str, str]]:
+        """The columns and the keys that they vary."""
+
+    @property
+    def notes(self) -> list[str]:
+        """What goes with them, in sentences."""
+
+    @property
+    def warnings(self) -> list[tuple[str, str]]:
+        """What may be a slip: names and words."""
+
+    @property
+    def results(self) -> list[tuple[str, str | None, str | None]]:
+        """The results: names, units and words."""
+
+    def answer(
+        self, columns: Sequence[_Numbers | list[str | None]], shape: list[int], progress: Any | None
+    ) -> tuple[list[tuple[str, NDArray[Any], NDArray[np.bool_] | list[str] | None]], list[int]]:
+        """The results of arrays, and the rows that have none."""
+
+    def answer_table(self, progress: Any | None) -> ArrowTable:
+        """The results of the table that was given."""

@@ -1,13 +1,25 @@
 """What a type checker says of calls: checked by mypy, never run."""
 
-from typing import Any, assert_type
+from typing import Any, Literal, assert_type
 
 import duckdb
 import numpy as np
 import polars as pl
 import standfast
 from numpy.typing import NDArray
-from standfast import Answer, ArrowArray, ArrowTable, Assessment, Diagram, Figure, Mode, Modes, Onset, OnsetArrays
+from standfast import (
+    ArrowArray,
+    ArrowTable,
+    Assessment,
+    Criterion,
+    Diagram,
+    Figure,
+    Mode,
+    Modes,
+    Onset,
+    OnsetArrays,
+    Situation,
+)
 
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6), Mode)
 assert_type(standfast.classify(1, 0.4, 0.5, 0.6, names=True), str)
@@ -52,7 +64,18 @@ assert_type(Mode.REST in Modes("RE SL"), bool)
 
 assert_type(standfast.assess({"body": {}}), Assessment)
 assert_type(standfast.assess("case.toml", up_to=3, all=True).figures, list[Figure])
-assert_type(standfast.assess("case.toml").situations, list[Answer])
-assert_type(standfast.assess("case.toml").governing, Answer)
+assert_type(standfast.assess("case.toml").situations, list[Situation])
+assert_type(standfast.assess("case.toml").governing, Situation)
 assert_type(standfast.assess("case.toml").to_json(), str)
+assert_type(standfast.assess("case.toml").SF_sliding, float | None)
+assert_type(standfast.assess("case.toml").mode, Mode | None)
+assert_type(standfast.assess("case.toml").situations[0].also, Modes)
+assert_type(standfast.assess("case.toml").situations[0].departure, Literal["never", "at-once", "at"])
+assert_type(standfast.assess("case.toml").criteria, list[Criterion])
+assert_type(standfast.assess("case.toml").governing.combination, standfast.answers.Combination | None)
+standfast.assess("case.toml").SF_slidin  # type: ignore[attr-defined]
+table = standfast.assess_table("case.toml", pl.DataFrame(), columns=["mode"], map={"friction": "mu"}, progress=True)
+assert_type(table, pl.DataFrame)
+assert_type(standfast.assess_table({"body": {}}, {"friction": [0.5]}), dict[str, NDArray[Any]])
+assert_type(standfast.varied("case.toml", ["friction"]).keys, dict[str, str])
 assert_type(Diagram(1, 0.4).regions[0].mode, Mode)

@@ -1,0 +1,351 @@
+"""Tables of cases and sweeps: a case answered for many values of some of its numbers."""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, TypeVar, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _standfast
+from ._advice import Advice, called, is_of
+from ._assess import case_text
+from ._arrow import ArrowTable
+from ._frames import Arrow, Missing
+from ._inputs import _FORMS, _column, _exported, _series, _table_kind
+from ._progress import shown
+from ._run import run
+from ._types import Arrow as ArrowObject
+from ._types import OnError, PandasFrame, PolarsFrame, Progress, PyarrowTable
+
+_Case = str | os.PathLike[str] | Mapping[str, object]
+_Frame = TypeVar("_Frame", bound="PandasFrame | PolarsFrame | PyarrowTable")
+
+_ADVICE = Advice("assess_table")
+
+#: A column of results as the native module gives it: name, values, and of truth where it is missing, of words the words.
+_Result = tuple[str, NDArray[Any], "NDArray[np.bool_] | list[str] | None"]
+
+
+class StandfastWarning(UserWarning):
+    """Something possible that may be a slip.
+
+    Attributes:
+        name: its name, by which programs tell it apart: ``"column-like-key"``.
+    """
+
+    def __init__(self, name: str, words: str) -> None:
+        super().__init__(name, words)
+        self.name = name
+
+    def __str__(self) -> str:
+        return f"{self.args[1]} ({self.name})"
+
+
+class ResultColumn(NamedTuple):
+    """What is said of a column of results."""
+
+    #: The SI unit of its numbers; ``None`` for what has none.
+    unit: str | None
+    #: What it is.
+    words: str
+
+
+class Varied(NamedTuple):
+    """What a table varies of a case, and what comes out: :func:`varied`'s answer."""
+
+    #: The keys that vary, by the names of the columns.
+    keys: dict[str, str]
+    #: What goes with them, in sentences: ``["Goes with what varies: wave.crest_height."]``.
+    notes: list[str]
+    #: The results, in the order of their columns.
+    results: dict[str, ResultColumn]
+
+
+@overload
+def assess_table(
+    case: _Case,
+    table: Mapping[str, object],
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> dict[str, NDArray[Any]]: ...
+@overload
+def assess_table(
+    case: _Case,
+    table: _Frame,
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> _Frame: ...
+@overload
+def assess_table(
+    case: _Case,
+    table: ArrowObject,
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> ArrowTable: ...
+def assess_table(
+    case: _Case,
+    table: Any,
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Any:
+    """Assesses a case for every row of a table, or every point of a sweep: the program's ``standfast batch --case``.
+
+    A column varies the number of the case whose key it is called by: ``wave.Hmax``, ``body.friction``, ``load[1].force``,
+    ``water.level``, ``criteria.SF_sliding``, or a short name: ``width``, ``height``, ``mass``, ``friction``, ``water_level``,
+    ``crest_height``. What goes with the size of the body or the level of the sea moves along, see :func:`varied`. Each answer
+    is :func:`assess`'s for the case written out with the numbers of its row; of a case with several situations it is that of the
+    one that governs.
+
+    Args:
+        case: the path of a case file, or a dict with the same keys.
+        table: a DataFrame (pandas, polars), a pyarrow Table, or anything else that speaks the Arrow PyCapsule interface. Columns
+            that vary nothing are left alone. Or a dict of arrays and scalars by the names of what they vary, which broadcast by
+            numpy's rules. Numbers are in SI units, accelerations of the base in g; the name ``"wave.Hmax [cm]"`` gives another
+            unit, and so does a text in place of a number: ``"8 m"``.
+        columns: the results that are computed, by their names in ``docs/answer.schema.json``; all of them if it is left out.
+        map: which column of the table varies a key, ``{"wave.Hmax": "H"}``, where it has another name.
+        on_error: with ``"raise"``, the first row whose values no case can have is an error; with ``"null"``, such rows have no
+            results, and the column ``problem`` says why.
+        threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
+        progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the rows done and all rows, which are
+            ``None`` where they are not known.
+
+    Returns:
+        For a table one of the same library with the results as columns, and with the index of a pandas one:
+        ``pd.concat([table, answer], axis=1)`` puts both together; for any other Arrow object an :class:`ArrowTable`. For a dict a dict
+        of arrays of the broadcast shape: numbers as float64, NaN where there is no such thing; words as text, empty where there is
+        none. Units are SI. A number without bound is infinite. A row with a missing value has no results; of arrays it is masked.
+
+    Raises:
+        ValueError: for a case that is not understood, a column that begins like a key and is none, values that the case cannot
+            have: the error has the column, the value and the index of the row.
+        TypeError: for columns that hold no numbers.
+        KeyError: if ``map`` names a column that the table lacks.
+
+    Warns:
+        StandfastWarning: ``column-like-key``, for a column that varies nothing and has almost the name of a key.
+
+    >>> block = {
+    ...     "body": {"width": 1, "height": 2, "mass": 4800, "friction": 0.7},
+    ...     "load": [{"force": "20 kN/m", "elevation": "1.5 m"}],
+    ... }
+    >>> found = assess_table(block, {"friction": [0.4, 0.5], "load[1].force": [[10e3], [30e3]]}, columns=["mode", "SF_sliding"])
+    >>> found["mode"]
+    array([['RE', 'RE'],
+           ['SRO-', 'SRO-']], dtype='<U5')
+    >>> found["SF_sliding"].round(3)
+    array([[1.884, 2.354],
+           [0.628, 0.785]])
+    """
+    how = run(threads, on_error)
+    options = _Options(_pairs(map), _names(columns), how.null_errors, how.threads)
+    _refuse_lazy(table, "table")
+    kind = None if isinstance(table, Mapping) else _table_kind(table, _ADVICE)
+    if kind is None and not isinstance(table, Mapping):
+        raise TypeError(f"table is a {type(table).__name__}; expected a DataFrame, an Arrow table, or a dict of arrays")
+    with shown(progress) as report:
+        if isinstance(table, Mapping):
+            sweep = _sweep(case, [str(name) for name in table], options)
+            _refuse_idle(table, sweep)
+            return _sweep_of(table, sweep, report)
+        if kind == "pandas":
+            sweep = _sweep(case, [str(name) for name in table.columns], options)
+            given = [_pandas_column(table.iloc[:, place], str(table.columns[place])) for place in sweep.places]
+            answer, _ = sweep.answer(given, [len(table)], report)
+            return _pandas(answer, table.index)
+        sweep = _sweep(case, _exported(table) if kind == "polars" else table, options)
+        form = _FORMS[kind or "arrow"]()
+        assert isinstance(form, Arrow)
+        return form.adopt_table(sweep.answer_table(report))
+
+
+def varied(case: _Case, table: Any, *, columns: Sequence[str] | None = None, map: Mapping[str, str] | None = None) -> Varied:
+    """What a table varies of a case and what goes with it, and which results it would have, without computing any.
+
+    Args:
+        case, columns, map: as for :func:`assess_table`.
+        table: the same, or only the names of its columns.
+
+    Raises:
+        ValueError, KeyError: as :func:`assess_table`.
+
+    >>> found = varied("examples/goda-2000.toml", ["wave.Hmax", "water_level"])
+    >>> found.keys
+    {'wave.Hmax': 'wave.Hmax', 'water_level': 'wave.base_depth'}
+    >>> found.results["margin_sliding"].unit
+    'N/m'
+    """
+    sweep = _sweep(case, _column_names(table), _Options(_pairs(map), _names(columns), False, 1))
+    results = {name: ResultColumn(unit, words or "") for name, unit, words in sweep.results}
+    return Varied(dict(sweep.varied), sweep.notes, results)
+
+
+class _Options(NamedTuple):
+    """What the native module asks beside the case and the table."""
+
+    map: list[tuple[str, str]]
+    results: list[str] | None
+    null: bool
+    threads: int | None
+
+
+def _column_names(table: Any) -> list[str]:
+    """The names of the columns of a table, or themselves."""
+    if isinstance(table, str):
+        raise TypeError(f"table is {table!r}; expected a table, or a list of the names of its columns")
+    # pyarrow's, which has columns by another name; pandas', polars' and DuckDB's; a dict or a list.
+    names = getattr(table, "column_names", getattr(table, "columns", table))
+    return [str(name) for name in names]
+
+
+def _sweep(case: _Case, given: Any, options: _Options) -> _standfast.Sweep:
+    name, text = case_text(case)
+    sweep = _standfast.Sweep(name, text, given, options.map, options.results, options.null, options.threads)
+    for slip, words in sweep.warnings:
+        warnings.warn(StandfastWarning(slip, words), stacklevel=3)
+    return sweep
+
+
+def _pairs(map: Mapping[str, str] | None) -> list[tuple[str, str]]:
+    if map is not None and not isinstance(map, Mapping):
+        raise TypeError(f"map is {map!r}; expected a dict of keys and columns, as {{'wave.Hmax': 'H'}}")
+    pairs = list((map or {}).items())
+    for key, column in pairs:
+        if not isinstance(key, str) or not isinstance(column, str):
+            raise TypeError(f"map gives {column!r} for {key!r}; expected the name of a column for a key of the case")
+    return pairs
+
+
+def _names(columns: Sequence[str] | None) -> list[str] | None:
+    if isinstance(columns, Mapping):
+        raise TypeError("columns is a dict; it chooses results. Which column varies what is said by map={...}")
+    if isinstance(columns, str):
+        raise TypeError(f"columns is {columns!r}; expected a list of names, as [{columns!r}]")
+    return None if columns is None else [str(name) for name in columns]
+
+
+def _refuse_lazy(value: Any, name: str) -> None:
+    """Refuses what would be loaded whole or lose its labels, where a function of one table is to be called otherwise."""
+    if is_of(value, "xarray", "DataArray", "Dataset", "Variable", "DataTree"):
+        how = "xarray.broadcast(...) and give the .values of each, or Dataset.to_dataframe()"
+        raise TypeError(f"{name} is an xarray object, and dimensions that have names are matched by xarray. Call {how}")
+    if is_of(value, "dask.dataframe", "DataFrame"):
+        how = "frame.map_partitions(lambda part: standfast.assess_table(case, part))"
+        raise TypeError(f"{name} is a {called(value)}, which is lazy and would be loaded whole. Call {how}")
+
+
+def _refuse_idle(table: Mapping[str, object], sweep: _standfast.Sweep) -> None:
+    """Who names an array means it to vary something."""
+    for place, name in enumerate(table):
+        if place not in sweep.places:
+            raise ValueError(f"{name!r} is no number of the case; the numbers that vary are given by their keys, or by map={{...}}")
+
+
+def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any) -> dict[str, NDArray[Any]]:
+    """The results of a dict of arrays."""
+    given = list(table.items())
+    columns = [_array(given[place][1], str(given[place][0])) for place in sweep.places]
+    shape = _shape([(str(given[place][0]), values) for place, (values, _) in zip(sweep.places, columns)])
+    flat: list[_standfast._Numbers | list[str | None]] = []
+    for values, missing in columns:
+        spread = np.broadcast_to(values, shape).ravel()
+        if values.dtype.kind == "f":
+            mask = None if missing is None else np.ascontiguousarray(np.broadcast_to(missing, shape).ravel())
+            flat.append((np.ascontiguousarray(spread), mask))
+        else:
+            flat.append(spread.tolist())
+    answer, without = sweep.answer(flat, list(shape), report)
+    mask = np.zeros(int(np.prod(shape)), dtype=np.bool_)
+    mask[without] = True
+    return {column[0]: _numpy(column, shape, mask if len(without) else None) for column in answer}
+
+
+def _shape(columns: list[tuple[str, NDArray[Any]]]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(values.shape for _, values in columns))
+    except ValueError:
+        shapes = ", ".join(f"{name} {values.shape}" for name, values in columns)
+        raise ValueError(
+            f"these shapes do not broadcast together: {shapes}; expected each axis to have one length, or 1"
+        ) from None
+
+
+def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
+    """The numbers of one entry as float64, or its texts as objects."""
+    if isinstance(value, str):
+        return np.array(value, dtype=object), None
+    if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):
+        value = np.array(value, dtype=object)
+    if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
+        return np.array(_texts(value.ravel().tolist()), dtype=object).reshape(value.shape), None
+    _refuse_lazy(value, name)
+    found = _column(value, name, _ADVICE)
+    if found.numbers is None or found.kind not in ("point", "array", "masked"):
+        raise TypeError(f"{name} is a column of a table in a dict of arrays; expected a DataFrame or table in place of the dict")
+    return np.asarray(found.numbers.values, dtype=np.float64), found.numbers.missing()
+
+
+def _has_text(values: NDArray[Any]) -> bool:
+    return any(isinstance(part, str) for part in values.flat)
+
+
+def _texts(values: list[Any]) -> list[str | None]:
+    """Texts as they are, numbers as texts; ``None`` for what is missing."""
+    return [part if isinstance(part, str) or part is None else repr(float(part)) for part in values]
+
+
+def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | list[str | None]:
+    """The numbers or texts of a column of a DataFrame."""
+    pd = sys.modules["pandas"]
+    dtype = column.dtype
+    if isinstance(dtype, pd.CategoricalDtype):
+        dtype = dtype.categories.dtype
+    if pd.api.types.is_string_dtype(dtype) or dtype == object:
+        values = column.astype(object).to_numpy()
+        if dtype != object or _has_text(values):
+            return _texts([None if missing else part for part, missing in zip(values, column.isna())])
+    numbers = _series(column, name)
+    return np.ascontiguousarray(numbers.values, dtype=np.float64), numbers.missing()
+
+
+def _numpy(column: _Result, shape: tuple[int, ...], missing: Missing) -> NDArray[Any]:
+    _, values, more = column
+    if isinstance(more, list):
+        values = np.array([*more, ""])[values]
+    values = values.reshape(shape)
+    return values if missing is None else np.ma.MaskedArray(values, missing.reshape(shape))
+
+
+def _pandas(answer: list[_Result], index: Any) -> Any:
+    pd = sys.modules["pandas"]
+    made = {}
+    for name, values, more in answer:
+        if more is None:
+            made[name] = values
+        elif isinstance(more, list):
+            words = pd.Categorical.from_codes(values, categories=more)
+            made[name] = words.astype(object) if name == "problem" else words
+        else:
+            made[name] = pd.arrays.BooleanArray(values, more)
+    return pd.DataFrame(made, index=index, copy=False)

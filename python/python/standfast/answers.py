@@ -1,0 +1,1291 @@
+"""The parts of an answer: classes with a property for each key of the JSON document that ``docs/answer.schema.json`` describes.
+
+Units are SI; forces, masses and moments are per metre run or, of an object of a given length or a cylinder, of the whole: see
+:attr:`Document.extent`. ``None`` says that there is no such thing; a number without bound is ``math.inf``.
+"""
+
+# Made by python/make_answers.py; changes go into docs/answer.schema.json.
+# mypy: disable-error-code="no-any-return"
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ._answer import Answer, mode, modes, modes_or, part, parts
+from ._modes import Mode, Modes
+
+__all__ = [
+    "Body",
+    "CaseWarning",
+    "Change",
+    "Combination",
+    "Component",
+    "Criterion",
+    "Document",
+    "Earthquake",
+    "Load",
+    "Motion",
+    "OtherEarthquake",
+    "Part",
+    "Point",
+    "Relation",
+    "Report",
+    "Situation",
+    "Stage",
+    "Step",
+    "Water",
+    "Wave",
+    "Wrench",
+]
+
+
+class Relation(Answer):
+    """An inequality with its numbers."""
+
+    @property
+    def equation(self) -> str:
+        """The report's equation number, or the condition of the contact problem."""
+        return self["equation"]
+
+    @property
+    def statement(self) -> str:
+        """The inequality in symbols."""
+        return self["statement"]
+
+    @property
+    def left(self) -> float:
+        """The value of its left side."""
+        return self["left"]
+
+    @property
+    def sign(self) -> Literal["<", "≤", "≥", ">"]:
+        """The sign between both sides."""
+        return self["sign"]
+
+    @property
+    def right(self) -> float:
+        """The value of its right side."""
+        return self["right"]
+
+    @property
+    def holds(self) -> bool:
+        """Whether it holds, decided exactly."""
+        return self["holds"]
+
+    @property
+    def margin(self) -> float:
+        """How far the left side is on the right side of the sign: negative where the inequality does not hold."""
+        return self["margin"]
+
+
+class Change(Answer):
+    """a change of mode as k or μ grows."""
+
+    @property
+    def at(self) -> float:
+        """The critical value of k or μ."""
+        return self["at"]
+
+    @property
+    def from_(self) -> Mode:
+        """The mode just below it."""
+        return mode(self["from"])
+
+    @property
+    def to(self) -> Mode:
+        """The mode just above it."""
+        return mode(self["to"])
+
+
+class Motion(Answer):
+    """Accelerations and reactions at the moment a mode begins."""
+
+    @property
+    def x_ddot(self) -> float:
+        """ẍ of the centre of mass, to the right."""
+        return self["x_ddot"]
+
+    @property
+    def y_ddot(self) -> float:
+        """ÿ of the centre of mass, upwards."""
+        return self["y_ddot"]
+
+    @property
+    def theta_ddot(self) -> float:
+        """θ̈, counter-clockwise."""
+        return self["theta_ddot"]
+
+    @property
+    def f_x(self) -> float:
+        """The horizontal reaction on the body, to the right."""
+        return self["f_x"]
+
+    @property
+    def f_y(self) -> float:
+        """The vertical reaction on the body, upwards."""
+        return self["f_y"]
+
+    @property
+    def xi(self) -> float:
+        """ξ, the distance of f_y to the right of the centre of mass; zero where there is no reaction."""
+        return self["xi"]
+
+    @property
+    def slip(self) -> float:
+        """ẍ of both corners, along the base to the right."""
+        return self["slip"]
+
+    @property
+    def lift_o(self) -> float:
+        """ÿ of O, upwards."""
+        return self["lift_o"]
+
+    @property
+    def lift_o_prime(self) -> float:
+        """ÿ of O', upwards."""
+        return self["lift_o_prime"]
+
+
+class Wrench(Answer):
+    """a load at the centre of mass; see ``extent``."""
+
+    @property
+    def x(self) -> float:
+        """Horizontal force, to the right, N/m."""
+        return self["x"]
+
+    @property
+    def p(self) -> float:
+        """Net vertical force, downwards, N/m."""
+        return self["p"]
+
+    @property
+    def m(self) -> float:
+        """Moment about the centre of mass, counter-clockwise, N m/m."""
+        return self["m"]
+
+
+class Body(Answer):
+    """The body and its base; see ``extent``."""
+
+    @property
+    def shape(self) -> Literal["block", "cylinder"]:
+        """a block, or an upright cylinder whose diameter is the width."""
+        return self["shape"]
+
+    @property
+    def width(self) -> float:
+        """2B, m."""
+        return self["width"]
+
+    @property
+    def height(self) -> float:
+        """2H, m."""
+        return self["height"]
+
+    @property
+    def length(self) -> float | None:
+        """Out of the plane, m; None of a body per metre run, and of a cylinder."""
+        return self["length"]
+
+    @property
+    def mass(self) -> float:
+        """Kg/m."""
+        return self["mass"]
+
+    @property
+    def weight(self) -> float:
+        """m g, N/m."""
+        return self["weight"]
+
+    @property
+    def slenderness(self) -> float:
+        """γ = H/B."""
+        return self["slenderness"]
+
+    @property
+    def friction(self) -> float:
+        """μ to stick."""
+        return self["friction"]
+
+    @property
+    def kinetic_friction(self) -> float:
+        """μ to slip."""
+        return self["kinetic_friction"]
+
+    @property
+    def added_mass(self) -> float:
+        """Water that moves with the body horizontally, kg/m."""
+        return self["added_mass"]
+
+    @property
+    def centroid_height(self) -> float:
+        """Height of the centre of mass above the base, m."""
+        return self["centroid_height"]
+
+    @property
+    def heel_distance(self) -> float:
+        """From O to the centre of mass, m."""
+        return self["heel_distance"]
+
+    @property
+    def toe_distance(self) -> float:
+        """From the centre of mass to O', m."""
+        return self["toe_distance"]
+
+    @property
+    def moment_of_inertia(self) -> float:
+        """About the centre of mass, kg m²/m."""
+        return self["moment_of_inertia"]
+
+    @property
+    def parts(self) -> list[Part]:
+        """What it is made of; empty where it is of one piece."""
+        return parts(Part, self["parts"])
+
+
+class Part(Answer):
+    """a part of the section."""
+
+    @property
+    def name(self) -> str | None:
+        """As the case says."""
+        return self["name"]
+
+    @property
+    def density(self) -> float:
+        """Kg/m³; 0 of a cavity."""
+        return self["density"]
+
+    @property
+    def density_below_water(self) -> float:
+        """Under still water, kg/m³."""
+        return self["density_below_water"]
+
+    @property
+    def outline(self) -> list[list[float]]:
+        """Its corners, counter-clockwise: to the right of the origin of the section and above the base, m."""
+        return self["outline"]
+
+
+class Water(Answer):
+    """Still water."""
+
+    @property
+    def left(self) -> float:
+        """Its level above the base at the left, m."""
+        return self["left"]
+
+    @property
+    def right(self) -> float:
+        """The same at the right, m."""
+        return self["right"]
+
+    @property
+    def density(self) -> float:
+        """Kg/m³."""
+        return self["density"]
+
+
+class Wave(Answer):
+    """Waves by Goda's formulas."""
+
+    @property
+    def H13(self) -> float:
+        """Significant wave height, m."""
+        return self["H13"]
+
+    @property
+    def Hmax(self) -> float:
+        """Design wave height, m."""
+        return self["Hmax"]
+
+    @property
+    def deep_water_wavelength(self) -> float:
+        """L₀, m."""
+        return self["deep_water_wavelength"]
+
+    @property
+    def wavelength(self) -> float:
+        """L, m."""
+        return self["wavelength"]
+
+    @property
+    def h_b(self) -> float:
+        """Depth at five significant wave heights seaward, m."""
+        return self["h_b"]
+
+    @property
+    def angle_deg(self) -> float:
+        """β after the turn towards the normal, degrees."""
+        return self["angle_deg"]
+
+    @property
+    def turn_deg(self) -> float:
+        """By how much waves are turned towards the normal at most, degrees."""
+        return self["turn_deg"]
+
+    @property
+    def impulsive(self) -> bool:
+        """Whether the impulsive coefficient takes part."""
+        return self["impulsive"]
+
+    @property
+    def lambda_(self) -> list[float]:
+        """λ₁, λ₂, λ₃."""
+        return self["lambda"]
+
+    @property
+    def eta_star(self) -> float:
+        """η*, how far above still water the pressure would reach, m."""
+        return self["eta_star"]
+
+    @property
+    def h_c_star(self) -> float:
+        """h_c*, how far above still water the pressure reaches on the wall, m."""
+        return self["h_c_star"]
+
+    @property
+    def alpha_1(self) -> float:
+        """α₁."""
+        return self["alpha_1"]
+
+    @property
+    def alpha_2(self) -> float:
+        """α₂."""
+        return self["alpha_2"]
+
+    @property
+    def alpha_3(self) -> float:
+        """α₃."""
+        return self["alpha_3"]
+
+    @property
+    def alpha_4(self) -> float:
+        """α₄."""
+        return self["alpha_4"]
+
+    @property
+    def alpha_I(self) -> float:
+        """α_I, the impulsive coefficient, whether used or not."""
+        return self["alpha_I"]
+
+    @property
+    def alpha_star(self) -> float:
+        """α*, the larger of α₂ and α_I, or α₂."""
+        return self["alpha_star"]
+
+    @property
+    def p1(self) -> float:
+        """Pressure at still water, Pa."""
+        return self["p1"]
+
+    @property
+    def p3(self) -> float:
+        """Pressure at the base, Pa."""
+        return self["p3"]
+
+    @property
+    def p4(self) -> float:
+        """Pressure at the top of the loaded wall, Pa."""
+        return self["p4"]
+
+    @property
+    def pu(self) -> float:
+        """Uplift pressure at the seaward toe, Pa; zero at the heel."""
+        return self["pu"]
+
+
+class CaseWarning(Answer):
+    """What is possible, but so unusual that it may be a slip."""
+
+    @property
+    def name(
+        self,
+    ) -> Literal[
+        "base-beyond-body", "weight-beside-base", "mean-density", "part-density", "water-density", "high-friction",
+        "unusual-gravity", "buoyant-above-weight", "buoyant-beside-displacement", "buoyant-beside-parts",
+        "load-in-no-combination", "load-beside-body", "small-bearing", "strong-earthquake",
+        "earthquake-without-added-mass", "wave-height-ratio", "uplift-beside-wave", "impulsive-breaking",
+        "deep-water", "higher-than-breaking", "no-pressure-at-base", "base-below-bed", "berm-below-base",
+        "long-period", "steep-bed"
+    ]:
+        """Its name."""
+        return self["name"]
+
+    @property
+    def message(self) -> str:
+        """What it says, with the value that triggered it."""
+        return self["message"]
+
+
+class Load(Answer):
+    """The force that acts alone of those that do."""
+
+    @property
+    def name(self) -> str | None:
+        """As the case calls it."""
+        return self["name"]
+
+    @property
+    def force(self) -> float:
+        """N/m."""
+        return self["force"]
+
+    @property
+    def elevation(self) -> float:
+        """Above the base, m."""
+        return self["elevation"]
+
+    @property
+    def distance(self) -> float | None:
+        """To the right of O, m; None at mid-width."""
+        return self["distance"]
+
+    @property
+    def direction(self) -> Literal["left", "right", "down", "up"]:
+        """Where it points."""
+        return self["direction"]
+
+
+class Combination(Answer):
+    """Loads that act together, each times a factor."""
+
+    @property
+    def name(self) -> str | None:
+        """As the case calls it."""
+        return self["name"]
+
+    @property
+    def factors(self) -> dict[str, float]:
+        """By the names of loads, or weight, water, uplift, wave, earthquake."""
+        return dict(self["factors"])
+
+
+class Earthquake(Answer):
+    """An acceleration of the base."""
+
+    @property
+    def horizontal(self) -> float:
+        """To the right, m/s²."""
+        return self["horizontal"]
+
+    @property
+    def vertical(self) -> float:
+        """Upwards, m/s²."""
+        return self["vertical"]
+
+
+class OtherEarthquake(Answer):
+    """An acceleration of the base that was tried, and what becomes of the body."""
+
+    @property
+    def horizontal(self) -> float:
+        """To the right, m/s²."""
+        return self["horizontal"]
+
+    @property
+    def vertical(self) -> float:
+        """Upwards, m/s²."""
+        return self["vertical"]
+
+    @property
+    def mode(self) -> Mode | None:
+        """The mode under the full load, applied at once."""
+        return None if self["mode"] is None else mode(self["mode"])
+
+    @property
+    def departure(self) -> Literal["never", "at-once", "at"]:
+        """As in a situation."""
+        return self["departure"]
+
+    @property
+    def load_factor(self) -> float | None:
+        """As in a situation."""
+        return self["load_factor"]
+
+    @property
+    def departure_mode(self) -> Mode | None:
+        """The mode in which it leaves rest."""
+        return None if self["departure_mode"] is None else mode(self["departure_mode"])
+
+    @property
+    def SF_sliding(self) -> float | None:
+        """As in a situation."""
+        return self["SF_sliding"]
+
+    @property
+    def SF_overturning(self) -> float | None:
+        """As in a situation."""
+        return self["SF_overturning"]
+
+
+class Criterion(Answer):
+    """What is asked of a result, and how far it is met."""
+
+    @property
+    def name(
+        self,
+    ) -> Literal[
+        "SF_sliding", "SF_overturning", "bearing_max", "contact_share", "eccentricity", "load_factor", "modes_not"
+    ]:
+        """That of the result; modes_not of the modes under the full load."""
+        return self["name"]
+
+    @property
+    def required(self) -> float | Modes:
+        """At least for factors and contact, at most for pressure and eccentricity, in SI units; or the modes that are not
+        allowed."""
+        return modes_or(self["required"])
+
+    @property
+    def value(self) -> float | Modes | None:
+        """The value; of the load factor 0 where the body leaves rest at once and infinite where it never does; all consistent
+        modes; None where there is no such thing."""
+        return modes_or(self["value"])
+
+    @property
+    def utilisation(self) -> float | None:
+        """Required/value, or value/required: up to 1 where it is met; infinite where no value could meet it; None for modes."""
+        return self["utilisation"]
+
+    @property
+    def met(self) -> bool:
+        """Whether it is met."""
+        return self["met"]
+
+    @property
+    def situation(self) -> int:
+        """The place of the situation, from zero."""
+        return self["situation"]
+
+    @property
+    def earthquake(self) -> Earthquake | None:
+        """The acceleration of the base under which it is met worst, of those that were tried; None where none acts."""
+        return None if self["earthquake"] is None else part(Earthquake, self["earthquake"])
+
+
+class Component(Answer):
+    """a load of a situation, at the centre of mass."""
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self["name"]
+
+    @property
+    def source(
+        self,
+    ) -> Literal[
+        "weight", "buoyant-weight", "buoyancy", "still-water", "water-on-left", "water-on-right", "uplift",
+        "horizontal-inertia", "shaken-water", "vertical-inertia", "wave-pressure", "wave-uplift", "force", "pressure",
+        "other"
+    ]:
+        """Where it comes from."""
+        return self["source"]
+
+    @property
+    def counts_as(self) -> Literal["weight", "uplift", "horizontal"]:
+        """How it counts among the classical actions."""
+        return self["counts_as"]
+
+    @property
+    def permanent(self) -> bool:
+        """Whether it is there all the time, or grows with the load factor."""
+        return self["permanent"]
+
+    @property
+    def factor(self) -> float:
+        """The factor of the combination that it is multiplied by."""
+        return self["factor"]
+
+    @property
+    def x(self) -> float:
+        """Horizontal force, to the right, N/m."""
+        return self["x"]
+
+    @property
+    def p(self) -> float:
+        """Net vertical force, downwards, N/m."""
+        return self["p"]
+
+    @property
+    def m(self) -> float:
+        """Moment about the centre of mass, counter-clockwise, N m/m."""
+        return self["m"]
+
+
+class Stage(Answer):
+    """a stretch of load factors with the same modes."""
+
+    @property
+    def from_(self) -> float:
+        """The load factor at which it begins."""
+        return self["from"]
+
+    @property
+    def to(self) -> float:
+        """The load factor at which it ends, or to which the path was followed."""
+        return self["to"]
+
+    @property
+    def mode(self) -> Mode | None:
+        """The mode; None where none is consistent."""
+        return None if self["mode"] is None else mode(self["mode"])
+
+    @property
+    def also(self) -> Modes:
+        """The other consistent modes."""
+        return modes(self["also"])
+
+
+class Step(Answer):
+    """a mode, and what it needs."""
+
+    @property
+    def mode(self) -> Mode:
+        """The mode."""
+        return mode(self["mode"])
+
+    @property
+    def holds(self) -> bool:
+        """Whether it begins."""
+        return self["holds"]
+
+    @property
+    def relations(self) -> list[Relation]:
+        """The inequalities that it needs."""
+        return parts(Relation, self["relations"])
+
+
+class Situation(Answer):
+    """The answer to the case under loads that act together."""
+
+    @property
+    def load(self) -> Load | None:
+        """The force that acts alone; None where none does."""
+        return None if self["load"] is None else part(Load, self["load"])
+
+    @property
+    def combination(self) -> Combination | None:
+        """The combination whose loads act; None where the case has none."""
+        return None if self["combination"] is None else part(Combination, self["combination"])
+
+    @property
+    def earthquake(self) -> Earthquake | None:
+        """The acceleration of the base, the worst of those that were tried, before the factor of a combination; None where no
+        earthquake acts."""
+        return None if self["earthquake"] is None else part(Earthquake, self["earthquake"])
+
+    @property
+    def other_earthquakes(self) -> list[OtherEarthquake]:
+        """The others that were tried, none of them worse as a whole; a criterion may be met worse under one of them."""
+        return parts(OtherEarthquake, self["other_earthquakes"])
+
+    @property
+    def criteria(self) -> list[Criterion]:
+        """The criteria, the governing one first."""
+        return parts(Criterion, self["criteria"])
+
+    @property
+    def mode(self) -> Mode | None:
+        """The mode under the full load, applied at once."""
+        return None if self["mode"] is None else mode(self["mode"])
+
+    @property
+    def unique(self) -> bool:
+        """Whether no other mode is consistent under the full load."""
+        return self["unique"]
+
+    @property
+    def also(self) -> Modes:
+        """The other consistent modes."""
+        return modes(self["also"])
+
+    @property
+    def lifted(self) -> bool:
+        """Whether nothing presses the body on its base under the full load; safety factors then mean nothing."""
+        return self["lifted"]
+
+    @property
+    def departure(self) -> Literal["never", "at-once", "at"]:
+        """Whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at
+        ``load_factor``."""
+        return self["departure"]
+
+    @property
+    def load_factor(self) -> float | None:
+        """Where it leaves rest, as a multiple of the variable loads; only where ``departure`` is ``at``."""
+        return self["load_factor"]
+
+    @property
+    def departure_mode(self) -> Mode | None:
+        """The mode in which it leaves rest."""
+        return None if self["departure_mode"] is None else mode(self["departure_mode"])
+
+    @property
+    def departure_by(self) -> Literal["permanent-loads", "any-share"] | None:
+        """What moves a body that departs at once: its permanent loads alone, or any share of the variable ones, however small."""
+        return self["departure_by"]
+
+    @property
+    def SF_sliding(self) -> float | None:
+        """Safety factor against sliding, μ(W' − U)/P."""
+        return self["SF_sliding"]
+
+    @property
+    def SF_overturning(self) -> float | None:
+        """Safety factor against overturning, the lesser of both corners."""
+        return self["SF_overturning"]
+
+    @property
+    def SF_overturning_heel(self) -> float | None:
+        """The same about the heel, (W' t − M_U)/M_p."""
+        return self["SF_overturning_heel"]
+
+    @property
+    def SF_overturning_toe(self) -> float | None:
+        """The same about the toe, (W'(B_c − t) − U B_c + M_U)/(−M_p)."""
+        return self["SF_overturning_toe"]
+
+    @property
+    def SF_overturning_gross(self) -> float | None:
+        """Safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both
+        corners: the whole weight against all water under the base and P."""
+        return self["SF_overturning_gross"]
+
+    @property
+    def margin_sliding(self) -> float:
+        """What friction leaves of the horizontal force, μ(W' − U) − P: negative where the body cannot rest for want of friction,
+        and where it is lifted, N/m."""
+        return self["margin_sliding"]
+
+    @property
+    def margin_overturning(self) -> float:
+        """The lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and
+        where the body is lifted; with ``margin_sliding`` not negative, the body can rest, N m/m."""
+        return self["margin_overturning"]
+
+    @property
+    def margin_overturning_heel(self) -> float:
+        """The same about the heel, W' t − M_U − M_p, N m/m."""
+        return self["margin_overturning_heel"]
+
+    @property
+    def margin_overturning_toe(self) -> float:
+        """The same about the toe, W'(B_c − t) − U B_c + M_U + M_p, N m/m."""
+        return self["margin_overturning_toe"]
+
+    @property
+    def bearing(self) -> Literal["pressed", "outside-base", "lifted"]:
+        """Whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses."""
+        return self["bearing"]
+
+    @property
+    def heel_pressure(self) -> float | None:
+        """Bearing pressure at the heel, Pa."""
+        return self["heel_pressure"]
+
+    @property
+    def toe_pressure(self) -> float | None:
+        """Bearing pressure at the toe, Pa."""
+        return self["toe_pressure"]
+
+    @property
+    def bearing_max(self) -> float | None:
+        """The larger of both, Pa."""
+        return self["bearing_max"]
+
+    @property
+    def contact_length(self) -> float | None:
+        """The length of the base that is pressed, m."""
+        return self["contact_length"]
+
+    @property
+    def contact_share(self) -> float | None:
+        """The share of the base's area that is pressed."""
+        return self["contact_share"]
+
+    @property
+    def resultant_arm(self) -> float | None:
+        """t_e, distance of the resultant from the heel, m."""
+        return self["resultant_arm"]
+
+    @property
+    def eccentricity(self) -> float | None:
+        """Distance of the resultant from the middle of the base, where it meets the base, m."""
+        return self["eccentricity"]
+
+    @property
+    def heel(self) -> Literal["O", "O'"]:
+        """The corner that the classical checks call the heel."""
+        return self["heel"]
+
+    @property
+    def P(self) -> float:
+        """Horizontal force, towards the heel, N/m."""
+        return self["P"]
+
+    @property
+    def M_p(self) -> float:
+        """Its moment about the base, N m/m."""
+        return self["M_p"]
+
+    @property
+    def U(self) -> float:
+        """Uplift, N/m."""
+        return self["U"]
+
+    @property
+    def M_U(self) -> float:
+        """Its moment about the heel, N m/m."""
+        return self["M_U"]
+
+    @property
+    def buoyant_weight(self) -> float:
+        """W', weight less buoyancy, N/m."""
+        return self["buoyant_weight"]
+
+    @property
+    def weight_arm(self) -> float:
+        """t, its arm to the heel, m."""
+        return self["weight_arm"]
+
+    @property
+    def k_eff(self) -> float | None:
+        """k of the load in the report's diagram, where it has a point there."""
+        return self["k_eff"]
+
+    @property
+    def k_prime_eff(self) -> float | None:
+        """k' of the load in the report's diagram."""
+        return self["k_prime_eff"]
+
+    @property
+    def mode_words(self) -> str | None:
+        """The mode as a predicate of the body."""
+        return self["mode_words"]
+
+    @property
+    def because(self) -> list[Relation]:
+        """The inequalities that decide the mode: the report's where the load has a point in its diagram, otherwise the conditions
+        of the contact problem."""
+        return parts(Relation, self["because"])
+
+    @property
+    def motion(self) -> Motion | None:
+        """The motion in that mode, in m/s², rad/s², N/m and m; in an earthquake the accelerations are relative to the base."""
+        return None if self["motion"] is None else part(Motion, self["motion"])
+
+    @property
+    def wrench(self) -> Wrench:
+        """All loads."""
+        return part(Wrench, self["wrench"])
+
+    @property
+    def components(self) -> list[Component]:
+        """The loads one by one."""
+        return parts(Component, self["components"])
+
+    @property
+    def path(self) -> list[Stage]:
+        """The modes as the variable loads rise from zero; empty where all are permanent."""
+        return parts(Stage, self["path"])
+
+    @property
+    def report(self) -> Report | None:
+        """The load in the report's diagram, where it has a point there."""
+        return None if self["report"] is None else part(Report, self["report"])
+
+
+class Point(Answer):
+    """a point of the report's diagram and all that is known of it: lengths in B, accelerations in g, θ̈ in g/B, forces in m g;
+    modes and motion are those of the body itself, also where it is mirrored."""
+
+    @property
+    def gamma(self) -> float:
+        """γ = H/B."""
+        return self["gamma"]
+
+    @property
+    def k_prime(self) -> float:
+        """k', the height of the force above the centre of mass in H."""
+        return self["k_prime"]
+
+    @property
+    def k(self) -> float:
+        """k = F/(m g)."""
+        return self["k"]
+
+    @property
+    def mu(self) -> float:
+        """μ."""
+        return self["mu"]
+
+    @property
+    def mirrored(self) -> bool:
+        """Whether the force points right, and the diagram shows the mirror image."""
+        return self["mirrored"]
+
+    @property
+    def mode(self) -> Mode:
+        """The mode."""
+        return mode(self["mode"])
+
+    @property
+    def mode_words(self) -> str:
+        """The mode as a predicate of the body."""
+        return self["mode_words"]
+
+    @property
+    def unique(self) -> bool:
+        """Whether no other mode is consistent."""
+        return self["unique"]
+
+    @property
+    def also(self) -> Modes:
+        """The other consistent modes."""
+        return modes(self["also"])
+
+    @property
+    def case(self) -> str:
+        """The report's case, by the elevation of the force."""
+        return self["case"]
+
+    @property
+    def motion(self) -> Motion:
+        """The motion in that mode, in g, g/B, m g and B; in an earthquake the accelerations are relative to the base."""
+        return part(Motion, self["motion"])
+
+    @property
+    def trace(self) -> list[Step]:
+        """The decision step by step; the last step's mode begins."""
+        return parts(Step, self["trace"])
+
+    @property
+    def leaves_rest(self) -> Change | None:
+        """Where the body leaves rest as k grows; None if no force moves it."""
+        return None if self["leaves_rest"] is None else part(Change, self["leaves_rest"])
+
+    @property
+    def along_k(self) -> list[Change]:
+        """All changes of mode as k grows from zero."""
+        return parts(Change, self["along_k"])
+
+    @property
+    def along_mu(self) -> list[Change]:
+        """All changes of mode as μ grows from zero."""
+        return parts(Change, self["along_mu"])
+
+
+class Report(Point):
+    """The load in the report's diagram, where it has a point there."""
+
+    @property
+    def SF_overturning_effective(self) -> float:
+        """Safety factor against overturning of the point, 1/(k_eff γ |1+k'_eff|), which counts uplift and eccentric weight as a
+        load."""
+        return self["SF_overturning_effective"]
+
+
+class Document(Answer):
+    """The answer to a case."""
+
+    @property
+    def schema(self) -> Literal[1]:
+        """The version of the document."""
+        return self["schema"]
+
+    @property
+    def title(self) -> str | None:
+        """As the case says."""
+        return self["title"]
+
+    @property
+    def note(self) -> str | None:
+        """As the case says."""
+        return self["note"]
+
+    @property
+    def gravity(self) -> float:
+        """g, m/s²."""
+        return self["gravity"]
+
+    @property
+    def extent(self) -> Literal["per-metre", "whole"]:
+        """What all forces, masses and moments are of."""
+        return self["extent"]
+
+    @property
+    def body(self) -> Body:
+        """The body."""
+        return part(Body, self["body"])
+
+    @property
+    def weight_counted_as(self) -> str:
+        """How water takes part in the weight."""
+        return self["weight_counted_as"]
+
+    @property
+    def water(self) -> Water | None:
+        """Still water."""
+        return None if self["water"] is None else part(Water, self["water"])
+
+    @property
+    def wave(self) -> Wave | None:
+        """The waves."""
+        return None if self["wave"] is None else part(Wave, self["wave"])
+
+    @property
+    def warnings(self) -> list[CaseWarning]:
+        """What is unusual."""
+        return parts(CaseWarning, self["warnings"])
+
+    @property
+    def met(self) -> bool | None:
+        """Whether all criteria are met, in all situations; None where the case has none."""
+        return self["met"]
+
+    @property
+    def criteria(self) -> list[Criterion]:
+        """Each criterion in the situation that meets it worst, the governing one first."""
+        return parts(Criterion, self["criteria"])
+
+
+class OnlySituation:
+    """What a case with one situation says of it: the properties of that :class:`Situation`."""
+
+    def _only(self) -> Situation:
+        """The situation; an ``AttributeError`` if there are several."""
+        raise NotImplementedError
+
+    @property
+    def load(self) -> Load | None:
+        """The force that acts alone; None where none does."""
+        return self._only().load
+
+    @property
+    def combination(self) -> Combination | None:
+        """The combination whose loads act; None where the case has none."""
+        return self._only().combination
+
+    @property
+    def earthquake(self) -> Earthquake | None:
+        """The acceleration of the base, the worst of those that were tried, before the factor of a combination; None where no
+        earthquake acts."""
+        return self._only().earthquake
+
+    @property
+    def other_earthquakes(self) -> list[OtherEarthquake]:
+        """The others that were tried, none of them worse as a whole; a criterion may be met worse under one of them."""
+        return self._only().other_earthquakes
+
+    @property
+    def mode(self) -> Mode | None:
+        """The mode under the full load, applied at once."""
+        return self._only().mode
+
+    @property
+    def unique(self) -> bool:
+        """Whether no other mode is consistent under the full load."""
+        return self._only().unique
+
+    @property
+    def also(self) -> Modes:
+        """The other consistent modes."""
+        return self._only().also
+
+    @property
+    def lifted(self) -> bool:
+        """Whether nothing presses the body on its base under the full load; safety factors then mean nothing."""
+        return self._only().lifted
+
+    @property
+    def departure(self) -> Literal["never", "at-once", "at"]:
+        """Whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at
+        ``load_factor``."""
+        return self._only().departure
+
+    @property
+    def load_factor(self) -> float | None:
+        """Where it leaves rest, as a multiple of the variable loads; only where ``departure`` is ``at``."""
+        return self._only().load_factor
+
+    @property
+    def departure_mode(self) -> Mode | None:
+        """The mode in which it leaves rest."""
+        return self._only().departure_mode
+
+    @property
+    def departure_by(self) -> Literal["permanent-loads", "any-share"] | None:
+        """What moves a body that departs at once: its permanent loads alone, or any share of the variable ones, however small."""
+        return self._only().departure_by
+
+    @property
+    def SF_sliding(self) -> float | None:
+        """Safety factor against sliding, μ(W' − U)/P."""
+        return self._only().SF_sliding
+
+    @property
+    def SF_overturning(self) -> float | None:
+        """Safety factor against overturning, the lesser of both corners."""
+        return self._only().SF_overturning
+
+    @property
+    def SF_overturning_heel(self) -> float | None:
+        """The same about the heel, (W' t − M_U)/M_p."""
+        return self._only().SF_overturning_heel
+
+    @property
+    def SF_overturning_toe(self) -> float | None:
+        """The same about the toe, (W'(B_c − t) − U B_c + M_U)/(−M_p)."""
+        return self._only().SF_overturning_toe
+
+    @property
+    def SF_overturning_gross(self) -> float | None:
+        """Safety factor against overturning by gross moments, (W' t + M_s)/(M_s + M_U + M_p) about the heel, the lesser of both
+        corners: the whole weight against all water under the base and P."""
+        return self._only().SF_overturning_gross
+
+    @property
+    def margin_sliding(self) -> float:
+        """What friction leaves of the horizontal force, μ(W' − U) − P: negative where the body cannot rest for want of friction,
+        and where it is lifted, N/m."""
+        return self._only().margin_sliding
+
+    @property
+    def margin_overturning(self) -> float:
+        """The lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and
+        where the body is lifted; with ``margin_sliding`` not negative, the body can rest, N m/m."""
+        return self._only().margin_overturning
+
+    @property
+    def margin_overturning_heel(self) -> float:
+        """The same about the heel, W' t − M_U − M_p, N m/m."""
+        return self._only().margin_overturning_heel
+
+    @property
+    def margin_overturning_toe(self) -> float:
+        """The same about the toe, W'(B_c − t) − U B_c + M_U + M_p, N m/m."""
+        return self._only().margin_overturning_toe
+
+    @property
+    def bearing(self) -> Literal["pressed", "outside-base", "lifted"]:
+        """Whether the base can carry the resultant: it does, the resultant misses the base, or nothing presses."""
+        return self._only().bearing
+
+    @property
+    def heel_pressure(self) -> float | None:
+        """Bearing pressure at the heel, Pa."""
+        return self._only().heel_pressure
+
+    @property
+    def toe_pressure(self) -> float | None:
+        """Bearing pressure at the toe, Pa."""
+        return self._only().toe_pressure
+
+    @property
+    def bearing_max(self) -> float | None:
+        """The larger of both, Pa."""
+        return self._only().bearing_max
+
+    @property
+    def contact_length(self) -> float | None:
+        """The length of the base that is pressed, m."""
+        return self._only().contact_length
+
+    @property
+    def contact_share(self) -> float | None:
+        """The share of the base's area that is pressed."""
+        return self._only().contact_share
+
+    @property
+    def resultant_arm(self) -> float | None:
+        """t_e, distance of the resultant from the heel, m."""
+        return self._only().resultant_arm
+
+    @property
+    def eccentricity(self) -> float | None:
+        """Distance of the resultant from the middle of the base, where it meets the base, m."""
+        return self._only().eccentricity
+
+    @property
+    def heel(self) -> Literal["O", "O'"]:
+        """The corner that the classical checks call the heel."""
+        return self._only().heel
+
+    @property
+    def P(self) -> float:
+        """Horizontal force, towards the heel, N/m."""
+        return self._only().P
+
+    @property
+    def M_p(self) -> float:
+        """Its moment about the base, N m/m."""
+        return self._only().M_p
+
+    @property
+    def U(self) -> float:
+        """Uplift, N/m."""
+        return self._only().U
+
+    @property
+    def M_U(self) -> float:
+        """Its moment about the heel, N m/m."""
+        return self._only().M_U
+
+    @property
+    def buoyant_weight(self) -> float:
+        """W', weight less buoyancy, N/m."""
+        return self._only().buoyant_weight
+
+    @property
+    def weight_arm(self) -> float:
+        """t, its arm to the heel, m."""
+        return self._only().weight_arm
+
+    @property
+    def k_eff(self) -> float | None:
+        """k of the load in the report's diagram, where it has a point there."""
+        return self._only().k_eff
+
+    @property
+    def k_prime_eff(self) -> float | None:
+        """k' of the load in the report's diagram."""
+        return self._only().k_prime_eff
+
+    @property
+    def mode_words(self) -> str | None:
+        """The mode as a predicate of the body."""
+        return self._only().mode_words
+
+    @property
+    def because(self) -> list[Relation]:
+        """The inequalities that decide the mode: the report's where the load has a point in its diagram, otherwise the conditions
+        of the contact problem."""
+        return self._only().because
+
+    @property
+    def motion(self) -> Motion | None:
+        """The motion in that mode, in m/s², rad/s², N/m and m; in an earthquake the accelerations are relative to the base."""
+        return self._only().motion
+
+    @property
+    def wrench(self) -> Wrench:
+        """All loads."""
+        return self._only().wrench
+
+    @property
+    def components(self) -> list[Component]:
+        """The loads one by one."""
+        return self._only().components
+
+    @property
+    def path(self) -> list[Stage]:
+        """The modes as the variable loads rise from zero; empty where all are permanent."""
+        return self._only().path
+
+    @property
+    def report(self) -> Report | None:
+        """The load in the report's diagram, where it has a point there."""
+        return self._only().report

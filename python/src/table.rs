@@ -1,0 +1,340 @@
+//! Tables of cases: rows that vary the numbers of a case, answered on all cores.
+
+use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchReader, StringArray};
+use arrow_schema::{Field, Schema};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
+use pyo3_arrow::input::AnyRecordBatch;
+use standfast_cases::sweep::SweepResult;
+use standfast_cases::{CaseFile, report};
+use standfast_tables::{
+    CaseTable, Face, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Place, Progress,
+    TableError, TableOptions, Values, VariedColumn,
+};
+
+use crate::arrow_out::ArrowTable;
+
+/// How often a caller that waits looks for Ctrl-C and tells the progress.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// What errors call the table.
+const NAME: &str = "the table";
+
+/// A table of cases, of which the columns are known.
+#[pyclass(frozen, module = "standfast._standfast")]
+pub(crate) struct Sweep {
+    table: MemoryTable,
+    /// The rows, where they come from elsewhere.
+    reader: Mutex<Option<Box<dyn RecordBatchReader + Send>>>,
+}
+
+/// The names of the columns, or a table that has them.
+#[derive(FromPyObject)]
+pub(crate) enum Given {
+    Names(Vec<String>),
+    Table(AnyRecordBatch),
+}
+
+/// A column that varies the case.
+#[derive(FromPyObject)]
+pub(crate) enum Column<'py> {
+    /// Numbers, and where they are missing.
+    Numbers(PyReadonlyArray1<'py, f64>, Option<PyReadonlyArray1<'py, bool>>),
+    /// Numbers with units.
+    Texts(Vec<Option<String>>),
+}
+
+#[pymethods]
+impl Sweep {
+    /// The case file `text`, varied by columns; `map` has keys and columns, `results` the names of what is computed, all if it is
+    /// `None`; with `null`, rows that make no sense have no results.
+    #[new]
+    #[pyo3(signature = (name, text, given, map, results, null, threads))]
+    fn new(
+        name: &str,
+        text: &str,
+        given: Given,
+        map: Vec<(String, String)>,
+        results: Option<Vec<String>>,
+        null: bool,
+        threads: Option<NonZero<usize>>,
+    ) -> PyResult<Sweep> {
+        let case = CaseFile::parse(name, text).and_then(CaseTable::of);
+        let case = case.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let case = match results {
+            None => case,
+            Some(names) if names.is_empty() => {
+                return Err(PyValueError::new_err("columns is empty; expected the names of results"));
+            }
+            Some(names) => case.with_results(names.iter().map(|name| found(name)).collect::<PyResult<_>>()?),
+        };
+        let options = TableOptions {
+            case: Some(case.into()),
+            map: map.into_iter().map(|(ours, theirs)| Mapping { ours, theirs }).collect(),
+            on_error: if null { OnError::Null } else { OnError::Stop },
+            face: Face::Python,
+            threads: threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
+            ..TableOptions::new(NAME)
+        };
+        let (names, reader) = match given {
+            Given::Names(names) => (names, None),
+            Given::Table(table) => {
+                let reader = table.into_reader()?;
+                let fields = reader.schema().fields().clone();
+                (fields.iter().map(|field| field.name().clone()).collect(), Some(reader))
+            }
+        };
+        let table = MemoryTable::of(&names, options).map_err(|error| raised(error, &[]))?;
+        Ok(Sweep { table, reader: Mutex::new(reader) })
+    }
+
+    /// The places of the columns that vary the case, in the order in which [`answer`](Sweep::answer) takes them.
+    #[getter]
+    fn places(&self) -> Vec<usize> {
+        self.table.places().to_vec()
+    }
+
+    /// The columns that vary the case, and the keys that they vary.
+    #[getter]
+    fn varied(&self) -> Vec<(String, String)> {
+        let columns = self.table.varied().unwrap_or_default().columns.into_iter();
+        columns.map(|VariedColumn { column, key }| (column, key)).collect()
+    }
+
+    /// What goes with them, in sentences.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.table.varied().unwrap_or_default().notes
+    }
+
+    /// What may be a slip: names and words.
+    #[getter]
+    fn warnings(&self) -> Vec<(&'static str, String)> {
+        let warnings = self.table.varied().unwrap_or_default().warnings;
+        warnings.iter().map(|warning| (warning.name(), warning.words(Face::Python))).collect()
+    }
+
+    /// The results: names, units and words.
+    #[getter]
+    fn results(&self) -> Vec<(String, Option<String>, Option<String>)> {
+        let said = |field: &Field, key: &str| field.metadata().get(key).cloned();
+        let fields = self.table.fields().into_iter();
+        fields
+            .map(|field| (field.name().clone(), said(&field, "unit"), said(&field, "description")))
+            .collect()
+    }
+
+    /// The results of rows in these columns, of an array of this shape, as numpy arrays: each with its name and what belongs
+    /// to it; and the rows that have none.
+    fn answer<'py>(
+        &self,
+        py: Python<'py>,
+        columns: Vec<Column<'py>>,
+        shape: Vec<usize>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Vec<Bound<'py, PyTuple>>, Vec<u64>)> {
+        let arrays: Vec<ArrayRef> = columns.into_iter().map(Column::array).collect::<PyResult<_>>()?;
+        let fields = arrays.iter().enumerate();
+        let fields = fields.map(|(i, array)| Field::new(i.to_string(), array.data_type().clone(), true));
+        let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
+        let batch = RecordBatch::try_new(schema.clone(), arrays);
+        let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let rows = batch.num_rows() as u64;
+        let answer = watched(py, progress, Some(rows), |watch| {
+            self.table.answer(&schema, std::iter::once(Ok(batch)), watch)
+        })?;
+        let MemoryAnswer { fields, values, without, .. } = answer.map_err(|error| raised(error, &shape))?;
+        let columns = fields.iter().zip(values);
+        let columns = columns.map(|(field, values)| in_numpy(py, field.name(), values));
+        Ok((columns.collect::<PyResult<_>>()?, without))
+    }
+
+    /// The results of the table that was given.
+    fn answer_table(&self, py: Python<'_>, progress: Option<Bound<'_, PyAny>>) -> PyResult<ArrowTable> {
+        let reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let reader =
+            reader.ok_or_else(|| PyTypeError::new_err("there is no table, or it has been answered"))?;
+        let places = self.table.places();
+        let unreadable = |error: arrow_schema::ArrowError| PyValueError::new_err(error.to_string());
+        let schema = reader.schema().project(places).map_err(unreadable)?;
+        let batches = reader.map(|batch| batch?.project(places));
+        let answer = watched(py, progress, None, |watch| self.table.answer(&schema, batches, watch))?;
+        let answer = answer.map_err(|error| raised(error, &[]))?;
+        let batch = answer.into_batch().map_err(unreadable)?;
+        Ok(ArrowTable::new(batch.schema(), vec![batch]))
+    }
+}
+
+/// The result of a name.
+fn found(name: &str) -> PyResult<SweepResult> {
+    SweepResult::find(name).ok_or_else(|| {
+        let results = SweepResult::all().map(SweepResult::name).collect();
+        let (option, column) = (Face::Python.columns(), name.to_owned());
+        raised(TableError::NoSuchResult { option, column, results }, &[])
+    })
+}
+
+impl Column<'_> {
+    fn array(self) -> PyResult<ArrayRef> {
+        Ok(match self {
+            Column::Numbers(numbers, None) => Arc::new(Float64Array::from(numbers.as_slice()?.to_vec())),
+            Column::Numbers(numbers, Some(missing)) => {
+                let present = BooleanArray::from(
+                    missing.as_slice()?.iter().map(|missing| !missing).collect::<Vec<_>>(),
+                );
+                let nulls = present.values().clone().into();
+                Arc::new(Float64Array::new(numbers.as_slice()?.to_vec().into(), Some(nulls)))
+            }
+            Column::Texts(texts) => Arc::new(StringArray::from(texts)),
+        })
+    }
+}
+
+/// A column of results in numpy: name, array, and for numbers nothing more, for truth where it is missing, for all else the words
+/// of which the array has places, -1 where there is none.
+fn in_numpy<'py>(py: Python<'py>, name: &str, values: Values) -> PyResult<Bound<'py, PyTuple>> {
+    let words = |places: Vec<i32>, words: Vec<String>| {
+        let words = PyList::new(py, words)?;
+        (name, PyArray1::from_vec(py, places), words).into_pyobject(py)
+    };
+    match values {
+        Values::Number(numbers) => (name, PyArray1::from_vec(py, numbers), py.None()).into_pyobject(py),
+        Values::Flag(flags) => {
+            let missing: Vec<bool> = flags.iter().map(Option::is_none).collect();
+            let flags: Vec<bool> = flags.into_iter().map(Option::unwrap_or_default).collect();
+            (name, PyArray1::from_vec(py, flags), PyArray1::from_vec(py, missing)).into_pyobject(py)
+        }
+        Values::Word(known, codes) => {
+            let place = |code| if code == NO_WORD { -1 } else { i32::from(code) };
+            words(codes.into_iter().map(place).collect(), known.iter().map(ToString::to_string).collect())
+        }
+        Values::Name(known, places) => {
+            let place = |place| if place == NO_NAME { -1 } else { place as i32 };
+            words(places.into_iter().map(place).collect(), known.to_vec())
+        }
+        Values::Modes(sets) => {
+            let (places, known) = distinct(sets.into_iter().map(|set| set.map(|modes| modes.to_string())));
+            words(places, known)
+        }
+        Values::Problem(problems) => {
+            let (places, known) = distinct(problems.into_iter());
+            words(places, known)
+        }
+        _ => Err(PyTypeError::new_err(format!("{name} has no form in numpy"))),
+    }
+}
+
+/// Texts by their places among those that differ.
+fn distinct(texts: impl Iterator<Item = Option<String>>) -> (Vec<i32>, Vec<String>) {
+    let mut known: BTreeMap<String, i32> = BTreeMap::new();
+    let places = texts.map(|text| {
+        text.map_or(-1, |text| {
+            let next = known.len() as i32;
+            *known.entry(text).or_insert(next)
+        })
+    });
+    let places = places.collect();
+    let mut words: Vec<_> = known.into_iter().collect();
+    words.sort_by_key(|(_, place)| *place);
+    (places, words.into_iter().map(|(text, _)| text).collect())
+}
+
+/// How far work is, and whether it is to stop.
+#[derive(Default)]
+struct Watch {
+    rows: AtomicU64,
+    stopped: AtomicBool,
+    done: AtomicBool,
+}
+
+impl Progress for Watch {
+    fn advance(&self, rows: u64, _: u64) {
+        self.rows.fetch_add(rows, Ordering::Relaxed);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+}
+
+/// Does `work` on another thread. Meanwhile Ctrl-C stops it, and `progress` is called with the rows done and all rows.
+fn watched<T: Send>(
+    py: Python<'_>,
+    progress: Option<Bound<'_, PyAny>>,
+    total: Option<u64>,
+    work: impl FnOnce(&Watch) -> T + Send,
+) -> PyResult<T> {
+    let progress = progress.map(Bound::unbind);
+    let watch = Watch::default();
+    let told = |py: Python<'_>, rows: u64| match &progress {
+        Some(progress) => progress.call1(py, (rows, total)).map(drop),
+        None => Ok(()),
+    };
+    let outcome = py.detach(|| {
+        thread::scope(|scope| {
+            let caller = thread::current();
+            let watch = &watch;
+            let worker = scope.spawn(move || {
+                let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| work(watch)));
+                watch.done.store(true, Ordering::Release);
+                caller.unpark();
+                outcome
+            });
+            let mut looked = Ok(());
+            while !watch.done.load(Ordering::Acquire) {
+                thread::park_timeout(LOOK);
+                if looked.is_ok() && !watch.done.load(Ordering::Acquire) {
+                    let rows = watch.rows.load(Ordering::Relaxed);
+                    looked = Python::attach(|py| py.check_signals().and_then(|()| told(py, rows)));
+                    watch.stopped.store(looked.is_err(), Ordering::Relaxed);
+                }
+            }
+            let outcome =
+                worker.join().and_then(|outcome| outcome).unwrap_or_else(|panic| resume_unwind(panic));
+            looked.map(|()| outcome)
+        })
+    })?;
+    told(py, watch.rows.load(Ordering::Relaxed))?;
+    Ok(outcome)
+}
+
+/// What is wrong with a table as an exception; rows by their index in an array of this shape.
+fn raised(error: TableError, shape: &[usize]) -> PyErr {
+    if let TableError::Row { place: Place::Row(row), problem, .. } = &error {
+        let index = index(row - 1, shape);
+        return PyValueError::new_err(format!("at index {index}, {problem}"));
+    }
+    let help = miette::Diagnostic::help(&error).map_or(String::new(), |help| format!("; {help}"));
+    let words = format!("{error}{help}");
+    match error {
+        TableError::Case(error) => PyValueError::new_err(report(&error)),
+        TableError::MissingColumn { .. } => PyKeyError::new_err(words),
+        TableError::Type { .. } => PyTypeError::new_err(words),
+        _ => PyValueError::new_err(words),
+    }
+}
+
+/// An index as Python writes it, of a row in the order of C.
+fn index(mut row: u64, shape: &[usize]) -> String {
+    if shape.len() <= 1 {
+        return row.to_string();
+    }
+    let mut places = Vec::new();
+    for &length in shape.iter().rev() {
+        let length = (length as u64).max(1);
+        places.push((row % length).to_string());
+        row /= length;
+    }
+    places.reverse();
+    format!("({})", places.join(", "))
+}
