@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::{fs, io};
 
-use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request};
+use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request, Spelling};
 use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{FigureId, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
@@ -75,7 +75,14 @@ fn boundary(root: &Path, example: &str) -> io::Result<String> {
     let text = fs::read_to_string(root.join("examples").join(format!("{example}.toml")))?;
     let file = CaseFile::parse(example, &text).map_err(io::Error::other)?;
     let target = "factor=1.2".parse().map_err(io::Error::other)?;
-    let design = Request { vary: "width".to_owned(), target, extreme: Extreme::Least, from: None, to: None };
+    let design = Request {
+        vary: "width".to_owned(),
+        target,
+        extreme: Extreme::Least,
+        from: None,
+        to: None,
+        spelling: &Spelling::PROGRAM,
+    };
     let request = BoundaryRequest { design, and: "friction".to_owned(), from: None, to: None };
     let figure = Boundary::of(&file, request).map_err(io::Error::other)?.figure();
     Ok(figure.map(|figure| figure.svg().to_owned()).unwrap_or_default())

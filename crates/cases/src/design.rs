@@ -54,11 +54,11 @@ impl Extreme {
         }
     }
 
-    /// The option that asks for it.
-    fn option(self) -> &'static str {
+    /// What asks for it.
+    fn spelled(self, spelling: &Spelling) -> &'static str {
         match self {
-            Extreme::Least => "--least",
-            Extreme::Greatest => "--greatest",
+            Extreme::Least => spelling.least,
+            Extreme::Greatest => spelling.greatest,
         }
     }
 
@@ -88,6 +88,44 @@ impl fmt::Display for Extreme {
     }
 }
 
+/// What a user writes for the parts of a request, so that an error calls them what they were called.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Spelling {
+    /// The quantity to vary.
+    pub vary: &'static str,
+    /// Where it begins.
+    pub from: &'static str,
+    /// Where it ends.
+    pub to: &'static str,
+    /// Another quantity.
+    pub and: &'static str,
+    /// Where that begins.
+    pub and_from: &'static str,
+    /// Where that ends.
+    pub and_to: &'static str,
+    /// That the least value is wanted.
+    pub least: &'static str,
+    /// That the greatest is.
+    pub greatest: &'static str,
+    /// Two quantities, as an example.
+    pub two: &'static str,
+}
+
+impl Spelling {
+    /// The options of the program.
+    pub const PROGRAM: Spelling = Spelling {
+        vary: "--vary",
+        from: "--from",
+        to: "--to",
+        and: "--and",
+        and_from: "--and-from",
+        and_to: "--and-to",
+        least: "--least",
+        greatest: "--greatest",
+        two: "--vary width --and friction",
+    };
+}
+
 /// What to design.
 #[derive(Debug, Clone)]
 pub struct Request {
@@ -101,13 +139,15 @@ pub struct Request {
     pub from: Option<String>,
     /// Where to end; five times the present value if not given.
     pub to: Option<String>,
+    /// What errors call all this.
+    pub spelling: &'static Spelling,
 }
 
 impl Request {
     /// The quantity, between its ends.
     fn quantity(&self, file: &CaseFile, case: &Case) -> Result<Quantity, DesignError> {
         let ends = Ends {
-            options: ["--from", "--to"],
+            options: [self.spelling.from, self.spelling.to],
             written: [self.from.as_deref(), self.to.as_deref()],
             spread: 5.0,
         };
@@ -196,7 +236,9 @@ impl<'a> Design<'a> {
             return Err(DesignError::NothingRises { target: request.target });
         }
         let stretches = search.stretches();
-        let Some(at) = request.extreme.outermost(&stretches) else { return Err(search.unmet()) };
+        let Some(at) = request.extreme.outermost(&stretches) else {
+            return Err(search.unmet(request.spelling));
+        };
         if matches!(request.extreme.of(&stretches[at]).beyond, Beyond::Range) {
             return Err(no_end(&request, &quantity, &stretches[at]));
         }
@@ -267,14 +309,15 @@ fn moves_though_met(answer: &Assessment) -> Option<String> {
 /// That a target is met as far as the range reaches, and which option finds a boundary.
 fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignError {
     let [from, to] = quantity.range.map(|value| quantity.shown(value));
+    let spelling = request.spelling;
     let farther = match request.extreme {
-        Extreme::Least => "--from looks farther down",
-        Extreme::Greatest => "--to looks farther up",
+        Extreme::Least => format!("{} looks farther down", spelling.from),
+        Extreme::Greatest => format!("{} looks farther up", spelling.to),
     };
     let across = request.extreme.other();
     let boundary = across.of(stretch);
     let (met, help) = match boundary.beyond {
-        Beyond::Range => (format!("from {from} to {to}, in the whole range"), farther.to_owned()),
+        Beyond::Range => (format!("from {from} to {to}, in the whole range"), farther),
         _ => {
             let met = match request.extreme {
                 Extreme::Least => format!("from {from}, where the range begins, to {}", boundary.text),
@@ -284,7 +327,7 @@ fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignEr
                 met,
                 format!(
                     "{} gives the boundary on the other side, {}; {farther}",
-                    across.option(),
+                    across.spelled(spelling),
                     boundary.text
                 ),
             )

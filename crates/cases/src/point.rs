@@ -6,7 +6,7 @@ use serde::Serialize;
 use standfast::initiation::{Crossing, Step};
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
-use standfast::{Mode, Modes, Motion, Point};
+use standfast::{Mode, Modes, Motion};
 
 use crate::assess::SCHEMA;
 use crate::describe;
@@ -14,13 +14,12 @@ use crate::layout::{digits, paragraph};
 use crate::results::number_or_word;
 
 /// The answer as one line of text, or with `explain` every step of the decision, the motion, and where the mode changes.
-pub fn text(point: Point, explain: bool) -> String {
-    let reduced = Reduced { point, mirrored: false };
-    if explain { explanation(&reduced) } else { one_line(&reduced) }
+pub fn text(reduced: &Reduced, explain: bool) -> String {
+    if explain { explanation(reduced) } else { one_line(reduced) }
 }
 
 /// The answer as a JSON document, complete and at full precision.
-pub fn json(point: Point) -> String {
+pub fn json(reduced: &Reduced) -> String {
     #[derive(Serialize)]
     struct Document {
         schema: u32,
@@ -31,9 +30,10 @@ pub fn json(point: Point) -> String {
         #[serde(rename = "SF_overturning", serialize_with = "number_or_word")]
         overturning: f64,
     }
+    let point = &reduced.point;
     crate::json(&Document {
         schema: SCHEMA,
-        answer: PointDocument::of(&Reduced { point, mirrored: false }),
+        answer: PointDocument::of(reduced),
         sliding: point.safety_against_sliding(),
         overturning: point.safety_against_overturning(),
     })
@@ -51,6 +51,9 @@ fn explanation(reduced: &Reduced) -> String {
     let trace = point.explain();
     let mut text = paragraph(&describe::verdict(reduced), 0);
     text += &paragraph(&describe::uniqueness(reduced), 0);
+    if reduced.mirrored {
+        text += &paragraph(describe::MIRRORED, 0);
+    }
 
     let _ = writeln!(
         text,
@@ -64,7 +67,7 @@ fn explanation(reduced: &Reduced) -> String {
     text += "\nStep by step (report's equation numbers)\n";
     for step in &trace.steps {
         let verdict = if step.holds { "holds" } else { "does not hold" };
-        let _ = writeln!(text, "  {} {verdict}", step.mode);
+        let _ = writeln!(text, "  {} {verdict}", reduced.orient(step.mode));
         text += &describe::relations(&step.relations, 4);
     }
     text += "\nSafety factors\n";

@@ -478,6 +478,7 @@ fn criteria_are_checked_under_every_acceleration() {
             extreme: standfast_cases::design::Extreme::Least,
             from: None,
             to: None,
+            spelling: &standfast_cases::design::Spelling::PROGRAM,
         };
         let design = standfast_cases::design::Design::of(&file, request).unwrap().json();
         let design: serde_json::Value = serde_json::from_str(&design).unwrap();

@@ -3,7 +3,9 @@
 
 use serde_json::Value;
 use standfast_cases::couple::{Variable, vary};
-use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Target, TargetError};
+use standfast_cases::design::{
+    Boundary, BoundaryRequest, Design, Extreme, Request, Spelling, Target, TargetError,
+};
 use standfast_cases::{Assessment, Case, CaseFile, Key, report};
 
 /// A dry block under one force: it slides at μ m g/F, and turns about the corner at m g w/(2 F e).
@@ -21,7 +23,7 @@ fn file(text: &str) -> CaseFile {
 
 fn request(vary: &str, target: &str, extreme: Extreme) -> Request {
     let target = target.parse().unwrap();
-    Request { vary: vary.to_owned(), target, extreme, from: None, to: None }
+    Request { vary: vary.to_owned(), target, extreme, from: None, to: None, spelling: &Spelling::PROGRAM }
 }
 
 /// The JSON of a design that there is.

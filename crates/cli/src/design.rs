@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use miette::Diagnostic;
-use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Extreme, Request};
+use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Extreme, Request, Spelling};
 use thiserror::Error;
 
 use crate::args::DesignArgs;
@@ -98,6 +98,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
         extreme: if args.greatest { Extreme::Greatest } else { Extreme::Least },
         from: args.from.clone(),
         to: args.to.clone(),
+        spelling: &Spelling::PROGRAM,
     };
     let Some(and) = args.and.clone() else {
         let design = Design::of(&file, request)?;

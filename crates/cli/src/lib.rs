@@ -32,6 +32,7 @@ use std::num::NonZeroUsize;
 
 use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
+use standfast::loads::Reduced;
 use standfast::{Diagram, Point};
 use standfast_cases::{View, point};
 use standfast_figures::FigureId;
@@ -66,9 +67,10 @@ pub fn run(cli: Cli) -> Result<Ended> {
         }
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
+            let point = Reduced { point, mirrored: false };
             print(&match args.format {
-                Format::Text => point::text(point, args.explain),
-                Format::Json => point::json(point),
+                Format::Text => point::text(&point, args.explain),
+                Format::Json => point::json(&point),
             })
         }
         Command::Diagram(args) => {

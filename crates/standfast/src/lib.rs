@@ -14,6 +14,7 @@
 //! |---|---|
 //! | Which mode begins, with what motion, and is the answer unique? | [`Point`] |
 //! | At which force or friction does it change? Why this mode? | [`Point::margins`], [`Point::explain`] |
+//! | How far is each inequality from failing, as a limit state? | [`Point::limit_states`] |
 //! | What does the whole k–μ plane look like? | [`Diagram`], [`initiation::Chart`] |
 //! | My body has metres and my force kilonewtons | [`Body`], [`loads::HorizontalForce`] |
 //! | Ten million points | [`batch`] |

@@ -1,7 +1,7 @@
 //! What a table asks: the report's problem, or the general contact problem.
 
-use standfast::contact::{self, Block};
-use standfast::{InputError, Mode, Modes, Motion, Point, Quantity, Wrench};
+use standfast::contact::{self, INPUTS};
+use standfast::{InputError, Mode, Modes, Motion, Point, Quantity};
 
 use crate::results::{FieldKind, SYMBOLS};
 use ResultColumn::{
@@ -37,19 +37,16 @@ const FORCE: [Column; 4] = [
     column("mu", Quantity::Friction),
 ];
 
-const WRENCH: [Column; 11] = [
-    column("b1", Quantity::B1),
-    column("b2", Quantity::B2),
-    column("d", Quantity::D),
-    column("rho2", Quantity::Rho2),
-    column("m_x", Quantity::InertiaX),
-    column("m_y", Quantity::InertiaY),
-    column("x", Quantity::WrenchX),
-    column("p", Quantity::WrenchP),
-    column("m", Quantity::WrenchM),
-    column("mu_s", Quantity::MuS),
-    column("mu_k", Quantity::MuK),
-];
+const WRENCH: [Column; INPUTS.len()] = {
+    let mut columns = [const { column("", Quantity::B1) }; INPUTS.len()];
+    let mut place = 0;
+    while place < columns.len() {
+        let (name, quantity) = INPUTS[place];
+        columns[place] = column(name, quantity);
+        place += 1;
+    }
+    columns
+};
 
 /// The most columns a problem has.
 pub(crate) const MOST: usize = WRENCH.len();
@@ -163,11 +160,7 @@ impl TableProblem {
                 let [gamma, k_prime, k, mu, ..] = values;
                 Point::new(gamma, k_prime, k, mu).map(Answer::Force)
             }
-            TableProblem::Wrench => {
-                let [b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k] = values;
-                let block = Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k };
-                contact::solve(&block, &Wrench { x, p, m }).map(Answer::Wrench)
-            }
+            TableProblem::Wrench => contact::solve_row(values).map(Answer::Wrench),
         }
     }
 

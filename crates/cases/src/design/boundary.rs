@@ -8,7 +8,7 @@ mod render;
 
 use super::quantity::{Ends, Quantity};
 use super::set::{Search, Stretch};
-use super::{DesignError, Request, Target, Varied};
+use super::{DesignError, Request, Spelling, Target, Varied};
 use crate::assess::Assessment;
 use crate::case::Case;
 use crate::couple::Variable;
@@ -79,11 +79,12 @@ impl<'a> Boundary<'a> {
         let case = file.case()?;
         design.answerable(&case)?;
         let up = design.quantity(file, &case)?;
-        let options = ["--and-from", "--and-to"];
+        let spelling = design.spelling;
+        let options = [spelling.and_from, spelling.and_to];
         let ends = Ends { options, written: [from.as_deref(), to.as_deref()], spread: 2.0 };
         let across = Quantity::of(&and, file.inputs(), &case, &ends)?;
         if up.variable.id() == across.variable.id() {
-            return Err(DesignError::Twice { name: up.variable.id().to_string() });
+            return Err(DesignError::Twice { name: up.variable.id().to_string(), spelling });
         }
         let present = Assessment::of(&case).map_err(|error| file.refused(error))?;
         let grid = Grid { file, case: &case, up: &up, across: &across, target: design.target };
@@ -96,7 +97,7 @@ impl<'a> Boundary<'a> {
         let mut columns: Vec<_> = values.into_iter().map(|value| grid.column(value)).collect();
         grid.refine(&mut columns);
         if columns.iter().all(|column| column.stretches.is_empty()) {
-            return Err(grid.unmet());
+            return Err(grid.unmet(spelling));
         }
         Ok(Boundary { file, request: design, up, across, present, columns, round })
     }
@@ -190,12 +191,12 @@ impl Grid<'_> {
     }
 
     /// Why no values meet the target.
-    fn unmet(&self) -> DesignError {
+    fn unmet(&self, spelling: &'static Spelling) -> DesignError {
         let [from, to] = self.across.range;
         let value = self.across.present.clamp(from, to);
-        let why = self.at(value, |search| search.unmet()).to_string();
+        let why = self.at(value, |search| search.unmet(spelling)).to_string();
         let name = self.across.variable.name().to_owned();
         let (range, at) = (self.across.range_words(), self.across.shown(value));
-        DesignError::UnmetThroughout { name, range, at, why }
+        DesignError::UnmetThroughout { name, range, at, why, spelling }
     }
 }

@@ -3,7 +3,7 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-use super::{Extreme, Target};
+use super::{Extreme, Spelling, Target};
 use crate::couple::Unknown;
 use crate::error::CaseError;
 
@@ -71,7 +71,7 @@ pub enum DesignError {
     },
     /// No value of the range makes a case.
     #[error("no {name} {range} makes a case; at {at}: {why}")]
-    #[diagnostic(help("--from and --to give another range"))]
+    #[diagnostic(help("{} and {} give another range", spelling.from, spelling.to))]
     NoCase {
         /// What was varied.
         name: String,
@@ -81,6 +81,8 @@ pub enum DesignError {
         at: String,
         /// Why that makes no case.
         why: String,
+        /// What the request was written with.
+        spelling: &'static Spelling,
     },
     /// The target does not depend on the quantity.
     #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
@@ -96,8 +98,10 @@ pub enum DesignError {
     /// No value meets the target.
     #[error("no {name} {range} meets the target {target}; {best}")]
     #[diagnostic(help(
-        "--from and --to widen the range; another quantity may help more: see the sensitivities of a \
-        target that can be met"
+        "{} and {} widen the range; another quantity may help more: see the sensitivities of a \
+        target that can be met",
+        spelling.from,
+        spelling.to
     ))]
     Unmet {
         /// What was varied.
@@ -108,6 +112,8 @@ pub enum DesignError {
         target: Target,
         /// The best that was reached.
         best: String,
+        /// What the request was written with.
+        spelling: &'static Spelling,
     },
     /// The target is met as far as the range reaches on the side where an end was wanted.
     #[error("there is no {extreme} {name} that meets the target {target}: it is met {met}")]
@@ -126,7 +132,13 @@ pub enum DesignError {
     },
     /// No value meets the target, whatever another quantity is.
     #[error("whatever {name} is {range}, the target is not met; at {at}: {why}")]
-    #[diagnostic(help("--from, --to, --and-from and --and-to widen the ranges"))]
+    #[diagnostic(help(
+        "{}, {}, {} and {} widen the ranges",
+        spelling.from,
+        spelling.to,
+        spelling.and_from,
+        spelling.and_to
+    ))]
     UnmetThroughout {
         /// The other quantity.
         name: String,
@@ -136,13 +148,17 @@ pub enum DesignError {
         at: String,
         /// Why there is none there.
         why: String,
+        /// What the request was written with.
+        spelling: &'static Spelling,
     },
     /// Both quantities are the same.
-    #[error("--vary and --and name the same number, {name}")]
-    #[diagnostic(help("--and takes another quantity of the case, as in --vary width --and friction"))]
+    #[error("{} and {} name the same number, {name}", spelling.vary, spelling.and)]
+    #[diagnostic(help("{} takes another quantity of the case, as in {}", spelling.and, spelling.two))]
     Twice {
         /// The number.
         name: String,
+        /// What the request was written with.
+        spelling: &'static Spelling,
     },
 }
 

@@ -6,7 +6,7 @@
 
 use super::quantity::{DIGITS, Quantity, with_unit};
 use super::target::{Binding, Target};
-use super::{DesignError, Varied, least, load_factor, overturning, sliding};
+use super::{DesignError, Spelling, Varied, least, load_factor, overturning, sliding};
 use crate::assess::Assessment;
 use crate::error::CaseError;
 use crate::layout::digits;
@@ -217,7 +217,7 @@ impl Search<'_> {
     }
 
     /// Why no value meets the target.
-    pub(super) fn unmet(&self) -> DesignError {
+    pub(super) fn unmet(&self, spelling: &'static Spelling) -> DesignError {
         let (mut best, mut worst, mut error): (Option<(f64, Trial)>, _, _) = (None, f64::INFINITY, None);
         let samples = self.samples();
         let count = samples.len();
@@ -240,7 +240,7 @@ impl Search<'_> {
         let range = self.quantity.range_words();
         let Some((score, Trial { value, answer: Ok(answer), .. })) = best else {
             let (at, why) = error.unwrap_or_default();
-            return DesignError::NoCase { name, range, at: self.quantity.shown(at), why };
+            return DesignError::NoCase { name, range, at: self.quantity.shown(at), why, spelling };
         };
         let binding = target.binding(&answer).words;
         // The same but for rounding.
@@ -257,6 +257,6 @@ impl Search<'_> {
             ),
         };
         let best = format!("the best of {count} values tried is {}, {reached}", self.quantity.shown(value));
-        DesignError::Unmet { name, range, target, best }
+        DesignError::Unmet { name, range, target, best, spelling }
     }
 }

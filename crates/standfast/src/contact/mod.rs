@@ -71,6 +71,30 @@ use crate::quantity::{Expected, Quantity};
 use crate::relation::Relation;
 use crate::wrench::Wrench;
 
+/// The numbers of the problem in the order of tables: what each is called there, and which quantity it is.
+pub const INPUTS: [(&str, Quantity); 11] = [
+    ("b1", Quantity::B1),
+    ("b2", Quantity::B2),
+    ("d", Quantity::D),
+    ("rho2", Quantity::Rho2),
+    ("m_x", Quantity::InertiaX),
+    ("m_y", Quantity::InertiaY),
+    ("x", Quantity::WrenchX),
+    ("p", Quantity::WrenchP),
+    ("m", Quantity::WrenchM),
+    ("mu_s", Quantity::MuS),
+    ("mu_k", Quantity::MuK),
+];
+
+/// Every mode that the block can begin with whose numbers are in the order of [`INPUTS`].
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_row(row: [f64; INPUTS.len()]) -> Result<Solution, InputError> {
+    let [b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k] = row;
+    solve(&Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k }, &Wrench { x, p, m })
+}
+
 /// A block on its base; symbols and units in the [module's table](self).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {

@@ -48,11 +48,13 @@
 //! ```
 
 mod chart;
+mod limits;
 mod margins;
 mod onset;
 mod trace;
 
 pub use chart::{Chart, ChartCase, NamedPoint, PointName};
+pub use limits::{LimitState, LimitStates};
 pub use margins::{Bounds, Crossing, Margins};
 pub use trace::{Step, Trace};
 
@@ -187,6 +189,11 @@ impl Point {
     /// At which forces and frictions the mode changes.
     pub fn margins(&self) -> Margins {
         Margins::of(self)
+    }
+
+    /// How far it is from each inequality that decides its mode, as limit states.
+    pub fn limit_states(&self) -> LimitStates {
+        LimitStates::of(self)
     }
 
     /// The verdict step by step, with the report's equation numbers.
