@@ -4,12 +4,18 @@
 mod arrow_in;
 mod arrow_out;
 mod assess;
+mod contact;
+mod design;
 mod diagram;
+mod explain;
 mod grid;
+mod limits;
 mod ndarray;
 mod numbers;
 mod onset;
+mod rows;
 mod run;
+mod sheet;
 mod table;
 
 use numpy::PyArrayDyn;
@@ -44,7 +50,17 @@ mod _standfast {
     #[pymodule_export]
     use super::assess::{CaseAnswer, assess};
     #[pymodule_export]
+    use super::contact::{contact_names, contact_rows};
+    #[pymodule_export]
+    use super::design::{boundary, design};
+    #[pymodule_export]
     use super::diagram::{diagram_outlines, diagram_svg};
+    #[pymodule_export]
+    use super::explain::{contact_conditions, explain};
+    #[pymodule_export]
+    use super::limits::{limit_state_names, limit_states};
+    #[pymodule_export]
+    use super::sheet::{sheet, title_block};
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

@@ -9,13 +9,13 @@ use standfast::{InputError, Point};
 
 use standfast_cases::design::Target;
 use standfast_figures::FigureId;
-use standfast_sheet::Date;
+use standfast_sheet::{Date, Paper};
 use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
 
 use crate::design::BoundaryFile;
 use crate::draw::{KMu, Picture, PictureFile};
 use crate::format::Format;
-use crate::sheet::{Paper, SheetFile};
+use crate::sheet::SheetFile;
 use crate::title_block::TitleBlock;
 
 const EXIT_CODES: &str = "\

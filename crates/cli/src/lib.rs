@@ -5,7 +5,7 @@
 //! | What does the command line look like? | [`args`] |
 //! | From which file to which is a table answered? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
-//! | How does a calculation sheet become a PDF? | [`sheet`], [`browser`] |
+//! | How is a calculation sheet written? | [`sheet`] |
 //! | What may a build leave out? | [`features`] |
 //!
 //! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`';
@@ -16,7 +16,6 @@
 pub mod args;
 pub mod assess;
 pub mod batch;
-pub mod browser;
 pub mod case_file;
 pub mod design;
 pub mod draw;

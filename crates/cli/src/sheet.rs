@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use miette::Diagnostic;
-use standfast_sheet::{Sheet, SheetError, SheetOptions};
+use standfast_sheet::{Paper, PrintError, Sheet, SheetError, SheetOptions};
 use thiserror::Error;
 
-use crate::browser::{self, PrintError};
 use crate::case_file::{self, CaseFileError};
 use crate::write::{self, ExtensionError, WriteError};
 
@@ -91,28 +90,8 @@ pub fn sheet(
         Kind::Pdf => {
             // Before a browser is started for nothing.
             let pending = write::Pending::create(&file.path)?;
-            let pdf = browser::print(&on_paper(sheet.html(), paper), options.date)?;
-            pending.write_all_and_finish(&pdf)?;
+            pending.write_all_and_finish(&sheet.pdf(paper)?)?;
         }
     }
     Ok(())
-}
-
-/// The size of a PDF's pages.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-pub enum Paper {
-    /// 210 mm × 297 mm.
-    #[default]
-    A4,
-    /// 8.5 in × 11 in.
-    Letter,
-}
-
-/// The sheet with the size of its pages set; the HTML file itself leaves that to whoever prints it.
-fn on_paper(html: &str, paper: Paper) -> String {
-    let size = match paper {
-        Paper::A4 => "A4",
-        Paper::Letter => "letter",
-    };
-    html.replacen("</style>", &format!("@page{{size:{size}}}</style>"), 1)
 }

@@ -17,12 +17,14 @@
 //! | What is computed, step by step? | `calculation` |
 //! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps`, `symbols` |
 //! | What keeps a sheet from being made with a gap? | `fault` |
+//! | Who prints it? | [`browser`] |
 //!
 //! Every number is the library's; formulas stand beside it to be checked by hand. The sheet is one HTML file without scripts
 //! that loads nothing. The same case, options and version of the program give the same bytes.
 
 #![forbid(unsafe_code)]
 
+pub mod browser;
 mod calculation;
 mod date;
 mod document;
@@ -45,6 +47,7 @@ use standfast::InputError;
 use standfast_cases::{Assessment, CaseError, CaseFile, Key, View};
 use thiserror::Error;
 
+pub use browser::{Paper, PrintError};
 pub use date::{Date, DateError};
 pub use fault::Fault;
 pub use formula::FormulaError;
@@ -91,6 +94,7 @@ pub enum SheetError {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     html: String,
+    date: Option<Date>,
 }
 
 impl Sheet {
@@ -117,12 +121,21 @@ impl Sheet {
             title_block: &options.title_block,
         };
         let view = View { up_to: options.up_to, all: false };
-        Ok(Sheet { html: document::render(&assessment, &source, &view)? })
+        Ok(Sheet { html: document::render(&assessment, &source, &view)?, date: options.date })
     }
 
     /// The sheet as an HTML document.
     pub fn html(&self) -> &str {
         &self.html
+    }
+
+    /// The sheet as a PDF that a browser of the Chromium family prints, dated as the sheet is. The same sheet and browser give the
+    /// same bytes.
+    ///
+    /// # Errors
+    /// If there is no such browser, or it does not print.
+    pub fn pdf(&self, paper: Paper) -> Result<Vec<u8>, PrintError> {
+        browser::print(&self.html, paper, self.date)
     }
 }
 

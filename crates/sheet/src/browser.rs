@@ -9,8 +9,29 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use miette::Diagnostic;
-use standfast_sheet::Date;
 use thiserror::Error;
+
+use crate::Date;
+
+/// The size of a PDF's pages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum Paper {
+    /// 210 mm × 297 mm.
+    #[default]
+    A4,
+    /// 8.5 in × 11 in.
+    Letter,
+}
+
+/// The page with its size set; an HTML file itself leaves that to whoever prints it.
+fn on_paper(html: &str, paper: Paper) -> String {
+    let size = match paper {
+        Paper::A4 => "A4",
+        Paper::Letter => "letter",
+    };
+    html.replacen("</style>", &format!("@page{{size:{size}}}</style>"), 1)
+}
 
 /// The variable that names a browser.
 const VARIABLE: &str = "STANDFAST_BROWSER";
@@ -108,14 +129,11 @@ fn in_path(program: OsString) -> Option<PathBuf> {
 }
 
 /// The PDF of a page. The same page and date give the same bytes from the same browser.
-///
-/// # Errors
-/// If there is no browser, or it does not print.
-pub fn print(html: &str, date: Option<Date>) -> Result<Vec<u8>, PrintError> {
+pub(crate) fn print(html: &str, paper: Paper, date: Option<Date>) -> Result<Vec<u8>, PrintError> {
     let program = find()?;
     let folder = tempfile::Builder::new().prefix("standfast-").tempdir()?;
     let (page, pdf) = (folder.path().join("sheet.html"), folder.path().join("sheet.pdf"));
-    fs::write(&page, html)?;
+    fs::write(&page, on_paper(html, paper))?;
     let said = run(&program, folder.path(), &page, &pdf)?;
     let mut bytes = match fs::read(&pdf) {
         Ok(bytes) if bytes.starts_with(b"%PDF") => bytes,

@@ -1,0 +1,77 @@
+//! The least or greatest value that meets a target, and the boundary of two: the program's answer as text, JSON, CSV and picture.
+
+use miette::Diagnostic;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
+use standfast_cases::{CaseFile, report};
+
+/// What errors call the arguments of `standfast.design`.
+const SPELLING: Spelling = Spelling {
+    vary: "vary",
+    from: "lower",
+    to: "upper",
+    and: "and_",
+    and_from: "and_lower",
+    and_to: "and_upper",
+    least: "greatest=False",
+    greatest: "greatest=True",
+    two: "vary=\"width\", and_=\"friction\"",
+};
+
+/// Lower and upper end of a range, where they are given.
+type Ends = [Option<String>; 2];
+
+fn refused(error: &(dyn Diagnostic + 'static)) -> PyErr {
+    PyValueError::new_err(report(error))
+}
+
+fn request(vary: String, target: &str, greatest: bool, [from, to]: Ends) -> PyResult<Request> {
+    let target =
+        target.parse().map_err(|error| PyValueError::new_err(format!("target is {target:?}; {error}")))?;
+    let extreme = if greatest { Extreme::Greatest } else { Extreme::Least };
+    Ok(Request { vary, target, extreme, from, to, spelling: &SPELLING })
+}
+
+/// A design as text and as JSON; `file` is what errors call the case, and its text.
+#[pyfunction]
+pub(crate) fn design(
+    py: Python<'_>,
+    file: (String, String),
+    vary: String,
+    target: &str,
+    greatest: bool,
+    ends: Ends,
+) -> PyResult<(String, String)> {
+    let request = request(vary, target, greatest, ends)?;
+    py.detach(|| {
+        let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
+        let design = Design::of(&file, request).map_err(|error| refused(&error))?;
+        Ok((design.text(), design.json()))
+    })
+}
+
+/// A boundary as text, JSON, CSV and, where there is one to draw, as SVG.
+type Rendered = (String, String, String, Option<String>);
+
+/// The boundary of a design with another quantity, `and` between `and_ends`.
+#[pyfunction]
+pub(crate) fn boundary(
+    py: Python<'_>,
+    file: (String, String),
+    vary: String,
+    target: &str,
+    greatest: bool,
+    ends: Ends,
+    and: (String, Ends),
+) -> PyResult<Rendered> {
+    let design = request(vary, target, greatest, ends)?;
+    py.detach(|| {
+        let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
+        let (and, [from, to]) = and;
+        let request = BoundaryRequest { design, and, from, to };
+        let boundary = Boundary::of(&file, request).map_err(|error| refused(&error))?;
+        let svg = boundary.figure().map(|figure| figure.svg().to_owned());
+        Ok((boundary.text(), boundary.json(), boundary.csv(), svg))
+    })
+}

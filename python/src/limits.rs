@@ -1,0 +1,41 @@
+//! Limit states of rows of points.
+
+use numpy::{PyReadonlyArray1, PyReadwriteArray1};
+use pyo3::prelude::*;
+use standfast::Point;
+use standfast::initiation::LimitState;
+
+use crate::rows::{self, Answer, NUMBERS, Out, Said};
+use crate::run::Run;
+
+const _: () = assert!(LimitState::ALL.len() <= NUMBERS);
+
+/// The names of the limit states, by their places.
+#[pyfunction]
+pub(crate) fn limit_state_names() -> Vec<&'static str> {
+    LimitState::ALL.into_iter().map(LimitState::name).collect()
+}
+
+/// Writes limit states of points into columns; `right` says where the force points.
+#[pyfunction]
+pub(crate) fn limit_states(
+    py: Python<'_>,
+    arrays: [PyReadonlyArray1<'_, f64>; 4],
+    mut numbers: Vec<(usize, PyReadwriteArray1<'_, f64>)>,
+    mut wrong: Option<PyReadwriteArray1<'_, bool>>,
+    right: bool,
+    run: Run,
+) -> PyResult<Said> {
+    let inputs = rows::columns(&arrays)?;
+    let numbers = rows::numbers(&mut numbers, inputs[0].len())?;
+    let wrong = wrong.as_mut().map(|wrong| wrong.as_slice_mut()).transpose()?;
+    let out = Out { mode: None, modes: None, numbers, wrong };
+    let solve = |[gamma, k_prime, k, mu]: [f64; 4]| {
+        let states = Point::new(gamma, k_prime, k, mu)?.limit_states();
+        let states = if right { states.mirrored() } else { states };
+        let mut numbers = Answer::NONE.numbers;
+        LimitState::ALL.into_iter().zip(&mut numbers).for_each(|(state, number)| *number = state.of(&states));
+        Ok(Answer { numbers, ..Answer::NONE })
+    };
+    Ok(rows::said(py.detach(|| rows::answer(inputs, out, run.threads(), &solve))))
+}
