@@ -63,12 +63,12 @@ pub(crate) fn boundary(
     target: &str,
     greatest: bool,
     ends: Ends,
-    and: (String, Ends),
+    and_: (String, Ends),
 ) -> PyResult<Rendered> {
     let design = request(vary, target, greatest, ends)?;
     py.detach(|| {
         let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
-        let (and, [from, to]) = and;
+        let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
         let boundary = Boundary::of(&file, request).map_err(|error| refused(&error))?;
         let svg = boundary.figure().map(|figure| figure.svg().to_owned());

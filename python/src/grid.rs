@@ -83,6 +83,8 @@ pub(crate) type Watch<'a> = dyn FnMut(usize) -> bool + Send + 'a;
 pub(crate) struct Labour<'a, 'w> {
     pub(crate) threads: usize,
     pub(crate) gaps: Gaps,
+    /// Whether the force points right.
+    pub(crate) right: bool,
     pub(crate) watch: &'a mut Watch<'w>,
 }
 
@@ -205,7 +207,7 @@ impl Grid {
         labour: Labour<'_, '_>,
     ) -> Result<(), Halt> {
         let pieces = pieces(codes, missing, self.len(), PIECE, |codes, length| codes.split_at_mut(length));
-        let gaps = labour.gaps;
+        let (gaps, right) = (labour.gaps, labour.right);
         self.share(pieces, labour, |reader, start, (codes, missing): (&mut [u8], &mut [bool]), pace| {
             let reach = reader.reach();
             let mut missing = missing.chunks_mut(reach);
@@ -213,7 +215,11 @@ impl Grid {
                 let missing = missing.next().unwrap_or_default();
                 let length = codes.len();
                 reader.answer(start + i * reach, length, missing, gaps, |columns| {
-                    batch::classify(columns, codes).is_ok()
+                    let done = batch::classify(columns, codes).is_ok();
+                    if done && right {
+                        batch::mirror(codes);
+                    }
+                    done
                 }) && pace.step(length)
             })
         })
@@ -226,6 +232,7 @@ impl Grid {
         missing: &mut [bool],
         labour: Labour<'_, '_>,
     ) -> Result<(), Halt> {
+        let out = OnsetColumns { mirrored: labour.right, ..out };
         let pieces = pieces(out, missing, self.len(), BLOCK, OnsetColumns::split_at);
         let gaps = labour.gaps;
         let last = self.len();

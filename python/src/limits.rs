@@ -16,14 +16,13 @@ pub(crate) fn limit_state_names() -> Vec<&'static str> {
     LimitState::ALL.into_iter().map(LimitState::name).collect()
 }
 
-/// Writes limit states of points into columns; `right` says where the force points.
+/// Writes limit states of points into columns.
 #[pyfunction]
 pub(crate) fn limit_states(
     py: Python<'_>,
     arrays: [PyReadonlyArray1<'_, f64>; 4],
     mut numbers: Vec<(usize, PyReadwriteArray1<'_, f64>)>,
     mut wrong: Option<PyReadwriteArray1<'_, bool>>,
-    right: bool,
     run: Run,
 ) -> PyResult<Said> {
     let inputs = rows::columns(&arrays)?;
@@ -32,7 +31,7 @@ pub(crate) fn limit_states(
     let out = Out { mode: None, modes: None, numbers, wrong };
     let solve = |[gamma, k_prime, k, mu]: [f64; 4]| {
         let states = Point::new(gamma, k_prime, k, mu)?.limit_states();
-        let states = if right { states.mirrored() } else { states };
+        let states = if run.right { states.mirrored() } else { states };
         let mut numbers = Answer::NONE.numbers;
         LimitState::ALL.into_iter().zip(&mut numbers).for_each(|(state, number)| *number = state.of(&states));
         Ok(Answer { numbers, ..Answer::NONE })

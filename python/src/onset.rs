@@ -95,6 +95,7 @@ impl Onset {
             unique: self.unique.as_deref_mut(),
             others: self.others.as_deref_mut(),
             motion: self.motion.each_mut().map(Option::as_deref_mut),
+            ..OnsetColumns::default()
         }
     }
 
@@ -104,7 +105,7 @@ impl Onset {
             let places = column.into_iter().flatten().zip(missing).filter(|(_, missing)| **missing);
             places.for_each(|(value, _)| *value = blank);
         }
-        let OnsetColumns { mode, unique, others, motion } = self.columns();
+        let OnsetColumns { mode, unique, others, motion, .. } = self.columns();
         put(mode, missing, NO_MODE);
         put(unique, missing, false);
         put(others, missing, 0);

@@ -16,6 +16,8 @@ pub(crate) struct Run {
     null_errors: bool,
     /// Whether NaN says that a value is missing, where it is an impossible value otherwise.
     nan_is_missing: bool,
+    /// Whether the force points right, and modes and motions are to be mirrored.
+    pub(crate) right: bool,
     /// Called with how many points are done and how many there are.
     progress: Option<Py<PyAny>>,
     /// How many points there are, where that is known beforehand.
@@ -33,7 +35,7 @@ impl Run {
 
     /// How a grid is to be worked on.
     pub(crate) fn labour<'a, 'w>(&self, watch: &'a mut Watch<'w>) -> Labour<'a, 'w> {
-        Labour { threads: self.threads(), gaps: self.gaps(), watch }
+        Labour { threads: self.threads(), gaps: self.gaps(), right: self.right, watch }
     }
 
     /// Who looks after a call; `total` is how many points there are, if the arrays tell it.

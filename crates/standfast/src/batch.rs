@@ -128,6 +128,16 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     Ok(())
 }
 
+/// Replaces the [codes](crate::Mode::code) of modes by those of their [mirror images](Mode::mirrored): the modes under a force that
+/// points right. What is the code of no mode stays.
+pub fn mirror(codes: &mut [u8]) {
+    let images: [u8; 1 << u8::BITS] = std::array::from_fn(|code| {
+        let code = code as u8;
+        Mode::from_code(code).map_or(code, |mode| mode.mirrored().code())
+    });
+    codes.iter_mut().for_each(|code| *code = images[usize::from(*code)]);
+}
+
 /// Where [`onset`] writes: columns of equal length, in the units of [`Motion`]. What is `None` is not computed.
 #[derive(Debug, Default)]
 pub struct OnsetColumns<'a> {
@@ -139,6 +149,8 @@ pub struct OnsetColumns<'a> {
     pub others: Option<&'a mut [u16]>,
     /// The motion of the mode: [`MOTION`] names the columns.
     pub motion: [Option<&'a mut [f64]>; 9],
+    /// Whether the force points right, so that modes and motions are the mirror images of those under a force to the left.
+    pub mirrored: bool,
 }
 
 /// The names of the columns of [`OnsetColumns::motion`], which are the fields of [`Motion`].
@@ -167,6 +179,7 @@ impl<'a> OnsetColumns<'a> {
             unique: self.unique.as_deref_mut(),
             others: self.others.as_deref_mut(),
             motion: self.motion.each_mut().map(Option::as_deref_mut),
+            mirrored: self.mirrored,
         }
     }
 
@@ -186,8 +199,14 @@ impl<'a> OnsetColumns<'a> {
             (*head, *tail) = cut(column, index);
         }
         (
-            OnsetColumns { mode, unique, others, motion },
-            OnsetColumns { mode: mode_rest, unique: unique_rest, others: others_rest, motion: motion_rest },
+            OnsetColumns { mode, unique, others, motion, mirrored: self.mirrored },
+            OnsetColumns {
+                mode: mode_rest,
+                unique: unique_rest,
+                others: others_rest,
+                motion: motion_rest,
+                mirrored: self.mirrored,
+            },
         )
     }
 }
@@ -222,9 +241,12 @@ fn onset_of(columns: Columns<'_>, codes: &[u8], out: OnsetColumns<'_>) {
         let [gamma, k_prime] = [columns.gamma[index], columns.k_prime[index]];
         Point::of_valid(gamma, k_prime, columns.k[index], columns.mu[index])
     };
-    let OnsetColumns { mode, mut unique, mut others, mut motion } = out;
+    let OnsetColumns { mode, mut unique, mut others, mut motion, mirrored } = out;
     if let Some(mode) = mode {
         mode.copy_from_slice(codes);
+        if mirrored {
+            mirror(mode);
+        }
     }
     if unique.is_some() || others.is_some() {
         for (index, mode) in modes() {
@@ -233,14 +255,15 @@ fn onset_of(columns: Columns<'_>, codes: &[u8], out: OnsetColumns<'_>) {
                 unique[index] = found.is_empty();
             }
             if let Some(others) = &mut others {
-                others[index] = found.bits();
+                others[index] = if mirrored { found.mirrored() } else { found }.bits();
             }
         }
     }
     if motion.iter().any(Option::is_some) {
         for (index, mode) in modes() {
-            let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } =
-                point(index).motion_of(mode);
+            let motion_of = point(index).motion_of(mode);
+            let motion_of = if mirrored { motion_of.mirrored() } else { motion_of };
+            let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = motion_of;
             let values = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
             for (column, value) in motion.iter_mut().zip(values) {
                 if let Some(column) = column {

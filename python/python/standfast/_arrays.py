@@ -20,7 +20,7 @@ from ._progress import shown
 from ._run import run
 from ._types import Array, Map, Number, OnError, Options, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
-from ._types import PyarrowArray, PyarrowTable
+from ._types import PyarrowArray, PyarrowTable, Side
 
 if TYPE_CHECKING:
     import pandas as pd  # type: ignore[import-untyped,unused-ignore]
@@ -164,6 +164,7 @@ def classify(
     on_error: OnError = "raise",
     threads: int | None = 1,
     progress: Progress = None,
+    to: Side = "left",
     columns: None = None,
 ) -> Any:
     """The mode that begins: does the body rest, slide, rock, or slide and rock?
@@ -186,6 +187,7 @@ def classify(
         threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
         progress: ``True`` for a bar (needs tqdm), or a function that is told how many points are done and how many there
             are, ``None`` if that is not known.
+        to: where the force points. Modes and motions under a force to the right are mirror images, as one sees them.
         columns: of :func:`onset`, not here.
 
     Returns:
@@ -231,7 +233,7 @@ def classify(
         raise TypeError("columns is what onset computes; which column of a table holds what is said by map={...}")
     operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map)
     with shown(progress, "points") as told:
-        how = run(threads, on_error, told)
+        how = run(threads, on_error, told, to)
         form = operands.form.with_errors(how.null_errors)
         if out is not None:
             _check_out(out, names, operands)
@@ -291,10 +293,11 @@ def onset(
     on_error: OnError = "raise",
     threads: int | None = 1,
     progress: Progress = None,
+    to: Side = "left",
 ) -> Any:
     """The mode that begins, with its motion and reactions, and whether it is the only one.
 
-    The operands, ``map``, ``on_error``, ``threads`` and ``progress`` are those of :func:`classify`.
+    The operands, ``map``, ``on_error``, ``threads``, ``progress`` and ``to`` are those of :func:`classify`.
 
     Args:
         columns: which fields of :class:`Onset` to compute, in this order; all if it is left out.
@@ -323,7 +326,7 @@ def onset(
     fields = chosen(columns, Onset._fields)
     operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map, result="theta_ddot")
     with shown(progress, "points") as told:
-        how = run(threads, on_error, told)
+        how = run(threads, on_error, told, to)
         form = operands.form.with_errors(how.null_errors)
         if isinstance(form, Arrow) and operands.table is not None:
             return form.adopt_table(_standfast.onset_table(*operands.table, fields, how._replace(total=operands.rows)))

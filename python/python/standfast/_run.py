@@ -10,6 +10,13 @@ from typing import Literal, NamedTuple
 Progress = Callable[[int, "int | None"], object]
 
 
+def is_right(to: str) -> bool:
+    """Whether the force points right."""
+    if to not in ("left", "right"):
+        raise ValueError(f"to is {to!r}; expected 'left' or 'right', where the force points")
+    return to == "right"
+
+
 class Run(NamedTuple):
     """What the native module is told of a call.
 
@@ -17,6 +24,7 @@ class Run(NamedTuple):
         threads: how many; ``None`` for as many as there are processors.
         null_errors: a point with an impossible value has no answer, and is no error.
         nan_is_missing: NaN is what is missing, and no impossible value.
+        right: the force points right.
         progress: who is told how far the call is, some ten times a second and at its end.
         total: how many points there are, where a stream does not tell.
     """
@@ -24,6 +32,7 @@ class Run(NamedTuple):
     threads: int | None
     null_errors: bool = False
     nan_is_missing: bool = False
+    right: bool = False
     progress: Progress | None = None
     total: int | None = None
 
@@ -32,11 +41,13 @@ def run(
     threads: int | None,
     on_error: Literal["raise", "null"] = "raise",
     progress: Progress | None = None,
+    to: str = "left",
 ) -> Run:
     """The options of a call, checked.
 
     Raises:
-        ValueError: for a number of threads below one, and for another word than ``"raise"`` and ``"null"``.
+        ValueError: for a number of threads below one, and for another word than ``"raise"`` and ``"null"``, or ``"left"`` and
+            ``"right"``.
     """
     if threads is not None:
         try:
@@ -48,4 +59,4 @@ def run(
         threads = number
     if on_error not in ("raise", "null"):
         raise ValueError(f"on_error is {on_error!r}; expected 'raise' or 'null'")
-    return Run(threads, on_error == "null", progress=progress)
+    return Run(threads, on_error == "null", right=is_right(to), progress=progress)

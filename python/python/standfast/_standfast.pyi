@@ -13,12 +13,20 @@ __all__ = [
     "Sweep",
     "__version__",
     "assess",
+    "boundary",
     "classify",
     "classify_columns",
     "classify_table",
     "closest",
+    "contact_conditions",
+    "contact_names",
+    "contact_rows",
+    "design",
     "diagram_outlines",
     "diagram_svg",
+    "explain",
+    "limit_state_names",
+    "limit_states",
     "make_array",
     "make_table",
     "modes",
@@ -28,6 +36,8 @@ __all__ = [
     "read_column",
     "read_table",
     "refuse_column",
+    "sheet",
+    "title_block",
 ]
 
 __version__: str
@@ -83,6 +93,8 @@ class _Run(Protocol):
     @property
     def nan_is_missing(self) -> bool: ...
     @property
+    def right(self) -> bool: ...
+    @property
     def progress(self) -> Callable[[int, int | None], object] | None: ...
     @property
     def total(self) -> int | None: ...
@@ -93,6 +105,36 @@ def closest(word: str, known: Sequence[str]) -> str | None: ...
 def read_column(column: Any, name: str) -> _Read: ...
 def read_table(table: Any, columns: Sequence[tuple[str, str]]) -> list[_Read]: ...
 def refuse_column(name: str, column: str, found: Sequence[str]) -> None: ...
+
+_Rows = list[tuple[int, NDArray[np.float64]]]
+_Wrong = tuple[int, str, str] | None
+_Ends = tuple[str | None, str | None]
+_Relation = tuple[str, str, float, str, float, bool, float]
+
+def limit_state_names() -> list[str]: ...
+def limit_states(
+    arrays: Sequence[NDArray[np.float64]], numbers: _Rows, wrong: NDArray[np.bool_] | None, run: _Run
+) -> _Wrong: ...
+def contact_names() -> tuple[list[str], list[str]]: ...
+def contact_rows(
+    arrays: Sequence[NDArray[np.float64]],
+    sets: tuple[NDArray[np.uint8] | None, NDArray[np.uint16] | None],
+    numbers: _Rows,
+    wrong: NDArray[np.bool_] | None,
+    run: _Run,
+) -> _Wrong: ...
+def contact_conditions(row: Sequence[float], code: int | None) -> list[_Relation]: ...
+def explain(gamma: float, k_prime: float, k: float, mu: float, right: bool) -> tuple[str, str]: ...
+def design(
+    file: tuple[str, str], vary: str, target: str, greatest: bool, ends: _Ends
+) -> tuple[str, str]: ...
+def boundary(
+    file: tuple[str, str], vary: str, target: str, greatest: bool, ends: _Ends, and_: tuple[str, _Ends]
+) -> tuple[str, str, str, str | None]: ...
+def title_block() -> list[str]: ...
+def sheet(
+    file: tuple[str, str], date: str | None, up_to: float, told: Sequence[tuple[str, str]], paper: str | None
+) -> tuple[str, bytes | None]: ...
 
 _Polyline = list[tuple[float, float]]
 

@@ -25,12 +25,21 @@ Map: TypeAlias = "Mapping[str, str | Number] | Mapping[str, str] | Mapping[str, 
 #: Told how many points are done and how many there are, ``None`` if that is not known; ``True`` for a bar.
 Progress: TypeAlias = "bool | Callable[[int, int | None], object] | None"
 
+#: Where a force points.
+Side: TypeAlias = Literal["left", "right"]
 
-class Options(TypedDict, total=False):
-    """What functions of many points have in common."""
+
+class Work(TypedDict, total=False):
+    """What functions of many rows have in common."""
 
     threads: int | None
     progress: Progress
+
+
+class Options(Work, total=False):
+    """What functions of many points have in common."""
+
+    to: Side
 
 
 # The members are those that nobody else has, with their types: a relation of DuckDB has every name, as a column of its own.
