@@ -3,9 +3,14 @@
 ========================================================  ==================================
 which mode begins, at one point or at ten million?        :func:`classify`
 with what motion, and is it the only one?                 :func:`onset`
+why, and when would it be another?                        :func:`explain`
+how far is each inequality from failing?                  :func:`limit_states`
+any body under any wrench: added mass, two frictions      :func:`contact`
 what does the whole k-μ plane look like?                  :class:`Diagram`
 a body with its loads: water, waves, earthquakes          :func:`assess`
 many of them: tables, sweeps, samples                     :func:`assess_table`
+what is enough: the least width, the greatest force       :func:`design`
+the calculation, to be filed and signed                   :func:`sheet`
 ========================================================  ==================================
 
 The symbols are those of the report this library implements, on vertical caisson breakwaters: γ = H/B (``gamma``),
@@ -17,8 +22,13 @@ from ._answer import Answer
 from ._arrays import Onset, OnsetArrays, classify, onset, symbols
 from ._arrow import ArrowArray, ArrowTable
 from ._assess import Assessment, Figure, assess
+from ._contact import Contact, ContactArrays, contact, contact_conditions
+from ._design import Boundary, Design, design
 from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
+from ._explain import Explanation, explain
+from ._limits import LimitStates, LimitStatesArrays, limit_states
 from ._modes import Mode, Modes
+from ._sheet import sheet
 from ._standfast import __version__
 from ._table import ResultColumn, StandfastWarning, Varied, assess_table, varied
 from .answers import Criterion, Situation
@@ -28,11 +38,18 @@ __all__ = [
     "ArrowArray",
     "ArrowTable",
     "Assessment",
+    "Boundary",
+    "Contact",
+    "ContactArrays",
     "Criterion",
     "Curve",
+    "Design",
     "Diagram",
+    "Explanation",
     "Figure",
     "Indeterminate",
+    "LimitStates",
+    "LimitStatesArrays",
     "Mode",
     "Modes",
     "NamedPoint",
@@ -47,7 +64,13 @@ __all__ = [
     "assess",
     "assess_table",
     "classify",
+    "contact",
+    "contact_conditions",
+    "design",
+    "explain",
+    "limit_states",
     "onset",
+    "sheet",
     "symbols",
     "varied",
 ]

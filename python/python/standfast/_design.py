@@ -1,0 +1,193 @@
+"""Design: the least or greatest value of a quantity that meets a target, and the boundary of two quantities."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from typing import Any, Literal, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _standfast
+from ._answer import with_infinity
+from ._assess import case_text
+from .designs import BoundaryDocument, DesignDocument
+
+
+class Design(DesignDocument):
+    """The least or greatest value that meets a target: :func:`design`'s answer.
+
+    ``print`` shows the text of ``standfast design``; the keys of its JSON document, which ``docs/design.schema.json`` describes,
+    are attributes.
+    """
+
+    _what = "this design"
+
+    def __init__(self, text: str, document: str) -> None:
+        super().__init__(json.loads(document, object_hook=with_infinity))
+        self._text = text
+        self._json = document
+
+    @property
+    def value(self) -> float:
+        """The value found, in :attr:`unit`: rounded to the safe side, and assessed so."""
+        return self.found.rounded
+
+    def to_json(self) -> str:
+        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
+        return self._json
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Design {self.wanted} {self.vary} for {self.target}: {self.found.printed}>"
+
+    def __reduce__(self) -> tuple[type[Design], tuple[str, str]]:
+        return Design, (self._text, self._json)
+
+
+class Boundary(BoundaryDocument):
+    """The boundary of what meets a target with two quantities: :func:`design`'s answer with ``and_``.
+
+    ``print`` shows the text of ``standfast design --and``; the keys of its JSON document, which ``docs/boundary.schema.json``
+    describes, are attributes, ``and`` as ``and_``. A notebook shows the picture.
+    """
+
+    _what = "this boundary"
+
+    def __init__(self, text: str, document: str, csv: str, svg: str | None) -> None:
+        super().__init__(json.loads(document, object_hook=with_infinity))
+        self._text = text
+        self._json = document
+        #: The boundary as a table in CSV: a row for each stretch of values that meets the target.
+        self.csv = csv
+        #: The boundary as an SVG document; ``None`` where the target is met, or not, throughout what was searched.
+        self.svg = svg
+
+    @property
+    def at(self) -> NDArray[np.float64]:
+        """The values of the other quantity, rising, in ``and_.unit``."""
+        return np.array([column.value for column in self.columns], dtype=np.float64)
+
+    @property
+    def value(self) -> NDArray[np.float64]:
+        """The least or greatest value that meets the target at each of :attr:`at`, in ``vary.unit``: rounded to the safe side, and
+        assessed so. NaN where no value does; ``columns`` has all stretches of values."""
+        greatest = self.wanted == "greatest"
+        ends = (column.met[-1].to if greatest else column.met[0].from_ for column in self.columns if column.met)
+        rounded = iter([end.rounded for end in ends])
+        return np.array([next(rounded) if column.met else np.nan for column in self.columns], dtype=np.float64)
+
+    def to_json(self) -> str:
+        """The JSON document as the program writes it."""
+        return self._json
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Boundary {self.wanted} {self.vary.name} over {self.and_.name} for {self.target}: {len(self.columns)} columns>"
+
+    def _repr_svg_(self) -> str | None:
+        return self.svg
+
+    def __reduce__(self) -> tuple[type[Boundary], tuple[str, str, str, str | None]]:
+        return Boundary, (self._text, self._json, self.csv, self.svg)
+
+
+Case = str | os.PathLike[str] | Mapping[str, object]
+
+
+@overload
+def design(
+    case: Case,
+    *,
+    vary: str,
+    target: str,
+    greatest: bool = False,
+    lower: float | str | None = None,
+    upper: float | str | None = None,
+) -> Design: ...
+@overload
+def design(
+    case: Case,
+    *,
+    vary: str,
+    target: str,
+    greatest: bool = False,
+    lower: float | str | None = None,
+    upper: float | str | None = None,
+    and_: str,
+    and_lower: float | str | None = None,
+    and_upper: float | str | None = None,
+) -> Boundary: ...
+def design(
+    case: Case,
+    *,
+    vary: str,
+    target: str,
+    greatest: bool = False,
+    lower: float | str | None = None,
+    upper: float | str | None = None,
+    and_: str | None = None,
+    and_lower: float | str | None = None,
+    and_upper: float | str | None = None,
+) -> Design | Boundary:
+    """What is enough: the least, or greatest, value of a quantity that meets a target in every situation of a case.
+
+    The value is rounded to the safe side and assessed as it is printed; one more or less in its last digit fails.
+
+    Args:
+        case: the path of a case file, or a dict with the same keys, as in :func:`assess`.
+        vary: the quantity: ``"width"``, ``"height"``, ``"mass"``, ``"friction"``, ``"water_level"``, ``"crest_height"``, or any
+            number of the case by table and key, as ``"wave.period"`` or ``"load[2].force"``.
+        target: ``"rest"``, ``"factor=1.2"`` (both safety factors), ``"no-rock"``, ``"no-slide"``, ``"criteria"`` of the case,
+            ``"utilisation=0.9"`` of them, or one criterion, as ``"bearing_max=300kPa"`` or ``"load_factor=1.2"``.
+        greatest: the greatest value that meets the target in place of the least.
+        lower, upper: where to look, a number in SI units or a text with a unit, as the case file has the quantity; a fifth and
+            five times the present value if not given.
+        and_: another quantity: the answer for each of many values of it, the boundary of what is enough.
+        and_lower, and_upper: its range; half and twice the present value if not given.
+
+    Returns:
+        A :class:`Design`; with ``and_`` a :class:`Boundary`.
+
+    Raises:
+        ValueError: for a case, quantity or target that is not understood, and where the target is not met or met without an end
+            on the side that is wanted. The message says what to do.
+        OSError: if the case file cannot be read.
+
+    >>> goda = design("examples/goda-2000.toml", vary="width", target="factor=1.2")
+    >>> goda
+    <Design least width for factor=1.2: 15.46 m>
+    >>> goda.value, goda.unit, goda.binding
+    (15.46, 'm', 'at 15.45 m, sliding: μ(W' − U)/P ≥ 1.2 fails')
+    >>> by_friction = design(
+    ...     "examples/goda-2000.toml", vary="width", target="factor=1.2", and_="friction", and_lower=0.5, and_upper=0.7
+    ... )
+    >>> dict(zip(by_friction.at, by_friction.value))[0.6]
+    15.46
+    """
+    for name, text in (("vary", vary), ("target", target), ("and_", and_)):
+        if not isinstance(text, str) and not (text is None and name == "and_"):
+            raise TypeError(f"{name} is {text!r}; expected a text")
+    file = case_text(case)
+    ends = _end(lower, "lower"), _end(upper, "upper")
+    and_ends = _end(and_lower, "and_lower"), _end(and_upper, "and_upper")
+    if and_ is not None:
+        return Boundary(*_standfast.boundary(file, vary, target, bool(greatest), ends, (and_, and_ends)))
+    if and_ends != (None, None):
+        raise TypeError("and_lower and and_upper are ends of the range of and_, which is not given")
+    return Design(*_standfast.design(file, vary, target, bool(greatest), ends))
+
+
+def _end(value: Any, name: str) -> str | None:
+    """An end of a range as the case file would have it."""
+    if value is None or isinstance(value, str):
+        return value
+    if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
+        return repr(float(value))
+    raise TypeError(f"{name} is {value!r}; expected a number in SI units, or a text with a unit")

@@ -1,0 +1,86 @@
+"""One point explained: every step of the decision, the motion, and where the mode changes."""
+
+from __future__ import annotations
+
+import json
+
+from . import _standfast
+from ._answer import with_infinity
+from ._run import is_right
+from ._types import Side
+from .answers import Point
+
+
+class Explanation(Point):
+    """Why a mode begins: :func:`explain`'s answer.
+
+    ``print`` shows the text of ``standfast classify --explain``; the keys of its JSON document, which
+    ``docs/point.schema.json`` describes, are attributes. ``trace`` has the modes in the order in which they are tried, each with
+    its inequalities; the last one begins.
+    """
+
+    _what = "this explanation"
+
+    def __init__(self, text: str, document: str) -> None:
+        super().__init__(json.loads(document, object_hook=with_infinity))
+        self._text = text
+        self._json = document
+
+    @property
+    def schema(self) -> int:
+        """The version of the document."""
+        version: int = self["schema"]
+        return version
+
+    @property
+    def SF_sliding(self) -> float:
+        """Safety factor against sliding, μ/k; ``inf`` at k = 0."""
+        factor: float = self["SF_sliding"]
+        return factor
+
+    @property
+    def SF_overturning(self) -> float:
+        """Safety factor against overturning, 1/(k γ |1+k'|); ``inf`` where the force has no moment about the corner."""
+        factor: float = self["SF_overturning"]
+        return factor
+
+    def to_json(self) -> str:
+        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
+        return self._json
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        deciding = ", ".join(f"({relation.equation}) {relation.statement}" for relation in self.trace[-1].relations)
+        return f"<Explanation {self.mode.symbol}: {deciding}>"
+
+    def __reduce__(self) -> tuple[type[Explanation], tuple[str, str]]:
+        return Explanation, (self._text, self._json)
+
+
+def explain(gamma: float, k_prime: float, k: float, mu: float, *, to: Side = "left") -> Explanation:
+    """Why does this mode begin, with what motion, and at which force and friction would it be another?
+
+    Args:
+        gamma, k_prime, k, mu: as in :func:`classify`, four numbers.
+        to: where the force points. For one to the right, the inequalities are those of the same force to the left; modes and
+            motions are mirrored.
+
+    Raises:
+        ValueError: for a value that no body, force or friction can have.
+
+    >>> why = explain(0.8, 0.9167, 0.7281, 0.6)
+    >>> why
+    <Explanation SRO-: (3.35) μ > 1/γ − k k', (3.40) μ < (a k + b)/(c k + d)>
+    >>> [(step.mode.symbol, step.holds) for step in why.trace]
+    [('RE', False), ('SL', False), ('RO', False), ('SRO-', True)]
+    >>> first = why.trace[0].relations[0]
+    >>> first.equation, first.statement, first.holds, round(first.margin, 4)
+    ('3.4', 'μ ≥ k', False, -0.1281)
+    >>> [(round(change.at, 4), change.to.symbol) for change in why.along_mu]
+    [(0.5825, 'SRO-'), (0.6509, 'RO')]
+    >>> print(str(why).splitlines()[0])
+    The body slides and rocks about O, the bottom left corner, which moves to the left (SRO-).
+    """
+    return Explanation(*_standfast.explain(gamma, k_prime, k, mu, is_right(to)))
