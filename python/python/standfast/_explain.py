@@ -79,8 +79,8 @@ def explain(gamma: float, k_prime: float, k: float, mu: float, *, to: Side = "le
     >>> first.equation, first.statement, first.holds, round(first.margin, 4)
     ('3.4', 'μ ≥ k', False, -0.1281)
     >>> [(round(change.at, 4), change.to.symbol) for change in why.along_mu]
-    [(0.5825, 'SRO-'), (0.6509, 'RO')]
-    >>> print(str(why).splitlines()[0])
-    The body slides and rocks about O, the bottom left corner, which moves to the left (SRO-).
+    [(0.5826, 'SRO-'), (0.6508, 'RO')]
+    >>> str(why).splitlines()[0]
+    'The body slides and rocks about O, the bottom left corner, which moves to the left'
     """
     return Explanation(*_standfast.explain(gamma, k_prime, k, mu, is_right(to)))
