@@ -6,6 +6,8 @@ use pyo3::prelude::*;
 use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
 use standfast_cases::{CaseFile, report};
 
+use crate::run::patiently;
+
 /// What errors call the arguments of `standfast.design`.
 const SPELLING: Spelling = Spelling {
     vary: "vary",
@@ -44,11 +46,11 @@ pub(crate) fn design(
     ends: Ends,
 ) -> PyResult<(String, String)> {
     let request = request(vary, target, greatest, ends)?;
-    py.detach(|| {
+    patiently(py, move || {
         let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
         let design = Design::of(&file, request).map_err(|error| refused(&error))?;
         Ok((design.text(), design.json()))
-    })
+    })?
 }
 
 /// A boundary as text, JSON, CSV and, where there is one to draw, as SVG.
@@ -66,12 +68,12 @@ pub(crate) fn boundary(
     and_: (String, Ends),
 ) -> PyResult<Rendered> {
     let design = request(vary, target, greatest, ends)?;
-    py.detach(|| {
+    patiently(py, move || {
         let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
         let boundary = Boundary::of(&file, request).map_err(|error| refused(&error))?;
         let svg = boundary.figure().map(|figure| figure.svg().to_owned());
         Ok((boundary.text(), boundary.json(), boundary.csv(), svg))
-    })
+    })?
 }

@@ -1,8 +1,10 @@
 //! How a call over many points is run: threads, what is no error, and who is told how far it is.
 
 use std::num::NonZero;
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 use crate::grid::{Gaps, Labour, Watch};
@@ -42,6 +44,27 @@ impl Run {
     pub(crate) fn monitor(&self, total: Option<usize>) -> Monitor<'_> {
         let progress = self.progress.as_ref();
         Monitor { progress, total: total.or(self.total), before: 0, last: Instant::now(), raised: None }
+    }
+}
+
+/// Does long work on a thread of its own, so that Ctrl-C ends the call at once; what is left of the work ends unheard.
+pub(crate) fn patiently<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    let (tell, mut told) = mpsc::channel();
+    std::thread::spawn(move || tell.send(work()));
+    loop {
+        // The receiver goes along and comes back, because it is not to be shared.
+        let (heard, back) = py.detach(move || (told.recv_timeout(Monitor::PAUSE), told));
+        told = back;
+        match heard {
+            Ok(done) => return Ok(done),
+            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(PyRuntimeError::new_err("the work ended without an answer"));
+            }
+        }
     }
 }
 

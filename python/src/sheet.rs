@@ -7,6 +7,8 @@ use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::report;
 use standfast_sheet::{Date, Paper, Sheet, SheetOptions};
 
+use crate::run::patiently;
+
 /// The keys of the title block.
 #[pyfunction]
 pub(crate) fn title_block() -> Vec<&'static str> {
@@ -33,11 +35,11 @@ pub(crate) fn sheet(
     let title_block = told.into_iter().filter_map(key).collect();
     let options = SheetOptions { title_block, date: date.map(read).transpose()?, up_to };
     let paper = paper.map(|paper| if paper == "letter" { Paper::Letter } else { Paper::A4 });
-    let (html, pdf) = py.detach(|| -> PyResult<_> {
+    let (html, pdf) = patiently(py, move || -> PyResult<_> {
         let sheet =
             Sheet::of(&file.0, &file.1, &options).map_err(|error| PyValueError::new_err(report(&error)))?;
         let print = |paper| sheet.pdf(paper).map_err(|error| PyRuntimeError::new_err(report(&error)));
         Ok((sheet.html().to_owned(), paper.map(print).transpose()?))
-    })?;
+    })??;
     Ok((html, pdf.map(|bytes| PyBytes::new(py, &bytes).unbind())))
 }

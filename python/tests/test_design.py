@@ -7,6 +7,7 @@ import io
 import json
 import math
 import pickle
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -102,6 +103,22 @@ def test_errors_name_the_arguments_of_python(given: dict[str, Any], words: list[
     said = " ".join(str(raised.value).replace("│", " ").split())
     assert all(word in said for word in words), said
     assert "--" not in said
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no timers")
+def test_an_interrupt_ends_the_call() -> None:
+    def interrupt(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.05)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            while True:
+                standfast.design(ROOT / "examples/quay.toml", vary="width", target="criteria", and_="friction")
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
 
 
 def test_wrong_types() -> None:

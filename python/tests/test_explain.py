@@ -48,3 +48,9 @@ def test_to_the_right() -> None:
     assert not errors(json.loads(right.to_json()), "point.schema.json")
     with pytest.raises(ValueError, match="friction μ is -1; expected"):
         standfast.explain(1, 1, 1, -1)
+
+
+@pytest.mark.parametrize("k", ["0.5", True, [0.5], None, 1j], ids=repr)
+def test_plain_numbers_only(k: object) -> None:
+    with pytest.raises(TypeError):
+        standfast.explain(1, 1, k, 1)  # type: ignore[arg-type]

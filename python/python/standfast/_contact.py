@@ -17,7 +17,7 @@ from ._frames import Fields
 from ._inputs import chosen, read
 from ._modes import Mode, Modes
 from ._progress import shown
-from ._rows import CONTACT_INPUTS, MOTION, Columns, Fault, Wrong, answer, numbers
+from ._rows import CONTACT_INPUTS, MOTION, Columns, Fault, Wrong, answer, numbers, point
 from ._run import run
 from ._types import Array, Map, Number, OnError, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
@@ -252,17 +252,17 @@ def _without_mode(found: Columns) -> Columns:
 
 
 def contact_conditions(
-    b1: float,
-    b2: float,
-    d: float,
-    rho2: float,
-    m_x: float,
-    m_y: float,
-    x: float,
-    p: float,
-    m: float,
-    mu_s: float,
-    mu_k: float,
+    b1: Number,
+    b2: Number,
+    d: Number,
+    rho2: Number,
+    m_x: Number,
+    m_y: Number,
+    x: Number,
+    p: Number,
+    m: Number,
+    mu_s: Number,
+    mu_k: Number,
     *,
     mode: Mode | str | None = None,
 ) -> list[Relation]:
@@ -280,7 +280,7 @@ def contact_conditions(
     |f_x| ≤ μ_s f_y 0.1
     f_y ≥ 0 1.0
     """
-    row = [float(value) for value in (b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k)]
+    row = point("contact_conditions", CONTACT_INPUTS, (b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k))
     code = None if mode is None else int(Mode(mode))
     keys = ("equation", "statement", "left", "sign", "right", "holds", "margin")
     return [Relation(dict(zip(keys, condition))) for condition in _standfast.contact_conditions(row, code)]

@@ -6,8 +6,9 @@ import json
 
 from . import _standfast
 from ._answer import with_infinity
+from ._rows import point
 from ._run import is_right
-from ._types import Side
+from ._types import Number, Side
 from .answers import Point
 
 
@@ -59,7 +60,7 @@ class Explanation(Point):
         return Explanation, (self._text, self._json)
 
 
-def explain(gamma: float, k_prime: float, k: float, mu: float, *, to: Side = "left") -> Explanation:
+def explain(gamma: Number, k_prime: Number, k: Number, mu: Number, *, to: Side = "left") -> Explanation:
     """Why does this mode begin, with what motion, and at which force and friction would it be another?
 
     Args:
@@ -69,6 +70,7 @@ def explain(gamma: float, k_prime: float, k: float, mu: float, *, to: Side = "le
 
     Raises:
         ValueError: for a value that no body, force or friction can have.
+        TypeError: for what is no plain number.
 
     >>> why = explain(0.8, 0.9167, 0.7281, 0.6)
     >>> why
@@ -83,4 +85,5 @@ def explain(gamma: float, k_prime: float, k: float, mu: float, *, to: Side = "le
     >>> str(why).splitlines()[0]
     'The body slides and rocks about O, the bottom left corner, which moves to the left'
     """
-    return Explanation(*_standfast.explain(gamma, k_prime, k, mu, is_right(to)))
+    g, height, force, friction = point("explain", ("gamma", "k_prime", "k", "mu"), (gamma, k_prime, k, mu))
+    return Explanation(*_standfast.explain(g, height, force, friction, is_right(to)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from time import monotonic
 from typing import Any
 
@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from . import _standfast
 from ._frames import Missing
-from ._inputs import Operands
+from ._inputs import Operands, read
 from ._run import Run
 
-#: How many rows a thread answers before anything else is looked at: some tens of milliseconds.
-_BLOCK = 1 << 16
+#: How many rows a thread answers before anything else is looked at: some milliseconds, or some tenths of a second where each needs
+#: exact arithmetic.
+_BLOCK = 1 << 14
 
 #: How often, in seconds, progress is told.
 _PAUSE = 0.1
@@ -71,6 +72,15 @@ def answer(
     if wrong is not None and wrong.any():
         missing = wrong if missing is None else missing | wrong
     return found, missing
+
+
+def point(function: str, names: Sequence[str], given: Sequence[object]) -> list[float]:
+    """Plain numbers, for functions that take nothing else."""
+    operands = read(function, names, given)
+    arrays, missing = operands.arrays()
+    if operands.shape != () or missing is not None:
+        raise TypeError(f"{function} takes one number for each of {', '.join(names)}; arrays and columns are for limit_states, onset and contact")
+    return [float(array) for array in arrays]
 
 
 def numbers(columns: Columns, places: Mapping[str, int]) -> list[tuple[int, NDArray[np.float64]]]:
