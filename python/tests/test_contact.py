@@ -13,7 +13,7 @@ import polars as pl
 import pytest
 import standfast
 from reference import points
-from standfast import Mode, Modes
+from standfast import Mode, Modes, _contact
 
 NAMES = ("b1", "b2", "d", "rho2", "m_x", "m_y", "x", "p", "m", "mu_s", "mu_k")
 BLOCK = dict(b1=1, b2=1, d=1, rho2=2 / 3, m_x=1, m_y=1, x=-0.5, p=1, m=0.2, mu_s=0.6, mu_k=0.6)
@@ -121,3 +121,10 @@ def test_wrong_input(given: dict[str, object], error: type[Exception], words: st
 def test_impossible_problems_may_be_left_out() -> None:
     found = standfast.contact(**(BLOCK | dict(d=[1, 0, 1])), on_error="null")
     assert found.mode.tolist() == [0, None, 0] and found.f_x.mask.tolist() == [False, True, False]
+
+
+def test_a_problem_without_mode_has_neither_mode_nor_motion() -> None:
+    # No such problem is known; the columns are those that the native module would give.
+    columns = {"mode": np.array([1, 255], np.uint8), "modes": np.array([2, 0], np.uint16), "f_x": np.array([0.5, np.nan])}
+    found = _contact._without_mode(columns)
+    assert found["mode"].tolist() == [1, None] and found["f_x"].tolist() == [0.5, None] and found["modes"].tolist() == [2, 0]
