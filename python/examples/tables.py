@@ -14,22 +14,22 @@ storms = {
     "friction": [0.60, 0.62, 0.60, 0.58, 0.65, 0.70, 0.55, 0.60, 0.62, 0.61],
 }
 
-map = {"gamma": 0.8, "k_prime": "elevation", "k": "force", "mu": "friction"}
+mapping = {"gamma": 0.8, "k_prime": "elevation", "k": "force", "mu": "friction"}
 
 # pandas: a Series with the index of the table, or a DataFrame of the motion.
 frame = pd.DataFrame(storms).set_index("year")
-frame["mode"] = standfast.classify(frame, map=map, names=True)
+frame["mode"] = standfast.classify(frame, map=mapping, names=True)
 print(frame[["force", "mode"]])
 print(frame.groupby("mode", observed=True).force.agg(["count", "max"]))
 
 # polars: the same, with the answer as columns of the frame.
 storm_table = pl.DataFrame(storms)
-onset = standfast.onset(storm_table, map=map, columns=["mode", "theta_ddot"])
+onset = standfast.onset(storm_table, map=mapping, columns=["mode", "theta_ddot"])
 moving = storm_table.hstack(onset).filter(pl.col("mode") != standfast.Mode.REST)
 print(moving.select("year", "theta_ddot"))
 
 # DuckDB: a query in, its answer in the next query. Record batches are read as they come.
-modes = pa.table({"mode": pa.array(standfast.classify(duckdb.sql("from storm_table"), map=map, names=True))})
+modes = pa.table({"mode": pa.array(standfast.classify(duckdb.sql("from storm_table"), map=mapping, names=True))})
 print(duckdb.sql("select mode, count(*) as storms from modes group by mode order by storms desc, mode"))
 
 assert frame["mode"].tolist() == modes["mode"].to_pylist() == standfast.symbols(onset["mode"]).to_list()

@@ -250,6 +250,8 @@ def test_masked_arrays() -> None:
     assert type(named) is np.ma.MaskedArray and named.tolist() == LEFT
     motion = standfast.onset(POINTS["gamma"], POINTS["k_prime"], POINTS["k"], friction)
     assert all(column.mask.tolist() == [False, False, True, False] for column in motion)
+    filled = [column.filled()[2] for column in motion]
+    assert filled[:3] == [255, False, 65535] and np.isnan(filled[3:]).all() and named.filled()[2] == ""
     # The mask broadcasts as the numbers do, and answers of masked arrays are masked arrays.
     wide = standfast.classify(1, 0.4, [[0.5], [0.7]], friction)
     assert wide.mask.tolist() == [[False, False, True, False]] * 2

@@ -148,8 +148,9 @@ class Arrays(Form):
         shown = SYMBOLS[values if missing is None else np.where(missing, 0, values)] if symbols else values
         if not self.masked and missing is None:
             return shown
-        blanks: dict[str, float | str] = {"u": np.iinfo(np.uint8).max, "f": np.nan, "U": ""}
-        blank = blanks.get(shown.dtype.kind, False)
+        # What `filled` puts there is no answer: the code of no mode, bits of no set of modes.
+        blanks: dict[str, float | str] = {"B": np.iinfo(np.uint8).max, "H": np.iinfo(np.uint16).max, "d": np.nan, "U": ""}
+        blank = blanks.get(shown.dtype.char, False)
         answer = np.ma.MaskedArray(shown, np.ma.nomask if missing is None else missing, fill_value=blank)
         if answer.ndim == 0 and missing is None:
             return Point().column(name, values, symbols=symbols)
