@@ -1,23 +1,63 @@
 //! The k–μ diagram as tuples and lists, which the Python class turns into arrays.
 
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use standfast::diagram::Window;
-use standfast::{Diagram, InputError};
+use standfast::{Diagram, InputError, Point};
 use standfast_figures::outlines::{Polyline, Tick};
-use standfast_figures::{DesignPoint, diagram, outlines};
+use standfast_figures::{DesignPoint, DiagramContent, axis_numbers, diagram_with, outlines};
 
 use crate::invalid;
 
 /// Value, markup, and the point whose coordinate it is.
 type Ticks = Vec<(f64, String, Option<(f64, f64)>)>;
 
-fn new(gamma: f64, k_prime: f64) -> PyResult<Diagram> {
-    Diagram::new(gamma, k_prime).map_err(error)
-}
-
 fn error(error: InputError) -> PyErr {
     invalid(error, &[])
+}
+
+/// A body with its points: rows of (k, μ), of which the first have names and the others are a cloud.
+struct Marked {
+    diagram: Diagram,
+    window: Option<Window>,
+    named: Vec<DesignPoint>,
+    cloud: Vec<(f64, f64)>,
+}
+
+impl Marked {
+    /// Refuses a body, or a point, that there cannot be.
+    fn new(
+        gamma: f64,
+        k_prime: f64,
+        window: Option<(f64, f64)>,
+        places: &PyReadonlyArray2<f64>,
+        names: Vec<String>,
+    ) -> PyResult<Marked> {
+        let diagram = Diagram::new(gamma, k_prime).map_err(error)?;
+        let count = names.len();
+        if places.shape()[1] != 2 || places.shape()[0] < count {
+            return Err(PyValueError::new_err("expected rows of (k, μ), at least one for each name"));
+        }
+        let mut rows: Vec<(f64, f64)> = Vec::with_capacity(places.shape()[0]);
+        for (i, row) in places.as_array().rows().into_iter().enumerate() {
+            let (k, mu) = (row[0], row[1]);
+            Point::new(gamma, k_prime, k, mu).map_err(|error| match names.get(i) {
+                Some(name) => PyValueError::new_err(format!("point {name:?}: {error}")),
+                None => invalid(error, &[i - count]),
+            })?;
+            rows.push((k, mu));
+        }
+        let cloud = rows.split_off(count);
+        let named = names.into_iter().zip(rows);
+        let named = named.map(|(label, (k, mu))| DesignPoint { k, mu, label, mirrored: false }).collect();
+        Ok(Marked { diagram, window: window.map(|(k, mu)| Window { k, mu }), named, cloud })
+    }
+
+    fn content(&self) -> DiagramContent<'_> {
+        DiagramContent { window: self.window, points: &self.named, cloud: &self.cloud }
+    }
 }
 
 /// Everything a diagram shows, by name; see `standfast_figures::outlines`.
@@ -27,8 +67,11 @@ pub(crate) fn diagram_outlines<'py>(
     gamma: f64,
     k_prime: f64,
     window: Option<(f64, f64)>,
+    places: PyReadonlyArray2<'py, f64>,
+    names: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let shown = outlines(&new(gamma, k_prime)?, window.map(|(k, mu)| Window { k, mu }));
+    let marked = Marked::new(gamma, k_prime, window, &places, names)?;
+    let shown = outlines(&marked.diagram, &marked.content());
     let areas: Vec<(u8, &str, &str, Vec<Polyline>)> = shown
         .areas
         .into_iter()
@@ -39,8 +82,11 @@ pub(crate) fn diagram_outlines<'py>(
         .into_iter()
         .map(|part| (part.name, part.resolved_as.code(), part.modes.bits(), part.polygons))
         .collect();
-    let lines: Vec<(&str, &str, bool, Vec<Polyline>)> =
-        shown.lines.into_iter().map(|line| (line.name, line.formula, line.dashed, line.parts)).collect();
+    let lines: Vec<(&str, &str, &str, bool, Vec<Polyline>)> = shown
+        .lines
+        .into_iter()
+        .map(|line| (line.name, line.formula, line.short, line.dashed, line.parts))
+        .collect();
     let points: Vec<(&str, String, f64, f64)> =
         shown.points.into_iter().map(|point| (point.letter, point.markup, point.k, point.mu)).collect();
     let ticks = |ticks: Vec<Tick>| -> Ticks {
@@ -57,15 +103,27 @@ pub(crate) fn diagram_outlines<'py>(
     Ok(found)
 }
 
-/// The diagram as an SVG document, with design points (k, μ, label); and its title and caption.
+/// The diagram as an SVG document; rows of (k, μ) are its points, of which the first have names.
 #[pyfunction]
 pub(crate) fn diagram_svg(
     gamma: f64,
     k_prime: f64,
-    points: Vec<(f64, f64, String)>,
-) -> PyResult<(String, String, String)> {
-    let points: Vec<DesignPoint> =
-        points.into_iter().map(|(k, mu, label)| DesignPoint { k, mu, label, mirrored: false }).collect();
-    let figure = diagram(&new(gamma, k_prime)?, &points);
-    Ok((figure.svg().to_owned(), figure.title().to_owned(), figure.caption().to_owned()))
+    window: Option<(f64, f64)>,
+    places: PyReadonlyArray2<f64>,
+    names: Vec<String>,
+) -> PyResult<String> {
+    let marked = Marked::new(gamma, k_prime, window, &places, names)?;
+    Ok(diagram_with(&marked.diagram, &marked.content()).svg().to_owned())
+}
+
+/// The round numbers along an axis with their markup, and the places of smaller ticks; see `standfast_figures::axis_numbers`.
+#[pyfunction]
+pub(crate) fn diagram_numbers(
+    from_: f64,
+    to: f64,
+    length: f64,
+    upright: bool,
+) -> (Vec<(f64, String)>, Vec<f64>) {
+    let axis = axis_numbers(from_, to, length, upright);
+    (axis.numbers, axis.between)
 }

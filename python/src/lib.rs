@@ -54,7 +54,7 @@ mod _standfast {
     #[pymodule_export]
     use super::design::{boundary, design};
     #[pymodule_export]
-    use super::diagram::{diagram_outlines, diagram_svg};
+    use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg};
     #[pymodule_export]
     use super::explain::{contact_conditions, explain};
     #[pymodule_export]

@@ -83,6 +83,28 @@ impl Canvas {
         self.board.reserve(Rect::around(x, y, 11.0, 11.0));
     }
 
+    /// An arrow at the edge of the plot towards a design point outside.
+    pub(crate) fn pointer(&mut self, (x, y): (f64, f64), to: (f64, f64)) {
+        let (dx, dy) = (to.0 - x, to.1 - y);
+        let (ux, uy) = (dx / dx.hypot(dy), dy / dx.hypot(dy));
+        let corner = |along: f64, across: f64| (x + along * ux - across * uy, y + along * uy + across * ux);
+        let mut arrow = Path::through(&[corner(6.5, 0.0), corner(-4.5, 5.2), corner(-4.5, -5.2)]);
+        arrow.close();
+        self.scene.stroke(&arrow, Pen::solid(PAPER, 2.4));
+        self.scene.fill(&arrow, MARK);
+        self.board.reserve(Rect::around(x, y, 11.0, 11.0));
+    }
+
+    /// A cloud of points, small and as one path.
+    pub(crate) fn dots(&mut self, places: &[(f64, f64)]) {
+        let mut path = Path::default();
+        for &(x, y) in places {
+            path.move_to(x, y);
+            path.line_to(x + 0.1, y);
+        }
+        self.scene.stroke(&path, Pen { colour: MARK, width: 2.2, dashes: "0 9" });
+    }
+
     /// Names a region: inside it, or beside it with a leader; not at all if it is too small to be seen. `patch` is the
     /// colour laid behind a name on hatching.
     pub(crate) fn name(&mut self, pieces: &[Piece], name: &str, largest: f64, patch: Option<&str>) {

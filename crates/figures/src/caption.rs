@@ -4,6 +4,7 @@ use standfast::diagram::Unresolved;
 use standfast::{Modes, Point};
 
 use crate::drawing::Drawing;
+use crate::is_drawable;
 use crate::margins;
 use crate::number::digits;
 use crate::palette::symbol;
@@ -41,7 +42,8 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
             label => label.into(),
         };
         words.extend(name.split_whitespace().map(|word| Text::verbatim(&shortened(word), SMALL)));
-        words.extend(margins::words(&format!("{}:", pair(point.k, point.mu)), SMALL));
+        let outside = if drawing.window.shows(point.k, point.mu) { "" } else { ", outside the window" };
+        words.extend(margins::words(&format!("{}{outside}:", pair(point.k, point.mu)), SMALL));
         let chart = drawing.diagram.chart();
         if let Ok(at) = Point::new(chart.gamma(), chart.k_prime(), point.k, point.mu) {
             let (mode, others, remark) = if point.mirrored {
@@ -56,7 +58,19 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
     if beyond > 0 {
         words.extend(margins::words(&format!("And {beyond} more."), SMALL));
     }
+    words.extend(margins::words(&cloud(drawing), SMALL));
     words
+}
+
+/// How many points without names there are, in and out of the window.
+fn cloud(drawing: &Drawing) -> String {
+    let points = || drawing.cloud.iter().filter(|point| is_drawable(point));
+    let outside = points().filter(|&&(k, mu)| !drawing.window.shows(k, mu)).count();
+    match (points().count(), outside) {
+        (0, _) => String::new(),
+        (count, 0) => format!("Dots: {count} points."),
+        (count, outside) => format!("Dots: {count} points, {outside} of them outside the window."),
+    }
 }
 
 /// The modes that are consistent beside the one reported, as a remark behind it in markup.

@@ -17,7 +17,7 @@ use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip, clip_strips, hatch, 
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
-use crate::{DesignPoint, Figure, caption, inset};
+use crate::{DesignPoint, Figure, caption, inset, is_drawable};
 
 const PLOT: (f64, f64) = (400.0, 310.0);
 const TOP: f64 = 42.0;
@@ -216,6 +216,7 @@ impl<'a> Draft<'a> {
 
     /// What stands over the lines: letters, points, the lens, names, notes and formulas, the later where the earlier leave room.
     pub(crate) fn marks(&mut self) {
+        self.cloud();
         self.letters();
         self.design_points();
         self.lens();
@@ -272,12 +273,28 @@ impl<'a> Draft<'a> {
         Some(frame.at(arc.to, arc.curve.at(arc.to)))
     }
 
+    fn cloud(&mut self) {
+        let frame = self.canvas.board.frame;
+        let seen =
+            self.given.cloud.iter().filter(|point| is_drawable(point) && frame.shows(point.0, point.1));
+        let places: Vec<_> = seen.map(|&(k, mu)| frame.at(k, mu)).collect();
+        self.canvas.dots(&places);
+    }
+
     fn design_points(&mut self) {
         let frame = self.canvas.board.frame;
         let points = self.given.points;
-        let at = |point: &DesignPoint| frame.at(point.k, point.mu);
-        for point in points.iter().filter(|point| point.is_drawable() && frame.shows(point.k, point.mu)) {
-            self.canvas.diamond(at(point));
+        // What lies outside is pointed at from the nearest place of the edge.
+        let at = |point: &DesignPoint| {
+            let ((x, y), Rect { x0, y0, x1, y1 }) = (frame.at(point.k, point.mu), frame.area.grown(-7.0));
+            if frame.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
+        };
+        for point in points.iter().filter(|point| point.is_drawable()) {
+            if frame.shows(point.k, point.mu) {
+                self.canvas.diamond(at(point));
+            } else {
+                self.canvas.pointer(at(point), frame.at(point.k, point.mu));
+            }
         }
         for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
             let label = point.label.trim();

@@ -19,6 +19,8 @@ pub(crate) struct Drawing<'a> {
     /// Opens the list of coordinates, in markup; may be empty.
     pub preface: &'a str,
     pub points: &'a [DesignPoint],
+    /// Points without names, as (k, μ).
+    pub cloud: &'a [(f64, f64)],
     /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
     pub hatched: &'a [Unresolved],
     /// Whether the axes carry round numbers; if not, the sheet's named values.

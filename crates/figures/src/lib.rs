@@ -61,12 +61,14 @@ mod text;
 
 use standfast::Diagram;
 use standfast::contact::path::Stage;
+use standfast::diagram::Window;
 use standfast::region::Region;
 
 pub use cases::cases_on_screen;
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
+pub use margins::{AxisNumbers, axis_numbers};
 pub use number::significant;
 pub use outlines::outlines;
 pub use plot::View;
@@ -133,27 +135,65 @@ pub struct DesignPoint {
 
 impl DesignPoint {
     fn is_drawable(&self) -> bool {
-        (0.0..f64::INFINITY).contains(&self.k) && (0.0..f64::INFINITY).contains(&self.mu)
+        is_drawable(&(self.k, self.mu))
     }
 }
 
-/// The map of all modes of one body and one elevation of the force, with design points.
-///
-/// The window shows A and the other named points that are not much farther away, and all design points. The
-/// indeterminate set N, where several modes are consistent, is hatched if a design point lies in it.
+fn is_drawable(&(k, mu): &(f64, f64)) -> bool {
+    (0.0..f64::INFINITY).contains(&k) && (0.0..f64::INFINITY).contains(&mu)
+}
+
+/// What a diagram shows beside the regions of the modes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct DiagramContent<'a> {
+    /// The largest k and μ; see [`DiagramContent::window_of`].
+    pub window: Option<Window>,
+    /// Load cases, marked and named. One outside of the window is pointed at from its edge.
+    pub points: &'a [DesignPoint],
+    /// A cloud of points without names, as (k, μ), marked by dots. They are drawn if k and μ are finite and not negative.
+    pub cloud: &'a [(f64, f64)],
+}
+
+impl DiagramContent<'_> {
+    /// All points that are drawn.
+    fn marked(&self) -> Vec<(f64, f64)> {
+        let named = self.points.iter().map(|point| (point.k, point.mu));
+        named.chain(self.cloud.iter().copied()).filter(is_drawable).collect()
+    }
+
+    /// The window asked for; if none is, that of A and the other named points that are not much farther away, and of all
+    /// points to be marked.
+    pub fn window_of(&self, diagram: &Diagram) -> Window {
+        self.window.unwrap_or_else(|| {
+            let View { k_max, mu_max, .. } = map::window(diagram, &self.marked());
+            Window { k: k_max, mu: mu_max }
+        })
+    }
+}
+
+/// The map of all modes of one body and one elevation of the force, with design points, in a window that holds them.
 pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
+    diagram_with(diagram, &DiagramContent { points, ..DiagramContent::default() })
+}
+
+/// The map of all modes of one body and one elevation of the force.
+///
+/// The indeterminate set N, where several modes are consistent, is hatched if a point lies in it.
+pub fn diagram_with(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
     let (sheet, condition) = map::sheet(diagram.chart().case());
     let unresolved = diagram.unresolved();
-    let within = |point: &DesignPoint| unresolved.iter().any(|part| part.contains(point.k, point.mu));
-    let undecided = points.iter().any(|point| point.is_drawable() && within(point));
+    let within = |&(k, mu): &(f64, f64)| unresolved.iter().any(|part| part.contains(k, mu));
+    let undecided = content.marked().iter().any(within);
+    let window = content.window_of(diagram);
     drawing::Drawing {
         diagram,
         sheet,
-        window: map::window(diagram, points),
+        window: View::from_origin(window.k, window.mu),
         heading: "All modes,",
         caption: &format!("{}: {condition}", number::body(diagram.chart())),
         preface: "",
-        points,
+        points: content.points,
+        cloud: content.cloud,
         hatched: if undecided { &unresolved } else { &[] },
         numbered: true,
     }

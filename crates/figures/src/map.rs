@@ -8,7 +8,6 @@ use standfast::Mode::{
 use standfast::initiation::{ChartCase, PointName};
 use standfast::region::Curve;
 
-use crate::DesignPoint;
 use crate::sheet::At::{A, BPrime, D, E, Far, Zero};
 use crate::sheet::Line::{
     Asymptote, Diagonal, Lower, MuStar, MuStarRising, MuStarStar, Upper, VerticalA, VerticalE,
@@ -161,10 +160,10 @@ pub(crate) fn sheet(case: ChartCase) -> (&'static Sheet, &'static str) {
 }
 
 /// The window of a diagram: A, unless it is at infinity or next to it, the other named points up to some times its distance, and all
-/// design points.
-pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
+/// points to be marked, given as (k, μ).
+pub(crate) fn window(diagram: &Diagram, points: &[(f64, f64)]) -> View {
     // With points to be read off, what is far from them would squeeze them into the corner.
-    let far = if points.iter().any(DesignPoint::is_drawable) { 4.0 } else { 7.0 };
+    let far = if points.is_empty() { 7.0 } else { 4.0 };
     let chart = diagram.chart();
     let unit = 1.0 / chart.gamma();
     let (k_a, k_d) = (chart.k_a(), chart.k_d());
@@ -194,9 +193,9 @@ pub(crate) fn window(diagram: &Diagram, points: &[DesignPoint]) -> View {
         ChartCase::BelowBase => mu = mu.max(1.3 * rises(chart.mu_star_star())),
         _ => {}
     }
-    for point in points.iter().filter(|point| point.is_drawable()) {
-        k = k.max(1.12 * point.k);
-        mu = mu.max(1.12 * point.mu);
+    for point in points {
+        k = k.max(1.12 * point.0);
+        mu = mu.max(1.12 * point.1);
     }
     View::from_origin(k, mu)
 }

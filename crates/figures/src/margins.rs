@@ -166,6 +166,36 @@ pub(crate) fn axes(scene: &mut Scene, frame: &Frame, names: &Axes) {
     scene.text_in(&origin, &rect, INK);
 }
 
+/// What stands along an axis that is drawn by another tool.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AxisNumbers {
+    /// Round numbers, rising, each with its text as markup.
+    pub numbers: Vec<(f64, String)>,
+    /// The places of smaller ticks between them.
+    pub between: Vec<f64>,
+}
+
+/// The round numbers between `from` and the greater `to` along an axis that is `length` times as long as its type is
+/// large: those that figures of this crate have there. An upright axis has room for more of them than one across.
+///
+/// ```
+/// let axis = standfast_figures::axis_numbers(0.0, 1.43, 36.0, false);
+/// assert_eq!(axis.numbers[1], (0.2, "$0.2$".to_owned()));
+/// assert_eq!(axis.between[0], 0.05);
+/// ```
+pub fn axis_numbers(from: f64, to: f64, length: f64, upright: bool) -> AxisNumbers {
+    let scale = numbers_along(from, to, length * NUMBER, upright);
+    let numbers = scale.numbers().into_iter().map(|number| (number, scale.markup(number)));
+    AxisNumbers { numbers: numbers.collect(), between: scale.between() }
+}
+
+/// As many round numbers as an axis of this length has room for.
+fn numbers_along(from: f64, to: f64, length: f64, upright: bool) -> Scale {
+    // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
+    let each = if upright { 38.0 } else { 52.0 };
+    Scale::new(from, to, (length / each).floor().clamp(2.0, 12.0))
+}
+
 /// The round numbers of both axes of a plot.
 pub(crate) struct Numbers {
     across: Scale,
@@ -175,11 +205,9 @@ pub(crate) struct Numbers {
 impl Numbers {
     /// As many as a plot of this width and height has room for.
     pub(crate) fn of(window: &View, width: f64, height: f64) -> Numbers {
-        // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
-        let most = |length: f64, each: f64| (length / each).floor().clamp(2.0, 12.0);
         Numbers {
-            across: Scale::new(window.k_min, window.k_max, most(width, 52.0)),
-            up: Scale::new(window.mu_min, window.mu_max, most(height, 38.0)),
+            across: numbers_along(window.k_min, window.k_max, width, false),
+            up: numbers_along(window.mu_min, window.mu_max, height, true),
         }
     }
 

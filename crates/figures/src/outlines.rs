@@ -1,6 +1,6 @@
 //! What does a diagram show, as coordinates of the k–μ plane? For those who draw it with a tool of their own.
 //!
-//! The content, the window and the colours are those of [`diagram`](crate::diagram); curves become polylines that
+//! The content, the window and the colours are those of [`diagram_with`](crate::diagram_with); curves become polylines that
 //! stay within a two-thousandth of the window's height of the exact ones.
 
 use standfast::diagram::Window;
@@ -8,6 +8,7 @@ use standfast::initiation::PointName;
 use standfast::region::{Curve, Strip};
 use standfast::{Diagram, Mode, Modes};
 
+use crate::DiagramContent;
 use crate::map;
 use crate::palette::{symbol, tint};
 use crate::plot::{Piece, View, clip, clip_strips};
@@ -69,6 +70,8 @@ pub struct OutlinedLine {
     pub name: &'static str,
     /// Its equation as markup; empty for verticals.
     pub formula: &'static str,
+    /// A shorter name as markup, for where the equation does not fit; empty if it has none.
+    pub short: &'static str,
     /// Whether it bounds nothing and is drawn dashed.
     pub dashed: bool,
     /// Its parts in the window.
@@ -99,22 +102,19 @@ pub struct Tick {
     pub of: Option<(f64, f64)>,
 }
 
-/// A diagram as coordinates, clipped to `window`, or to the window that [`diagram`](crate::diagram) chooses.
+/// A diagram as coordinates, clipped to the window of what it is to show. The points themselves are not among them.
 ///
 /// ```
 /// use standfast::{Diagram, Mode};
-/// use standfast_figures::outlines;
+/// use standfast_figures::{DiagramContent, outlines};
 ///
-/// let shown = outlines(&Diagram::new(3.0, 0.8)?, None);
+/// let shown = outlines(&Diagram::new(3.0, 0.8)?, &DiagramContent::default());
 /// let slide = shown.areas.iter().find(|area| area.mode == Mode::SlideLeft).unwrap();
 /// assert_eq!(slide.polygons[0][0], (0.0, 0.0));
 /// # Ok::<(), standfast::InputError>(())
 /// ```
-pub fn outlines(diagram: &Diagram, window: Option<Window>) -> Outlines {
-    let window = window.unwrap_or_else(|| {
-        let View { k_max, mu_max, .. } = map::window(diagram, &[]);
-        Window { k: k_max, mu: mu_max }
-    });
+pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
+    let window = content.window_of(diagram);
     let view = View::from_origin(window.k, window.mu);
     let chart = diagram.chart();
     let (sheet, _) = map::sheet(chart.case());
@@ -145,6 +145,7 @@ pub fn outlines(diagram: &Diagram, window: Option<Window>) -> Outlines {
         OutlinedLine {
             name: name(trace.line, chart.k_prime()),
             formula: trace.line.formula(chart),
+            short: trace.line.short().unwrap_or_default(),
             dashed,
             parts,
         }
@@ -256,7 +257,7 @@ mod tests {
     fn the_areas_of_a_diagram_fill_its_window() {
         for gamma in [0.3, 1.0, 2.0, 4.0] {
             for k_prime in [-1.5, -1.0, -0.6, -0.55, -0.2, 0.0, 0.4, 0.55, 0.8, 1.0, 3.0] {
-                let shown = outlines(&Diagram::new(gamma, k_prime).unwrap(), None);
+                let shown = outlines(&Diagram::new(gamma, k_prime).unwrap(), &DiagramContent::default());
                 let filled: f64 =
                     shown.areas.iter().flat_map(|area| &area.polygons).map(twice_area).sum::<f64>() / 2.0;
                 let window = shown.window.k * shown.window.mu;
@@ -271,7 +272,9 @@ mod tests {
     #[test]
     fn lines_and_points_lie_in_the_window() {
         for (gamma, k_prime) in [(1.0, 0.4), (3.0, 0.8), (4.0, -0.55), (1.0, -0.6), (1.0, -2.0)] {
-            let shown = outlines(&Diagram::new(gamma, k_prime).unwrap(), Some(Window { k: 1.5, mu: 1.0 }));
+            let content =
+                DiagramContent { window: Some(Window { k: 1.5, mu: 1.0 }), ..DiagramContent::default() };
+            let shown = outlines(&Diagram::new(gamma, k_prime).unwrap(), &content);
             let lines = shown.lines.iter().flat_map(|line| line.parts.iter().flatten().copied());
             for (k, mu) in lines.chain(shown.points.iter().map(|point| (point.k, point.mu))) {
                 assert!((0.0..=1.5).contains(&k) && (0.0..=1.0).contains(&mu), "({k}, {mu})");

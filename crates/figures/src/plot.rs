@@ -31,6 +31,11 @@ impl View {
         self.k_min == 0.0 && self.mu_min == 0.0
     }
 
+    /// Whether a point of the plane is in it.
+    pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
+        (self.k_min..=self.k_max).contains(&k) && (self.mu_min..=self.mu_max).contains(&mu)
+    }
+
     pub(crate) fn width(&self) -> f64 {
         self.k_max - self.k_min
     }
@@ -71,8 +76,7 @@ impl Frame {
 
     /// Whether a point of the plane is in the window.
     pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
-        let View { k_min, k_max, mu_min, mu_max } = self.window;
-        (k_min..=k_max).contains(&k) && (mu_min..=mu_max).contains(&mu)
+        self.window.shows(k, mu)
     }
 
     /// dy/dx on the page for a slope dμ/dk.

@@ -17,7 +17,7 @@ use crate::plot::{Frame, View, clip};
 use crate::scene::{Rect, Scene};
 use crate::sheet::Sheet;
 use crate::text::Text;
-use crate::{DesignPoint, Figure, FigureId, caption, map, report};
+use crate::{DesignPoint, DiagramContent, Figure, FigureId, caption, map, report};
 
 /// The values along an edge of a plot, from its left or lower end.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,7 +78,9 @@ impl View {
         if k <= view.k_max && mu <= view.mu_max {
             return view;
         }
-        map::window(diagram, &[DesignPoint { k, mu, label: String::new(), mirrored: false }])
+        let Window { k, mu } =
+            DiagramContent { cloud: &[(k, mu)], ..DiagramContent::default() }.window_of(diagram);
+        View::from_origin(k, mu)
     }
 
     /// The view of a chart of the report; `None` for its sketches.
@@ -224,6 +226,7 @@ impl Map<'_> {
             caption: &caption,
             preface: "",
             points: point.map_or(&[], std::slice::from_ref),
+            cloud: &[],
             hatched: &unresolved,
             numbered: true,
         };

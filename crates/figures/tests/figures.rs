@@ -1,7 +1,10 @@
 //! What a figure is beside its drawing: words, names, colours.
 
 use standfast::Diagram;
-use standfast_figures::{DesignPoint, Figure, FigureId, Rect, diagram, report_figure};
+use standfast::diagram::Window;
+use standfast_figures::{
+    DesignPoint, DiagramContent, Figure, FigureId, Rect, axis_numbers, diagram, diagram_with, report_figure,
+};
 
 #[test]
 fn the_description_puts_modes_and_points_in_words() {
@@ -139,5 +142,56 @@ fn the_report_s_axes_have_no_numbers() {
     for id in FigureId::ALL {
         let figure = report_figure(id);
         assert_eq!(numbers(&figure, true).len() + numbers(&figure, false).len(), 0, "{id}");
+    }
+}
+
+/// The diagram of γ = 2, k' = 0.3 up to k = 1, μ = 0.8.
+fn windowed(points: &[DesignPoint], cloud: &[(f64, f64)]) -> Figure {
+    let body = Diagram::new(2.0, 0.3).expect("a valid body");
+    diagram_with(&body, &DiagramContent { window: Some(Window { k: 1.0, mu: 0.8 }), points, cloud })
+}
+
+#[test]
+fn a_window_that_is_asked_for_is_shown_and_points_outside_are_pointed_at() {
+    let point = |k: f64, mu: f64, label: &str| DesignPoint { k, mu, label: label.into(), mirrored: false };
+    let points =
+        [point(1.4, 0.3, "right"), point(0.5, 2.0, "up"), point(3.0, 4.0, "both"), point(0.4, 0.5, "in")];
+    let figure = windowed(&points, &[]);
+    let last = |across| numbers(&figure, across).iter().fold(0.0_f64, |most, (number, _)| most.max(*number));
+    assert_eq!((last(true), last(false)), (1.0, 0.7));
+    for words in ["right (1.4, 0.3), outside the window: SRO₋.", "in (0.4, 0.5): RO."] {
+        assert!(figure.caption().contains(words), "{words:?} is not in {:?}", figure.caption());
+    }
+    let named: Vec<&str> = figure.labels().iter().map(|label| label.text.as_str()).collect();
+    for label in ["right", "up", "both", "in"] {
+        assert!(named.contains(&label), "{label:?} stands not in the plot: {named:?}");
+    }
+    // An arrow or a diamond each, in the colour of points.
+    assert_eq!(figure.svg().matches("fill=\"#a3123f\"/>").count(), 4);
+}
+
+#[test]
+fn a_cloud_of_points_is_counted_and_widens_a_window_that_is_not_asked_for() {
+    let cloud = [(0.2, 0.1), (1.2, 0.1), (0.3, 0.9), (f64::NAN, 0.1)];
+    assert!(windowed(&[], &cloud).caption().ends_with("Dots: 3 points, 2 of them outside the window."));
+    let body = Diagram::new(2.0, 0.3).expect("a valid body");
+    let content = DiagramContent { cloud: &cloud, ..DiagramContent::default() };
+    assert!(diagram_with(&body, &content).caption().ends_with("Dots: 3 points."));
+    let window = content.window_of(&body);
+    assert!(cloud[..3].iter().all(|&(k, mu)| k < window.k && mu < window.mu), "{window:?}");
+}
+
+#[test]
+fn numbers_for_another_tool_are_those_of_the_figures() {
+    let figure = windowed(&[], &[]);
+    for (across, to, length) in [(true, 1.0, 400.0), (false, 0.8, 310.0)] {
+        let theirs: Vec<f64> =
+            axis_numbers(0.0, to, length / 12.5, !across).numbers.iter().map(|it| it.0).collect();
+        for (number, _) in numbers(&figure, across) {
+            assert!(
+                theirs.iter().any(|one| (one - number).abs() < 1e-12),
+                "{number} is not among {theirs:?}"
+            );
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -11,9 +12,12 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._arrays import classify
 from ._modes import Mode, Modes
+from ._points import Marks, Points, marks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from ._standfast import _Outlines, _Polyline
 
 Polyline = NDArray[np.float64]
 
@@ -59,6 +63,8 @@ class Curve(NamedTuple):
     dashed: bool
     #: Its parts in the window, each an array of shape (n, 2) of (k, μ).
     parts: list[Polyline]
+    #: A shorter name in mathtext, for where the equation does not fit; may be empty.
+    short: str = ""
 
 
 class NamedPoint(NamedTuple):
@@ -72,11 +78,12 @@ class NamedPoint(NamedTuple):
 
 def _mathtext(markup: str) -> str:
     """The figures' markup as matplotlib's mathtext."""
-    markup = markup.replace(r"\up{", r"\mathrm{").replace(r"\frac", r"\dfrac").replace("|", r"\vert ")
+    # The bar of matplotlib's fonts ends on the base line and reads as an l; that of "divides" (U+2223) goes below it.
+    markup = markup.replace(r"\up{", r"\mathrm{").replace(r"\frac", r"\dfrac").replace("|", "∣")
     return markup.replace("μ**", "μ^{**}").replace("μ*", "μ^{*}").replace("−", "-").replace("_-", "_{-}").replace("_+", "_{+}")
 
 
-def _polylines(parts: Iterable[Any]) -> list[Polyline]:
+def _polylines(parts: Iterable[_Polyline]) -> list[Polyline]:
     return [np.array(part, dtype=np.float64) for part in parts]
 
 
@@ -86,7 +93,8 @@ class Diagram:
     Args:
         gamma: slenderness H/B, above zero.
         k_prime: height of the force above the centre of mass in H.
-        window: largest k and μ to show; chosen so that the named points are seen if it is not given.
+        window: largest k and μ to show, by :meth:`plot`, :meth:`svg` and the notebook alike; if it is not given, those that
+            show the named points and all points to be marked.
 
     Raises:
         ValueError: for a slenderness or elevation that no body or force has, or a window that is empty.
@@ -110,7 +118,17 @@ class Diagram:
             if not (0 < k <= 1e50 and 0 < mu <= 1e50):
                 raise ValueError(f"window is {(k, mu)}; expected the largest k and the largest μ to show, above zero")
             window = (k, mu)
-        self._shown: dict[str, Any] = _standfast.diagram_outlines(self._gamma, self._k_prime, window)
+        self._asked = window
+        self._shown = self._outlines(marks(None))
+
+    def _outlines(self, marked: Marks) -> _Outlines:
+        return _standfast.diagram_outlines(self._gamma, self._k_prime, self._asked, *marked)
+
+    def _holding(self, marked: Marks) -> Diagram:
+        """The same in a window that holds points, unless one was asked for."""
+        wide = copy.copy(self)
+        wide._shown = self._outlines(marked)
+        return wide
 
     @property
     def gamma(self) -> float:
@@ -148,8 +166,8 @@ class Diagram:
     def curves(self) -> list[Curve]:
         """The lines between the regions, and the dashed ones."""
         return [
-            Curve(name, _mathtext(formula), dashed, _polylines(parts))
-            for name, formula, dashed, parts in self._shown["lines"]
+            Curve(name, _mathtext(formula), dashed, _polylines(parts), _mathtext(short))
+            for name, formula, short, dashed, parts in self._shown["lines"]
         ]
 
     @property
@@ -161,14 +179,13 @@ class Diagram:
         """The mode at (k, μ), exactly, boundaries included; arrays give arrays, as in :func:`classify`."""
         return classify(self._gamma, self._k_prime, k, mu)
 
-    def svg(self, points: Mapping[str, tuple[float, float]] | None = None) -> str:
-        """The diagram as an SVG document, with load cases ``{name: (k, μ)}`` marked.
+    def svg(self, points: Points | None = None) -> str:
+        """The diagram as an SVG document, with points marked as in :meth:`plot`.
 
         >>> Diagram(1, 0.4).svg({"storm": (0.5, 0.6)})[:4]
         '<svg'
         """
-        marked = [(float(k), float(mu), name) for name, (k, mu) in (points or {}).items()]
-        return _standfast.diagram_svg(self._gamma, self._k_prime, marked)[0]
+        return _standfast.diagram_svg(self._gamma, self._k_prime, self._asked, *marks(points))
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -180,24 +197,36 @@ class Diagram:
         self,
         ax: Axes | None = None,
         *,
-        points: Mapping[str, tuple[float, float]] | None = None,
+        points: Points | None = None,
         formulas: bool = True,
+        by_mode: bool = False,
     ) -> Axes:
         """Draws the diagram with matplotlib, in the look of the report's figures.
 
         Args:
             ax: axes to draw in; new ones if not given.
-            points: load cases to mark, ``{name: (k, μ)}``.
+            points: load cases to mark, ``{name: (k, μ)}``; or a cloud of points without names: an array with rows of (k, μ),
+                or a table with the columns ``k`` and ``mu`` (and ``name``, if they have names). Every point with a name is
+                named: beside its marker, or farther away with a line to it, or by a number that a list right of the axes
+                explains. Without a ``window`` of its own the diagram widens to hold all points; with one, an arrow at its edge
+                points at a named point outside.
             formulas: whether the lines carry their equations.
+            by_mode: whether points have a marker for each mode, with a legend that counts them.
 
         Returns:
-            The axes. The axes' limits are the window; everything drawn can be changed with matplotlib.
+            The axes. The axes' limits are the window; everything drawn can be changed with matplotlib. Type and lines follow
+            matplotlib's settings ``font.size`` and ``lines.linewidth``, and are smaller in small axes.
 
         Raises:
             ImportError: without matplotlib (``pip install "standfast[plot]"``).
+            ValueError: for a point that there cannot be.
+
+        Warns:
+            UserWarning: if points of a cloud lie outside of the window that was asked for.
         """
         try:
             from ._plot import plot
         except ImportError as error:
             raise ImportError('plotting needs matplotlib: pip install "standfast[plot]"') from error
-        return plot(self, ax, points or {}, formulas)
+        marked = marks(points)
+        return plot(self._holding(marked), ax, marked, formulas, by_mode)

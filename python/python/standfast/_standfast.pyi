@@ -1,7 +1,7 @@
 """The native module; what users call stands beside it."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol, final
+from typing import Any, Protocol, TypedDict, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ __all__ = [
     "contact_names",
     "contact_rows",
     "design",
+    "diagram_numbers",
     "diagram_outlines",
     "diagram_svg",
     "explain",
@@ -151,12 +152,33 @@ def onset_columns(columns: Sequence[Any], choice: Sequence[str], run: _Run) -> A
 def onset_table(
     table: Any, places: Sequence[str | float], choice: Sequence[str], run: _Run
 ) -> ArrowTable: ...
+
+class _Outlines(TypedDict):
+    """What a diagram shows; strings are markup, but for names, letters and colours."""
+
+    window: tuple[float, float]
+    #: Code, symbol, colour and outlines.
+    areas: list[tuple[int, str, str, list[_Polyline]]]
+    #: Name, code of the mode it is resolved to, bits of all modes, and outlines.
+    unresolved: list[tuple[str, int, int, list[_Polyline]]]
+    #: Name, formula, shorter name, whether it is dashed, and parts.
+    lines: list[tuple[str, str, str, bool, list[_Polyline]]]
+    #: Letter, its markup, k and μ.
+    points: list[tuple[str, str, float, float]]
+    #: Value, name with formula, and the point whose coordinate it is.
+    k_marks: list[tuple[float, str, tuple[float, float]]]
+    mu_marks: list[tuple[float, str, tuple[float, float] | None]]
+
+def diagram_numbers(
+    from_: float, to: float, length: float, upright: bool
+) -> tuple[list[tuple[float, str]], list[float]]: ...
 def diagram_outlines(
-    gamma: float, k_prime: float, window: tuple[float, float] | None
-) -> dict[str, Any]: ...
+    gamma: float, k_prime: float, window: tuple[float, float] | None, places: NDArray[np.float64], names: list[str]
+) -> _Outlines: ...
 def diagram_svg(
-    gamma: float, k_prime: float, points: list[tuple[float, float, str]]
-) -> tuple[str, str, str]: ...
+    gamma: float, k_prime: float, window: tuple[float, float] | None, places: NDArray[np.float64], names: list[str]
+) -> str: ...
+
 @final
 class CaseAnswer:
     """The answer to a case."""

@@ -149,6 +149,7 @@ pub fn report_figure(id: FigureId) -> Figure {
                 caption: entry.caption,
                 preface: &format!("{}:", number::body(diagram.chart())),
                 points: &[],
+                cloud: &[],
                 hatched: &[],
                 numbered: false,
             }
