@@ -51,6 +51,7 @@ pub fn run() -> ExitCode {
 #[derive(Clone, Copy)]
 pub enum Part {
     Python,
+    PythonVersions,
     Explorer,
 }
 
@@ -59,6 +60,7 @@ impl Part {
     fn name(self) -> &'static str {
         match self {
             Part::Python => "python",
+            Part::PythonVersions => "python-versions",
             Part::Explorer => "explorer",
         }
     }
@@ -69,6 +71,7 @@ impl Part {
         programs_and_tests(&mut tally);
         match self {
             Part::Python => python::run(&mut tally),
+            Part::PythonVersions => python::all_versions(&mut tally),
             Part::Explorer => explorer::check(&mut tally),
         }
         ended(&tally)

@@ -9,6 +9,7 @@ mod keys;
 mod manifests;
 mod programs;
 mod python;
+mod pythons;
 mod sea_states;
 mod tally;
 #[cfg(test)]
@@ -24,6 +25,7 @@ Usage: cargo xtask COMMAND
             these parts alone
   deny      licences, advisories, sources and duplicates of all dependencies, by cargo-deny
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
+  python-versions  all tests of the Python package with every Python it promises to run under, as far as they are found
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
   sea-states N  print a table of N synthetic sea states for examples/goda-2000.toml, whose first 100 are examples/sea-states.csv
   help      this text
@@ -35,6 +37,7 @@ fn main() -> ExitCode {
         ["test"] => checks::run(),
         ["test", "python"] => checks::Part::Python.run(),
         ["test", "explorer"] => checks::Part::Explorer.run(),
+        ["python-versions"] => checks::Part::PythonVersions.run(),
         ["deny"] => ended(manifests::deny()),
         ["gallery"] => match gallery::write(&root()) {
             Ok(count) => {

@@ -1,29 +1,25 @@
 //! The Python package: its wheel built in a clean environment, installed, its types checked, its tests run.
 
-use std::ffi::OsStr;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs, io};
+use std::{fs, io};
 
+use crate::pythons::{self, OLDEST, Python};
 use crate::tally::Tally;
 use crate::{built, root, target};
 
-/// The oldest Python for which the versions in requirements-test.txt exist.
-const OLDEST: (u32, u32) = (3, 11);
+/// What of pip's output is not wanted.
+const PIP: [&str; 4] = ["-m", "pip", "--quiet", "--disable-pip-version-check"];
 
 /// Runs all steps, or says why not.
 pub fn run(tally: &mut Tally) {
-    let python = env::var_os("PYTHON").unwrap_or_else(|| "python3".into());
-    if let Err(reason) = usable(&python) {
-        tally.missing("Python package", reason);
+    let Some(python) = Python::of_path() else {
+        tally.missing("Python package", "no Python 3.10 or later with pip and venv; PYTHON names one");
         return;
-    }
-    let place = target().join("python");
-    let Some(python) = environment(tally, &python, &place) else { return };
-    let Some(wheel) = wheel(tally, &python, &place) else { return };
-    let pip =
-        ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps"];
-    if !tally.record("wheel installed", Command::new(&python).args(pip).arg(wheel)) {
+    };
+    let Some((own, wheel)) = built_wheel(tally, &python) else { return };
+    if !install(tally, &own, &wheel) {
         return;
     }
     let checks: [(&str, &[&str]); 3] = [
@@ -32,61 +28,112 @@ pub fn run(tally: &mut Tally) {
         ("stubs of the native module", &["-m", "mypy.stubtest", "standfast._standfast"]),
     ];
     for (name, arguments) in checks {
-        tally.record(name, Command::new(&python).args(arguments).current_dir(root()));
+        // The oldest Python has libraries of its time, whose types are others.
+        if python.version > OLDEST {
+            tally.record(name, Command::new(&own).args(arguments).current_dir(root()));
+        }
     }
-    let tests: [(&str, &[&str]); 2] = [
-        (
-            "examples in docstrings",
-            &["-m", "pytest", "--quiet", "--doctest-modules", "--pyargs", "standfast"],
-        ),
-        ("tests of the Python package", &["-m", "pytest", "--quiet", "python/tests"]),
-    ];
-    for (name, arguments) in tests {
-        let mut pytest = Command::new(&python);
-        pytest.args(arguments).current_dir(root()).env("STANDFAST", built("standfast"));
-        tally.count(name, &mut pytest, counts);
+    let doctest = ["-m", "pytest", "--quiet", "--doctest-modules", "--pyargs", "standfast"];
+    tests(tally, "examples in docstrings", &own, &doctest);
+    tests(tally, "tests of the Python package", &own, &["-m", "pytest", "--quiet", "python/tests"]);
+    smoke(tally, &python, &wheel);
+}
+
+/// All tests with every Python that is promised, the oldest with the oldest libraries.
+pub fn all_versions(tally: &mut Tally) {
+    let Some(main) = Python::of_path() else {
+        tally.missing("Python package", "no Python 3.10 or later with pip and venv; PYTHON names one");
+        return;
+    };
+    let Some((_, wheel)) = built_wheel(tally, &main) else { return };
+    for version in pythons::promised() {
+        let name = format!("Python {}.{}", version.0, version.1);
+        let Some(python) = Python::of_version(version) else {
+            tally.missing(&name, "not found, on the path or in pyenv");
+            continue;
+        };
+        let Some(own) = environment(tally, &python, main.version) else { continue };
+        if install(tally, &own, &wheel) {
+            tests(tally, &name, &own, &["-m", "pytest", "--quiet", "python/tests"]);
+        }
     }
 }
 
-/// Whether this Python can make an environment for the tests.
-fn usable(python: &OsStr) -> Result<(), String> {
-    let name = python.to_string_lossy();
-    let probe = "import sys, venv, ensurepip; print(*sys.version_info[:2])";
-    let output = Command::new(python).args(["-c", probe]).output().map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => format!("{name} not found"),
-        _ => format!("{name}: {error}"),
-    })?;
-    if !output.status.success() {
-        let reason = String::from_utf8_lossy(&output.stderr);
-        return Err(format!("{name} has no pip or venv: {}", reason.lines().last().unwrap_or_default()));
+/// With numpy alone, under the oldest and the newest Python there is beside the one of all other tests.
+fn smoke(tally: &mut Tally, main: &Python, wheel: &Path) {
+    let mut others: Vec<Python> = pythons::promised().filter_map(Python::of_version).collect();
+    others.retain(|python| python.version != main.version);
+    if others.is_empty() {
+        println!("── no other Python to try the wheel with");
     }
-    let version = String::from_utf8_lossy(&output.stdout);
-    match version.split_whitespace().map(str::parse).collect::<Result<Vec<u32>, _>>().as_deref() {
-        Ok(&[major, minor]) if (major, minor) >= OLDEST => Ok(()),
-        Ok(&[major, minor]) => {
-            Err(format!("{name} is {major}.{minor}; the tests need {}.{} or later", OLDEST.0, OLDEST.1))
+    // The oldest and the newest.
+    let between = 1..others.len().saturating_sub(1).max(1);
+    others.drain(between);
+    for python in others {
+        let (major, minor) = python.version;
+        let folder = place().join(format!("smoke-{major}.{minor}"));
+        let pins = root().join(requirements(python.version));
+        let pins = ["--constraint".into(), pins.into_os_string(), "numpy".into(), "pytest".into()];
+        let name = format!("numpy alone, Python {major}.{minor}");
+        let Some(own) = made(tally, &python, &folder, &pins) else { continue };
+        if install(tally, &own, wheel) {
+            let smoke = ["-m", "pytest", "--quiet", "--noconftest", "python/tests/test_smoke.py"];
+            tests(tally, &name, &own, &smoke);
         }
-        _ => Err(format!("{name} does not say its version")),
     }
+}
+
+/// Where environments and wheels lie.
+fn place() -> PathBuf {
+    target().join("python")
+}
+
+/// What the tests need: pinned versions, those of the oldest libraries for the oldest Python.
+fn requirements(version: (u32, u32)) -> &'static str {
+    if version == OLDEST { "python/requirements-oldest.txt" } else { "python/requirements-test.txt" }
+}
+
+/// The Python of the main environment, and the wheel that it has built.
+fn built_wheel(tally: &mut Tally, python: &Python) -> Option<(PathBuf, PathBuf)> {
+    let own = environment(tally, python, python.version)?;
+    let wheel = wheel(tally, &own, &place())?;
+    Some((own, wheel))
+}
+
+fn install(tally: &mut Tally, python: &Path, wheel: &Path) -> bool {
+    let mut pip = Command::new(python);
+    pip.args(PIP).args(["install", "--force-reinstall", "--no-deps"]).arg(wheel);
+    tally.record("wheel installed", &mut pip)
+}
+
+fn tests(tally: &mut Tally, name: &str, python: &Path, arguments: &[&str]) {
+    let mut pytest = Command::new(python);
+    pytest.args(arguments).current_dir(root()).env("STANDFAST", built("standfast"));
+    tally.count(name, &mut pytest, counts);
 }
 
 /// The Python of an environment with what the tests need, and nothing else.
-fn environment(tally: &mut Tally, python: &OsStr, place: &Path) -> Option<PathBuf> {
-    let requirements = root().join("python/requirements-test.txt");
-    let wanted = fs::read(&requirements).expect("the requirements are in the repository");
-    let (folder, stamp) = (place.join("environment"), place.join("requirements-installed.txt"));
+fn environment(tally: &mut Tally, python: &Python, main: (u32, u32)) -> Option<PathBuf> {
+    let (major, minor) = python.version;
+    let other = format!("environment-{major}.{minor}");
+    let folder = place().join(if python.version == main { "environment" } else { &other });
+    let file = root().join(requirements(python.version));
+    made(tally, python, &folder, &["--requirement".into(), file.into_os_string()])
+}
+
+/// The Python of an environment with what pip installs by these arguments, made anew only when a file they name has changed.
+fn made(tally: &mut Tally, python: &Python, folder: &Path, arguments: &[OsString]) -> Option<PathBuf> {
+    let files = arguments.iter().filter_map(|argument| fs::read(argument).ok());
+    let mut wanted = python.program.clone().into_encoded_bytes();
+    files.for_each(|file| wanted.extend(file));
+    let stamp = folder.join("requirements-installed.txt");
     let own = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     if own.exists() && fs::read(&stamp).is_ok_and(|found| found == wanted) {
         return Some(own);
     }
-    let made = tally
-        .record("Python environment", Command::new(python).args(["-m", "venv", "--clear"]).arg(&folder))
-        && tally.record(
-            "Python requirements",
-            Command::new(&own)
-                .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"])
-                .arg(&requirements),
-        );
+    let venv = ["-m", "venv", "--clear"];
+    let made = tally.record("Python environment", Command::new(&python.program).args(venv).arg(folder))
+        && tally.record("Python requirements", Command::new(&own).args(PIP).arg("install").args(arguments));
     if made && let Err(error) = fs::write(&stamp, wanted) {
         println!("cannot write {}: {error}", stamp.display());
     }
@@ -104,10 +151,8 @@ fn wheel(tally: &mut Tally, python: &Path, place: &Path) -> Option<PathBuf> {
         }
         _ => {}
     }
-    let arguments =
-        ["-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps", "--wheel-dir"];
     let mut build = Command::new(python);
-    build.args(arguments).arg(&wheels).arg(root().join("python"));
+    build.args(PIP).args(["wheel", "--no-deps", "--wheel-dir"]).arg(&wheels).arg(root().join("python"));
     build.env("CARGO_TARGET_DIR", target()).env("MATURIN_PEP517_ARGS", "--profile dev");
     if !tally.record("wheel", &mut build) {
         return None;
