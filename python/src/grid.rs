@@ -324,13 +324,13 @@ impl Grid {
 }
 
 /// An output in pieces of so many points, each with where it starts and its part of `missing`, if that is not empty.
-fn pieces<'a, T>(
+fn pieces<T>(
     out: T,
-    mut missing: &'a mut [bool],
+    mut missing: &mut [bool],
     total: usize,
     length: usize,
     cut: impl Fn(T, usize) -> (T, T),
-) -> impl Iterator<Item = (usize, (T, &'a mut [bool]))> {
+) -> impl Iterator<Item = (usize, (T, &mut [bool]))> {
     let (mut rest, mut start) = (Some(out), 0);
     std::iter::from_fn(move || {
         let length = length.min(total - start);
