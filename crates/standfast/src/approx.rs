@@ -38,6 +38,11 @@ impl Approx {
         (self.value.abs() > self.error * (1u64 << 40) as f64).then_some(self.value)
     }
 
+    /// Any number within `error` of `value`.
+    pub(crate) fn around(value: f64, error: f64) -> Approx {
+        Approx { value, error }
+    }
+
     fn is_zero(self) -> bool {
         self.value == 0.0 && self.error == 0.0
     }

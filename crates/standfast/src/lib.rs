@@ -20,6 +20,7 @@
 //! | Ten million points | [`batch`] |
 //! | Water, waves, uplift, earthquakes, added mass: the whole situation | [`Situation`], [`loads`], [`wave`] |
 //! | Safety factors and bearing pressure | [`Stability`] |
+//! | A base that crushes, ground that fails, an elastic base under short loads | [`ground`] |
 //! | Any wrench, added mass, μ_s ≠ μ_k, eccentric bodies | [`contact`] |
 //!
 //! The symbols are those of the report this library implements, on vertical caisson breakwaters, after Shenton's
@@ -34,6 +35,7 @@ pub mod contact;
 pub mod diagram;
 mod error;
 mod exact;
+pub mod ground;
 pub mod initiation;
 pub mod loads;
 mod mode;

@@ -87,6 +87,22 @@ worded! {
         WrenchX => "horizontal force x",
         WrenchP => "vertical force p",
         WrenchM => "moment m",
+        Strength => "strength of the base",
+        Omega => "share ω of the base",
+        GroundFrictionAngle => "angle of friction of the ground",
+        UnitWeight => "effective unit weight of the ground",
+        Surcharge => "surcharge beside the base",
+        Cohesion => "cohesion of the ground",
+        CentricResistance => "centric resistance of the base",
+        EnvelopeSlope => "slope of the envelope",
+        EnvelopeCoupling => "coupling of the envelope",
+        Stiffness => "stiffness of the ground",
+        TangentialStiffness => "tangential stiffness of the ground",
+        HalfWidth => "half width of the base",
+        Eccentricity => "eccentricity",
+        Rotation => "rotation",
+        LoadTime => "time of a load",
+        LoadShare => "share of a load",
     }
 }
 
@@ -105,6 +121,11 @@ worded! {
         NotBelowSignificantHeight => "no less than the significant wave height",
         NotBelowSeaBed => "no more than the water depth: the berm lies on the sea bed",
         AboveStillWater => "above zero: the crest has to stand above still water",
+        BelowOne => "a number from 0 to below 1",
+        GroundAngle => "an angle from 20 to 50 degrees",
+        CouplingBelowOne => "a number from -1 to 1",
+        TimesInOrder => "times that do not fall from point to point",
+        RectangularBase => "none for a round base: the formulas are those of a strip",
         InOrder => "positions that rise from point to point",
     }
 }

@@ -191,13 +191,19 @@ impl Solution {
 /// # Errors
 /// If a number is not finite, a length, ρ², m_x or m_y is not above zero, or not μ_s ≥ μ_k ≥ 0.
 pub fn solve(block: &Block, wrench: &Wrench) -> Result<Solution, InputError> {
+    check(block, wrench)?;
+    let numbers = numbers(block, wrench);
+    let Verdict { modes, mode } = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
+    Ok(Solution { modes, mode, block: *block, wrench: *wrench })
+}
+
+/// Refuses what no block and no wrench can be.
+pub(crate) fn check(block: &Block, wrench: &Wrench) -> Result<(), InputError> {
     block.check()?;
     InputError::finite(Quantity::WrenchX, wrench.x)?;
     InputError::finite(Quantity::WrenchP, wrench.p)?;
     InputError::finite(Quantity::WrenchM, wrench.m)?;
-    let numbers = numbers(block, wrench);
-    let Verdict { modes, mode } = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
-    Ok(Solution { modes, mode, block: *block, wrench: *wrench })
+    Ok(())
 }
 
 /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.

@@ -1,0 +1,313 @@
+//! Ground that fails before the body slides or rocks: bearing failure, BF.
+//!
+//! ```text
+//!        ┌──────────┐
+//!        │     │    │◄── X
+//!        │     ▼ P  │
+//!        └──────────┘
+//!   ▒▒╲  ▲▲▲▲▲        ▒▒▒      B' = 2(B − e), the width that bears
+//!      ╲__╱ ╲_______╱
+//! ```
+//!
+//! The ground bears P ≤ R(P, X, e) per metre run. With the width 2B of the base, ε = e/B the eccentricity of the reaction, η = |X|/P its
+//! inclination, and V₀ what the whole base bears centric and upright, u = P/V₀:
+//!
+//! | law | rest needs | N_γ |
+//! |---|---|---|
+//! | [`GroundLaw::Ec7`]: EN 1997-1 Annex D, strip | u ≤ (1−ε)²(1−η)³ | 2(N_q − 1) tan φ |
+//! | [`GroundLaw::Hansen`]: API RP 2GEO, Brinch Hansen | u ≤ (1−ε)²(1−0.7η)⁵ | 1.5(N_q − 1) tan φ |
+//! | [`Ground::envelope`]: Butterfield & Gottardi | (η/t_h)² + (ε/2t_m)² − Cηε/(t_h t_m) ≤ (1−u)² | |
+//!
+//! ```text
+//! V₀ = 2B² γ' N_γ        N_q = e^(π tan φ) tan²(45° + φ/2)        N_c = (N_q − 1) cot φ
+//! R  = B' [c'N_c i_c + q'N_q i_q + ½ γ'B'N_γ i_γ]                 with surcharge q' and cohesion c'
+//! ec7     h = X/(P + B'c' cot φ):  i_q = (1−h)²       i_γ = (1−h)³       i_c = i_q − (1−i_q)/(N_c tan φ)
+//! hansen                            i_q = (1−0.5h)⁵   i_γ = (1−0.7h)⁵   the same
+//! ```
+//!
+//! | symbol | identifier | unit |
+//! |---|---|---|
+//! | φ, c' | `friction_angle_deg`, `cohesion` | degrees, Pa |
+//! | γ' | `unit_weight` | N/m³, effective: under water less that of water |
+//! | q' | `surcharge` | Pa, effective, beside the base |
+//! | P, X, e | [`Reaction`] | N per metre run, m |
+//!
+//! In the k–μ plane of the report's block the ground is a corner of rest and a tongue of sliding; rocking never begins:
+//!
+//! ```text
+//! RE   μ ≥ k, k ≤ k_BF        SL   μ < k, and R ≥ P under η = μ, ε = γ|μ + kk'|        BF   else
+//! ```
+//!
+//! What the formulas leave out: level, homogeneous, drained ground, a strip that is long. No shoulder of a berm, no layers, no pore
+//! pressure or its growth under cycles, no seepage from uplift. The friction angle of a mound is uncertain, and R grows 2.3 times
+//! from 35° to 40°: a factor is to be read beside those at φ ± 2° ([`LoadFactors`]). No partial factor is applied.
+//!
+//! Sources: EN 1997-1 Annex D for c' = q' = 0 and `hansen` with its terms of q' and γ' were read (the latter in the package groundhog
+//! 0.15, against which `validation/peers` holds it). i_c, N_c of both, and the sense of C in the envelope, are recalled: a positive
+//! C strengthens ground whose eccentricity lies where the force pushes.
+//!
+//! ```
+//! use standfast::ground::bearing::{Ground, GroundLaw, Reaction};
+//!
+//! let sand = Ground::new(GroundLaw::Hansen, 35.0, 10e3)?;
+//! let reaction = Reaction::new(7.5, 2e6, 0.6e6, 1.5)?;
+//! assert!(sand.factor(&reaction) > 1.0);
+//! # Ok::<(), standfast::InputError>(())
+//! ```
+
+mod path;
+mod plane;
+
+pub use path::{GroundPath, LoadFactors};
+pub use plane::{BearingPlane, BearingPoint};
+
+use crate::error::{InputError, LARGEST};
+use crate::quantity::{Expected, Quantity};
+
+/// A formula for the bearing resistance of drained ground with friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[non_exhaustive]
+pub enum GroundLaw {
+    /// EN 1997-1 Annex D.
+    Ec7,
+    /// API RP 2GEO, after Brinch Hansen.
+    Hansen,
+}
+
+/// What stands in the place of V₀ and the inclination factors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Soil { law: GroundLaw, angle_deg: f64, unit_weight: f64, surcharge: f64, cohesion: f64 },
+    Envelope { centric: f64, horizontal: f64, moment: f64, coupling: f64 },
+}
+
+/// The ground under a strip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground(Kind);
+
+/// What a base puts on the ground, per metre run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reaction {
+    half_width: f64,
+    p: f64,
+    x: f64,
+    e: f64,
+}
+
+impl Reaction {
+    /// P > 0 (N, down) and X (N, its size or with a sign) on a base of `half_width` B (m), e (m) from its middle. A positive product of X
+    /// and e means: e lies on the side that X pushes to.
+    ///
+    /// # Errors
+    /// If `half_width` or `p` is not above zero, or a number is not finite.
+    pub fn new(half_width: f64, p: f64, x: f64, e: f64) -> Result<Reaction, InputError> {
+        Ok(Reaction {
+            half_width: InputError::positive(Quantity::HalfWidth, half_width)?,
+            p: InputError::positive(Quantity::WrenchP, p)?,
+            x: InputError::finite(Quantity::WrenchX, x)?,
+            e: InputError::finite(Quantity::Eccentricity, e)?,
+        })
+    }
+
+    /// η = |X|/P.
+    pub fn inclination(&self) -> f64 {
+        (self.x / self.p).abs()
+    }
+
+    /// ε = |e|/B: at 1 the reaction is at an edge.
+    pub fn eccentricity_share(&self) -> f64 {
+        (self.e / self.half_width).abs()
+    }
+
+    /// B' = 2(B − |e|), m: Meyerhof's effective width; zero where the reaction misses the base.
+    pub fn effective_width(&self) -> f64 {
+        2.0 * (self.half_width - self.e.abs()).max(0.0)
+    }
+
+    /// P/B', Pa; infinite where the reaction misses the base.
+    pub fn effective_pressure(&self) -> f64 {
+        self.p / self.effective_width()
+    }
+}
+
+/// N_q, N_c and N_γ of a friction angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BearingFactors {
+    /// N_q.
+    pub n_q: f64,
+    /// N_c.
+    pub n_c: f64,
+    /// N_γ.
+    pub n_gamma: f64,
+}
+
+impl GroundLaw {
+    /// The bearing capacity factors at an angle of friction in degrees.
+    pub fn factors(self, friction_angle_deg: f64) -> BearingFactors {
+        let tan = friction_angle_deg.to_radians().tan();
+        let n_q =
+            (std::f64::consts::PI * tan).exp() * (45.0 + friction_angle_deg / 2.0).to_radians().tan().powi(2);
+        let slope = match self {
+            GroundLaw::Ec7 => 2.0,
+            GroundLaw::Hansen => 1.5,
+        };
+        BearingFactors { n_q, n_c: (n_q - 1.0) / tan, n_gamma: slope * (n_q - 1.0) * tan }
+    }
+
+    /// i_q and i_γ under the inclination h; zero where the formula ends.
+    fn inclined(self, h: f64) -> [f64; 2] {
+        let power = |share: f64, n: i32| (1.0 - share * h).max(0.0).powi(n);
+        match self {
+            GroundLaw::Ec7 => [power(1.0, 2), power(1.0, 3)],
+            GroundLaw::Hansen => [power(0.5, 5), power(0.7, 5)],
+        }
+    }
+}
+
+/// The least and the largest angle of friction taken, degrees.
+const ANGLES: [f64; 2] = [20.0, 50.0];
+
+impl Ground {
+    /// Drained ground: its angle of friction in degrees, from 20 to 50, and its effective unit weight (N/m³).
+    ///
+    /// # Errors
+    /// If `friction_angle_deg` is outside 20° to 50°, or `unit_weight` not above zero.
+    pub fn new(law: GroundLaw, friction_angle_deg: f64, unit_weight: f64) -> Result<Ground, InputError> {
+        let [least, most] = ANGLES;
+        let angle_deg = InputError::within(
+            Quantity::GroundFrictionAngle,
+            friction_angle_deg,
+            least,
+            most,
+            Expected::GroundAngle,
+        )?;
+        let unit_weight = InputError::positive(Quantity::UnitWeight, unit_weight)?;
+        Ok(Ground(Kind::Soil { law, angle_deg, unit_weight, surcharge: 0.0, cohesion: 0.0 }))
+    }
+
+    /// Ground known by what it bears centric and upright, V₀ (N per metre run), and by Butterfield & Gottardi's envelope with their
+    /// t_h = 0.52, t_m = 0.35, C = 0.22.
+    ///
+    /// # Errors
+    /// If `centric_resistance` is not above zero.
+    pub fn envelope(centric_resistance: f64) -> Result<Ground, InputError> {
+        Ground::envelope_with(centric_resistance, 0.52, 0.35, 0.22)
+    }
+
+    /// The same with other slopes of the envelope at no load, and another coupling.
+    ///
+    /// # Errors
+    /// If V₀, t_h or t_m is not above zero, or C is not from −1 to 1.
+    pub fn envelope_with(
+        centric_resistance: f64,
+        horizontal: f64,
+        moment: f64,
+        coupling: f64,
+    ) -> Result<Ground, InputError> {
+        let expected = Expected::CouplingBelowOne;
+        Ok(Ground(Kind::Envelope {
+            centric: InputError::positive(Quantity::CentricResistance, centric_resistance)?,
+            horizontal: InputError::positive(Quantity::EnvelopeSlope, horizontal)?,
+            moment: InputError::positive(Quantity::EnvelopeSlope, moment)?,
+            coupling: InputError::within(Quantity::EnvelopeCoupling, coupling, -1.0, 1.0, expected)?,
+        }))
+    }
+
+    /// The same with an effective pressure of ground beside the base, q' (Pa). It means nothing to an envelope, which is returned as it
+    /// is.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn with_surcharge(mut self, pressure: f64) -> Result<Ground, InputError> {
+        let pressure = InputError::not_negative(Quantity::Surcharge, pressure)?;
+        if let Kind::Soil { surcharge, .. } = &mut self.0 {
+            *surcharge = pressure;
+        }
+        Ok(self)
+    }
+
+    /// The same with effective cohesion c' (Pa). It means nothing to an envelope, which is returned as it is.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn with_cohesion(mut self, stress: f64) -> Result<Ground, InputError> {
+        let stress = InputError::not_negative(Quantity::Cohesion, stress)?;
+        if let Kind::Soil { cohesion, .. } = &mut self.0 {
+            *cohesion = stress;
+        }
+        Ok(self)
+    }
+
+    /// The same at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
+    pub fn turned(&self, by: f64) -> Option<Ground> {
+        match self.0 {
+            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
+                Some(Ground(Kind::Soil { law, angle_deg: angle_deg + by, unit_weight, surcharge, cohesion }))
+            }
+            Kind::Envelope { .. } => None,
+        }
+    }
+
+    /// The angle of friction in degrees; `None` for an envelope.
+    pub fn friction_angle_deg(&self) -> Option<f64> {
+        match self.0 {
+            Kind::Soil { angle_deg, .. } => Some(angle_deg),
+            Kind::Envelope { .. } => None,
+        }
+    }
+
+    /// N_q, N_c, N_γ; `None` for an envelope.
+    pub fn factors(&self) -> Option<BearingFactors> {
+        match self.0 {
+            Kind::Soil { law, angle_deg, .. } => Some(law.factors(angle_deg)),
+            Kind::Envelope { .. } => None,
+        }
+    }
+
+    /// V₀, N per metre run: what a base of `half_width` B (m) bears centric and upright.
+    pub fn centric_resistance(&self, half_width: f64) -> f64 {
+        match self.0 {
+            Kind::Envelope { centric, .. } => centric,
+            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
+                let BearingFactors { n_q, n_c, n_gamma } = law.factors(angle_deg);
+                2.0 * half_width * (cohesion * n_c + surcharge * n_q + unit_weight * half_width * n_gamma)
+            }
+        }
+    }
+
+    /// R, N per metre run: the vertical load that the ground bears at the reaction's inclination and eccentricity; zero where the reaction
+    /// misses the base.
+    pub fn resistance(&self, reaction: &Reaction) -> f64 {
+        let Reaction { half_width, p, x, e } = *reaction;
+        match self.0 {
+            Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
+                let width = reaction.effective_width();
+                let BearingFactors { n_q, n_c, n_gamma } = law.factors(angle_deg);
+                let tan = angle_deg.to_radians().tan();
+                let [i_q, i_gamma] = law.inclined(x.abs() / (p + width * cohesion / tan));
+                let i_c = (i_q - (1.0 - i_q) / (n_c * tan)).max(0.0);
+                width
+                    * (cohesion * n_c * i_c
+                        + surcharge * n_q * i_q
+                        + unit_weight * width / 2.0 * n_gamma * i_gamma)
+            }
+            Kind::Envelope { centric, horizontal, moment, coupling } => {
+                let (η, ε) = ((x / p).abs(), e / half_width * (x * e).signum() * e.signum());
+                let radius = (η / horizontal).powi(2) + (ε / (2.0 * moment)).powi(2)
+                    - coupling * η * ε / (horizontal * moment);
+                if ε.abs() >= 1.0 { 0.0 } else { centric * (1.0 - radius.max(0.0).sqrt()).max(0.0) }
+            }
+        }
+    }
+
+    /// R/P.
+    pub fn factor(&self, reaction: &Reaction) -> f64 {
+        self.resistance(reaction) / reaction.p
+    }
+
+    /// Whether the ground bears the reaction: R ≥ P.
+    pub fn bears(&self, reaction: &Reaction) -> bool {
+        self.resistance(reaction) >= reaction.p && reaction.p < LARGEST
+    }
+}

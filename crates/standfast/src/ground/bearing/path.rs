@@ -1,0 +1,123 @@
+//! The ground while the load rises: its load factor beside that of sliding and rocking.
+
+use super::{Ground, Reaction};
+use crate::error::InputError;
+use crate::ground::roots::between;
+use crate::ground::{GroundDeparture, GroundVerdict};
+use crate::loads::Pose;
+use crate::mode::Mode;
+use crate::plan::Plan;
+use crate::quantity::{Expected, Quantity};
+use crate::situation::{Departure, Situation};
+use crate::wrench::Wrench;
+
+/// The load factors at which the ground fails, at its angle of friction and 2° to either side. Each is zero where the permanent
+/// loads alone make it fail, and infinite where no multiple of the variable loads up to 10⁶ does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct LoadFactors {
+    /// At the angle given.
+    pub given: f64,
+    /// At 2° less; `None` for an envelope, which has no angle.
+    pub less: Option<f64>,
+    /// At 2° more; likewise.
+    pub more: Option<f64>,
+}
+
+/// A situation's ground along its loads that rise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundPath {
+    ground: Ground,
+    /// Half of the base, and its middle right of the centre of mass, m.
+    half_width: f64,
+    middle: f64,
+    depth: f64,
+    /// Of one metre of the body.
+    permanent: Wrench,
+    variable: Wrench,
+}
+
+impl GroundPath {
+    /// The ground under the situation's body.
+    ///
+    /// # Errors
+    /// If the base is round: the formulas are those of a strip. Of a body of a given length they leave out its ends.
+    pub fn new(ground: Ground, situation: &Situation) -> Result<GroundPath, InputError> {
+        let body = situation.body();
+        let Plan::Rectangle { length } = body.plan() else {
+            return Err(InputError::new(Quantity::Width, body.width(), Expected::RectangularBase));
+        };
+        let at = |factor: f64| situation.wrench_at(factor, Pose::UPRIGHT) * (1.0 / length);
+        let permanent = at(0.0);
+        let variable = at(1.0) + permanent * -1.0;
+        Ok(GroundPath {
+            ground,
+            half_width: body.base_width() / 2.0,
+            middle: (body.toe_distance() - body.heel_distance()) / 2.0,
+            depth: body.centroid_height(),
+            permanent,
+            variable,
+        })
+    }
+
+    /// What the base of a body at rest puts on the ground under a load factor; `None` if nothing presses.
+    pub fn reaction(&self, factor: f64) -> Option<Reaction> {
+        let Wrench { x, p, m } = self.permanent + self.variable * factor;
+        if p <= 0.0 {
+            return None;
+        }
+        // The wrench passes through the base at (Xd − M)/P from the centre of mass: on the side that X pushes to if X there is positive.
+        let e = (x * self.depth - m) / p - self.middle;
+        Reaction::new(self.half_width, p, x, e).ok()
+    }
+
+    /// R/P under a load factor; `None` if nothing presses.
+    pub fn factor(&self, factor: f64) -> Option<f64> {
+        self.reaction(factor).map(|reaction| self.ground.factor(&reaction))
+    }
+
+    /// The least load factor above zero at which R/P falls to 1.
+    fn load_factor(&self, ground: &Ground) -> f64 {
+        // Where nothing presses nothing fails.
+        let excess = |λ: f64| self.reaction(λ).map_or(1.0, |reaction| ground.factor(&reaction) - 1.0);
+        if excess(0.0) < 0.0 {
+            return 0.0;
+        }
+        // Uplift makes P fall and R/P no line of λ: look along the way, closer where the load is of the size that was given.
+        let steps = (1..=400)
+            .map(|i| 0.01 * f64::from(i))
+            .chain((1..=400).map(|i| 4.0 * 10f64.powf(0.0135 * f64::from(i))));
+        let mut low = 0.0;
+        for high in steps {
+            if excess(high) < 0.0 {
+                return between(excess, low, high).unwrap_or(high);
+            }
+            low = high;
+        }
+        f64::INFINITY
+    }
+
+    /// Where the ground fails as the variable loads rise.
+    pub fn load_factors(&self) -> LoadFactors {
+        let turned = |by: f64| self.ground.turned(by).map(|ground| self.load_factor(&ground));
+        LoadFactors { given: self.load_factor(&self.ground), less: turned(-2.0), more: turned(2.0) }
+    }
+
+    /// Where the body leaves rest: on rigid ground as `rigid` says, or before that because the ground fails.
+    pub fn departure(&self, rigid: &Departure) -> GroundDeparture {
+        let factor = self.load_factors().given;
+        let failure = Some(GroundVerdict::BearingFailure);
+        let begins = |mode: Option<Mode>| mode.map(GroundVerdict::Begins);
+        match *rigid {
+            Departure::AtOnce { mode, permanent } => {
+                GroundDeparture::AtOnce { verdict: begins(mode), permanent }
+            }
+            _ if factor == 0.0 => GroundDeparture::AtOnce { verdict: failure, permanent: true },
+            Departure::At { factor: first, mode } if first <= factor => {
+                GroundDeparture::At { factor: first, verdict: begins(mode) }
+            }
+            _ if factor.is_finite() => GroundDeparture::At { factor, verdict: failure },
+            _ => GroundDeparture::Never,
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! A load that rises on a base that crushes: where the body leaves rest, and what follows.
+//!
+//! The wrench is `permanent` + λ `variable`. Friction is linear in it; the condition at an edge, b P ∓ (Xd − M) − P²/2q ≥ 0, is a
+//! concave quadratic in λ: it is crossed twice at most, in closed form, and the load factors at which the body rests are
+//! one interval. Between rock and slide-rock the boundary is no such polynomial; it is found by bisection of the decision, to
+//! neighbouring numbers. A stage of such a mode that is narrower than 1/16 of the stretch between closed crossings may be missed.
+
+use super::conditions::{CORNERS, SLIPS, enumerate};
+use super::{Loaded, solve};
+use crate::contact::Block;
+use crate::error::{InputError, LARGEST};
+use crate::ground::GroundVerdict;
+use crate::mode::{Corner, Modes, Slip};
+use crate::wrench::Wrench;
+
+/// A stretch of load factors with the same modes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CrushStage {
+    /// The load factor at which it begins.
+    pub from: f64,
+    /// The load factor at which it ends; infinite for the last.
+    pub to: f64,
+    /// What is reported.
+    pub verdict: Option<GroundVerdict>,
+    /// All consistent modes; none where the ground fails.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub modes: Modes,
+}
+
+/// a + bλ + cλ².
+#[derive(Clone, Copy)]
+struct Quadratic([f64; 3]);
+
+impl Quadratic {
+    /// Where it is zero, ascending, without cancellation; what does not exist is not a number.
+    fn zeros(self) -> [f64; 2] {
+        let [a, b, c] = self.0;
+        let sum = -(b + b.signum() * (b * b - 4.0 * a * c).sqrt()) / 2.0;
+        let (one, two) = (a / sum, sum / c);
+        if two < one { [two, one] } else { [one, two] }
+    }
+}
+
+/// The conditions of rest as quadratics in λ, none of which is negative there: friction both ways, both edges; then those of the
+/// slides at both edges, and whether the base carries P at all.
+fn conditions(block: &Block, permanent: &Wrench, variable: &Wrench, strength: f64) -> Vec<Quadratic> {
+    let Block { b1, b2, d, mu_s, mu_k, .. } = *block;
+    let line = |f: &dyn Fn(&Wrench) -> f64| [f(permanent), f(variable), 0.0];
+    let crush = [permanent.p * permanent.p, 2.0 * permanent.p * variable.p, variable.p * variable.p]
+        .map(|square| square / (2.0 * strength));
+    let edge = |corner: Corner, about: &dyn Fn(&Wrench) -> f64| {
+        let line = match corner {
+            Corner::O => line(&|w| b1 * w.p + about(w)),
+            Corner::OPrime => line(&|w| b2 * w.p - about(w)),
+        };
+        Quadratic(std::array::from_fn(|i| line[i] - crush[i]))
+    };
+    let mut all: Vec<Quadratic> =
+        SLIPS.map(|slip| Quadratic(line(&|w| mu_s * w.p - slip.sign() * w.x))).into();
+    all.extend(CORNERS.map(|corner| edge(corner, &|w| w.x * d - w.m)));
+    for slip in SLIPS {
+        let friction = |w: &Wrench| Slip::sign(slip) * mu_k * d * w.p - w.m;
+        all.extend(CORNERS.map(|corner| edge(corner, &friction)));
+    }
+    all.push(Quadratic(line(&|w| w.p)));
+    if strength.is_finite() {
+        all.push(Quadratic([strength * (b1 + b2) - permanent.p, -variable.p, 0.0]));
+    }
+    all
+}
+
+/// How many of the [`conditions`] are those of rest.
+const REST: usize = 4;
+
+/// A stretch of load factors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct LoadRange {
+    /// The least.
+    pub from: f64,
+    /// The largest, possibly infinite.
+    pub to: f64,
+}
+
+/// The load factors, of any sign, at which the body can rest under `permanent` + λ `variable`: one stretch, in closed form; `None` if
+/// it rests under none. Where an input is at the edge of it, rounding decides; [`solve`] has no rounding.
+///
+/// # Errors
+/// As [`solve`].
+pub fn rest_range(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+    strength: f64,
+) -> Result<Option<LoadRange>, InputError> {
+    solve(block, permanent, strength)?;
+    solve(block, variable, strength)?;
+    let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+    for condition in &conditions(block, permanent, variable, strength)[..REST] {
+        let [a, b, c] = condition.0;
+        let (least, largest) = match condition.zeros() {
+            _ if b == 0.0 && c == 0.0 => {
+                let all = if a >= 0.0 { f64::INFINITY } else { f64::NAN };
+                (-all, all)
+            }
+            _ if c == 0.0 && b > 0.0 => (-a / b, f64::INFINITY),
+            _ if c == 0.0 => (f64::NEG_INFINITY, -a / b),
+            [one, two] => (one, two),
+        };
+        if least.is_nan() || largest.is_nan() {
+            return Ok(None);
+        }
+        (from, to) = (from.max(least), to.min(largest));
+    }
+    Ok((from <= to).then_some(LoadRange { from, to }))
+}
+
+/// The stages of a load rising from zero without end, beside `permanent`, on a base that bears `strength` per length; the last ends
+/// at infinity.
+///
+/// # Errors
+/// As [`solve`].
+pub fn stages(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+    strength: f64,
+) -> Result<Vec<CrushStage>, InputError> {
+    solve(block, permanent, strength)?;
+    solve(block, variable, strength)?;
+    let largest = variable.x.abs().max(variable.p.abs()).max(variable.m.abs());
+    let all = conditions(block, permanent, variable, strength);
+    let mut ends: Vec<f64> = all.into_iter().flat_map(Quadratic::zeros).collect();
+    ends.retain(|λ| *λ > 0.0 && *λ * largest < LARGEST / 4.0);
+    ends.sort_by(f64::total_cmp);
+    ends.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
+    // Beyond the last, as far again as eight times that: there nothing of the boundaries' curves is left but their end.
+    let last = ends.last().copied().unwrap_or(1.0);
+    ends.extend([8.0 * last, f64::INFINITY]);
+
+    let at = |λ: f64| {
+        let wrench = *permanent + *variable * λ;
+        let found = enumerate(&Loaded { block: *block, wrench, strength });
+        (found.verdict, found.modes)
+    };
+    let mut stages: Vec<CrushStage> = Vec::new();
+    let mut add =
+        |from: f64, to: f64, (verdict, modes): (Option<GroundVerdict>, Modes)| match stages.last_mut() {
+            Some(last) if (last.verdict, last.modes) == (verdict, modes) => last.to = to,
+            _ => stages.push(CrushStage { from, to, verdict, modes }),
+        };
+    let mut from = 0.0;
+    for to in ends {
+        if to == f64::INFINITY {
+            add(from, to, at(2.0 * from));
+            break;
+        }
+        let place = |i: i32| from + (to - from) * (f64::from(i) + 0.5) / f64::from(SAMPLES);
+        let (mut begin, mut low) = (from, (place(0), at(place(0))));
+        for i in 1..SAMPLES {
+            let high = (place(i), at(place(i)));
+            while low.1 != high.1 {
+                let (below, above) = bisect(low.0, high.0, |λ| at(λ) == low.1);
+                add(begin, above, low.1);
+                begin = above;
+                low = (above, at(above));
+                debug_assert!(below < above);
+            }
+            low = high;
+        }
+        add(begin, to, low.1);
+        from = to;
+    }
+    Ok(stages)
+}
+
+/// How many load factors are asked for between two closed crossings.
+const SAMPLES: i32 = 16;
+
+/// The neighbouring numbers between which `holds`, true at `low` and false at `high`, changes.
+fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
+    loop {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            return (low, high);
+        }
+        if holds(middle) { low = middle } else { high = middle }
+    }
+}

@@ -1,0 +1,177 @@
+//! Ground that fails: bearing factors by the tables, resistance by hand, the plane, and the case of Goda's caisson.
+
+mod common;
+
+use common::{Random, tries};
+use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw, GroundPath, Reaction};
+use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::loads::{Action, Load, LoadKind, LoadSource, Uplift};
+use standfast::{Body, Mode, Quantity, Situation};
+
+/// N_q, N_c and N_γ as textbooks have them for EN 1997-1 Annex D.
+#[test]
+fn factors_are_those_of_the_tables() {
+    for (angle, n_q, n_c, n_gamma) in [
+        (20.0, 6.40, 14.83, 3.93),
+        (30.0, 18.40, 30.14, 20.09),
+        (35.0, 33.30, 46.12, 45.23),
+        (40.0, 64.20, 75.31, 106.05),
+    ] {
+        let ours = GroundLaw::Ec7.factors(angle);
+        assert!((ours.n_q - n_q).abs() < 0.006 && (ours.n_c - n_c).abs() < 0.006, "{angle}: {ours:?}");
+        assert!((ours.n_gamma - n_gamma).abs() < 0.006, "{angle}: {ours:?}");
+        let hansen = GroundLaw::Hansen.factors(angle);
+        assert!((hansen.n_gamma / ours.n_gamma - 0.75).abs() < 1e-15);
+    }
+    // 35° to 40°: 2.3 times.
+    let [one, two] = [35.0, 40.0].map(|angle| GroundLaw::Ec7.factors(angle).n_gamma);
+    assert!((two / one - 2.34).abs() < 0.01);
+}
+
+/// A strip by hand: φ = 30°, γ' = 10, q' = 18, c' = 5 kN/m², B = 2 m, e = 0.5 m, P = 300, X = 60 kN/m.
+#[test]
+fn a_strip_by_hand() {
+    let reaction = Reaction::new(2.0, 300e3, 60e3, 0.5).unwrap();
+    assert_eq!((reaction.effective_width(), reaction.effective_pressure()), (3.0, 100e3));
+    let ground =
+        |law| Ground::new(law, 30.0, 10e3).unwrap().with_surcharge(18e3).unwrap().with_cohesion(5e3).unwrap();
+    // h = 60/(300 + 3·5·1.7321) = 0.18406
+    let ec7: f64 =
+        3.0 * (5.0 * 30.1396 * 0.64644 + 18.0 * 18.4011 * 0.66576 + 0.5 * 10.0 * 3.0 * 20.0931 * 0.54322);
+    let ours = ground(GroundLaw::Ec7).resistance(&reaction) / 1e3;
+    assert!((ours / ec7 - 1.0).abs() < 2e-4, "{ours} {ec7}");
+    let i_q = (1.0f64 - 0.5 * 0.184056).powi(5);
+    let i_c = i_q - (1.0 - i_q) / 17.4011;
+    let hansen = 3.0
+        * (5.0 * 30.1396 * i_c + 18.0 * 18.4011 * i_q + 15.0 * 15.0698 * (1.0f64 - 0.7 * 0.184056).powi(5));
+    let ours = ground(GroundLaw::Hansen).resistance(&reaction) / 1e3;
+    assert!((ours / hansen - 1.0).abs() < 2e-5, "{ours} {hansen}");
+    assert_eq!(ground(GroundLaw::Ec7).factor(&Reaction::new(2.0, 300e3, 60e3, 2.0).unwrap()), 0.0);
+}
+
+/// Without surcharge and cohesion R/V₀ is (1−ε)² i(η); the envelope is one where it says.
+#[test]
+fn laws_are_one_family() {
+    let mut random = Random(841);
+    for _ in 0..tries(10_000).max(1_000) {
+        let (b, p) = (random.uniform(1.0, 10.0), random.log(1e4, 1e7));
+        let (η, ε) = (random.uniform(0.0, 0.9), random.uniform(-0.99, 0.99));
+        let reaction = Reaction::new(b, p, η * p, ε * b).unwrap();
+        let angle = random.uniform(20.0, 50.0);
+        for (law, share, n) in [(GroundLaw::Ec7, 1.0, 3), (GroundLaw::Hansen, 0.7, 5)] {
+            let ground = Ground::new(law, angle, 11e3).unwrap();
+            let expected = (1.0 - ε.abs()).powi(2) * (1.0 - share * η).powi(n);
+            let ours = ground.resistance(&reaction) / ground.centric_resistance(b);
+            assert!((ours - expected).abs() < 1e-12, "{law:?} {η} {ε}");
+        }
+        // P = R on the envelope; e on the side of the push strengthens.
+        let ground = Ground::envelope(3e6).unwrap();
+        let u = ground.resistance(&reaction) / 3e6;
+        let left = (η / 0.52).powi(2) + (ε / 0.7).powi(2) - 0.22 * η * ε / (0.52 * 0.35);
+        if u > 0.0 {
+            assert!((left - (1.0 - u).powi(2)).abs() < 1e-12);
+        }
+        let mirrored = Reaction::new(b, p, -η * p, -ε * b).unwrap();
+        assert_eq!(ground.resistance(&mirrored), ground.resistance(&reaction));
+    }
+}
+
+/// The corner of rest and the tongue of sliding: k_BF by its formula, k(μ) by its formula, through (k_BF, k_BF).
+#[test]
+fn the_plane_is_a_corner_and_a_tongue() {
+    let mut random = Random(842);
+    for _ in 0..tries(5_000).max(500) {
+        let (γ, h) = (random.uniform(0.5, 2.5), random.uniform(-0.8, 1.2));
+        let angle = random.uniform(25.0, 45.0);
+        let ground = Ground::new(GroundLaw::Ec7, angle, 10e3).unwrap();
+        let u = random.uniform(0.01, 0.9);
+        let p = u * ground.centric_resistance(5.0);
+        let plane = BearingPlane::new(ground, γ, h, 5.0, p).unwrap();
+        let k = plane.k_bf();
+        let left = (1.0 - k * γ * (1.0 + h)).powi(2) * (1.0 - k).powi(3);
+        assert!((left - u).abs() < 1e-12, "{γ} {h} {u}: {k} {left}");
+        assert!(k < 1.0 / (γ * (1.0 + h)));
+        let verdict = |k: f64, mu: f64| plane.at(k, mu).unwrap().verdict.symbol();
+        assert_eq!((verdict(k * 0.999, 1.0), verdict(k * 1.001, 2.0)), ("RE", "BF"));
+        let own = plane.slide_limit(k);
+        assert!(own.is_none_or(|own| h < 0.0 || (own - k).abs() < 1e-9 * k), "{own:?} {k}");
+        let mu = k * random.uniform(0.1, 0.99);
+        if h > 0.05 {
+            let expected = ((1.0 - (u / (1.0 - mu).powi(3)).sqrt()) / γ - mu) / h;
+            let limit = plane.slide_limit(mu).unwrap();
+            assert!((limit - expected).abs() < 1e-9 * (1.0 + expected), "{limit} {expected}");
+            assert_eq!((verdict(limit * 0.999, mu), verdict(limit * 1.001, mu)), ("SL", "BF"));
+        }
+    }
+    let envelope = Ground::envelope(4e6).unwrap();
+    let plane = BearingPlane::new(envelope, 0.7, 0.3, 7.5, 2e6).unwrap();
+    let lever = 0.7 * 1.3;
+    let below: f64 = 1.0 / 0.52f64.powi(2) + (lever / 0.7f64).powi(2) - 0.22 * lever / (0.52 * 0.35);
+    assert!((plane.k_bf() - 0.5 / below.sqrt()).abs() < 1e-12);
+    assert_eq!(BearingPlane::new(envelope, 0.7, 0.3, 7.5, 5e6).unwrap().k_bf(), 0.0);
+}
+
+/// Goda's caisson, with P, M_p and p_u as published with it: 2318.64 kN/m buoyant.
+fn goda() -> Situation {
+    let body = Body::new(15.0, 10.5, 346.05e3).unwrap();
+    let weight = Action::Force { at: standfast::loads::Place { x: 0.0, y: 0.0 }, right: 0.0, up: -2318.64e3 };
+    let weight = Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, weight);
+    let push = Action::horizontal(-940.61e3, 4849.6 / 940.68);
+    Situation::new(body, 0.6, 9.81)
+        .unwrap()
+        .with(weight)
+        .with(Load::variable(LoadSource::WavePressure, LoadKind::Horizontal, push))
+        .with(Uplift::new(0.0, 65.739e3, true).unwrap().load(&body))
+}
+
+/// The ground fails before the caisson slides on 35°, and about when it slides on 40°.
+#[test]
+fn goda_s_caisson_on_sand() {
+    let situation = goda();
+    let rigid = situation.outcome().unwrap().departure;
+    assert!((rigid.load_factor() - 1.125).abs() < 5e-4, "{rigid:?}");
+    let path =
+        |angle| GroundPath::new(Ground::new(GroundLaw::Ec7, angle, 10e3).unwrap(), &situation).unwrap();
+    for (angle, factor) in [(35.0, 0.997), (40.0, 1.126), (42.0, 1.172)] {
+        let found = path(angle).load_factors();
+        assert!((found.given - factor).abs() < 6e-4, "{angle}: {found:?}");
+        // There R = P.
+        assert!((path(angle).factor(found.given).unwrap() - 1.0).abs() < 1e-9);
+        assert!(found.less.unwrap() < found.given && found.given < found.more.unwrap());
+    }
+    assert_eq!(path(40.0).load_factors().more, Some(path(42.0).load_factors().given));
+    let failure = Some(GroundVerdict::BearingFailure);
+    assert!(
+        matches!(path(35.0).departure(&rigid), GroundDeparture::At { verdict, .. } if verdict == failure)
+    );
+    let slides = Some(GroundVerdict::Begins(Mode::SlideLeft));
+    assert_eq!(path(40.0).departure(&rigid).verdict(), slides);
+    // P/B' of the full load: 219 kPa.
+    let reaction = path(35.0).reaction(1.0).unwrap();
+    assert!((reaction.effective_pressure() / 219e3 - 1.0).abs() < 3e-3, "{}", reaction.effective_pressure());
+}
+
+#[test]
+fn wrong_numbers_are_shown() {
+    let message = |angle, weight| Ground::new(GroundLaw::Ec7, angle, weight).unwrap_err().to_string();
+    assert_eq!(
+        message(19.9, 1e4),
+        "angle of friction of the ground is 19.9; expected an angle from 20 to 50 degrees"
+    );
+    assert_eq!(
+        message(f64::NAN, 1e4),
+        "angle of friction of the ground is NaN; expected an angle from 20 to 50 degrees"
+    );
+    assert!(message(30.0, -1e4).starts_with("effective unit weight of the ground is -10000"));
+    let sand = Ground::new(GroundLaw::Ec7, 20.0, 1e4).unwrap();
+    assert_eq!(sand.with_cohesion(-1.0).unwrap_err().quantity, Quantity::Cohesion);
+    assert_eq!(sand.with_surcharge(-1.0).unwrap_err().quantity, Quantity::Surcharge);
+    assert_eq!(Ground::envelope_with(1e6, 0.5, 0.3, 2.0).unwrap_err().value, 2.0);
+    // φ − 2° leaves the range without an error.
+    assert_eq!(sand.turned(-2.0).unwrap().friction_angle_deg(), Some(18.0));
+    let drum = Situation::new(Body::cylinder(2.0, 3.0, 25e3).unwrap(), 0.6, 9.81).unwrap();
+    assert_eq!(
+        GroundPath::new(sand, &drum).unwrap_err().to_string(),
+        "width is 2; expected none for a round base: the formulas are those of a strip"
+    );
+}
