@@ -9,7 +9,7 @@ use standfast::ground::GroundVerdict::Begins;
 use standfast::ground::strength::{CrushMotion, solve};
 use standfast::{Mode, Modes, Wrench};
 
-/// Mean accelerations ẍ, ÿ, θ̈ between t = ½ and 1, of small displacements: geometry stays.
+/// Mean accelerations ẍ, ÿ, turn̈ between t = ½ and 1, of small displacements: geometry stays.
 fn fibres(block: &Block, wrench: &Wrench, strength: f64) -> [f64; 3] {
     const N: usize = 200;
     let Block { b1, b2, d, rho2, m_x, m_y, mu_k, .. } = *block;
@@ -20,7 +20,7 @@ fn fibres(block: &Block, wrench: &Wrench, strength: f64) -> [f64; 3] {
     let place: Vec<f64> = (0..N).map(|i| (i as f64 + 0.5) * width - b1).collect();
     let mut yielded = [0.0; N];
     // Pressed by P alone, evenly; the load comes at t = 0.
-    let (mut y, mut θ) = (-wrench.p / (stiff * (b1 + b2)), 0.0);
+    let (mut y, mut turn) = (-wrench.p / (stiff * (b1 + b2)), 0.0);
     let [mut vx, mut vy, mut spin] = [0.0; 3];
     let dt = 1e-5;
     let mut half = [0.0; 3];
@@ -30,7 +30,7 @@ fn fibres(block: &Block, wrench: &Wrench, strength: f64) -> [f64; 3] {
         }
         let (mut n, mut moment) = (0.0, 0.0);
         for (x, yielded) in place.iter().zip(&mut yielded) {
-            let pressed = -(y + x * θ) - *yielded;
+            let pressed = -(y + x * turn) - *yielded;
             if stiff * pressed > strength {
                 *yielded += pressed - strength / stiff;
             }
@@ -46,7 +46,7 @@ fn fibres(block: &Block, wrench: &Wrench, strength: f64) -> [f64; 3] {
         vy += dt * (n - wrench.p) / m_y;
         spin += dt * (f_x * d + moment + wrench.m) / rho2;
         y += dt * vy;
-        θ += dt * spin;
+        turn += dt * spin;
     }
     [vx - half[0], vy - half[1], spin - half[2]].map(|change| 2.0 * change)
 }

@@ -47,7 +47,7 @@ impl Case {
         let (k_x, k_y, k_r) =
             (2.0 * self.b * self.k_t, 2.0 * self.b * self.k_n, 2.0 / 3.0 * self.k_n * self.b.powi(3));
         let m_x = self.m + self.added;
-        // u, θ, y and their rates; from the static position of the permanent loads.
+        // u, turn, y and their rates; from the static position of the permanent loads.
         let mut y = [
             permanent.x / k_x,
             (permanent.m - permanent.x * self.d) / k_r,
@@ -58,10 +58,10 @@ impl Case {
         ];
         let total = |t: f64| loads.iter().fold(*permanent, |sum, (w, h)| sum + *w * h.at(t));
         let rate = |w: Wrench, y: [f64; 6]| {
-            let [u, θ, v, du, dθ, dv] = y;
-            let spin = (w.m - self.d * k_x * u - k_r * θ) / self.i;
+            let [u, turn, v, du, d_turn, dv] = y;
+            let spin = (w.m - self.d * k_x * u - k_r * turn) / self.i;
             let sway = (w.x - k_x * u) / m_x + self.d * spin;
-            [du, dθ, dv, sway, spin, (-w.p - k_y * v) / self.m]
+            [du, d_turn, dv, sway, spin, (-w.p - k_y * v) / self.m]
         };
         let mut ends: Vec<f64> =
             breaks.iter().copied().filter(|t| *t > 0.0 && *t < until).chain([until]).collect();
@@ -152,7 +152,8 @@ fn two_modes_are_those_of_the_integrator() {
         case.integrate(&rest, &loads, &t, answer.until, |t, [s, n, m_o]| {
             // The summit of the parabola through three neighbours.
             for (i, value) in [(s - rest.x).abs(), (m_o - about(&rest)).abs()].into_iter().enumerate() {
-                let [a, b] = std::mem::replace(&mut tail[i], [tail[i][1], value]);
+                let [a, b] = tail[i];
+                tail[i] = [b, value];
                 if b >= a && b >= value && 2.0 * b > a + value {
                     most[i] = most[i].max(b + (value - a).powi(2) / (8.0 * (2.0 * b - a - value)));
                 }

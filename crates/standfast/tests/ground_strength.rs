@@ -6,12 +6,14 @@ mod common;
 use common::{Random, tries};
 use dashu_ratio::RBig as Rational;
 use standfast::contact::{self, Block};
+use standfast::ground::GroundDeparture;
 use standfast::ground::GroundVerdict::{self, BearingFailure, Begins};
 use standfast::ground::strength::{
-    CrushChart, CrushMap, CrushMotion, CrushPoint, Span, rest_range, solve, stages,
+    CrushChart, CrushMap, CrushMotion, CrushPoint, Span, outcome, rest_range, solve, stages,
 };
 use standfast::initiation::{Chart, PointName};
-use standfast::{Corner, Diagram, Mode, Modes, Motion, Point, Wrench};
+use standfast::loads::{Action, Load, LoadKind, LoadSource};
+use standfast::{Body, Corner, Diagram, Mode, Modes, Motion, Point, Situation, Wrench};
 
 /// ω over its range: ordinary, small, fractions that meet boundaries exactly, ½, and near 1.
 fn random_omega(random: &mut Random) -> f64 {
@@ -588,4 +590,44 @@ fn the_caisson_in_air_rocks_on_weak_ground() {
     };
     assert_eq!(modes(0.0), ("SL", "SRO-"));
     assert_eq!(modes(omega), ("RO", "RO"));
+}
+
+/// A situation in SI units is the problem without units: the caisson in air, a path that slides on the rigid base, motions, mirror, bad
+/// input.
+#[test]
+fn a_situation_is_its_block_in_si_units() {
+    let body = Body::new(15.0, 12.0, 378e3).unwrap();
+    let push = |force: f64| {
+        let action = Action::horizontal(force, 11.5);
+        let load = Load::variable(LoadSource::Force, LoadKind::Horizontal, action);
+        Situation::new(body, 0.6, 9.81).unwrap().with_weight().with(load)
+    };
+    let weight = 378e3 * 9.81;
+    let found = outcome(&push(-2.7e6), 3e6).unwrap();
+    let point = CrushPoint::new(0.8, 5.5 / 6.0, 2.7e6 / weight, 0.6, weight / (15.0 * 3e6)).unwrap();
+    assert!((found.omega / point.omega() - 1.0).abs() < 1e-14);
+    assert_eq!((found.verdict, found.modes), (Some(point.verdict()), point.enumerate()));
+    let (ours, theirs) = (found.motion.unwrap(), point.motion().unwrap().scaled(9.81, 7.5, weight));
+    assert!((ours.motion.theta_ddot / theirs.motion.theta_ddot - 1.0).abs() < 1e-9);
+    assert!((ours.neutral.unwrap() / theirs.neutral.unwrap() - 1.0).abs() < 1e-9);
+    // Rest ends where kG₁ = 1 − ω.
+    let expected = (1.0 - point.omega()) * weight * 7.5 / (2.7e6 * 11.5);
+    assert!((found.departure.load_factor() / expected - 1.0).abs() < 1e-12);
+    assert_eq!(found.departure.verdict(), Some(Begins(Mode::RockO)));
+    let right = outcome(&push(2.7e6), 3e6).unwrap();
+    assert_eq!(right.verdict, found.verdict.map(GroundVerdict::mirrored));
+    // On 1e15 Pa the rigid answer.
+    let (strong, rigid) = (outcome(&push(-2.7e6), 1e15).unwrap(), push(-2.7e6).outcome().unwrap());
+    assert_eq!(strong.verdict.and_then(GroundVerdict::mode), rigid.full.mode);
+    assert!((strong.departure.load_factor() / rigid.departure.load_factor() - 1.0).abs() < 1e-12);
+    assert_eq!(strong.departure.verdict().and_then(GroundVerdict::mode), rigid.departure.mode());
+    // Too weak for the weight alone; without a load that varies; on a base that cannot be.
+    let weak = outcome(&push(-2.7e6), weight / 15.0).unwrap();
+    let at_once = GroundDeparture::AtOnce { verdict: Some(BearingFailure), permanent: true };
+    assert_eq!((weak.verdict, weak.motion, weak.departure), (Some(BearingFailure), None, at_once));
+    let still = Situation::new(body, 0.6, 9.81).unwrap().with_weight();
+    assert_eq!(outcome(&still, 3e6).unwrap().departure, GroundDeparture::Never);
+    assert!(outcome(&still, -1.0).is_err() && outcome(&still, f64::INFINITY).is_err());
+    let drum = Situation::new(Body::cylinder(2.0, 3.0, 25e3).unwrap(), 0.6, 9.81).unwrap();
+    assert!(outcome(&drum, 3e6).is_err());
 }

@@ -63,11 +63,13 @@ mod chart;
 mod conditions;
 mod path;
 mod point;
+mod situated;
 mod turning;
 
 pub use chart::{CrushChart, CrushEdge, CrushMap, CrushRegion, CrushStrip, RockEdgePoint};
 pub use path::{CrushStage, LoadRange, rest_range, stages};
 pub use point::CrushPoint;
+pub use situated::{CrushOutcome, outcome};
 
 use self::conditions::{Found, enumerate};
 use self::turning::{Rate, Turn, orientation};

@@ -1,0 +1,92 @@
+//! A situation on a base that crushes, in SI units.
+
+use super::path::{CrushStage, stages};
+use super::{CrushMotion, solve};
+use crate::error::InputError;
+use crate::ground::{GroundDeparture, GroundVerdict};
+use crate::loads::Pose;
+use crate::mode::{Mode, Modes};
+use crate::plan::Plan;
+use crate::quantity::{Expected, Quantity};
+use crate::situation::Situation;
+
+/// What a situation does on a base that crushes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrushOutcome {
+    /// ω = P/(2B q_u) under the full load.
+    pub omega: f64,
+    /// What begins under the full load, applied at once.
+    pub verdict: Option<GroundVerdict>,
+    /// All consistent modes.
+    pub modes: Modes,
+    /// The motion of the verdict's mode: m/s², rad/s², N, m from the centre of mass.
+    pub motion: Option<CrushMotion>,
+    /// Where the body leaves rest as the variable loads rise.
+    pub departure: GroundDeparture,
+    /// The stages of the rising variable loads, the last without end; none where all loads are permanent.
+    pub path: Vec<CrushStage>,
+}
+
+/// The situation on a base of `strength` q_u (Pa).
+///
+/// ```
+/// use standfast::ground::strength::outcome;
+/// use standfast::loads::{Action, Load, LoadKind, LoadSource};
+/// use standfast::{Body, Situation};
+///
+/// // The README's caisson in air: on rigid ground it first slides, at 82.4 % of the load; on 3 MPa it rocks.
+/// let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-2.7e6, 11.5));
+/// let situation = Situation::new(Body::new(15.0, 12.0, 378e3)?, 0.6, 9.81)?.with_weight().with(push);
+/// let on_stone = outcome(&situation, 3e6)?;
+/// assert_eq!(on_stone.departure.verdict().unwrap().symbol(), "RO");
+/// assert!(on_stone.departure.load_factor() < 0.824);
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+///
+/// # Errors
+/// If `strength` is not above zero, the base is round, or a number is out of range.
+pub fn outcome(situation: &Situation, strength: f64) -> Result<CrushOutcome, InputError> {
+    let strength = InputError::positive(Quantity::Strength, strength)?;
+    let body = situation.body();
+    let Plan::Rectangle { length } = body.plan() else {
+        return Err(InputError::new(Quantity::Width, body.width(), Expected::RectangularBase));
+    };
+    // Lengths in B, forces in m g, as those of the situation's block.
+    let (half_width, weight) = (body.width() / 2.0, body.mass() * situation.gravity());
+    let reduced = strength * length * half_width / weight;
+    let block = situation.block();
+    let at = |factor: f64| situation.reduced_wrench(&situation.wrench_at(factor, Pose::UPRIGHT));
+    let permanent = at(0.0);
+    let solution = solve(&block, &at(1.0), reduced)?;
+    let mode = solution.verdict().and_then(GroundVerdict::mode);
+    let motion = mode.and_then(|mode| solution.motion(mode));
+    let varies = situation.loads().iter().any(|load| !load.permanent);
+    let path =
+        if varies { stages(&block, &permanent, &(at(1.0) + permanent * -1.0), reduced)? } else { Vec::new() };
+    let begin = solve(&block, &permanent, reduced)?.verdict();
+    Ok(CrushOutcome {
+        omega: solution.omega(),
+        verdict: solution.verdict(),
+        modes: solution.modes,
+        motion: motion.map(|motion| motion.scaled(situation.gravity(), half_width, weight)),
+        departure: departure(begin, &path),
+        path,
+    })
+}
+
+fn departure(begin: Option<GroundVerdict>, path: &[CrushStage]) -> GroundDeparture {
+    let rest = Some(GroundVerdict::Begins(Mode::Rest));
+    if begin != rest {
+        // As soon as anything is added, it may be another mode.
+        let verdict =
+            path.first().map_or(begin, |stage| stage.verdict).filter(|verdict| Some(*verdict) != rest);
+        return GroundDeparture::AtOnce { verdict: verdict.or(begin), permanent: true };
+    }
+    match path.iter().find(|stage| stage.verdict != rest) {
+        None => GroundDeparture::Never,
+        Some(stage) if stage.from == 0.0 => {
+            GroundDeparture::AtOnce { verdict: stage.verdict, permanent: false }
+        }
+        Some(stage) => GroundDeparture::At { factor: stage.from, verdict: stage.verdict },
+    }
+}
