@@ -175,3 +175,24 @@ fn wrong_numbers_are_shown() {
         "width is 2; expected none for a round base: the formulas are those of a strip"
     );
 }
+
+/// groundhog's numbers for the same formula, as `validation/peers/bearing.py` writes them.
+#[test]
+fn groundhog_bears_the_same() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../validation/peers/bearing.csv");
+    let table = std::fs::read_to_string(path).unwrap();
+    let mut rows = 0;
+    for line in table.lines().skip(1) {
+        let numbers: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let [angle, weight, surcharge, width, inclination, resistance] = numbers[..] else {
+            panic!("{line}")
+        };
+        let ground = Ground::new(GroundLaw::Hansen, angle, weight * 1e3).unwrap();
+        let ground = ground.with_surcharge(surcharge * 1e3).unwrap();
+        let reaction = Reaction::new(width / 2.0, 1e6, inclination * 1e6, 0.0).unwrap();
+        let ours = ground.resistance(&reaction) / 1e3;
+        assert!((ours / resistance - 1.0).abs() < 1e-8, "{line}: {ours}");
+        rows += 1;
+    }
+    assert_eq!(rows, 168);
+}

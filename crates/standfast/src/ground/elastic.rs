@@ -240,7 +240,7 @@ fn moment(omega: f64, τ: f64) -> f64 {
 /// τ at M/(PB) ≥ 0; `None` if there is none.
 fn rotation(omega: f64, share: f64) -> Option<f64> {
     let ω = omega;
-    if !(share < 1.0 - ω) {
+    if share.is_nan() || share >= 1.0 - ω {
         return None;
     }
     let [first, last] = joints(ω);

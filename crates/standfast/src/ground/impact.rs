@@ -154,14 +154,13 @@ impl Wave {
         }
     }
 
-    /// Value, slope and curvature at τ.
-    fn at(&self, ω: &[f64; 3], τ: f64) -> [f64; 3] {
-        let mut all = [self.level + self.slope * τ, self.slope, 0.0];
-        for i in 0..3 {
-            let (sin, cos) = (ω[i] * τ).sin_cos();
-            all[0] += self.cos[i] * cos + self.sin[i] * sin;
-            all[1] += ω[i] * (self.sin[i] * cos - self.cos[i] * sin);
-            all[2] -= ω[i] * ω[i] * (self.cos[i] * cos + self.sin[i] * sin);
+    /// Value and slope at τ.
+    fn at(&self, ω: &[f64; 3], τ: f64) -> [f64; 2] {
+        let mut all = [self.level + self.slope * τ, self.slope];
+        for ((ω, c), s) in ω.iter().zip(self.cos).zip(self.sin) {
+            let (sin, cos) = (ω * τ).sin_cos();
+            all[0] += c * cos + s * sin;
+            all[1] += ω * (s * cos - c * sin);
         }
         all
     }
@@ -184,7 +183,7 @@ impl Signal<'_> {
         for (from, to, wave) in &self.pieces {
             let (mut τ, most) = (0.0, wave.curvature(self.ω));
             loop {
-                let [value, slope, _] = wave.at(self.ω, τ);
+                let [value, slope] = wave.at(self.ω, τ);
                 if value <= 0.0 {
                     return Some(from + τ);
                 }
