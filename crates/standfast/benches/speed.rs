@@ -9,7 +9,9 @@ use common::Random;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use standfast::batch::{self, Columns};
-use standfast::{Diagram, Point};
+use standfast::contact::Block;
+use standfast::ground::strength::{CrushPoint, stages};
+use standfast::{Diagram, Point, Wrench};
 
 fn main() {
     divan::main();
@@ -50,6 +52,37 @@ fn motion_of_1000_points(bencher: Bencher) {
             black_box((point.motion(), point.others()));
         }
     });
+}
+
+/// Of 1000 points on a base that crushes at ω = 0.2, one by one: the verdict.
+#[divan::bench]
+fn crush_1000_points(bencher: Bencher) {
+    let points = points(1000);
+    bencher.counter(ItemsCount::new(points.len())).bench(|| {
+        for &[gamma, k_prime, k, mu] in black_box(&points) {
+            black_box(CrushPoint::new(gamma, k_prime, k, mu, 0.2).unwrap().verdict());
+        }
+    });
+}
+
+/// Verdict, other modes and motion of the same.
+#[divan::bench]
+fn crush_motion_of_1000_points(bencher: Bencher) {
+    let points = points(1000);
+    bencher.counter(ItemsCount::new(points.len())).bench(|| {
+        for &[gamma, k_prime, k, mu] in black_box(&points) {
+            let point = CrushPoint::new(gamma, k_prime, k, mu, 0.2).unwrap();
+            black_box((point.motion(), point.others()));
+        }
+    });
+}
+
+/// The load path of a caisson on 3 MPa.
+#[divan::bench]
+fn crush_path(bencher: Bencher) {
+    let block = Block::uniform(0.8, 0.6);
+    let (weight, push) = (Wrench { x: 0.0, p: 1.0, m: 0.0 }, Wrench { x: -0.728, p: 0.0, m: 0.534 });
+    bencher.bench(|| stages(black_box(&block), &weight, &push, 6.07).unwrap());
 }
 
 /// Next to boundaries, where the filter fails and exact arithmetic decides.

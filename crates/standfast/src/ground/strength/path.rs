@@ -24,7 +24,6 @@ pub struct CrushStage {
     /// What is reported.
     pub verdict: Option<GroundVerdict>,
     /// All consistent modes; none where the ground fails.
-    #[cfg_attr(feature = "serde", serde(skip))]
     pub modes: Modes,
 }
 
@@ -161,11 +160,10 @@ pub fn stages(
         for i in 1..SAMPLES {
             let high = (place(i), at(place(i)));
             while low.1 != high.1 {
-                let (below, above) = bisect(low.0, high.0, |λ| at(λ) == low.1);
-                add(begin, above, low.1);
-                begin = above;
-                low = (above, at(above));
-                debug_assert!(below < above);
+                let end = end_of(low.0, high.0, |λ| at(λ) == low.1);
+                add(begin, end, low.1);
+                begin = end;
+                low = (end, at(end));
             }
             low = high;
         }
@@ -178,12 +176,12 @@ pub fn stages(
 /// How many load factors are asked for between two closed crossings.
 const SAMPLES: i32 = 16;
 
-/// The neighbouring numbers between which `holds`, true at `low` and false at `high`, changes.
-fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
+/// Where what `holds` at `low` and not at `high` ends: a number at which it does not, and does at the one before.
+fn end_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = low + (high - low) / 2.0;
         if middle <= low || middle >= high {
-            return (low, high);
+            return high;
         }
         if holds(middle) { low = middle } else { high = middle }
     }
