@@ -362,9 +362,22 @@ fn a_point_on_the_curve_rocks() {
     let at = |mu| CrushPoint::new(1.0, 1.0, 4.0, mu, 0.5).unwrap();
     assert_eq!(at(0.5).verdict(), Begins(Mode::RockO));
     assert_eq!(at(0.5f64.next_down()).verdict(), Begins(Mode::SlideRockORight));
+    assert_eq!(at(0.5).enumerate().to_string(), "RO");
     let found = at(0.5).motion().unwrap();
     assert_eq!((found.motion.theta_ddot, found.motion.f_x, found.motion.f_y), (4.5, -0.5, 1.0));
     assert_eq!((found.neutral, found.motion.xi), (Some(0.0), -0.5));
+}
+
+/// μ_s would hold it upright, and is more than it can use as it tips over the edge that crushes: it slides, with μ_k.
+#[test]
+fn a_body_that_presses_less_as_it_tips_slides() {
+    let block =
+        Block { b1: 1.75, b2: 0.25, d: 0.25, rho2: 2.5, m_x: 3.0, m_y: 2.125, mu_s: 1.2728, mu_k: 0.5 };
+    let wrench = Wrench { x: 3.0, p: 2.375, m: 0.875 };
+    assert!(wrench.x < block.mu_s * wrench.p);
+    let answer = solve(&block, &wrench, 2.568).unwrap();
+    assert_eq!((answer.verdict(), answer.modes.len()), (Some(Begins(Mode::SlideRight)), 1));
+    assert_lawful(&block, &wrench, 2.568, Mode::SlideRight, &answer.motion(Mode::SlideRight).unwrap());
 }
 
 #[test]
