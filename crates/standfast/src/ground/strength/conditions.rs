@@ -79,11 +79,10 @@ fn turn<T: RootSigned>(
     };
     let w = turn.slipping(n, corner, slipping, mu);
     let [equation, w] = [turn.equation, w].map(|f| Turn::from_pressed(f, n, corner, lifted));
-    // Divided by what is zero at the beginning, the root there is no root above it.
-    let from = if equation[0].sign()? == Equal { 1 } else { 0 };
-    if from == 1 && equation[1].sign()? == Equal {
-        // Two roots at the beginning: the third, if any, by the last two coefficients.
-        return Some((T::at_roots(&equation[2..], &w, None)?, begins));
+    // A root where the turn begins is none above it: it is divided out.
+    let mut from = 0;
+    while from + 1 < equation.len() && equation[from].sign()? == Equal {
+        from += 1;
     }
     Some((T::at_roots(&equation[from..], &w, near)?, begins))
 }
