@@ -198,6 +198,56 @@ fn a_higher_force_can_end_rocking() {
     assert_eq!(mode(1.0), Mode::SlideRockORight);
 }
 
+/// A batch under a force to the right is the contact problem of that force.
+#[test]
+fn mirrored_columns_are_those_of_a_force_to_the_right() {
+    use standfast::batch::{self, Columns, OnsetColumns};
+
+    let mut random = Random(29);
+    let uniform = |random: &mut Random| [0.2, -2.0, 0.05, 0.05].map(|least| least + random.uniform(0.0, 3.0));
+    let points: Vec<[f64; 4]> = (0..tries(10_000)).map(|_| uniform(&mut random)).collect();
+    let count = points.len();
+    let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
+    let [gamma, k_prime, k, mu] = [0, 1, 2, 3].map(column);
+    let columns = Columns { gamma: &gamma, k_prime: &k_prime, k: &k, mu: &mu };
+    let (mut mode, mut others) = (vec![0; count], vec![0; count]);
+    let mut motion = [(); 9].map(|()| vec![0.0; count]);
+    let out = OnsetColumns {
+        mode: Some(&mut mode),
+        others: Some(&mut others),
+        motion: motion.each_mut().map(|column| Some(column.as_mut_slice())),
+        mirrored: true,
+        ..OnsetColumns::default()
+    };
+    batch::onset(columns, out).unwrap();
+    let mut codes = vec![0; count];
+    batch::classify(columns, &mut codes).unwrap();
+    batch::mirror(&mut codes);
+    assert_eq!(codes, mode);
+
+    for (i, &[gamma, k_prime, k, mu]) in points.iter().enumerate() {
+        let right = Wrench { x: k, p: 1.0, m: -k * k_prime * gamma };
+        let found = solve(&Block::uniform(gamma, mu), &right).unwrap();
+        let code = |mode: Mode| u16::from(mode.code());
+        let expected = found.mode().unwrap();
+        assert_eq!(Mode::from_code(mode[i]), Some(expected), "{:?}", points[i]);
+        let bits = Mode::ALL.into_iter().filter(|&mode| found.modes.contains(mode) && mode != expected);
+        assert_eq!(others[i], bits.map(|mode| 1 << code(mode)).sum::<u16>());
+        let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } =
+            found.motion(expected).unwrap();
+        let expected = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
+        for (column, expected) in motion.iter().zip(expected) {
+            let size = 1.0 + gamma.max(1.0) * (k + mu);
+            assert!(
+                (column[i] - expected).abs() <= 1e-9 * size * size,
+                "{:?}: {} {expected}",
+                points[i],
+                column[i]
+            );
+        }
+    }
+}
+
 /// The columns of a batch are the values of the single calls, bit for bit.
 #[test]
 fn onset_columns_agree_with_the_single_call() {
@@ -221,6 +271,7 @@ fn onset_columns_agree_with_the_single_call() {
         unique: Some(&mut unique),
         others: Some(&mut others),
         motion: motion.each_mut().map(|column| Some(column.as_mut_slice())),
+        mirrored: false,
     };
     batch::onset(columns, out.reborrow()).unwrap();
     for (i, &[g, h, k, m]) in points.iter().enumerate() {

@@ -24,7 +24,9 @@ pub enum TableError {
     },
     /// A header whose columns are parted by something else than commas.
     #[error("{name} parts its columns by {separator}: its first line is {header}")]
-    #[diagnostic(help("CSV is read with commas between columns and points in numbers; convert it, or give it as .xlsx or .parquet"))]
+    #[diagnostic(help(
+        "CSV is read with commas between columns and points in numbers; convert it, or give it as .xlsx or .parquet"
+    ))]
     Separator {
         /// The table.
         name: String,

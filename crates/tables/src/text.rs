@@ -61,12 +61,13 @@ impl<R: Read> Text<R> {
         }
         let names: Vec<String> = rows.record.iter().map(|name| lossy(name).trim().to_owned()).collect();
         // Columns that are not there may be so because nothing parts them.
-        let (task, places) = Task::of(options, &names).map_err(|error| match (&names[..], separator(&names)) {
-            ([header], Some(separator)) => {
-                TableError::Separator { name: options.name.clone(), separator, header: header.clone() }
-            }
-            _ => error,
-        })?;
+        let (task, places) =
+            Task::of(options, &names).map_err(|error| match (&names[..], separator(&names)) {
+                ([header], Some(separator)) => {
+                    TableError::Separator { name: options.name.clone(), separator, header: header.clone() }
+                }
+                _ => error,
+            })?;
         let Range { start, end } = rows.range;
         let line_end: &[u8] = if bytes[end..].starts_with(b"\r\n") { b"\r\n" } else { b"\n" };
         let header = Header { names, places, bytes: bytes[start..end].to_vec(), end: line_end, task };
