@@ -22,6 +22,8 @@ class Mode(enum.IntEnum):
     (<Mode.ROCK_O: 2>, <Mode.SLIDE_ROCK_O_LEFT: 3>)
     >>> Mode.ROCK_O.symbol
     'RO'
+    >>> print(Mode.ROCK_O, f"{Mode.REST:>4}")
+    RO   RE
     >>> print("The body", Mode.ROCK_O.words)
     The body rocks about O, the bottom left corner
     """
@@ -49,6 +51,13 @@ class Mode(enum.IntEnum):
                 return mode
         expected = ", ".join(f"{mode.symbol} or {mode.value}" for mode in cls)
         raise ValueError(f"{value!r} is not a mode; expected {expected}")
+
+    # Of an IntEnum Python 3.10 prints the name and later ones the number.
+    def __str__(self) -> str:
+        return self.symbol
+
+    def __format__(self, spec: str) -> str:
+        return format(self.symbol, spec)
 
     @property
     def symbol(self) -> str:
