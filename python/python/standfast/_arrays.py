@@ -368,12 +368,15 @@ def symbols(codes: Any) -> Any:
 
     Raises:
         ValueError: if a code is not that of a mode.
+        TypeError: for bits of sets of modes.
 
     >>> symbols([0, 5])
     array(['RE', "SRO'-"], dtype='<U5')
     >>> symbols(Mode.SLIDE_LEFT)
     'SL'
     """
+    if isinstance(codes, Modes) or str(getattr(codes, "dtype", getattr(codes, "type", ""))).lower() == "uint16":
+        raise TypeError("codes are sets of modes, in bits; expected codes, of uint8. Modes(bits).modes has the modes of a set")
     operands = read("symbols", ("codes",), (codes,))
     (values,), missing = operands.arrays()
     right = (values >= 0) & (values < len(SYMBOLS)) & (values == np.floor(values))

@@ -52,6 +52,13 @@ class Mode(enum.IntEnum):
         expected = ", ".join(f"{mode.symbol} or {mode.value}" for mode in cls)
         raise ValueError(f"{value!r} is not a mode; expected {expected}")
 
+    # The sum of two codes would be the code of another mode.
+    def __or__(self, other: int) -> Modes:
+        return Modes(self) | other
+
+    def __and__(self, other: int) -> Modes:
+        return Modes(self) & other
+
     # Of an IntEnum Python 3.10 prints the name and later ones the number.
     def __str__(self) -> str:
         return self.symbol
@@ -74,12 +81,21 @@ class Mode(enum.IntEnum):
 _BITS = 1 << len(Mode)
 
 
-class Modes(enum.IntFlag):
+class _SetType(enum.EnumMeta):
+    """What makes sets: the code of a mode is not taken for the bits of a set."""
+
+    def __call__(cls, value: Any, *args: Any, **options: Any) -> Any:
+        bits = 1 << value if isinstance(value, Mode) else value
+        return super().__call__(bits, *args, **options)
+
+
+class Modes(enum.IntFlag, metaclass=_SetType):
     """A set of modes. The bits are those of the arrays in :attr:`OnsetArrays.others`.
 
-    Made of bits, of modes by :meth:`of`, or of symbols in one string, as ``Modes("SL RO")``.
+    Made of bits, of a mode, of several by :meth:`of`, or of symbols in one string, as ``Modes("SL RO")``. Arrays of bits are asked
+    by sets, not by the codes of modes: ``onset.others & Modes.ROCK_O != 0``.
 
-    >>> Modes.of(Mode.SLIDE_LEFT) | Modes.ROCK_O
+    >>> Modes(Mode.SLIDE_LEFT) | Mode.ROCK_O
     <Modes.SLIDE_LEFT|ROCK_O: 6>
     >>> Modes.ROCK_O in Modes(6), Mode.ROCK_O in Modes("SL RE")
     (True, False)
@@ -98,7 +114,24 @@ class Modes(enum.IntFlag):
 
     if TYPE_CHECKING:
 
-        def __new__(cls, value: int | np.integer[Any] | str) -> Modes: ...
+        def __new__(cls, value: int | np.integer[Any] | str | Mode) -> Modes: ...
+
+    def __or__(self, other: int) -> Modes:
+        return super().__or__(_bits(other))
+
+    def __and__(self, other: int) -> Modes:
+        return super().__and__(_bits(other))
+
+    def __xor__(self, other: int) -> Modes:
+        return super().__xor__(_bits(other))
+
+    __ror__, __rand__, __rxor__ = __or__, __and__, __xor__
+
+    def __str__(self) -> str:
+        return " ".join(mode.symbol for mode in self.modes)
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self), spec)
 
     @classmethod
     def _missing_(cls, value: object) -> Modes:
@@ -118,7 +151,7 @@ class Modes(enum.IntFlag):
 
     def __contains__(self, other: object) -> bool:
         """Whether a mode, or each of a set of modes, is in the set."""
-        bits = 1 << other if isinstance(other, Mode) else int(Modes(other))  # type: ignore[arg-type]
+        bits = int(Modes(other))  # type: ignore[arg-type]
         return int(self) & bits == bits
 
     @classmethod
@@ -126,7 +159,7 @@ class Modes(enum.IntFlag):
         """The set of these modes."""
         bits = cls(0)
         for mode in modes:
-            bits |= cls(1 << mode)
+            bits |= cls(Mode(mode))
         return bits
 
     @property
@@ -137,3 +170,8 @@ class Modes(enum.IntFlag):
         (<Mode.SLIDE_LEFT: 1>, <Mode.ROCK_O: 2>)
         """
         return tuple(mode for mode in Mode if self & (1 << mode))
+
+
+def _bits(other: int) -> int:
+    """The bits of a mode or of a set."""
+    return Modes(other) if isinstance(other, Mode) else other
