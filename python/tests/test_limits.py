@@ -13,7 +13,7 @@ import pyarrow as pa
 import pytest
 import standfast
 from reference import motion, points
-from standfast import Mode
+from standfast import Mode, _inputs, _rows, _run
 
 NAMES = (
     "slide", "rock_O", "rock_O_prime", "turn_O", "turn_O_prime", "slip_O_left", "slip_O_right", "slip_O_prime_left",
@@ -144,3 +144,55 @@ def test_impossible_values_may_be_left_out() -> None:
     assert found.slide.tolist() == [0.6 - 0.5, None, None]
     found = standfast.limit_states(pl.DataFrame({"k": [0.5, -1.0], "mu": 0.6, "gamma": 1, "k_prime": 0}), on_error="null")
     assert found["load_factor"].to_list() == [1.2, None]
+
+
+CONTACT = (1, 1, 1, 2 / 3, 1, 1)
+
+
+def unaligned(values: list[float]) -> np.ndarray:
+    """An array one byte off the places where float64 lies."""
+    memory = bytearray(8 * len(values) + 1)
+    array = np.ndarray(len(values), buffer=memory, offset=1)
+    array[:] = values
+    assert not array.flags.aligned
+    return array
+
+
+def test_operands_may_lie_anywhere() -> None:
+    k = [0.5, 0.75, 3.0]
+    found, expected = (standfast.limit_states(1, 0.4, forces, 0.6) for forces in (unaligned(k), k))
+    assert found.slide.tolist() == expected.slide.tolist() and found.rock_O.tolist() == expected.rock_O.tolist()
+    found, expected = (standfast.contact(*CONTACT, forces, 1, 0.2, 0.6, 0.6) for forces in (unaligned(k), k))
+    assert found.mode.tolist() == expected.mode.tolist() and found.x_ddot.tolist() == expected.x_ddot.tolist()
+
+
+def test_all_processors_have_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("os.cpu_count", lambda: 3)
+    k = np.linspace(0, 3, 200_003)
+    sizes: list[int] = []
+    one, all_ = (
+        standfast.limit_states(2, -0.3, k, 0.7, threads=threads, columns=["slide", "rock_O"]) for threads in (1, None)
+    )
+    assert np.array_equal(one.slide, all_.slide) and np.array_equal(one.rock_O, all_.rock_O)
+    operands = _inputs.read("limit_states", ("k", "mu"), (k, 0.7))
+    for threads in (1, None, 1000):
+        sizes.clear()
+
+        def solve(block: list[np.ndarray], out: object, wrong: object) -> None:
+            sizes.append(block[0].size)
+
+        _rows.answer(operands, {}, solve, _run.run(threads))
+        assert sum(sizes) == k.size
+        assert sizes[0] == {1: _rows._BLOCK, None: 3 * _rows._BLOCK, 1000: k.size}[threads]
+
+
+def test_no_points_are_told_too() -> None:
+    for function, operands in (
+        (standfast.classify, (1, 0.4, [], 0.6)),
+        (standfast.onset, (1, 0.4, [], 0.6)),
+        (standfast.limit_states, (1, 0.4, [], 0.6)),
+        (standfast.contact, (*CONTACT, [], 1, 0.2, 0.6, 0.6)),
+    ):
+        told: list[tuple[int, int | None]] = []
+        function(*operands, progress=lambda done, total: told.append((done, total)))
+        assert told == [(0, 0)], function

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from time import monotonic
 from typing import Any
@@ -17,6 +18,9 @@ from ._run import Run
 #: How many rows a thread answers before anything else is looked at: some milliseconds, or some tenths of a second where each needs
 #: exact arithmetic.
 _BLOCK = 1 << 14
+
+#: For how many threads there are rows in one go at most, so that buffers are some tens of MB.
+_THREADS = 32
 
 #: How often, in seconds, progress is told.
 _PAUSE = 0.1
@@ -47,16 +51,18 @@ def answer(
     flat = {name: column.reshape(-1) for name, column in found.items()}
     wrong: Wrong = np.zeros(shape, dtype=np.bool_) if run.null_errors else None
     total = int(np.prod(shape, dtype=np.int64))
+    if total == 0 and run.progress is not None:
+        run.progress(0, 0)
     # Of numpy's types, the flag "contig" is spelled otherwise.
     nditer: Any = np.nditer
     blocks = () if total == 0 else nditer(
         arrays,
         flags=["external_loop", "buffered"],
-        op_flags=[["readonly", "contig"]] * len(arrays),
+        op_flags=[["readonly", "contig", "aligned"]] * len(arrays),
         op_dtypes=[np.float64] * len(arrays),
         casting="same_kind",
         order="C",
-        buffersize=_BLOCK * (run.threads or 1),
+        buffersize=_BLOCK * min(run.threads or os.cpu_count() or 1, _THREADS),
     )
     done, told = 0, monotonic()
     for block in blocks:
