@@ -385,3 +385,48 @@ def test_arrays_and_what_is_missing() -> None:
             arrays=standfast.OnsetArrays,
         )
         assert list(made["word"].to_pylist() if hasattr(made["word"], "to_pylist") else made["word"]) == ["p", None, "r"]
+
+
+# Labels and categories of pandas
+
+
+def test_labels_may_be_numbers() -> None:
+    frame = pd.DataFrame(dict(enumerate(POINTS.values())))
+    assert standfast.classify(frame, map=dict(zip(NAMES, range(4)))).tolist() == MODES
+    assert standfast.classify(frame, map={"gamma": 0, "k_prime": 1, "k": np.int64(2), "mu": 9}).tolist() == (
+        standfast.classify(*list(POINTS.values())[:3], 9).tolist()
+    )
+    # Beside a label 2 the number is 2.0.
+    assert standfast.classify(frame, map={"gamma": 0, "k_prime": 1, "k": 2.0, "mu": 3}).tolist() == (
+        standfast.classify(POINTS["gamma"], POINTS["k_prime"], 2, POINTS["mu"]).tolist()
+    )
+    refused("map gives True for k", frame, map={"gamma": 0, "k_prime": 1, "k": True, "mu": 3})
+    day = pd.Timestamp("2026-11-21")
+    dated = frame.rename(columns={3: day})
+    assert standfast.classify(dated, map={"gamma": 0, "k_prime": 1, "k": 2, "mu": day}).tolist() == MODES
+
+
+def test_a_map_takes_every_number() -> None:
+    table = {"k": [0.5, 0.75], "mu": [0.6, 0.9]}
+    for frame in (pd.DataFrame(table), pl.DataFrame(table), pa.table(table)):
+        found = standfast.classify(frame, map={"gamma": Fraction(1), "k_prime": Decimal("0.4")})
+        assert list(np.asarray(found)) == standfast.classify(1, 0.4, table["k"], table["mu"]).tolist()
+        refused("gamma is 1000000000", frame, map={"gamma": 10**400, "k_prime": 0.4})
+
+
+def test_categories_of_whole_numbers_may_be_missing() -> None:
+    expected = standfast.classify(1, 0.4, [1, 2], 0.6).tolist()
+    for categories in (pd.Categorical([1, 2, None]), pd.Categorical(pd.array([1, 2, None], dtype="Int64"))):
+        found = standfast.classify(1, 0.4, pd.Series(categories), 0.6)
+        assert found[:2].tolist() == expected and found[2] is pd.NA
+    found = standfast.classify(1, 0.4, pd.Categorical([1, 2, None]), 0.6)
+    assert found.tolist() == [*expected, None]
+
+
+def test_indexes_with_na() -> None:
+    index = pd.Index(["a", pd.NA, "c"], dtype=object)
+    force = pd.Series([0.5, 0.5, 0.5], index=index)
+    refused("differ: at row 2, 'c' and 'd'", 1, 0.4, force, pd.Series(0.6, index=pd.Index(["a", pd.NA, "d"], dtype=object)))
+    refused("differ: at row 1, <NA> and 'b'", 1, 0.4, force, pd.Series(0.6, index=pd.Index(["a", "b", "c"], dtype=object)))
+    pairs = [pd.MultiIndex.from_tuples([("a", 1), ("b", last)]) for last in (pd.NA, 2)]
+    refused("differ: at row 1", 1, 0.4, pd.Series(0.5, index=pairs[0]), pd.Series(0.6, index=pairs[1]))

@@ -226,13 +226,13 @@ _FORMS: dict[str, Callable[[], Form]] = {"polars": Polars, "pyarrow": Pyarrow, "
 
 
 def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Operands:
-    places = _places(names, map, labels=kind == "pandas")
-    if all(not isinstance(place, (str, tuple)) for place in places):
+    places = _places(names, map, table.columns if kind == "pandas" else None)
+    if all(type(place) is float for place in places):
         raise ValueError("map names no column of the table, only numbers")
     if kind == "pandas":
         operands = Operands(names, Pandas(table.index))
         operands.numbers = [
-            _series(pick(table, place, name), name) if isinstance(place, (str, tuple)) else _number(place, name)
+            _series(pick(table, place.value, name), name) if isinstance(place, _Label) else _number(place, name)
             for place, name in zip(places, names)
         ]
         return operands
@@ -243,8 +243,17 @@ def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Oper
     return operands
 
 
-def _places(names: Sequence[str], map: Map | None, labels: bool) -> list[Any]:
-    """Where a table has each operand."""
+class _Label(NamedTuple):
+    """The label of a column of a DataFrame, which may be a number."""
+
+    value: Any
+
+
+def _places(names: Sequence[str], map: Map | None, labels: Any) -> list[Any]:
+    """Where a table has each operand: the name of a column, or a float that holds for all rows.
+
+    Of pandas, which labels columns by what it likes, it is a :class:`_Label` of ``labels`` or a float.
+    """
     if map is not None and not isinstance(map, Mapping):
         raise TypeError(f"map is a {type(map).__name__}; expected a dict of columns, as {{'{names[-1]}': 'friction'}}")
     named: dict[str, Any] = {} if map is None else dict(map)
@@ -253,11 +262,21 @@ def _places(names: Sequence[str], map: Map | None, labels: bool) -> list[Any]:
         raise ValueError(f"map has the key {unknown[0]!r}; expected {', '.join(names)}")
     places = [named.get(name, name) for name in names]
     for i, (place, name) in enumerate(zip(places, names)):
-        if isinstance(place, (int, float, np.integer, np.floating)) and not isinstance(place, bool):
-            places[i] = float(place)
-        elif not isinstance(place, str) and not (labels and isinstance(place, tuple)):
+        if labels is not None and (isinstance(place, (str, tuple)) or _is_label(place, labels)):
+            places[i] = _Label(place)
+        elif isinstance(place, (numbers.Real, Decimal)) and not isinstance(place, (bool, np.bool_)):
+            places[i] = float(_number(place, name).values)
+        elif not isinstance(place, str):
             raise TypeError(f"map gives {place!r} for {name}; expected the name of a column, or a number")
     return places
+
+
+def _is_label(place: Any, labels: Any) -> bool:
+    """Whether a DataFrame has a column of this label. A label 2 is not the number 2.0, which can so be said beside it."""
+    if isinstance(place, (bool, np.bool_)) or place is None:
+        return False
+    whole = isinstance(place, numbers.Integral)
+    return any(_same(label, place) and isinstance(label, numbers.Integral) == whole for label in labels)
 
 
 def pick(frame: Any, label: Any, name: str) -> Any:
@@ -350,7 +369,13 @@ def _label(label: object) -> str:
 
 
 def _same(one: object, other: object) -> bool:
-    return bool(one == other) or (one != one and other != other)
+    """Whether two labels are equal, as what is missing is to itself; pandas' NA answers no comparison."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_same, one, other))
+    isna = sys.modules["pandas"].isna
+    if isna(one) is True or isna(other) is True:
+        return isna(one) is isna(other)
+    return bool(one == other)
 
 
 def _check_lengths(names: Sequence[str], columns: Sequence[Numbers], rows: int) -> None:
@@ -480,7 +505,9 @@ def _series(series: Any, name: str) -> Numbers:
     pd = sys.modules["pandas"]
     dtype = series.dtype
     if isinstance(dtype, pd.CategoricalDtype):
-        return _series(series.astype(dtype.categories.dtype), name)
+        kind = dtype.categories.dtype
+        # Whole numbers have none that says missing.
+        return _series(series.astype(np.float64 if kind.kind in "iu" and series.hasnans else kind), name)
     if isinstance(dtype, pd.ArrowDtype):
         return Numbers(*_standfast.read_column(series.array.__arrow_array__(), name), nan=True)
     if isinstance(dtype, np.dtype) and dtype.kind in _REAL:
