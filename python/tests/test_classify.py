@@ -9,6 +9,7 @@ import threading
 import time
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -305,3 +306,17 @@ def test_signatures_have_no_positional_options() -> None:
     for function in (standfast.classify, standfast.onset):
         kinds = [p.kind for p in inspect.signature(function).parameters.values()]
         assert all(kind is inspect.Parameter.KEYWORD_ONLY for kind in kinds[4:])
+
+
+def test_out_holds_every_answer() -> None:
+    out = np.zeros(2, dtype=np.uint8)
+    with pytest.raises(TypeError, match="out .*cannot be given together with on_error='null'"):
+        standfast.classify(1, 0.4, [0.5, -1], 0.6, out=out, on_error="null")
+    with pytest.raises(TypeError, match="out is a MaskedArray; expected a numpy array of uint8"):
+        standfast.classify(1, 0.4, [0.5, 0.7], 0.6, out=np.ma.masked_array(out, [True, False]))
+
+
+def test_out_may_be_a_file(tmp_path: Path) -> None:
+    out = np.memmap(tmp_path / "modes", dtype=np.uint8, mode="w+", shape=2)
+    assert standfast.classify(1, 0.4, [0.5, 3], 0.6, out=out) is out
+    assert out.tolist() == standfast.classify(1, 0.4, [0.5, 3], 0.6).tolist()

@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 import warnings
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -288,7 +289,9 @@ def test_names() -> None:
         assess_table(BLOCK, frame, map={"load[1].force": "G"})
     for call, words in [
         (lambda: assess_table(BLOCK, frame, columns={"friction": "mu"}), "said by map="),
-        (lambda: assess_table(BLOCK, frame, columns="mode"), r"expected a list of names, as \['mode'\]"),
+        (lambda: assess_table(BLOCK, frame, columns="mode"), r"columns is 'mode', a str; expected a list of what to compute, as \['mode'\]"),
+        (lambda: assess_table(BLOCK, frame, columns=5), "columns is 5, a int; expected a list"),
+        (lambda: assess_table(BLOCK, frame, columns={"mode"}), "a set; expected a list"),
         (lambda: assess_table(BLOCK, frame, map=[("friction", "mu")]), "expected a dict of keys and columns"),
         (lambda: assess_table(BLOCK, frame, map={"friction": 0.5}), "map gives 0.5 for 'friction'"),
         (lambda: assess_table(BLOCK, 3), "expected a DataFrame, an Arrow table, or a dict of arrays"),
@@ -392,3 +395,48 @@ def test_an_interrupt_is_obeyed_at_once() -> None:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+def test_texts_are_beside_numbers_and_nothing_else() -> None:
+    for wrong in (True, np.bool_(True), 1j):
+        mixed = np.array(["0.5", wrong], object)
+        for given in ({"friction": mixed}, {"friction": mixed.tolist()}, pd.DataFrame({"friction": mixed})):
+            with pytest.raises(TypeError, match="friction is .* at index 1; expected real numbers"):
+                assess_table(BLOCK, given)
+    with pytest.raises(TypeError, match=r"friction is True, a bool at index \(1, 0\)"):
+        assess_table(BLOCK, {"friction": np.array([["0.5"], [True]], object)})
+    found = assess_table(BLOCK, {"friction": np.array(["0.5", np.float32(0.5), Decimal("0.5"), None], object)}, columns=["SF_sliding"])
+    assert found["SF_sliding"].tolist() == [assess_table(BLOCK, {"friction": 0.5})["SF_sliding"].item()] * 3 + [None]
+
+
+def test_numbers_may_lie_anywhere() -> None:
+    friction = np.ndarray(2, buffer=bytearray(17), offset=1)
+    friction[:] = [0.3, 0.7]
+    assert not friction.flags.aligned
+    expected = assess_table(BLOCK, {"friction": [0.3, 0.7]}, columns=["SF_sliding"])["SF_sliding"].tolist()
+    for given in ({"friction": friction}, pd.DataFrame({"friction": friction}, copy=False)):
+        assert assess_table(BLOCK, given, columns=["SF_sliding"])["SF_sliding"].tolist() == expected
+
+
+def test_one_thread_and_all_answer_alike() -> None:
+    sweep = drawn(QUAY, 200)
+    one, all_ = (assess_table(QUAY, sweep, threads=threads) for threads in (1, None))
+    assert list(one) == list(all_)
+    for name, column in one.items():
+        np.testing.assert_array_equal(column, all_[name])
+
+
+def test_what_varies_is_found_without_reading() -> None:
+    table = pa.table({"friction": [0.3, 0.7], "storm": [1, 2]})
+    reader = table.to_reader()
+    for given in (reader, table, table.to_batches()[0], {"friction": 1, "storm": 2}, ["friction", "storm"], ("friction",)):
+        assert varied(BLOCK, given).keys == {"friction": "body.friction"}
+    assert reader.read_all() == table
+    for wrong in ("friction", 5, iter(["friction"]), [pa.array([1])]):
+        with pytest.raises(TypeError, match="expected a table, or a list of the names of its columns"):
+            varied(BLOCK, wrong)
+
+
+def test_a_batch_is_answered_by_a_table() -> None:
+    batch = pa.record_batch({"friction": [0.3, 0.7]})
+    assert type(assess_table(BLOCK, batch)) is pa.Table

@@ -181,10 +181,10 @@ def classify(
         mu: Coulomb friction between body and base, not negative.
         map: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all rows, as
             ``{"k_prime": 0.4}``. What is not named here is in the column of its own name.
-        out: array of ``uint8`` for the answer to arrays, of their shape broadcast together.
+        out: array of ``uint8`` for the answer to arrays, of their shape broadcast together; not with ``names`` or ``"null"``.
         names: give the report's symbols (``"SL"``) in place of codes.
         on_error: ``"null"`` leaves the answer out where a value is one that no body can have; ``"raise"`` names the first.
-        threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
+        threads: how many threads to use, one if it is left out; ``None`` for as many as there are processors. The answer is the same.
         progress: ``True`` for a bar (needs tqdm), or a function that is told how many points are done and how many there
             are, ``None`` if that is not known.
         to: where the force points. Modes and motions under a force to the right are mirror images, as one sees them.
@@ -236,7 +236,7 @@ def classify(
         how = run(threads, on_error, told, to)
         form = operands.form.with_errors(how.null_errors)
         if out is not None:
-            _check_out(out, names, operands)
+            _check_out(out, names, operands, how.null_errors)
         if isinstance(form, Arrow) and operands.table is not None:
             return form.adopt(_standfast.classify_table(*operands.table, names, how._replace(total=operands.rows)))
         if isinstance(form, Arrow) and operands.columns is not None:
@@ -337,13 +337,16 @@ def onset(
     return form.table(dict(zip(fields, values)), missing, point=Onset, arrays=OnsetArrays)
 
 
-def _check_out(out: object, names: bool, operands: Operands) -> None:
+def _check_out(out: object, names: bool, operands: Operands, null_errors: bool) -> None:
     if names:
         raise TypeError("out holds codes; it cannot be given together with names")
+    if null_errors:
+        raise TypeError("out has no code for an answer that is left out; it cannot be given together with on_error='null'")
     if not isinstance(operands.form, (Point, Arrays)) or operands.form.masked:
         raise TypeError("out is for plain arrays; the answer for columns and tables is of their kind")
-    if not isinstance(out, np.ndarray) or out.dtype != np.uint8:
-        found = f"an array of {out.dtype}" if isinstance(out, np.ndarray) else f"a {type(out).__name__}"
+    # Of other subclasses, as masked arrays, the codes are a part only.
+    if not isinstance(out, np.ndarray) or type(out) not in (np.ndarray, np.memmap) or out.dtype != np.uint8:
+        found = f"an array of {out.dtype}" if type(out) is np.ndarray else f"a {type(out).__name__}"
         raise TypeError(f"out is {found}; expected a numpy array of uint8")
     if not out.flags.writeable:
         raise ValueError("out is read-only; expected an array that can be written to")

@@ -183,10 +183,7 @@ def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
     """
     if columns is None:
         return list(known)
-    if isinstance(columns, (str, Mapping, Set)) or not isinstance(columns, Iterable):
-        said = "; which column of a table holds what is said by map={...}" if isinstance(columns, Mapping) else ""
-        raise TypeError(f"columns is {shown(columns)}; expected a list of what to compute, of {', '.join(known)}{said}")
-    names = list(columns)
+    names = listed(columns, f"of {', '.join(known)}")
     for i, name in enumerate(names):
         if name not in known:
             near = _standfast.closest(str(name), list(known))
@@ -197,6 +194,21 @@ def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
     if not names:
         raise ValueError(f"columns is empty; expected some of {', '.join(known)}")
     return names
+
+
+def listed(columns: object, known: str) -> list[Any]:
+    """The items of ``columns``, in their order.
+
+    Args:
+        known: what there is to compute, in words of the error.
+
+    Raises:
+        TypeError: for what has no order or is no list.
+    """
+    if isinstance(columns, (str, Mapping, Set)) or not isinstance(columns, Iterable):
+        said = "; which column of a table holds what is said by map={...}" if isinstance(columns, Mapping) else ""
+        raise TypeError(f"columns is {shown(columns)}; expected a list of what to compute, {known}{said}")
+    return list(columns)
 
 
 # Tables
@@ -465,7 +477,7 @@ def _from_objects(array: NDArray[Any], mask: Missing, name: str) -> NDArray[np.f
     if mask is not None:
         array = np.where(mask, 1.0, array)
     for index in np.ndindex(array.shape):
-        _check_leaf(array[index], name, index)
+        check_leaf(array[index], name, index)
     try:
         return array.astype(np.float64)
     except (TypeError, ValueError, OverflowError) as error:
@@ -483,10 +495,11 @@ def _check_leaves(items: Sequence[Any], name: str, index: tuple[int, ...]) -> No
             if _array(item, name + _at((*index, i))).kind == "masked":
                 raise TypeError(f"{name}{_at((*index, i))} is a masked array in a list; expected one masked array, numpy.ma.stack(...)")
         else:
-            _check_leaf(item, name, (*index, i))
+            check_leaf(item, name, (*index, i))
 
 
-def _check_leaf(item: Any, name: str, index: tuple[int, ...]) -> None:
+def check_leaf(item: Any, name: str, index: tuple[int, ...]) -> None:
+    """Refuses an item of a list or of an array of objects that is no real number."""
     if is_of(item, "pint", "Quantity"):
         raise TypeError(f"{name} is {shown(item)}{_at(index)}; expected real numbers, or one quantity, Quantity.from_list(...)")
     real = isinstance(item, (numbers.Real, Decimal)) or hasattr(item, "__float__")

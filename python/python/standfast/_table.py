@@ -5,25 +5,30 @@ from __future__ import annotations
 import os
 import sys
 import warnings
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, TypeVar, overload
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
 from ._advice import Advice, called, is_of
+from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
 from ._frames import Arrow, Missing
-from ._inputs import _FORMS, _column, _exported, _series, _table_kind
+from ._inputs import _FORMS, _column, _exported, _series, _table_kind, check_leaf, listed
 from ._progress import shown
 from ._run import run
 from ._types import Arrow as ArrowObject
 from ._types import OnError, PandasFrame, PolarsFrame, Progress, PyarrowTable
 
+if TYPE_CHECKING:
+    import pandas as pd  # type: ignore[import-untyped,unused-ignore]
+    import polars as pl
+    import pyarrow as pa  # type: ignore[import-untyped,unused-ignore]
+
 _Case = str | os.PathLike[str] | Mapping[str, object]
-_Frame = TypeVar("_Frame", bound="PandasFrame | PolarsFrame | PyarrowTable")
 
 _ADVICE = Advice("assess_table")
 
@@ -80,14 +85,36 @@ def assess_table(
 @overload
 def assess_table(
     case: _Case,
-    table: _Frame,
+    table: PandasFrame,
     *,
     columns: Sequence[str] | None = None,
     map: Mapping[str, str] | None = None,
     on_error: OnError = "raise",
     threads: int | None = None,
     progress: Progress = None,
-) -> _Frame: ...
+) -> pd.DataFrame: ...
+@overload
+def assess_table(
+    case: _Case,
+    table: PolarsFrame,
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> pl.DataFrame: ...
+@overload
+def assess_table(
+    case: _Case,
+    table: PyarrowTable,
+    *,
+    columns: Sequence[str] | None = None,
+    map: Mapping[str, str] | None = None,
+    on_error: OnError = "raise",
+    threads: int | None = None,
+    progress: Progress = None,
+) -> pa.Table: ...
 @overload
 def assess_table(
     case: _Case,
@@ -127,7 +154,8 @@ def assess_table(
         map: which column of the table varies a key, ``{"wave.Hmax": "H"}``, where it has another name.
         on_error: with ``"raise"``, the first row whose values no case can have is an error; with ``"null"``, such rows have no
             results, and the column ``problem`` says why.
-        threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
+        threads: how many threads to use; ``None``, as here if it is left out, for as many as there are processors (functions of points
+            use one): a row takes some thousand times as long as a point. The answer is the same.
         progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the rows done and all rows, which are
             ``None`` where they are not known.
 
@@ -212,11 +240,21 @@ class _Options(NamedTuple):
 
 def _column_names(table: Any) -> list[str]:
     """The names of the columns of a table, or themselves."""
-    if isinstance(table, str):
-        raise TypeError(f"table is {table!r}; expected a table, or a list of the names of its columns")
-    # pyarrow's, which has columns by another name; pandas', polars' and DuckDB's; a dict or a list.
-    names = getattr(table, "column_names", getattr(table, "columns", table))
-    return [str(name) for name in names]
+    _refuse_lazy(table, "table")
+    if isinstance(table, Mapping):
+        return [str(name) for name in table]
+    # pyarrow's tables; pandas', polars' and DuckDB's; pyarrow's readers, which iterating would empty.
+    schema = getattr(table, "schema", None)
+    for names in (getattr(table, "column_names", None), getattr(table, "columns", None), getattr(schema, "names", None)):
+        if names is not None and not callable(names):
+            return [str(name) for name in names]
+    if isinstance(table, (str, Iterator)) or not isinstance(table, Iterable):
+        raise TypeError(f"table is {said(table)}; expected a table, or a list of the names of its columns")
+    names = list(table)
+    wrong = [name for name in names if not isinstance(name, str)]
+    if wrong:
+        raise TypeError(f"table has {said(wrong[0])}; expected a table, or a list of the names of its columns")
+    return names
 
 
 def _sweep(case: _Case, given: Any, options: _Options) -> _standfast.Sweep:
@@ -238,11 +276,7 @@ def _pairs(map: Mapping[str, str] | None) -> list[tuple[str, str]]:
 
 
 def _names(columns: Sequence[str] | None) -> list[str] | None:
-    if isinstance(columns, Mapping):
-        raise TypeError("columns is a dict; it chooses results. Which column varies what is said by map={...}")
-    if isinstance(columns, str):
-        raise TypeError(f"columns is {columns!r}; expected a list of names, as [{columns!r}]")
-    return None if columns is None else [str(name) for name in columns]
+    return None if columns is None else [str(name) for name in listed(columns, "as ['mode']")]
 
 
 def _refuse_lazy(value: Any, name: str) -> None:
@@ -272,7 +306,7 @@ def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any)
         spread = np.broadcast_to(values, shape).ravel()
         if values.dtype.kind == "f":
             mask = None if missing is None else np.ascontiguousarray(np.broadcast_to(missing, shape).ravel())
-            flat.append((np.ascontiguousarray(spread), mask))
+            flat.append((np.require(spread, np.float64, "CA"), mask))
         else:
             flat.append(spread.tolist())
     answer, without = sweep.answer(flat, list(shape), report)
@@ -298,7 +332,8 @@ def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
     if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):
         value = np.array(value, dtype=object)
     if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
-        return np.array(_texts(value.ravel().tolist()), dtype=object).reshape(value.shape), None
+        texts = [_text(part, name, index) for index, part in np.ndenumerate(value.astype(object))]
+        return np.array(texts, dtype=object).reshape(value.shape), None
     _refuse_lazy(value, name)
     found = _column(value, name, _ADVICE)
     if found.numbers is None or found.kind not in ("point", "array", "masked"):
@@ -310,9 +345,12 @@ def _has_text(values: NDArray[Any]) -> bool:
     return any(isinstance(part, str) for part in values.flat)
 
 
-def _texts(values: list[Any]) -> list[str | None]:
-    """Texts as they are, numbers as texts; ``None`` for what is missing."""
-    return [part if isinstance(part, str) or part is None else repr(float(part)) for part in values]
+def _text(value: Any, name: str, index: tuple[int, ...]) -> str | None:
+    """A text as it is, a number as text; ``None`` for what is missing."""
+    if isinstance(value, str) or value is None:
+        return value
+    check_leaf(value, name, index)
+    return repr(float(value))
 
 
 def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | list[str | None]:
@@ -324,9 +362,10 @@ def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | lis
     if pd.api.types.is_string_dtype(dtype) or dtype == object:
         values = column.astype(object).to_numpy()
         if dtype != object or _has_text(values):
-            return _texts([None if missing else part for part, missing in zip(values, column.isna())])
+            missing = column.isna().to_numpy()
+            return [None if missing[row] else _text(part, name, (row,)) for row, part in enumerate(values)]
     numbers = _series(column, name)
-    return np.ascontiguousarray(numbers.values, dtype=np.float64), numbers.missing()
+    return np.require(numbers.values, np.float64, "CA"), numbers.missing()
 
 
 def _numpy(column: _Result, shape: tuple[int, ...], missing: Missing) -> NDArray[Any]:
