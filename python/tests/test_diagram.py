@@ -7,6 +7,7 @@ import re
 import unicodedata
 from typing import Any
 
+import duckdb
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
@@ -294,6 +295,21 @@ def test_clouds_of_points() -> None:
     plt.close("all")
 
 
+def test_tables_of_every_library_are_points() -> None:
+    diagram = Diagram(1, 0.4)
+    rows = {"k": [0.5, 0.7], "mu": [0.6, 0.1]}
+    table = pa.table(rows)
+    expected = diagram.svg([(0.5, 0.6), (0.7, 0.1)])
+    query = "select unnest([0.5, 0.7]) k, unnest([0.6, 0.1]) mu"
+    for given in (table, table.to_batches()[0], table.to_reader(), pl.DataFrame(rows), pd.DataFrame(rows, dtype=object), duckdb.sql(query)):
+        assert diagram.svg(given) == expected
+    rows["name"] = ["calm", "storm"]
+    table = pa.table(rows)
+    expected = diagram.svg({"calm": (0.5, 0.6), "storm": (0.7, 0.1)})
+    for named_rows in (table, table.to_batches()[0], table.to_reader(), pl.DataFrame(rows), pd.DataFrame(rows)):
+        assert diagram.svg(named_rows) == expected
+
+
 @pytest.mark.parametrize(
     ("points", "error", "words"),
     [
@@ -306,6 +322,16 @@ def test_clouds_of_points() -> None:
         (np.zeros((2, 5)), ValueError, r"shape \(2, 5\).*np.column_stack\(\[k, mu\]\)"),
         (pd.DataFrame({"k": [1.0], "friction": [1.0]}), ValueError, r"no column 'mu' \(it has k, friction\)"),
         (pd.DataFrame([[1.0, 2.0, 3.0]], columns=["k", "k", "mu"]), ValueError, "2 columns 'k'"),
+        (np.ma.masked_array([(0.5, 0.1), (0.7, 0.1)], [(False, False), (True, False)]), ValueError, "points is masked in part"),
+        ({"storm": np.ma.masked_array([0.5, 0.1], [False, True])}, ValueError, "point 'storm' is masked in part"),
+        ({None: (0.5, 0.1)}, ValueError, "point of the name None"),
+        (pl.DataFrame({"k": [1.0, None], "mu": [1.0, 1.0]}), ValueError, "no k or no mu in row 1"),
+        (pd.DataFrame({"k": [1.0, 1.0], "mu": [1.0, np.nan]}), ValueError, "no k or no mu in row 1"),
+        (pd.DataFrame({"k": [1.0, 1.0], "mu": [1.0, 1.0], "name": ["a", None]}), ValueError, "points has no name in row 1"),
+        (pl.DataFrame({"k": [1.0], "mu": [1.0], "name": [None]}), ValueError, "points has no name in row 0"),
+        (pa.table({"k": [1.0], "mu": [1.0], "name": pa.nulls(1)}), ValueError, "points has no name in row 0"),
+        (duckdb.sql("select 1 k, 2 mu, 'a' \"name\""), TypeError, "with names; expected a DataFrame"),
+        (duckdb.sql("select 1 k, 2 friction"), ValueError, r"no column 'mu' \(it has k, friction\)"),
         (pl.LazyFrame({"k": [1.0], "mu": [1.0]}), TypeError, "LazyFrame, which has no values yet; collect"),
     ],
 )

@@ -164,7 +164,7 @@ def read(
         return operands
     advice = Advice(function, result)
     first, *others = given
-    if others and all(value is None for value in others) and (kind := _table_kind(first, advice)) is not None:
+    if others and all(value is None for value in others) and (kind := table_kind(first, advice)) is not None:
         return _table(names, first, kind, map)
     if map is not None:
         raise TypeError(f"map is for a table, given in place of {', '.join(names)}")
@@ -214,7 +214,7 @@ def listed(columns: object, known: str) -> list[Any]:
 # Tables
 
 
-def _table_kind(value: object, advice: Advice) -> str | None:
+def table_kind(value: object, advice: Advice) -> str | None:
     """Which library a table is of; ``None`` if the value is none."""
     if isinstance(value, (np.ndarray, int, float)):
         return None
