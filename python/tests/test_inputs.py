@@ -430,3 +430,36 @@ def test_indexes_with_na() -> None:
     refused("differ: at row 1, <NA> and 'b'", 1, 0.4, force, pd.Series(0.6, index=pd.Index(["a", "b", "c"], dtype=object)))
     pairs = [pd.MultiIndex.from_tuples([("a", 1), ("b", last)]) for last in (pd.NA, 2)]
     refused("differ: at row 1", 1, 0.4, pd.Series(0.5, index=pairs[0]), pd.Series(0.6, index=pairs[1]))
+
+
+# Advice for whoever asked
+
+
+def test_advice_is_that_of_the_function() -> None:
+    frame = pl.DataFrame(POINTS)
+    names: dict[str, Any] = {"standfast": standfast, "frame": frame, "dask": dask, "np": np, "xarray": xr}
+    mode = pl.col("mode")
+    for function, given in (
+        (standfast.classify, (mode,) * 4), (standfast.onset, (mode,) * 4), (standfast.limit_states, (mode,) * 4),
+        (standfast.symbols, (mode,)),
+    ):  # fmt: skip
+        message = refused("is a polars expression", *given, function=function)
+        call = re.search("Call (.*), or give", message)
+        assert call is not None and f"standfast.{function.__name__}(" in call[1]
+        names["frame"] = frame.with_columns(mode=standfast.classify(frame)) if function is standfast.symbols else frame
+        assert eval(call[1], names).height == 4
+    codes = da.from_array(np.array([0, 1], dtype=np.uint8), chunks=1)
+    found = eval(advised(refused("lazy", codes, function=standfast.symbols), "codes"), names | {"codes": codes})
+    assert found.compute().tolist() == ["RE", "SL"] and found.dtype == found.compute().dtype
+    force = da.from_array(np.array([-0.2, -2.0]), chunks=1)
+    given = (1, 1, 1, 2 / 3, 1, 1, force, 1, 0, 0.5, 0.4)
+    found = eval(advised(refused("lazy", *given, function=standfast.contact), "*given"), names | {"given": given})
+    assert found.compute().tolist() == [0, 1] and found.dtype == np.uint8
+    for column in (xr.DataArray([0.5]), da.ones(3), mode):
+        message = refused("", 1, 0.4, column, 0.6, function=standfast.explain)
+        assert "apply_ufunc" not in message and "map_blocks" not in message and "(frame)" not in message
+    assert "map=" not in refused("a whole table", frame, function=standfast.symbols)
+    case = {"body": {"width": 1, "height": 2, "mass": 4800, "friction": 0.7}, "load": [{"force": 2e3, "elevation": 1}]}
+    for column in (da.ones(3), mode):
+        message = refused("friction is a", case, {"friction": column}, function=standfast.assess_table)
+        assert "map_blocks" not in message and "(frame)" not in message

@@ -27,8 +27,19 @@ def shown(value: object) -> str:
     return "None" if value is None else f"{short(repr(value))}, a {type(value).__name__}"
 
 
+#: Functions of one point.
+_OF_ONE = ("explain", "contact_conditions")
+#: Functions of a case and a table.
+_OF_CASES = ("assess_table", "varied")
+
+
 class Advice(NamedTuple):
-    """What to call in place of a call that is refused."""
+    """What to call in place of a call that is refused.
+
+    Attributes:
+        function: that was called, of ``standfast``.
+        result: one of the columns of its answer, if that has several.
+    """
 
     function: str
     result: str | None = None
@@ -42,36 +53,30 @@ class Advice(NamedTuple):
     @property
     def dtype(self) -> str:
         """That of its answer."""
-        return "np.uint8" if self.function == "classify" else "float"
+        if self.function == "symbols":
+            return "'<U5'"
+        return "np.uint8" if self.result == "mode" or self.function == "classify" else "float"
+
+    @property
+    def _in_frame(self) -> str:
+        """The answer beside the columns of a polars DataFrame."""
+        if self.function == "symbols":
+            return 'frame.with_columns(symbol=standfast.symbols(frame["mode"]))'
+        if self.result is None:
+            return f"frame.with_columns(mode=standfast.{self.function}(frame))"
+        return f"frame.hstack(standfast.{self.function}(frame))"
 
     def refuse_lazy(self, value: Any, name: str) -> None:
         """Refuses what would be loaded whole or lose its labels."""
         if is_of(value, "xarray", "DataArray", "Dataset", "Variable", "DataTree"):
-            lazy = ""
-            if hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None:
-                lazy = f", dask='parallelized', output_dtypes=[{self.dtype}]"
-            kind = "an xarray Dataset; its variables go in one by one" if is_of(value, "xarray", "Dataset") else "an xarray object"
-            raise TypeError(
-                f"{name} is {kind}, and dimensions that have names are matched by xarray. "
-                f"Call xarray.apply_ufunc({self.call}, ...{lazy})"
-            )
+            self._refuse_xarray(value, name)
         if hasattr(value, "__dask_graph__"):
-            if is_of(value, "dask.array", "Array"):
-                how = f"dask.array.map_blocks({self.call}, ..., dtype={self.dtype})"
-            elif is_of(value, "dask.dataframe", "DataFrame"):
-                how = f"frame.map_partitions(standfast.{self.function}), with map={{...}} where its columns have other names"
-            elif is_of(value, "dask.dataframe", "Series"):
-                how = f"dask.dataframe.map_partitions(standfast.{self.function}, ...), or map_partitions of the frame"
-            else:
-                how = ".compute() first"
-            raise TypeError(f"{name} is a {called(value)}, which is lazy and would be loaded whole. Call {how}")
+            raise TypeError(f"{name} is a {called(value)}, which is lazy and would be loaded whole. Call {self._in_parts(value)}")
         if is_of(value, "polars", "LazyFrame"):
             raise TypeError(f"{name} is a polars LazyFrame, which holds no values yet. Call .collect()")
         if is_of(value, "polars", "Expr"):
-            raise TypeError(
-                f"{name} is a polars expression, which holds no values. Call "
-                f"frame.with_columns(mode=standfast.classify(frame)), or give columns of the DataFrame"
-            )
+            how = f"Call {self._in_frame}, or give" if self.function not in (*_OF_ONE, *_OF_CASES) else "Give"
+            raise TypeError(f"{name} is a polars expression, which holds no values. {how} columns of the DataFrame")
         if is_of(value, "pyarrow.dataset", "Dataset"):
             raise TypeError(
                 f"{name} is a pyarrow Dataset, which holds no values yet. Call .to_table(), or .scanner().to_reader(), which is "
@@ -83,9 +88,36 @@ class Advice(NamedTuple):
                 "by batch"
             )
 
+    def _refuse_xarray(self, value: Any, name: str) -> NoReturn:
+        kind = "an xarray Dataset; its variables go in one by one" if is_of(value, "xarray", "Dataset") else "an xarray object"
+        if self.function in _OF_ONE:
+            raise TypeError(f"{name} is {kind}; standfast.{self.function} takes one number for each, as float(...) of a value")
+        lazy = ""
+        if hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None:
+            lazy = f", dask='parallelized', output_dtypes=[{self.dtype}]"
+        how = f"xarray.apply_ufunc({self.call}, ...{lazy})"
+        if self.function in _OF_CASES:
+            kind = "an xarray object"
+            how = "xarray.broadcast(...) and give the .values of each, or Dataset.to_dataframe()"
+        raise TypeError(f"{name} is {kind}, and dimensions that have names are matched by xarray. Call {how}")
+
+    def _in_parts(self, value: Any) -> str:
+        """What to call on a lazy collection of dask."""
+        if self.function in _OF_CASES and is_of(value, "dask.dataframe", "DataFrame"):
+            return f"frame.map_partitions(lambda part: standfast.{self.function}(case, part))"
+        if self.function in (*_OF_ONE, *_OF_CASES):
+            return ".compute() first"
+        if is_of(value, "dask.array", "Array"):
+            return f"dask.array.map_blocks({self.call}, ..., dtype={self.dtype})"
+        if is_of(value, "dask.dataframe", "DataFrame") and self.function != "symbols":
+            return f"frame.map_partitions(standfast.{self.function}), with map={{...}} where its columns have other names"
+        if is_of(value, "dask.dataframe", "Series"):
+            return f"dask.dataframe.map_partitions(standfast.{self.function}, ...), or map_partitions of the frame"
+        return ".compute() first"
+
     def refuse_table(self, value: object, name: str) -> NoReturn:
         """Refuses a table in place of a column."""
-        raise TypeError(
-            f"{name} is a {called(value)}, a whole table; expected a column of it. standfast.{self.function} takes a table alone, "
-            "with map={...} where its columns have other names"
+        also = "" if self.function in (*_OF_ONE, *_OF_CASES, "symbols") else (
+            f". standfast.{self.function} takes a table alone, with map={{...}} where its columns have other names"
         )
+        raise TypeError(f"{name} is a {called(value)}, a whole table; expected a column of it{also}")

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice, called, is_of
+from ._advice import Advice
 from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
 from ._frames import Arrow, Missing
-from ._inputs import _FORMS, _column, _exported, _series, _table_kind, check_leaf, listed
+from ._inputs import _FORMS, _column, _exported, _series, table_kind, check_leaf, listed
 from ._progress import shown
 from ._run import run
 from ._types import Arrow as ArrowObject
@@ -154,8 +154,8 @@ def assess_table(
         map: which column of the table varies a key, ``{"wave.Hmax": "H"}``, where it has another name.
         on_error: with ``"raise"``, the first row whose values no case can have is an error; with ``"null"``, such rows have no
             results, and the column ``problem`` says why.
-        threads: how many threads to use; ``None``, as here if it is left out, for as many as there are processors (functions of points
-            use one): a row takes some thousand times as long as a point. The answer is the same.
+        threads: how many threads to use; ``None``, as here if it is left out, for as many as there are processors (functions of points use one, as
+            a row takes far longer than a point). The answer is the same.
         progress: ``True`` for a bar (with ``standfast[progress]``), or a function of the rows done and all rows, which are
             ``None`` where they are not known.
 
@@ -188,8 +188,8 @@ def assess_table(
     """
     how = run(threads, on_error)
     options = _Options(_pairs(map), _names(columns), how.null_errors, how.threads)
-    _refuse_lazy(table, "table")
-    kind = None if isinstance(table, Mapping) else _table_kind(table, _ADVICE)
+    _ADVICE.refuse_lazy(table, "table")
+    kind = None if isinstance(table, Mapping) else table_kind(table, _ADVICE)
     if kind is None and not isinstance(table, Mapping):
         raise TypeError(f"table is a {type(table).__name__}; expected a DataFrame, an Arrow table, or a dict of arrays")
     with shown(progress) as report:
@@ -240,7 +240,7 @@ class _Options(NamedTuple):
 
 def _column_names(table: Any) -> list[str]:
     """The names of the columns of a table, or themselves."""
-    _refuse_lazy(table, "table")
+    _ADVICE._replace(function="varied").refuse_lazy(table, "table")
     if isinstance(table, Mapping):
         return [str(name) for name in table]
     # pyarrow's tables; pandas', polars' and DuckDB's; pyarrow's readers, which iterating would empty.
@@ -279,16 +279,6 @@ def _names(columns: Sequence[str] | None) -> list[str] | None:
     return None if columns is None else [str(name) for name in listed(columns, "as ['mode']")]
 
 
-def _refuse_lazy(value: Any, name: str) -> None:
-    """Refuses what would be loaded whole or lose its labels, where a function of one table is to be called otherwise."""
-    if is_of(value, "xarray", "DataArray", "Dataset", "Variable", "DataTree"):
-        how = "xarray.broadcast(...) and give the .values of each, or Dataset.to_dataframe()"
-        raise TypeError(f"{name} is an xarray object, and dimensions that have names are matched by xarray. Call {how}")
-    if is_of(value, "dask.dataframe", "DataFrame"):
-        how = "frame.map_partitions(lambda part: standfast.assess_table(case, part))"
-        raise TypeError(f"{name} is a {called(value)}, which is lazy and would be loaded whole. Call {how}")
-
-
 def _refuse_idle(table: Mapping[str, object], sweep: _standfast.Sweep) -> None:
     """Who names an array means it to vary something."""
     for place, name in enumerate(table):
@@ -306,7 +296,7 @@ def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any)
         spread = np.broadcast_to(values, shape).ravel()
         if values.dtype.kind == "f":
             mask = None if missing is None else np.ascontiguousarray(np.broadcast_to(missing, shape).ravel())
-            flat.append((np.require(spread, np.float64, "CA"), mask))
+            flat.append((np.require(spread, np.float64, ["C", "A"]), mask))
         else:
             flat.append(spread.tolist())
     answer, without = sweep.answer(flat, list(shape), report)
@@ -334,7 +324,6 @@ def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
     if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
         texts = [_text(part, name, index) for index, part in np.ndenumerate(value.astype(object))]
         return np.array(texts, dtype=object).reshape(value.shape), None
-    _refuse_lazy(value, name)
     found = _column(value, name, _ADVICE)
     if found.numbers is None or found.kind not in ("point", "array", "masked"):
         raise TypeError(f"{name} is a column of a table in a dict of arrays; expected a DataFrame or table in place of the dict")
@@ -365,7 +354,7 @@ def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | lis
             missing = column.isna().to_numpy()
             return [None if missing[row] else _text(part, name, (row,)) for row, part in enumerate(values)]
     numbers = _series(column, name)
-    return np.require(numbers.values, np.float64, "CA"), numbers.missing()
+    return np.require(numbers.values, np.float64, ["C", "A"]), numbers.missing()
 
 
 def _numpy(column: _Result, shape: tuple[int, ...], missing: Missing) -> NDArray[Any]:
