@@ -8,12 +8,11 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ._modes import Mode, Modes
+from ._modes import BY_SYMBOL, Mode, Modes
 
 #: The keys of what a user wrote, which may be any word.
 _WRITTEN = ("title", "note", "name")
 
-_BY_SYMBOL = {mode.symbol: mode for mode in Mode}
 
 
 def attribute(key: str) -> str:
@@ -80,7 +79,7 @@ def parts(kind: type[_A], documents: Any) -> list[_A]:
 
 def mode(symbol: str) -> Mode:
     """A mode by its symbol."""
-    return _BY_SYMBOL[symbol]
+    return BY_SYMBOL[symbol]
 
 
 def modes(symbols: list[str]) -> Modes:

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
+import enum
 import html
 import operator
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Final, overload
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from . import _standfast
-from ._modes import Mode, Modes
+from ._modes import BY_SYMBOL, Mode, Modes
 
 #: A value of an answer: a mode, a set of modes, a flag, a number or a word; None where there is none.
 Value = Mode | Modes | bool | int | float | str | None
 
-#: No value was given for what is missing, which may be None.
-_NOTHING: Final = object()
+
+class _Left(enum.Enum):
+    """No value was given for what is missing, which may be None."""
+
+    OUT = enum.auto()
+
+
 #: Items shown at either end.
 _SHOWN = 5
-_BY_SYMBOL = {mode.symbol: mode for mode in Mode}
 
 
 class ArrowArray:
@@ -71,7 +76,7 @@ class ArrowArray:
         missing = self._native.parts()[1]
         return np.zeros(len(self), dtype=np.bool_) if missing is None else missing
 
-    def to_numpy(self, missing: Any = _NOTHING) -> NDArray[Any]:
+    def to_numpy(self, missing: float | str | np.generic | _Left = _Left.OUT) -> NDArray[Any]:
         """The values as a numpy array, which is a copy.
 
         Args:
@@ -87,7 +92,7 @@ class ArrowArray:
             values = _texts(values, mask, words)
         if mask is None:
             return values
-        if missing is _NOTHING:
+        if missing is _Left.OUT:
             if values.dtype.kind == "f":
                 return np.where(mask, np.nan, values)
             if values.dtype.kind in "iu":
@@ -189,9 +194,9 @@ class ArrowArray:
         if words is not None and isinstance(other, Mode):
             other = other.symbol
         if words is None and self.type == "uint8" and isinstance(other, str):
-            if other not in _BY_SYMBOL:
-                raise ValueError(f"{other!r} is not the symbol of a mode; expected one of {', '.join(_BY_SYMBOL)}")
-            other = _BY_SYMBOL[other]
+            if other not in BY_SYMBOL:
+                raise ValueError(f"{other!r} is not the symbol of a mode; expected one of {', '.join(BY_SYMBOL)}")
+            other = BY_SYMBOL[other]
         found = np.asarray(compare(values, np.asarray(other)))
         return np.where(missing, if_null, np.broadcast_to(found, np.broadcast_shapes(found.shape, missing.shape)))
 

@@ -37,7 +37,7 @@ _NO_MODE = 255
 _KINDS: dict[str, type[np.generic]] = {"mode": np.uint8, "modes": np.uint16}
 
 
-class Contact(Fields[Any]):
+class Contact(Fields["Mode | Modes | float | None"]):
     """How a block begins to move under a wrench: :func:`contact`'s answer for plain numbers.
 
     Units are those of the operands: lengths in the length chosen, accelerations in g, angular ones in g over that length, forces
@@ -49,23 +49,23 @@ class Contact(Fields[Any]):
     #: All modes that satisfy every law, the one reported among them.
     modes: Modes
     #: ẍ of the centre of mass. ``None``, as the numbers below, if no mode is consistent.
-    x_ddot: float
+    x_ddot: float | None
     #: ÿ of the centre of mass.
-    y_ddot: float
+    y_ddot: float | None
     #: θ̈.
-    theta_ddot: float
+    theta_ddot: float | None
     #: Horizontal reaction on the body.
-    f_x: float
+    f_x: float | None
     #: Vertical reaction on the body.
-    f_y: float
+    f_y: float | None
     #: ξ, where f_y acts, right of the centre of mass; 0 where there is no reaction.
-    xi: float
+    xi: float | None
     #: ẍ of the base along the ground.
-    slip: float
+    slip: float | None
     #: ÿ of the left corner O.
-    lift_o: float
+    lift_o: float | None
     #: ÿ of the right corner O'.
-    lift_o_prime: float
+    lift_o_prime: float | None
 
 
 class ContactArrays(Fields[NDArray[Any]]):

@@ -1,20 +1,29 @@
 """The k-μ diagram of a body as arrays, as SVG, and drawn by matplotlib."""
 
+# A number is also what can be read as an array; the first overload that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+
 from __future__ import annotations
 
 import copy
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
 from ._arrays import classify
+from ._arrow import ArrowArray
 from ._modes import Mode, Modes
 from ._points import Marks, Points, marks
+from ._types import Array, Number, PandasSeries, PolarsSeries, PyarrowArray
+from ._types import Arrow as ArrowLike
 
 if TYPE_CHECKING:
+    import pandas as pd  # type: ignore[import-untyped,unused-ignore]
+    import polars as pl
+    import pyarrow as pa  # type: ignore[import-untyped,unused-ignore]
     from matplotlib.axes import Axes
 
     from ._standfast import _Outlines, _Polyline
@@ -175,6 +184,18 @@ class Diagram:
         """The named points in the window, by letter."""
         return {letter: NamedPoint(letter, k, mu) for letter, _, k, mu in self._shown["points"]}
 
+    @overload
+    def mode_at(self, k: Number, mu: Number) -> Mode: ...
+    @overload
+    def mode_at(self, k: Array, mu: Array) -> NDArray[np.uint8]: ...
+    @overload
+    def mode_at(self, k: PandasSeries | Array, mu: PandasSeries | Array) -> pd.Series[Any]: ...
+    @overload
+    def mode_at(self, k: PolarsSeries | Array, mu: PolarsSeries | Array) -> pl.Series: ...
+    @overload
+    def mode_at(self, k: PyarrowArray | Array, mu: PyarrowArray | Array) -> pa.Array: ...
+    @overload
+    def mode_at(self, k: ArrowLike | Array, mu: ArrowLike | Array) -> ArrowArray: ...
     def mode_at(self, k: Any, mu: Any) -> Any:
         """The mode at (k, μ), exactly, boundaries included; arrays give arrays, as in :func:`classify`."""
         return classify(self._gamma, self._k_prime, k, mu)

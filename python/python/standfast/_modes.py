@@ -77,6 +77,8 @@ class Mode(enum.IntEnum):
         return _NATIVE[self][2]
 
 
+BY_SYMBOL = {mode.symbol: mode for mode in Mode}
+
 #: Above all sets of modes.
 _BITS = 1 << len(Mode)
 

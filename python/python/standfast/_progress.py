@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-#: What ``progress=`` takes: nothing, a bar, or a function of what is done and of all there is, which is ``None`` where it is not
-#: known.
-Progress = bool | Callable[[int, int | None], object] | None
+from ._run import Told
+from ._types import Progress
 
 
 @contextmanager
-def shown(progress: Progress, unit: str = "rows") -> Iterator[Callable[[int, int | None], object] | None]:
+def shown(progress: Progress, unit: str = "rows") -> Iterator[Told | None]:
     """What the native module is to call with what is done and all there is; ``None`` for nothing.
 
     Raises:
         ImportError: for a bar without tqdm.
-        TypeError: for anything else than what :data:`Progress` says.
+        TypeError: for anything else than what :data:`._types.Progress` says.
     """
     if progress is None or progress is False:
         yield None

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 #: Called with how many points are done and how many there are, ``None`` if that is not known.
-Progress = Callable[[int, "int | None"], object]
+Told = Callable[[int, "int | None"], object]
 
 
 def is_right(to: str) -> bool:
@@ -33,14 +33,14 @@ class Run(NamedTuple):
     null_errors: bool = False
     nan_is_missing: bool = False
     right: bool = False
-    progress: Progress | None = None
+    progress: Told | None = None
     total: int | None = None
 
 
 def run(
     threads: int | None,
     on_error: Literal["raise", "null"] = "raise",
-    progress: Progress | None = None,
+    progress: Told | None = None,
     to: str = "left",
 ) -> Run:
     """The options of a call, checked.

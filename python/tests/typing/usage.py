@@ -76,9 +76,17 @@ assert_type(standfast.assess("case.toml").governing.combination, standfast.answe
 standfast.assess("case.toml").SF_slidin  # type: ignore[attr-defined]
 table = standfast.assess_table("case.toml", pl.DataFrame(), columns=["mode"], map={"friction": "mu"}, progress=True)
 assert_type(table, pl.DataFrame)
+assert_type(standfast.assess_table("case.toml", duckdb.table("friction")), ArrowTable)
 assert_type(standfast.assess_table({"body": {}}, {"friction": [0.5]}), dict[str, NDArray[Any]])
 assert_type(standfast.varied("case.toml", ["friction"]).keys, dict[str, str])
 assert_type(Diagram(1, 0.4).regions[0].mode, Mode)
+assert_type(Diagram(1, 0.4).mode_at(0.5, 0.6), Mode)
+assert_type(Diagram(1, 0.4).mode_at([0.5], 0.6), NDArray[np.uint8])
+assert_type(Diagram(1, 0.4).mode_at(pl.Series([0.5]), 0.6), pl.Series)
+Diagram(1, 0.4).svg({"storm": 0.5})  # type: ignore[dict-item]
+Diagram(1, 0.4).svg(pl.DataFrame({"k": [0.5], "mu": [0.6]}))
+assert_type(standfast.contact(1, 1, 1, 2 / 3, 1, 1, -0.5, 1, 0.2, 0.6, 0.6).x_ddot, float | None)
+assert_type(standfast.contact(1, 1, 1, 2 / 3, 1, 1, -0.5, 1, 0.2, 0.6, 0.6)[0], Mode | Modes | float | None)
 
 assert_type(standfast.limit_states(1, 0.4, 0.5, 0.6), standfast.LimitStates)
 assert_type(standfast.limit_states(1, 0.4, 0.5, 0.6).load_factor, float)
