@@ -180,7 +180,8 @@ def classify(
         k: force over weight, F/(m g), not negative.
         mu: Coulomb friction between body and base, not negative.
         map: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all rows, as
-            ``{"k_prime": 0.4}``. What is not named here is in the column of its own name.
+            ``{"k_prime": 0.4}``. What is not named here is in the column of its own name. Where pandas labels columns by
+            numbers, ``{"k": 2}`` is the column 2 and ``{"k": 2.0}`` the number.
         out: array of ``uint8`` for the answer to arrays, of their shape broadcast together; not with ``names`` or ``"null"``.
         names: give the report's symbols (``"SL"``) in place of codes.
         on_error: ``"null"`` leaves the answer out where a value is one that no body can have; ``"raise"`` names the first.
