@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import math
+import os
 import pickle
+import signal
+import threading
+import time
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -14,6 +19,9 @@ import pytest
 import standfast
 from reference import motion, points
 from standfast import Mode, _inputs, _rows, _run
+
+#: A square block in air.
+CONTACT = (1, 1, 1, 2 / 3, 1, 1)
 
 NAMES = (
     "slide", "rock_O", "rock_O_prime", "turn_O", "turn_O_prime", "slip_O_left", "slip_O_right", "slip_O_prime_left",
@@ -110,16 +118,32 @@ def test_blocks_and_threads_make_no_difference() -> None:
     assert one.slide.shape == (2, 200_003) and np.array_equal(one.slide, friction - k[::-1])
 
 
-def test_progress_is_told_and_an_interrupt_stops() -> None:
+def test_progress_is_told() -> None:
     told: list[tuple[int, int | None]] = []
     standfast.limit_states(1, 0.3, np.full(300_000, 0.7), 0.6, progress=lambda done, total: told.append((done, total)))
     assert told[-1] == (300_000, 300_000)
 
-    def interrupt(done: int, total: int | None) -> None:
-        raise KeyboardInterrupt
 
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("function", [standfast.limit_states, standfast.contact])
+def test_ctrl_c_stops_a_call(function: Any, threads: int) -> None:
+    """The calls take seconds; the signal comes from beside when progress has said that they are under way."""
+    k = np.broadcast_to(0.6, 50_000_000)
+    points = (1, 0.3, k, 0.6), ["slide"]
+    operands, columns = points if function is standfast.limit_states else ((*CONTACT, k, 1, 0.1, 0.6, 0.6), ["mode"])
+    seen: list[int] = []
+
+    def interrupt() -> None:
+        while not seen:
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    other = threading.Thread(target=interrupt)
+    other.start()
     with pytest.raises(KeyboardInterrupt):
-        standfast.limit_states(1, 0.3, np.full(70_000, 0.7), 0.6, progress=interrupt)
+        function(*operands, columns=columns, threads=threads, progress=lambda done, total: seen.append(done))
+    other.join()
+    assert 0 < seen[-1] < len(k)
 
 
 @pytest.mark.parametrize(
@@ -144,9 +168,6 @@ def test_impossible_values_may_be_left_out() -> None:
     assert found.slide.tolist() == [0.6 - 0.5, None, None]
     found = standfast.limit_states(pl.DataFrame({"k": [0.5, -1.0], "mu": 0.6, "gamma": 1, "k_prime": 0}), on_error="null")
     assert found["load_factor"].to_list() == [1.2, None]
-
-
-CONTACT = (1, 1, 1, 2 / 3, 1, 1)
 
 
 def unaligned(values: list[float]) -> np.ndarray:
