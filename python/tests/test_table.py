@@ -407,6 +407,8 @@ def test_texts_are_beside_numbers_and_nothing_else() -> None:
         assess_table(BLOCK, {"friction": np.array([["0.5"], [True]], object)})
     found = assess_table(BLOCK, {"friction": np.array(["0.5", np.float32(0.5), Decimal("0.5"), None], object)}, columns=["SF_sliding"])
     assert found["SF_sliding"].tolist() == [assess_table(BLOCK, {"friction": 0.5})["SF_sliding"].item()] * 3 + [None]
+    masked = np.ma.masked_array(["0.5", "9"], [False, True])
+    assert assess_table(BLOCK, {"friction": masked}, columns=["SF_sliding"])["SF_sliding"].tolist() == found["SF_sliding"].tolist()[::3]
 
 
 def test_numbers_may_lie_anywhere() -> None:

@@ -234,7 +234,7 @@ def _speaks_arrow(value: object) -> bool:
 
 
 _TABLES = {"pandas": ("DataFrame",), "polars": ("DataFrame",), "pyarrow": ("Table", "RecordBatch", "RecordBatchReader")}
-_FORMS: dict[str, Callable[[], Form]] = {"polars": Polars, "pyarrow": Pyarrow, "arrow": Arrow}
+FORMS: dict[str, Callable[[], Form]] = {"polars": Polars, "pyarrow": Pyarrow, "arrow": Arrow}
 
 
 def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Operands:
@@ -244,12 +244,12 @@ def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Oper
     if kind == "pandas":
         operands = Operands(names, Pandas(table.index))
         operands.numbers = [
-            _series(pick(table, place.value, name), name) if isinstance(place, _Label) else _number(place, name)
+            series_of(pick(table, place.value, name), name) if isinstance(place, _Label) else _number(place, name)
             for place, name in zip(places, names)
         ]
         return operands
-    operands = Operands(names, _FORMS[kind]())
-    operands.table = _exported(table) if kind == "polars" else table, places
+    operands = Operands(names, FORMS[kind]())
+    operands.table = exported(table) if kind == "polars" else table, places
     # A relation of DuckDB would count by running its query.
     operands.rows = len(table) if kind in ("polars", "pyarrow") and hasattr(table, "__len__") else None
     return operands
@@ -302,7 +302,7 @@ def pick(frame: Any, label: Any, name: str) -> Any:
     return column
 
 
-def _exported(frame: Any) -> Any:
+def exported(frame: Any) -> Any:
     """A polars DataFrame whose columns of type Null hold nulls of Float64.
 
     polars gives the former a buffer that Arrow's interface has no place for (polars 2.1), so that not even the other columns
@@ -325,16 +325,16 @@ class _Column(NamedTuple):
 
 
 def _columns(names: Sequence[str], given: Sequence[object], advice: Advice) -> Operands:
-    columns = [_column(value, name, advice) for value, name in zip(given, names)]
+    columns = [column_of(value, name, advice) for value, name in zip(given, names)]
     kinds = {column.kind for column in columns}
-    arrows = kinds & set(_FORMS)
+    arrows = kinds & set(FORMS)
     if arrows:
         if "pandas" in kinds:
             raise TypeError(
                 f"{_listed(names, columns)}; expected columns of one library: polars and pyarrow have to_pandas(), "
                 "and polars.from_pandas and pyarrow.array go the other way"
             )
-        operands = Operands(names, _FORMS[arrows.pop() if len(arrows) == 1 else "arrow"]())
+        operands = Operands(names, FORMS[arrows.pop() if len(arrows) == 1 else "arrow"]())
         if kinds & {"array", "masked"}:
             operands.numbers = [
                 column.numbers or Numbers(*_standfast.read_column(column.arrow, name)) for column, name in zip(columns, names)
@@ -397,24 +397,24 @@ def _check_lengths(names: Sequence[str], columns: Sequence[Numbers], rows: int) 
             raise ValueError(f"{name} has the shape {values.shape} beside columns of {rows} rows; expected ({rows},)")
 
 
-def _column(value: Any, name: str, advice: Advice) -> _Column:
+def column_of(value: Any, name: str, advice: Advice) -> _Column:
     """One operand, told apart."""
     if isinstance(value, np.ndarray):
         return _array(value, name)
     if type(value) is float or type(value) is int or isinstance(value, (np.integer, np.floating)):
         return _Column("point", _number(value, name))
     if is_of(value, "pint", "Quantity"):
-        return _column(_magnitude(value, name), name, advice)
+        return column_of(_magnitude(value, name), name, advice)
     advice.refuse_lazy(value, name)
     if is_of(value, "pandas", "Series"):
-        return _Column("pandas", _series(value, name), index=value.index)
+        return _Column("pandas", series_of(value, name), index=value.index)
     pd = sys.modules.get("pandas")
     if pd is not None and isinstance(value, (pd.Index, pd.api.extensions.ExtensionArray)):
-        values, mask, nan = _series(pd.Series(value), name)
+        values, mask, nan = series_of(pd.Series(value), name)
         read = Numbers(values, Numbers(values, mask, nan).missing())
         return _Column("array" if read.mask is None else "masked", read)
     if is_of(value, "polars", "Series"):
-        return _Column("polars", arrow=_exported(value.to_frame()).to_series())
+        return _Column("polars", arrow=exported(value.to_frame()).to_series())
     if is_of(value, "pyarrow", "Array", "ChunkedArray"):
         return _Column("pyarrow", arrow=value)
     if any(is_of(value, library, *kinds) for library, kinds in _TABLES.items()):
@@ -513,14 +513,14 @@ def _at(index: tuple[int, ...]) -> str:
     return "" if not index else f" at index {index[0] if len(index) == 1 else index}"
 
 
-def _series(series: Any, name: str) -> Numbers:
+def series_of(series: Any, name: str) -> Numbers:
     """The numbers of a pandas Series, and what it calls missing: NaN, NA and None alike."""
     pd = sys.modules["pandas"]
     dtype = series.dtype
     if isinstance(dtype, pd.CategoricalDtype):
         kind = dtype.categories.dtype
         # Whole numbers have none that says missing.
-        return _series(series.astype(np.float64 if kind.kind in "iu" and series.hasnans else kind), name)
+        return series_of(series.astype(np.float64 if kind.kind in "iu" and series.hasnans else kind), name)
     if isinstance(dtype, pd.ArrowDtype):
         return Numbers(*_standfast.read_column(series.array.__arrow_array__(), name), nan=True)
     if isinstance(dtype, np.dtype) and dtype.kind in _REAL:

@@ -17,7 +17,7 @@ from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
 from ._frames import Arrow, Missing
-from ._inputs import _FORMS, _column, _exported, _series, table_kind, check_leaf, listed
+from ._inputs import FORMS, broadcast, check_leaf, column_of, exported, listed, series_of, table_kind
 from ._progress import shown
 from ._run import run
 from ._types import Arrow as ArrowObject
@@ -202,8 +202,8 @@ def assess_table(
             given = [_pandas_column(table.iloc[:, place], str(table.columns[place])) for place in sweep.places]
             answer, _ = sweep.answer(given, [len(table)], report)
             return _pandas(answer, table.index)
-        sweep = _sweep(case, _exported(table) if kind == "polars" else table, options)
-        form = _FORMS[kind or "arrow"]()
+        sweep = _sweep(case, exported(table) if kind == "polars" else table, options)
+        form = FORMS[kind or "arrow"]()
         assert isinstance(form, Arrow)
         return form.adopt_table(sweep.answer_table(report))
 
@@ -290,7 +290,7 @@ def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any)
     """The results of a dict of arrays."""
     given = list(table.items())
     columns = [_array(given[place][1], str(given[place][0])) for place in sweep.places]
-    shape = _shape([(str(given[place][0]), values) for place, (values, _) in zip(sweep.places, columns)])
+    shape = broadcast([str(given[place][0]) for place in sweep.places], [values for values, _ in columns])
     flat: list[_standfast._Numbers | list[str | None]] = []
     for values, missing in columns:
         spread = np.broadcast_to(values, shape).ravel()
@@ -305,16 +305,6 @@ def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any)
     return {column[0]: _numpy(column, shape, mask if len(without) else None) for column in answer}
 
 
-def _shape(columns: list[tuple[str, NDArray[Any]]]) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(*(values.shape for _, values in columns))
-    except ValueError:
-        shapes = ", ".join(f"{name} {values.shape}" for name, values in columns)
-        raise ValueError(
-            f"these shapes do not broadcast together: {shapes}; expected each axis to have one length, or 1"
-        ) from None
-
-
 def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
     """The numbers of one entry as float64, or its texts as objects."""
     if isinstance(value, str):
@@ -322,9 +312,9 @@ def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
     if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):
         value = np.array(value, dtype=object)
     if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
-        texts = [_text(part, name, index) for index, part in np.ndenumerate(value.astype(object))]
+        texts = [_text(part, name, index) for index, part in zip(np.ndindex(value.shape), value.ravel().tolist())]
         return np.array(texts, dtype=object).reshape(value.shape), None
-    found = _column(value, name, _ADVICE)
+    found = column_of(value, name, _ADVICE)
     if found.numbers is None or found.kind not in ("point", "array", "masked"):
         raise TypeError(f"{name} is a column of a table in a dict of arrays; expected a DataFrame or table in place of the dict")
     return np.asarray(found.numbers.values, dtype=np.float64), found.numbers.missing()
@@ -353,7 +343,7 @@ def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | lis
         if dtype != object or _has_text(values):
             missing = column.isna().to_numpy()
             return [None if missing[row] else _text(part, name, (row,)) for row, part in enumerate(values)]
-    numbers = _series(column, name)
+    numbers = series_of(column, name)
     return np.require(numbers.values, np.float64, ["C", "A"]), numbers.missing()
 
 
