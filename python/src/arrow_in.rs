@@ -20,6 +20,7 @@ use pyo3::types::PyFloat;
 use pyo3_arrow::PyChunkedArray;
 use pyo3_arrow::input::{AnyArray, AnyRecordBatch};
 use standfast::InputError;
+use standfast_cases::Face;
 use standfast_cases::suggest::{closest, similar};
 
 use crate::arrow_out::{ArrowArray, ArrowTable, dictionary_of_symbols};
@@ -267,22 +268,22 @@ pub(crate) fn numbers(array: &ArrayRef, name: &str, out: &mut [f64], missing: &m
     Ok(())
 }
 
-/// The error for a column that a table lacks.
-pub(crate) fn no_column(name: &str, column: &str, found: &[&str]) -> PyErr {
+/// The error for a column that a table lacks; `names` are those of all operands, none of which is meant by another.
+pub(crate) fn no_column(name: &str, column: &str, found: &[&str], names: &[&str]) -> PyErr {
     let meant = match column == name {
-        true => similar(name, found, &NAMES),
+        true => similar(name, found, names),
         false => closest(column, found.iter().copied()),
     };
     let advice = match meant {
-        Some(meant) => format!("did you mean {meant}? Then say map={{'{name}': '{meant}'}}"),
-        None => format!("name yours with map={{'{name}': …}}"),
+        Some(meant) => format!("did you mean {meant}? Then say {}", Face::Python.map(name, meant)),
+        None => format!("name yours with map={{\"{name}\": …}}"),
     };
     let found = found.join(", ");
     PyKeyError::new_err(format!("the table has no column {column} for {name}; it has {found}. {advice}"))
 }
 
-/// Where in a table the column of an operand is.
-pub(crate) fn place(schema: &Schema, column: &str, name: &str) -> PyResult<usize> {
+/// Where in a table the column of an operand is; `names` are those of all operands.
+pub(crate) fn place(schema: &Schema, column: &str, name: &str, names: &[&str]) -> PyResult<usize> {
     let found: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
     let mut places = (0..found.len()).filter(|&place| found[place] == column);
     match (places.next(), places.count()) {
@@ -291,7 +292,7 @@ pub(crate) fn place(schema: &Schema, column: &str, name: &str) -> PyResult<usize
             "the table has {} columns {column}; expected one for {name}",
             others + 1
         ))),
-        (None, _) => Err(no_column(name, column, &found)),
+        (None, _) => Err(no_column(name, column, &found, names)),
     }
 }
 
@@ -306,7 +307,7 @@ fn batches(
     for ((pick, at), name) in picks.iter_mut().zip(places).zip(NAMES) {
         *pick = match at {
             Place::Number(value) => Err(value),
-            Place::Column(column) => Ok(place(&schema, &column, name)?),
+            Place::Column(column) => Ok(place(&schema, &column, name, &NAMES)?),
         };
     }
     if picks.iter().all(Result::is_err) {

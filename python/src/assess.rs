@@ -1,8 +1,9 @@
 //! A case assessed: the program's answer as text, JSON and figures, each made when it is asked for.
 
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use standfast_cases::{Assessment, CaseFile, View, report};
+use pyo3::types::PyBool;
+use standfast_cases::{Assessment, CaseFile, Face, UpToError, View, check_up_to, report};
 
 use crate::invalid;
 
@@ -36,14 +37,34 @@ impl CaseAnswer {
     }
 }
 
+/// How far a rising load is followed, as Python says it.
+pub(crate) fn checked_up_to(given: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let words = |error: UpToError| {
+        format!("up_to is {}; {error}", given.repr().map_or_else(|_| "…".into(), |text| text.to_string()))
+    };
+    match given.extract() {
+        Ok(factor) if !given.is_instance_of::<PyBool>() => {
+            check_up_to(factor).map_err(|error| PyValueError::new_err(words(error)))
+        }
+        _ => Err(PyTypeError::new_err(words(UpToError))),
+    }
+}
+
 /// The answer to the case file `text`; `name` is what errors call the case.
 #[pyfunction]
-pub(crate) fn assess(py: Python<'_>, name: &str, text: &str, up_to: f64, all: bool) -> PyResult<CaseAnswer> {
+pub(crate) fn assess(
+    py: Python<'_>,
+    name: &str,
+    text: &str,
+    up_to: &Bound<'_, PyAny>,
+    all: bool,
+) -> PyResult<CaseAnswer> {
+    let up_to = checked_up_to(up_to)?;
     py.detach(|| {
         let file = CaseFile::parse(name, text);
         let answered =
             file.and_then(|file| Assessment::owning(file.case()?).map_err(|error| file.refused(error)));
         let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
-        Ok(CaseAnswer { assessment, view: View { up_to, all } })
+        Ok(CaseAnswer { assessment, view: View { up_to, all, face: Face::Python } })
     })
 }

@@ -1,8 +1,8 @@
 //! Where in memory are the four numbers of a point? Arrays of any real type, shape and strides that broadcast to one
 //! shape, read block by block into the columns that [`standfast::batch`] works on.
 //!
-//! An operand that already is a column of f64 is used where it lies; a scalar is written out once per thread; anything
-//! else is gathered, a block at a time. No operand is ever copied as a whole.
+//! An operand that already is a column of f64 is used where it lies, if its numbers are read but once; a scalar is written out
+//! once per thread; anything else is gathered, a block at a time. No operand is ever copied as a whole.
 //!
 //! A point may have no answer: where a value is missing, and where that is asked for, where one is impossible. Blocks without
 //! such points pay nothing for those that have some.
@@ -208,21 +208,28 @@ impl Grid {
     ) -> Result<(), Halt> {
         let pieces = pieces(codes, missing, self.len(), PIECE, |codes, length| codes.split_at_mut(length));
         let (gaps, right) = (labour.gaps, labour.right);
-        self.share(pieces, labour, |reader, start, (codes, missing): (&mut [u8], &mut [bool]), pace| {
-            let reach = reader.reach();
-            let mut missing = missing.chunks_mut(reach);
-            codes.chunks_mut(reach).enumerate().all(|(i, codes)| {
-                let missing = missing.next().unwrap_or_default();
-                let length = codes.len();
-                reader.answer(start + i * reach, length, missing, gaps, |columns| {
-                    let done = batch::classify(columns, codes).is_ok();
-                    if done && right {
-                        batch::mirror(codes);
-                    }
-                    done
-                }) && pace.step(length)
-            })
-        })
+        // A mode is decided of each value as it was last read, and no value is trusted.
+        let reader = || Reader::new(self, false);
+        self.share(
+            pieces,
+            labour,
+            reader,
+            |reader, start, (codes, missing): (&mut [u8], &mut [bool]), pace| {
+                let reach = reader.reach();
+                let mut missing = missing.chunks_mut(reach);
+                codes.chunks_mut(reach).enumerate().all(|(i, codes)| {
+                    let missing = missing.next().unwrap_or_default();
+                    let length = codes.len();
+                    reader.answer(start + i * reach, length, missing, gaps, |columns| {
+                        let done = batch::classify(columns, codes).is_ok();
+                        if done && right {
+                            batch::mirror(codes);
+                        }
+                        done
+                    }) && pace.step(length)
+                })
+            },
+        )
     }
 
     /// As [`classify`](Grid::classify), for what `out` asks of the onset.
@@ -239,6 +246,7 @@ impl Grid {
         self.share(
             pieces,
             labour,
+            || Reader::new(self, true),
             |reader, start, (mut out, missing): (OnsetColumns<'_>, &mut [bool]), pace| {
                 let length = BLOCK.min(last - start);
                 reader.answer(start, length, missing, gaps, |columns| {
@@ -250,17 +258,18 @@ impl Grid {
 
     /// Lets threads take pieces of the output until none is left or one fails. The threads live as long as the call:
     /// no pool outlives it, which a `fork` of the process would break.
-    fn share<P: Send>(
-        &self,
+    fn share<'g, P: Send>(
+        &'g self,
         pieces: impl Iterator<Item = (usize, P)> + Send,
         Labour { threads, watch, .. }: Labour<'_, '_>,
-        work: impl Fn(&mut Reader<'_>, usize, P, &mut Pace<'_, '_>) -> bool + Sync,
+        reader: impl Fn() -> Reader<'g> + Sync,
+        work: impl Fn(&mut Reader<'g>, usize, P, &mut Pace<'_, '_>) -> bool + Sync,
     ) -> Result<(), Halt> {
         let pieces = Mutex::new(pieces);
         let (done, failed, stopped) = (AtomicUsize::new(0), AtomicBool::new(false), AtomicBool::new(false));
         let take = || pieces.lock().expect("taking a piece does not panic").next();
         let labour = |watch: Option<&mut Watch<'_>>| {
-            let mut reader = Reader::new(self);
+            let mut reader = reader();
             let mut pace = Pace { done: &done, failed: &failed, stopped: &stopped, watch };
             while let Some((start, piece)) = take().filter(|_| !failed.load(Ordering::Relaxed)) {
                 if !work(&mut reader, start, piece, &mut pace) {
@@ -288,7 +297,7 @@ impl Grid {
     /// The first point that has no mode and is not excused, by its index in the order of the grid; `None` also where `watch` does
     /// not want to go on.
     pub(crate) fn first_invalid(&self, gaps: Gaps, watch: &mut Watch<'_>) -> Option<(usize, InputError)> {
-        let mut reader = Reader::new(self);
+        let mut reader = Reader::new(self, false);
         let mut missing = self.gaps(gaps);
         missing.truncate(BLOCK);
         for start in (0..self.len()).step_by(BLOCK) {
@@ -387,10 +396,12 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(grid: &'a Grid) -> Reader<'a> {
+    /// With `copies`, every block is copied, whatever else is done to the arrays meanwhile: for work that reads its columns more
+    /// than once, and trusts what it has checked.
+    fn new(grid: &'a Grid, copies: bool) -> Reader<'a> {
         let block = BLOCK.min(grid.len());
         let source = |operand: &Operand| {
-            if operand.is_column() {
+            if operand.is_column() && !copies {
                 (Source::Lying, Vec::new())
             } else if operand.is_same() {
                 let mut value = [0.0];
@@ -450,10 +461,12 @@ impl<'a> Reader<'a> {
         if work(columns) {
             return true;
         }
-        // Only here are points looked at one by one.
+        // Only here are points looked at one by one, in copies: what is looked at is what is answered.
         let Columns { gamma, k_prime, k, mu } = columns;
         let mut valid = [gamma, k_prime, k, mu].map(<[f64]>::to_vec);
         for (i, missing) in missing.iter_mut().enumerate() {
+            let [gamma, k_prime, k, mu] = &valid;
+            let columns = Columns { gamma, k_prime, k, mu };
             if *missing || columns.point(i).is_err() {
                 *missing |= gaps.errors || gaps.nan && has_nan(&columns, i);
                 if !*missing {

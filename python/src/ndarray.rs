@@ -145,7 +145,15 @@ pub(crate) fn classify<'py>(
     }
     let missing = match lying(&out).filter(|_| !shared) {
         Some(axes) => {
-            // SAFETY: it was allocated by numpy, shares no memory with the operands, and lies without gaps.
+            // Until it is written, no other call may write it, be it one that `progress` makes.
+            let _claimed = out.try_readwrite().map_err(|_| {
+                PyValueError::new_err(
+                    "out is an array that another call is writing to; expected one for each",
+                )
+            })?;
+            // SAFETY: it was allocated by numpy, shares no memory with the operands, lies without gaps, and no other call of this
+            // module has it. Python itself can still write or read it meanwhile; the documentation of `classify` forbids that, and
+            // nothing here relies on what was written.
             #[expect(unsafe_code, reason = "writes the caller's array, whatever the order of its axes")]
             let codes = unsafe { std::slice::from_raw_parts_mut(out.data(), grid.len()) };
             fill(py, &grid, &axes, codes, &run)?

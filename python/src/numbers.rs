@@ -13,7 +13,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3_arrow::input::AnyRecordBatch;
 
-use crate::arrow_in::{Given, no_column, numbers};
+use crate::arrow_in::{Given, no_column, numbers, place};
 use crate::arrow_out::{ArrowArray, ArrowTable};
 
 /// A column's numbers, and which of them are missing if any is.
@@ -51,16 +51,18 @@ pub(crate) fn read_column<'py>(py: Python<'py>, column: Given, name: &str) -> Py
     Ok(read.into_numpy(py))
 }
 
-/// The numbers of some columns of an Arrow table, as (column, operand).
+/// The numbers of some columns of an Arrow table, as (column, operand); `names` are those of all operands.
 #[pyfunction]
 pub(crate) fn read_table<'py>(
     py: Python<'py>,
     table: AnyRecordBatch,
     columns: Vec<(String, String)>,
+    names: Vec<String>,
 ) -> PyResult<Vec<Column<'py>>> {
     let reader = table.into_reader()?;
     let schema = reader.schema();
-    let places = columns.iter().map(|(column, name)| crate::arrow_in::place(&schema, column, name));
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let places = columns.iter().map(|(column, name)| place(&schema, column, name, &names));
     let places = places.collect::<PyResult<Vec<usize>>>()?;
     let read = py.detach(|| {
         let mut read: Vec<Numbers> = columns.iter().map(|_| Numbers::default()).collect();
@@ -139,10 +141,16 @@ pub(crate) fn make_table(columns: Vec<PyRef<'_, ArrowArray>>) -> PyResult<ArrowT
     ArrowTable::of_columns(&columns).map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
-/// Raises the error for a column that a table lacks.
+/// Raises the error for a column that a table lacks; `names` are those of all operands.
 #[pyfunction]
-pub(crate) fn refuse_column(name: &str, column: &str, found: Vec<String>) -> PyResult<()> {
-    Err(no_column(name, column, &found.iter().map(String::as_str).collect::<Vec<_>>()))
+pub(crate) fn refuse_column(
+    name: &str,
+    column: &str,
+    found: Vec<String>,
+    names: Vec<String>,
+) -> PyResult<()> {
+    let [found, names] = [&found, &names].map(|texts| texts.iter().map(String::as_str).collect::<Vec<_>>());
+    Err(no_column(name, column, &found, &names))
 }
 
 /// The word that is most likely meant by another, if any is.

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::grid::{Gaps, Labour, Watch};
 
-/// What Python says of a call; `_arrays.Run` is its other side.
+/// What Python says of a call; `_run.Run` is its other side.
 #[derive(FromPyObject)]
 pub(crate) struct Run {
     /// How many threads; all processors for `None`.
@@ -47,13 +47,16 @@ impl Run {
     }
 }
 
-/// Does long work on a thread of its own, so that Ctrl-C ends the call at once; what is left of the work ends unheard.
+/// Does long work on a thread of its own, so that Ctrl-C ends the call at once. The work itself cannot be stopped: its thread goes
+/// on to its end, unheard.
 pub(crate) fn patiently<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
     let (tell, mut told) = mpsc::channel();
-    std::thread::spawn(move || tell.send(work()));
+    std::thread::Builder::new().spawn(move || tell.send(work())).map_err(|error| {
+        PyRuntimeError::new_err(format!("the system has no thread for the work: {error}"))
+    })?;
     loop {
         // The receiver goes along and comes back, because it is not to be shared.
         let (heard, back) = py.detach(move || (told.recv_timeout(Monitor::PAUSE), told));

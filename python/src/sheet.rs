@@ -1,12 +1,13 @@
 //! The calculation sheet of a case, as HTML or printed to PDF.
 
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::report;
 use standfast_sheet::{Date, Paper, Sheet, SheetOptions};
 
+use crate::assess::checked_up_to;
 use crate::run::patiently;
 
 /// The keys of the title block.
@@ -15,31 +16,35 @@ pub(crate) fn title_block() -> Vec<&'static str> {
     TITLE_BLOCK.into_iter().map(|key| key.name()).collect()
 }
 
-/// The sheet as HTML, and as PDF on `paper` if one is named; `told` are keys of the title block with their texts.
+/// The sheet as HTML, and if it is asked for as PDF on `paper`; `told` are keys of the title block with their texts.
 #[pyfunction]
 pub(crate) fn sheet(
     py: Python<'_>,
     file: (String, String),
     date: Option<&str>,
-    up_to: f64,
+    up_to: &Bound<'_, PyAny>,
     told: Vec<(String, String)>,
-    paper: Option<&str>,
+    paper: &str,
+    is_pdf: bool,
 ) -> PyResult<(String, Option<Py<PyBytes>>)> {
     let read = |date: &str| -> PyResult<Date> {
         date.parse().map_err(|error| PyValueError::new_err(format!("date is {date:?}; {error}")))
     };
     let key = |(name, text): (String, String)| {
-        let key = TITLE_BLOCK.into_iter().find(|key| key.name() == name)?;
-        Some((key, text))
+        let key = TITLE_BLOCK.into_iter().find(|key| key.name() == name);
+        let unknown = || PyTypeError::new_err(format!("a title block has no {name}"));
+        Ok((key.ok_or_else(unknown)?, text))
     };
-    let title_block = told.into_iter().filter_map(key).collect();
-    let options = SheetOptions { title_block, date: date.map(read).transpose()?, up_to };
-    let paper = paper.map(|paper| if paper == "letter" { Paper::Letter } else { Paper::A4 });
+    let title_block = told.into_iter().map(key).collect::<PyResult<_>>()?;
+    let options =
+        SheetOptions { title_block, date: date.map(read).transpose()?, up_to: checked_up_to(up_to)? };
+    let paper: Paper =
+        paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
     let (html, pdf) = patiently(py, move || -> PyResult<_> {
         let sheet =
             Sheet::of(&file.0, &file.1, &options).map_err(|error| PyValueError::new_err(report(&error)))?;
         let print = |paper| sheet.pdf(paper).map_err(|error| PyRuntimeError::new_err(report(&error)));
-        Ok((sheet.html().to_owned(), paper.map(print).transpose()?))
+        Ok((sheet.html().to_owned(), is_pdf.then_some(paper).map(print).transpose()?))
     })??;
     Ok((html, pdf.map(|bytes| PyBytes::new(py, &bytes).unbind())))
 }

@@ -159,8 +159,13 @@ impl Sweep {
         Ok((columns.collect::<PyResult<_>>()?, without))
     }
 
-    /// The results of the table that was given.
-    fn answer_table(&self, py: Python<'_>, progress: Option<Bound<'_, PyAny>>) -> PyResult<ArrowTable> {
+    /// The results of the table that was given, of `total` rows where that is known.
+    fn answer_table(
+        &self,
+        py: Python<'_>,
+        progress: Option<Bound<'_, PyAny>>,
+        total: Option<u64>,
+    ) -> PyResult<ArrowTable> {
         let reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner).take();
         let reader =
             reader.ok_or_else(|| PyTypeError::new_err("there is no table, or it has been answered"))?;
@@ -168,7 +173,7 @@ impl Sweep {
         let unreadable = |error: arrow_schema::ArrowError| PyValueError::new_err(error.to_string());
         let schema = reader.schema().project(places).map_err(unreadable)?;
         let batches = reader.map(|batch| batch?.project(places));
-        let answer = watched(py, progress, None, |watch| self.table.answer(&schema, batches, watch))?;
+        let answer = watched(py, progress, total, |watch| self.table.answer(&schema, batches, watch))?;
         let answer = answer.map_err(|error| raised(error, &[]))?;
         let batch = answer.into_batch().map_err(unreadable)?;
         Ok(ArrowTable::new(batch.schema(), vec![batch]))

@@ -131,6 +131,8 @@ def test_many_loads_are_shown_by_those_that_govern() -> None:
     found, shown = standfast.assess(case), standfast.assess(case, all=True)
     assert len(found.situations) == 10 and found.to_dict() == shown.to_dict()
     assert len(found.figures) == 9 and len(shown.figures) == 11 and len(str(found)) < len(str(shown))
+    assert "the 8 worst are shown one by one; all=True shows every one." in " ".join(str(found).split())
+    assert "--all" not in str(found) and "all=True" not in str(shown)
     assert repr(found).endswith(": 10 situations>") and found.governing is found.situations[9]
 
 
@@ -183,8 +185,12 @@ def test_wrong_cases_show_where() -> None:
     assert error(lambda case: case.clear())
     with pytest.raises(OSError, match="nowhere"):
         standfast.assess("nowhere.toml")
-    with pytest.raises(ValueError, match="up_to is -1.0; expected a load factor above zero"):
-        standfast.assess(CASE, up_to=-1)
+    for up_to in (-1, 0.5, 2e6, float("nan")):
+        with pytest.raises(ValueError, match=f"up_to is {up_to}; expected a load factor from 1 to 1000000, as 2"):
+            standfast.assess(CASE, up_to=up_to)
+    for wrong in ("2", None, True):
+        with pytest.raises(TypeError, match=f"up_to is {wrong!r}; expected a load factor from 1 to 1000000, as 2"):
+            standfast.assess(CASE, up_to=wrong)  # type: ignore[arg-type]
 
 
 def test_a_file_that_is_not_text(tmp_path: Path) -> None:

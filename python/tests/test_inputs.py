@@ -199,18 +199,56 @@ TABLES: dict[str, Callable[[dict[str, Any]], Any]] = {
 
 
 @pytest.mark.parametrize("library", TABLES)
+def test_no_operand_is_taken_for_another(library: str) -> None:
+    """What a table lacks is not in the column of another operand, whichever function is called."""
+    inputs = ("b1", "b2", "d", "rho2", "m_x", "m_y", "x", "p", "m", "mu_s", "mu_k")
+    for lacking, another in [("mu_k", "mu_s"), ("m_x", "m_y")]:
+        table = TABLES[library]({name: [0.5] for name in inputs if name != lacking})
+        message = refused(f"the table has no column {lacking} for {lacking}", table, function=standfast.contact)
+        assert "did you mean" not in message and f'map={{"{lacking}": …}}' in message and another in message
+    table = TABLES[library]({"MU_k" if name == "mu_k" else name: [0.5] for name in inputs})
+    assert 'did you mean MU_k? Then say map={"mu_k": "MU_k"}' in refused("no column mu_k", table, function=standfast.contact)
+
+
+def test_the_advice_is_of_the_function_that_was_called() -> None:
+    frame = pl.DataFrame(POINTS)
+    for function in (standfast.onset, standfast.limit_states):
+        message = refused("gamma is a polars expression", pl.col("gamma"), 0.4, 0.5, 0.6, function=function)
+        found = eval(advised(message, "").split(", or")[0], {"standfast": standfast, "frame": frame})
+        assert found.columns == frame.columns + function(frame).columns
+    message = refused("codes is a polars expression", pl.col("codes"), function=standfast.symbols)
+    codes = pl.DataFrame({"codes": [0, 1]})
+    found = eval(advised(message, "").split(", or")[0], {"standfast": standfast, "frame": codes})
+    assert found["symbol"].to_list() == ["RE", "SL"]
+
+    lazy = da.from_array(np.array([0, 5]), chunks=1)
+    message = refused("codes is a dask Array", lazy, function=standfast.symbols)
+    found = eval(advised(message, "lazy"), {"dask": dask, "standfast": standfast, "np": np, "lazy": lazy})
+    assert found.dtype == "<U5" and found.compute().tolist() == ["RE", "SRO'-"]
+    row = (1.0, 1.0, 0.5, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.5, da.from_array(np.array([0.4, 0.5]), chunks=1))
+    message = refused("mu_k is a dask Array", *row, function=standfast.contact)
+    found = eval(advised(message, "*row"), {"dask": dask, "standfast": standfast, "np": np, "row": row})
+    assert found.dtype == np.uint8 and found.compute().tolist() == standfast.contact(*row[:-1], [0.4, 0.5]).mode.tolist()
+    for table in (frame, pd.DataFrame(POINTS), pa.table(POINTS)):
+        assert "map" not in refused("a whole table; expected", 1, 0.4, table, 0.5, function=standfast.explain)
+    for value in (xr.DataArray([0.5]), lazy, pl.col("k")):
+        assert "apply_ufunc" not in refused("explain takes one number", 1, 0.4, value, 0.5, function=standfast.explain)
+    assert "map" not in refused("a whole table; expected a column of it", codes.lazy().collect(), function=standfast.symbols)
+
+
+@pytest.mark.parametrize("library", TABLES)
 def test_wrong_columns(library: str) -> None:
     def table(**names: str) -> Any:
         return TABLES[library]({names.get(name, name): column for name, column in POINTS.items()})
 
     message = refused("the table has no column mu for mu; it has gamma, k_prime, k, friction", table(mu="friction"))
-    assert "map={'mu': 'friction'}" in message
+    assert 'map={"mu": "friction"}' in message
     assert pl.Series(standfast.classify(table(mu="friction"), map={"mu": "friction"})).to_list() == MODES
-    assert "map={'gamma': 'gama'}" in refused("no column gamma", table(gamma="gama"))
-    assert "map={'k': 'Force'}" in refused("no column k for k", table(k="Force"))
+    assert 'map={"gamma": "gama"}' in refused("no column gamma", table(gamma="gama"))
+    assert 'map={"k": "Force"}' in refused("no column k for k", table(k="Force"))
     message = refused("no column frction for mu", table(mu="friction"), map={"mu": "frction"})
-    assert "did you mean friction?" in message and "map={'mu': 'friction'}" in message
-    assert "map={'mu': …}" in refused("no column mu", table(mu="zzz"))
+    assert "did you mean friction?" in message and 'map={"mu": "friction"}' in message
+    assert 'map={"mu": …}' in refused("no column mu", table(mu="zzz"))
     refused("map has the key 'friction'; expected gamma, k_prime, k, mu", table(), map={"friction": "mu"})
     refused("map gives True for mu; expected the name of a column, or a number", table(), map={"mu": True})
     refused("map gives ['mu'] for mu", table(), map={"mu": ["mu"]})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -301,6 +302,52 @@ def test_any_number_of_threads_gives_the_same_bytes(threads: int) -> None:
         assert column.data.tobytes() == same.data.tobytes() and np.array_equal(column.mask, same.mask), name
     table = pa.table(LONG).slice(1, 500_001)
     assert pa.array(standfast.classify(table, threads=threads)).equals(pa.array(standfast.classify(table)))
+
+
+def test_operands_that_change_during_a_call() -> None:
+    """What is answered is what was checked: the answer, or an error, whichever numbers are met."""
+    count = 200_000
+    values = points(count, 13)
+    good = values["mu"].copy()
+    ended = threading.Event()
+
+    def change() -> None:
+        while not ended.is_set():
+            values["mu"].fill(np.nan)
+            values["mu"][:] = good
+
+    other = threading.Thread(target=change)
+    other.start()
+    met = 0
+    try:
+        for _ in range(150):
+            try:
+                standfast.onset(**values, columns=["theta_ddot", "others"])
+            except ValueError as error:
+                met += 1
+                assert re.search("friction μ is NaN at index|the arrays changed while they were read", str(error))
+    finally:
+        ended.set()
+        other.join()
+    assert met > 0
+
+
+def test_two_calls_into_one_array() -> None:
+    out = np.zeros(len(FEW), np.uint8)
+    met: list[str] = []
+
+    def again(done: int, total: int | None) -> None:
+        for part in (out, out[5:]):
+            with pytest.raises(ValueError, match="out is an array that another call is writing to") as raised:
+                standfast.classify(1, 0.4, 0.5, np.full(len(part), 0.1), out=part)
+            met.append(str(raised.value))
+
+    standfast.classify(1, 0.0, FEW, FEW, out=out, progress=again)
+    assert met and not out.any()
+    # After a call, and after one that failed, it is free.
+    with pytest.raises(ValueError, match="friction"):
+        standfast.classify(1, 0.4, 0.5, np.full(len(out), -1.0), out=out)
+    assert (standfast.classify(1, 0.4, 0.5, np.full(len(out), 0.1), out=out) == standfast.Mode.SLIDE_LEFT).all()
 
 
 # Chosen columns of an onset

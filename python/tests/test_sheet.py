@@ -37,6 +37,14 @@ def test_every_key_of_the_title_block_is_an_argument() -> None:
     assert "A &lt;b&gt;lock" in html and "2026-11-21" in html
 
 
+def test_the_native_module_drops_nothing() -> None:
+    case = ("the case", '[body]\nwidth = 1\nheight = 2\nmass = 4800\nfriction = 0.7\n')
+    with pytest.raises(TypeError, match="a title block has no autor"):
+        _standfast.sheet(case, None, 2.0, [("autor", "N. N.")], "a4", False)
+    with pytest.raises(ValueError, match='paper is "a5"; expected a4 or letter'):
+        _standfast.sheet(case, None, 2.0, [], "a5", True)
+
+
 def test_what_is_replaced_is_whole(tmp_path: Path) -> None:
     path = tmp_path / "sheet.html"
     path.write_text("before", encoding="utf-8")
@@ -60,8 +68,9 @@ def test_what_is_replaced_is_whole(tmp_path: Path) -> None:
         (None, {"date": "2026-02-29"}, ValueError, "date is \"2026-02-29\"; there is no such day"),
         (None, {"date": "21.11.2026"}, ValueError, "expected a date like 2026-11-21"),
         (None, {"date": 20261121}, TypeError, "date is 20261121"),
-        (None, {"paper": "a5"}, ValueError, "paper is 'a5'"),
-        (None, {"up_to": 0.5}, ValueError, "up_to is 0.5"),
+        (None, {"paper": "a5"}, ValueError, 'paper is "a5"; expected a4 or letter'),
+        (None, {"up_to": 0.5}, ValueError, "up_to is 0.5; expected a load factor from 1 to 1000000, as 2"),
+        (None, {"up_to": "2"}, TypeError, "up_to is '2'; expected a load factor from 1 to 1000000, as 2"),
         (None, {"author": 7}, TypeError, "author is 7"),
     ],
 )

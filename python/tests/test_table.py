@@ -343,6 +343,13 @@ def test_any_number_of_threads_gives_the_same() -> None:
             assess_table(QUAY, wrong, threads=threads)
 
 
+def test_two_keys_for_one_column() -> None:
+    words = "friction and body.width are both mapped to column mu of the table; expected a column for each"
+    for table in ({"mu": [0.5]}, pd.DataFrame({"mu": [0.5]}), pl.DataFrame({"mu": [0.5]})):
+        with pytest.raises(ValueError, match=words):
+            assess_table(QUAY, table, map={"friction": "mu", "body.width": "mu"})
+
+
 def test_progress(monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[tuple[int, int | None]] = []
     sample = drawn(GODA, 20_000)
@@ -350,7 +357,14 @@ def test_progress(monkeypatch: pytest.MonkeyPatch) -> None:
     assert told == sorted(told) and told[-1] == (20_000, 20_000)
     streamed: list[tuple[int, int | None]] = []
     assess_table(goda(), pa.table(sample), columns=["mode"], progress=lambda done, total: streamed.append((done, total)))
-    assert streamed[-1] == (20_000, None)
+    assert streamed[-1] == (20_000, 20_000) and {total for _, total in streamed} == {20_000}
+    told = []
+    assess_table(goda(), pl.DataFrame(sample), columns=["mode"], progress=lambda done, total: told.append((done, total)))
+    assert {total for _, total in told} == {20_000}
+    reader = pa.table(sample).to_reader()
+    told = []
+    assess_table(goda(), reader, columns=["mode"], progress=lambda done, total: told.append((done, total)))
+    assert told[-1] == (20_000, None)
 
     def enough(done: int, total: int | None) -> None:
         raise RuntimeError("enough")

@@ -45,7 +45,7 @@ def test_metadata() -> None:
     assert not re.search(r"/home/|/root/|/tmp/|/work/|file:|\]\((?!https?://)", text)
 
 
-def test_the_native_module_is_of_the_stable_interface_and_names_no_directory_of_its_build() -> None:
+def test_the_native_module_is_of_the_stable_interface_and_no_source_is_beside_it() -> None:
     files = metadata.files("standfast") or []
     wheel = next(file for file in files if file.name == "WHEEL").read_text()
     assert "Tag: cp310-abi3-" in wheel

@@ -13,12 +13,14 @@ mod text;
 pub mod verdict;
 
 use std::cmp::Ordering;
+use std::ops::RangeInclusive;
 
 use standfast::loads::Earthquake;
 use standfast::{Departure, InputError, Outcome, Situation};
 
 use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
+use crate::face::Face;
 use crate::units::Extent;
 pub use figures::{CaseFigure, Drawn};
 pub(crate) use json::SCHEMA;
@@ -78,14 +80,32 @@ pub struct View {
     pub up_to: f64,
     /// Whether every situation is shown one by one, or of more than [`GOVERNING`] those that govern.
     pub all: bool,
+    /// How the text spells options.
+    pub face: Face,
 }
 
 impl Default for View {
-    /// Up to twice the load, and what governs.
+    /// Up to twice the load, and what governs, for a program.
     fn default() -> View {
-        View { up_to: UP_TO, all: false }
+        View { up_to: UP_TO, all: false, face: Face::Program }
     }
 }
+
+/// The multiples of the full load up to which a rising load may be followed: up to the full load at least.
+const FOLLOWED: RangeInclusive<f64> = 1.0..=1e6;
+
+/// How far a rising load is followed, if it may be followed so far.
+///
+/// # Errors
+/// If it is not a number from 1 to 1e6; the error says what is expected.
+pub fn check_up_to(factor: f64) -> Result<f64, UpToError> {
+    if FOLLOWED.contains(&factor) { Ok(factor) } else { Err(UpToError) }
+}
+
+/// Not a load up to which a rising load may be followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("expected a load factor from {} to {}, as {}", FOLLOWED.start(), FOLLOWED.end(), UP_TO)]
+pub struct UpToError;
 
 impl Assessment {
     /// Answers a case.

@@ -3,7 +3,7 @@
 
 use standfast::{Departure, Mode, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
-use standfast_cases::{Acting, Assessed, Assessment, CaseFile};
+use standfast_cases::{Acting, Assessed, Assessment, CaseFile, Face, View, check_up_to};
 
 fn assess(text: &str) -> Assessment {
     let case = CaseFile::parse("case.toml", text).and_then(|file| file.case());
@@ -484,5 +484,30 @@ fn criteria_are_checked_under_every_acceleration() {
         let design: serde_json::Value = serde_json::from_str(&design).unwrap();
         let found = design["found"]["value"].as_f64().unwrap();
         assert!((found / (2.4 * 0.2 / 0.7) - 1.0).abs() < 1e-6, "{found}");
+    }
+}
+
+/// The text says how to see the situations that it leaves out, as its reader says it.
+#[test]
+fn options_are_spelt_as_by_the_face() {
+    let loads: String =
+        (1..=9).map(|i| format!("[[load]]\nforce = {}\nelevation = 5\n", 1e5 * f64::from(i))).collect();
+    let many = assess(&format!("{CAISSON}{loads}"));
+    for (face, said) in
+        [(Face::Program, "; --all shows every one."), (Face::Python, "; all=True shows every one.")]
+    {
+        let view = View { face, ..View::default() };
+        let words = many.text(&view).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(&format!("the 8 worst are shown one by one{said}")), "{words}");
+        assert!(!many.text(&View { all: true, ..view }).contains("shows every one"));
+    }
+}
+
+#[test]
+fn a_load_is_followed_from_the_full_load_to_a_million_times() {
+    assert_eq!([1.0, 2.0, 1e6].map(check_up_to), [Ok(1.0), Ok(2.0), Ok(1e6)]);
+    for wrong in [0.5, 0.0, -1.0, 1_000_001.0, f64::INFINITY, f64::NAN] {
+        let error = check_up_to(wrong).unwrap_err();
+        assert_eq!(error.to_string(), "expected a load factor from 1 to 1000000, as 2");
     }
 }

@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use standfast::{InputError, Point};
 
+use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
@@ -408,8 +409,6 @@ fn scale(text: &str) -> Result<f32, String> {
 }
 
 fn factor(text: &str) -> Result<f64, String> {
-    // Up to the full load at least.
-    let range = 1.0..=1e6;
-    let value = text.trim().parse().ok().filter(|value| range.contains(value));
-    value.ok_or_else(|| "expected a number from 1 to 1000000".to_owned())
+    let factor = text.trim().parse().unwrap_or(f64::NAN);
+    check_up_to(factor).map_err(|error| error.to_string())
 }

@@ -93,7 +93,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
 }
 
 fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
-    let view = View { up_to: args.up_to, all: args.all };
+    let view = View { up_to: args.up_to, all: args.all, ..View::default() };
     let answered = assess::assess(&args.case, args.output.as_deref(), &view, args.format, args.check)?;
     print(&answered.answer)?;
     match answered.undrawn {

@@ -6,6 +6,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::str::FromStr;
 use std::time::{Duration, Instant};
 
 use miette::Diagnostic;
@@ -23,6 +24,23 @@ pub enum Paper {
     /// 8.5 in × 11 in.
     Letter,
 }
+
+impl FromStr for Paper {
+    type Err = PaperError;
+
+    fn from_str(text: &str) -> Result<Paper, PaperError> {
+        match text {
+            "a4" => Ok(Paper::A4),
+            "letter" => Ok(Paper::Letter),
+            _ => Err(PaperError),
+        }
+    }
+}
+
+/// A text that names no size of paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("expected a4 or letter")]
+pub struct PaperError;
 
 /// The page with its size set; an HTML file itself leaves that to whoever prints it.
 fn on_paper(html: &str, paper: Paper) -> String {

@@ -47,7 +47,7 @@ use standfast::InputError;
 use standfast_cases::{Assessment, CaseError, CaseFile, Key, View};
 use thiserror::Error;
 
-pub use browser::{Paper, PrintError};
+pub use browser::{Paper, PaperError, PrintError};
 pub use date::{Date, DateError};
 pub use fault::Fault;
 pub use formula::FormulaError;
@@ -120,7 +120,7 @@ impl Sheet {
             date: options.date,
             title_block: &options.title_block,
         };
-        let view = View { up_to: options.up_to, all: false };
+        let view = View { up_to: options.up_to, ..View::default() };
         Ok(Sheet { html: document::render(&assessment, &source, &view)?, date: options.date })
     }
 

@@ -10,7 +10,7 @@ use standfast_cases::{CaseError, CaseFile, Key};
 
 use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
 use crate::task::{Fault, Faults, Wrong};
-use crate::{Face, TableError, TableOptions};
+use crate::{Face, Mapping, TableError, TableOptions};
 
 /// The case that the rows of a table vary, and what is computed of them.
 #[derive(Debug, Clone)]
@@ -341,14 +341,26 @@ impl Search<'_> {
     }
 
     fn check_map(&self) -> Result<(), TableError> {
+        let mut taken: Vec<(&String, &Mapping)> = Vec::new();
         for (i, mapping) in self.options.map.iter().enumerate() {
             if self.options.map[..i].iter().any(|earlier| earlier.ours == mapping.ours) {
                 return Err(TableError::MapTwice { ours: mapping.ours.clone() });
             }
             let is_it = |column: &&String| **column == mapping.theirs || split(column).0 == mapping.theirs;
-            match self.found.iter().filter(is_it).count() {
-                1 => {}
-                0 => {
+            let fits: Vec<_> = self.found.iter().filter(is_it).collect();
+            match fits[..] {
+                [column] => {
+                    if let Some((_, earlier)) = taken.iter().find(|(other, _)| *other == column) {
+                        return Err(TableError::OneColumn {
+                            name: self.options.name.clone(),
+                            column: column.clone(),
+                            one: earlier.ours.clone(),
+                            two: mapping.ours.clone(),
+                        });
+                    }
+                    taken.push((column, mapping));
+                }
+                [] => {
                     let nearest = closest(&mapping.theirs, self.found.iter().map(String::as_str));
                     return Err(TableError::MissingColumn {
                         name: self.options.name.clone(),

@@ -82,6 +82,18 @@ pub enum TableError {
         /// The column.
         ours: String,
     },
+    /// Two numbers of the case are to be in one column.
+    #[error("{one} and {two} are both mapped to column {column} of {name}; expected a column for each")]
+    OneColumn {
+        /// The table.
+        name: String,
+        /// The column.
+        column: String,
+        /// The key that was mapped first.
+        one: String,
+        /// The other.
+        two: String,
+    },
     /// The case that the rows vary is wrong by itself.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -60,6 +60,7 @@ pub use pieces::Input;
 pub use problem::{ResultColumn, TableProblem};
 #[cfg(feature = "memory")]
 pub use results::{NO_NAME, NO_WORD, Values};
+pub use standfast_cases::Face;
 
 use std::io::{Read, Write};
 use std::sync::Arc;
@@ -93,35 +94,6 @@ pub enum OnError {
     Stop,
     /// Leave its results empty and go on; a row of the wrong length is filled up or cut to that of the header
     Null,
-}
-
-/// Where the options of a run come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Face {
-    /// A program's command line: `--map mu=friction`, `--columns mode`.
-    #[default]
-    Program,
-    /// A call in Python: `map={"mu": "friction"}`, `columns=["mode"]`.
-    Python,
-}
-
-impl Face {
-    /// How one says that our column is called so in the table.
-    pub(crate) fn map(self, ours: &str, theirs: &str) -> String {
-        match self {
-            Face::Program => format!("--map \"{ours}={theirs}\""),
-            Face::Python => format!("map={{\"{ours}\": \"{theirs}\"}}"),
-        }
-    }
-
-    /// The option that chooses results.
-    pub fn columns(self) -> &'static str {
-        match self {
-            Face::Program => "--columns",
-            Face::Python => "columns",
-        }
-    }
 }
 
 /// How to process a table.

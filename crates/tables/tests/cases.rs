@@ -328,6 +328,24 @@ fn what_is_wrong_with_a_row_is_said_with_its_values() {
     );
 }
 
+/// Of two numbers that are said to be in one column, none is left out silently; by whichever name the column is called.
+#[test]
+fn a_column_is_mapped_once() {
+    for [table, one, two] in
+        [["mu,b\n0.5,15\n", "mu", "mu"], ["mu [-],b\n0.5,15\n", "mu [-]", "mu"], ["b,mu\n15,0.5\n", "b", "b"]]
+    {
+        let map =
+            [format!("friction={one}"), format!("width={two}")].map(|text| text.parse().unwrap()).to_vec();
+        let error = text(table, GODA, |options| TableOptions { map, ..options }).1.unwrap_err().to_string();
+        let expected = format!(
+            "friction and width are both mapped to column {one} of t.csv; expected a column for each"
+        );
+        assert_eq!(error, expected);
+    }
+    let map = vec!["friction=mu".parse().unwrap(), "width=b".parse().unwrap()];
+    assert_eq!(text("mu,b\n0.5,15\n", GODA, |options| TableOptions { map, ..options }).1.unwrap().rows, 1);
+}
+
 /// A unit in the name of a column counts for its plain numbers, and they stay as they are written.
 #[test]
 fn units_are_those_of_case_files() {

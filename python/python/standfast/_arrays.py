@@ -182,7 +182,8 @@ def classify(
         map: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all rows, as
             ``{"k_prime": 0.4}``. What is not named here is in the column of its own name. Where pandas labels columns by
             numbers, ``{"k": 2}`` is the column 2 and ``{"k": 2.0}`` the number.
-        out: array of ``uint8`` for the answer to arrays, of their shape broadcast together; not with ``names`` or ``"null"``.
+        out: array of ``uint8`` for the answer to arrays, of their shape broadcast together; not with ``names`` or ``"null"``. Until
+            the call returns it is not to be written or read elsewhere; another call into it is refused.
         names: give the report's symbols (``"SL"``) in place of codes.
         on_error: ``"null"`` leaves the answer out where a value is one that no body can have; ``"raise"`` names the first.
         threads: how many threads to use, one if it is left out; ``None`` for as many as there are processors. The answer is the same.

@@ -121,7 +121,7 @@ class Operands:
         if self.table is not None:
             table, places = self.table
             named = [(place, name) for place, name in zip(places, self.names) if isinstance(place, str)]
-            read = iter(_standfast.read_table(table, named))
+            read = iter(_standfast.read_table(table, named, self.names))
             self.numbers = [
                 Numbers(*next(read)) if isinstance(place, str) else _number(place, name)
                 for place, name in zip(places, self.names)
@@ -244,7 +244,7 @@ def _table(names: Sequence[str], table: Any, kind: str, map: Map | None) -> Oper
     if kind == "pandas":
         operands = Operands(names, Pandas(table.index))
         operands.numbers = [
-            series_of(pick(table, place.value, name), name) if isinstance(place, _Label) else _number(place, name)
+            series_of(pick(table, place.value, name, names), name) if isinstance(place, _Label) else _number(place, name)
             for place, name in zip(places, names)
         ]
         return operands
@@ -291,11 +291,11 @@ def _is_label(place: Any, labels: Any) -> bool:
     return any(_same(label, place) and isinstance(label, numbers.Integral) == whole for label in labels)
 
 
-def pick(frame: Any, label: Any, name: str) -> Any:
-    """The column of a DataFrame that holds an operand."""
+def pick(frame: Any, label: Any, name: str, names: Sequence[str] = ()) -> Any:
+    """The column of a DataFrame that holds an operand; ``names`` are those of all operands, none of which is meant by another."""
     columns = frame.columns
     if label not in columns:
-        _standfast.refuse_column(name, str(label), [str(column) for column in columns])
+        _standfast.refuse_column(name, str(label), [str(column) for column in columns], names)
     column = frame[label]
     if column.ndim != 1:
         raise ValueError(f"the table has {column.shape[1]} columns {label!r}; expected one for {name}")

@@ -13,8 +13,6 @@ from typing import Literal
 from . import _standfast
 from ._assess import case_text
 
-_PAPERS = ("a4", "letter")
-
 
 def sheet(
     case: str | os.PathLike[str] | Mapping[str, object],
@@ -40,12 +38,14 @@ def sheet(
         path: where to write the sheet, whole or not at all, if it is to be written: ``.html``, or ``.pdf`` to have it printed by
             Chromium or Chrome; the variable ``STANDFAST_BROWSER`` names another.
         date: the day the sheet bears, as ``"2026-11-21"`` or a date; without it the sheet says that it is undated.
-        up_to: how far the path of a rising load is followed, in multiples of the load.
+        up_to: how far the path of a rising load is followed, in multiples of the load, from 1 to a million.
         paper: the size of a PDF's pages.
         project, client, sheet, revision, author, checker: what goes into the title block before what the case says.
 
     Returns:
         The HTML document. ``IPython.display.HTML`` shows it in a notebook.
+
+    Ctrl-C ends the call at once; what it had begun goes on in the background to its end, and nothing is written.
 
     Raises:
         ValueError: for a case that is not understood, and for a wrong date, paper or extension.
@@ -56,18 +56,8 @@ def sheet(
     >>> html[:15], "2026-11-21" in html
     ('<!DOCTYPE html>', True)
     """
-    if not 1 <= up_to <= 1e6:
-        raise ValueError(f"up_to is {up_to}; expected a load factor from 1 to 1000000, as 2")
-    if paper not in _PAPERS:
-        raise ValueError(f"paper is {paper!r}; expected 'a4' or 'letter'")
-    told = {
-        "project": project,
-        "client": client,
-        "sheet": sheet,
-        "revision": revision,
-        "author": author,
-        "checker": checker,
-    }
+    arguments = locals()
+    told = {key: arguments[key] for key in _standfast.title_block()}
     for key, text in told.items():
         if text is not None and not isinstance(text, str):
             raise TypeError(f"{key} is {text!r}; expected a text")
@@ -86,7 +76,7 @@ def sheet(
     if day is not None and not isinstance(day, str):
         raise TypeError(f"date is {date!r}; expected a text like '2026-11-21' or a date")
     given = [(key, text) for key, text in told.items() if text is not None]
-    html, pdf = _standfast.sheet(case_text(case), day, float(up_to), given, paper if extension == ".pdf" else None)
+    html, pdf = _standfast.sheet(case_text(case), day, up_to, given, paper, extension == ".pdf")
     if target is not None:
         _write(target, html.encode() if pdf is None else pdf)
     return html

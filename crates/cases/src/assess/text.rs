@@ -28,8 +28,9 @@ pub(super) fn render(assessment: &Assessment, view: &View) -> String {
     if shown.len() < assessment.all.len() {
         text += "\n";
         let words = format!(
-            "Of {} situations, the {GOVERNING} worst are shown one by one; --all shows every one.",
-            assessment.all.len()
+            "Of {} situations, the {GOVERNING} worst are shown one by one; {} shows every one.",
+            assessment.all.len(),
+            view.face.all()
         );
         text += &paragraph(&words, 0);
     }
