@@ -20,6 +20,7 @@ import dask.dataframe
 import duckdb
 import numpy as np
 import pandas as pd
+import pint
 import polars as pl
 import pyarrow as pa
 import pytest
@@ -262,7 +263,8 @@ def test_what_is_missing_and_what_is_wrong() -> None:
     assert '"-0.5"' in found["problem"][1] and "null" in found["problem"][2]
     arrays = assess_table(BLOCK, {"friction": [0.5, -0.5]}, columns=columns, on_error="null")
     assert arrays["mode"].tolist() == ["RO", None] and arrays["lifted"].mask.tolist() == [False, True]
-    assert arrays["problem"].data[0] == "" and '"-0.5"' in arrays["problem"].data[1]
+    assert not np.ma.isMaskedArray(arrays["problem"])
+    assert arrays["problem"][0] == "" and '"-0.5"' in arrays["problem"][1]
     pandas = assess_table(BLOCK, wrong.to_pandas(), columns=columns, on_error="null")
     assert pandas["problem"].isna().tolist() == [True, False, False] and pandas["mode"].isna().tolist() == [False, True, True]
 
@@ -456,3 +458,11 @@ def test_what_varies_is_found_without_reading() -> None:
 def test_a_batch_is_answered_by_a_table() -> None:
     batch = pa.record_batch({"friction": [0.3, 0.7]})
     assert type(assess_table(BLOCK, batch)) is pa.Table
+
+
+def test_quantities_of_pint_are_refused() -> None:
+    # 15° would become 0.26 rad, and be read as degrees.
+    units = pint.UnitRegistry()
+    for quantity, unit in [(units.Quantity([15.0], "degree"), "degree"), (units.Quantity(1500, "cm"), "centimeter")]:
+        with pytest.raises(TypeError, match=f"^width is a quantity of pint, in {unit}; expected numbers, with the unit behind the name"):
+            assess_table(BLOCK, {"width": quantity})

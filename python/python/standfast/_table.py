@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice
+from ._advice import Advice, is_of
 from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
@@ -304,13 +304,21 @@ def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any)
     answer, without = sweep.answer(flat, list(shape), report)
     mask = np.zeros(int(np.prod(shape)), dtype=np.bool_)
     mask[without] = True
-    return {column[0]: _numpy(column, shape, mask if len(without) else None) for column in answer}
+    # What is wrong with a row is said where it has no results.
+    masks = {column[0]: mask if len(without) and column[0] != "problem" else None for column in answer}
+    return {column[0]: _numpy(column, shape, masks[column[0]]) for column in answer}
 
 
 def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
     """The numbers of one entry as float64, or its texts as objects."""
     if isinstance(value, str):
         return np.array(value, dtype=object), None
+    if is_of(value, "pint", "Quantity"):
+        # Which unit a number is in is said once, by the name.
+        raise TypeError(
+            f'{name} is a quantity of pint, in {value.units}; expected numbers, with the unit behind the name: "{name} [m]" and '
+            "value.magnitude"
+        )
     if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):
         value = np.array(value, dtype=object)
     if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
