@@ -56,7 +56,7 @@ def marks(points: Points | None) -> Marks:
 def _pair(what: str, at: Any) -> NDArray[np.float64]:
     pair = _numbers(what, at)
     if pair.shape != (2,):
-        hint = f" (many points without names: {_EXPECTED.split(', ', 1)[1]})" if pair.ndim else ""
+        hint = "; many points without names are an array with rows of (k, μ)" if pair.ndim else ""
         raise ValueError(f"{what} is {at!r}; expected (k, μ){hint}")
     return pair
 
