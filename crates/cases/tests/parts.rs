@@ -1,7 +1,8 @@
 //! Bodies of parts, objects of a given length and cylinders, as case files give them.
 
 use standfast::Mode;
-use standfast_cases::results::{ResultName, ResultValue};
+use standfast_cases::results::{ResultKind, ResultName, ResultValue};
+use standfast_cases::units::Dimension;
 use standfast_cases::{Assessment, CaseFile};
 
 fn assess(text: &str) -> Assessment {
@@ -20,7 +21,8 @@ fn number(assessment: &Assessment, result: ResultName) -> f64 {
 fn same(one: &str, two: &str, times: f64) {
     let (one, two) = (assess(one), assess(two));
     for result in ResultName::ALL {
-        let whole = ["P", "M_p", "U", "M_U", "buoyant_weight"].contains(&result.name());
+        let whole =
+            matches!(result.info().kind, ResultKind::Number(Some(Dimension::Force | Dimension::Moment)));
         let times = if whole { times } else { 1.0 };
         match (result.of(one.governing()), result.of(two.governing())) {
             (ResultValue::Number(one), ResultValue::Number(two)) => {
