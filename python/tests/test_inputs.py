@@ -217,7 +217,7 @@ def test_the_advice_is_of_the_function_that_was_called() -> None:
         found = eval(advised(message, "").split(", or")[0], {"standfast": standfast, "frame": frame})
         assert found.columns == frame.columns + function(frame).columns
     message = refused("codes is a polars expression", pl.col("codes"), function=standfast.symbols)
-    codes = pl.DataFrame({"codes": [0, 1]})
+    codes = pl.DataFrame({"mode": [0, 1]})
     found = eval(advised(message, "").split(", or")[0], {"standfast": standfast, "frame": codes})
     assert found["symbol"].to_list() == ["RE", "SL"]
 
@@ -232,7 +232,7 @@ def test_the_advice_is_of_the_function_that_was_called() -> None:
     for table in (frame, pd.DataFrame(POINTS), pa.table(POINTS)):
         assert "map" not in refused("a whole table; expected", 1, 0.4, table, 0.5, function=standfast.explain)
     for value in (xr.DataArray([0.5]), lazy, pl.col("k")):
-        assert "apply_ufunc" not in refused("explain takes one number", 1, 0.4, value, 0.5, function=standfast.explain)
+        assert "apply_ufunc" not in refused("k is a", 1, 0.4, value, 0.5, function=standfast.explain)
     assert "map" not in refused("a whole table; expected a column of it", codes.lazy().collect(), function=standfast.symbols)
 
 
