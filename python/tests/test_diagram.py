@@ -315,7 +315,7 @@ def test_tables_of_every_library_are_points() -> None:
     [
         ({"storm": (0.5, -0.1)}, ValueError, r'point "storm": friction μ is -0.1; expected a number from 0'),
         ({"storm": (float("nan"), 0.1)}, ValueError, r'point "storm": force k is NaN; expected'),
-        ({"k": [0.1, 0.2, 0.3], "mu": [0.1, 0.2, 0.3]}, ValueError, r"point 'k' is \[0.1, 0.2, 0.3\]; expected \(k, μ\) \(many"),
+        ({"k": [0.1, 0.2, 0.3], "mu": [0.1, 0.2, 0.3]}, ValueError, r"point 'k' is \[0.1, 0.2, 0.3\]; expected \(k, μ\); many"),
         ({"storm": 0.5}, ValueError, r"point 'storm' is 0.5; expected \(k, μ\)"),
         ({"storm": ("0.5", "0.1")}, TypeError, r"point 'storm' holds <U3 such as '0.5'; expected numbers"),
         ([(0.5, 0.1), (0.5, -0.1)], ValueError, "friction μ is -0.1 at index 1; expected"),
