@@ -75,7 +75,7 @@ pub(crate) fn diagram_outlines<'py>(
     let areas: Vec<(u8, &str, &str, Vec<Polyline>)> = shown
         .areas
         .into_iter()
-        .map(|area| (area.mode.code(), area.symbol, area.tint, area.polygons))
+        .map(|area| (area.verdict.code(), area.symbol, area.tint, area.polygons))
         .collect();
     let unresolved: Vec<(&str, u8, u16, Vec<Polyline>)> = shown
         .unresolved

@@ -2,9 +2,13 @@
 
 use crate::labels::{Board, Leader, Lines};
 use crate::palette::{INK, MARK, PAPER};
-use crate::plot::{Frame, Piece};
+use crate::plot::{Arc, Frame, Piece};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
+use crate::{DesignPoint, is_drawable};
+
+/// The type size of formulas and of the names of design points.
+pub(crate) const FORMULA: f64 = 13.0;
 
 /// A scene and the board that knows what is drawn in its plot.
 pub(crate) struct Canvas {
@@ -103,6 +107,59 @@ impl Canvas {
             path.line_to(x + 0.1, y);
         }
         self.scene.stroke(&path, Pen { colour: MARK, width: 2.2, dashes: "0 9" });
+    }
+
+    /// Points without names, given as (k, μ), as far as the window shows them.
+    pub(crate) fn cloud(&mut self, points: &[(f64, f64)]) {
+        let frame = self.board.frame;
+        let seen = points.iter().filter(|point| is_drawable(point) && frame.shows(point.0, point.1));
+        let places: Vec<_> = seen.map(|&(k, mu)| frame.at(k, mu)).collect();
+        self.dots(&places);
+    }
+
+    /// Design points with their names. What lies outside is pointed at from the nearest place of the edge. Gives the points that carry a
+    /// number in place of their name, for want of room.
+    pub(crate) fn design_points(&mut self, points: &[DesignPoint]) -> Vec<usize> {
+        let frame = self.board.frame;
+        let at = |point: &DesignPoint| {
+            let ((x, y), Rect { x0, y0, x1, y1 }) = (frame.at(point.k, point.mu), frame.area.grown(-7.0));
+            if frame.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
+        };
+        for point in points.iter().filter(|point| point.is_drawable()) {
+            if frame.shows(point.k, point.mu) {
+                self.diamond(at(point));
+            } else {
+                self.pointer(at(point), frame.at(point.k, point.mu));
+            }
+        }
+        let mut numbered = Vec::new();
+        for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
+            let label = point.label.trim();
+            if label.is_empty() || self.design_label(&Text::verbatim(label, FORMULA), at(point)) {
+                continue;
+            }
+            // No room for the name: a number, which the caption explains.
+            let number = Text::verbatim(&(i + 1).to_string(), FORMULA);
+            if self.design_label(&number, at(point)) {
+                numbered.push(i);
+            }
+        }
+        numbered
+    }
+
+    /// What a line is called, in one of its arcs' places that is clear; false if there is none.
+    pub(crate) fn beside_line(&mut self, arcs: &[Arc], text: &Text) -> bool {
+        let place = arcs.iter().find_map(|arc| self.board.along(arc, text));
+        self.place(text, place, INK)
+    }
+
+    /// What a line is called, near one of some places on it and joined by a leader; false if there is no room.
+    pub(crate) fn joined(&mut self, places: impl IntoIterator<Item = (f64, f64)>, text: &Text) -> bool {
+        let size = (text.width, text.height());
+        let found = places.into_iter().find_map(|to| self.board.near(to, 0.0, size, 6, Lines::Avoid));
+        let Some((rect, leader)) = found else { return false };
+        self.leader(&leader);
+        self.place(text, Some(rect), INK)
     }
 
     /// Names a region: inside it, or beside it with a leader; not at all if it is too small to be seen. `patch` is the

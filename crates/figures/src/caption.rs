@@ -1,16 +1,17 @@
 //! What is said below a chart, and to readers who do not see it.
 
 use standfast::diagram::Unresolved;
+use standfast::ground::GroundVerdict;
 use standfast::{Modes, Point};
 
 use crate::drawing::Drawing;
-use crate::is_drawable;
 use crate::margins;
 use crate::number::digits;
-use crate::palette::symbol;
+use crate::palette::{symbol, verdict_symbol};
 use crate::plot::View;
 use crate::sheet::{Part, letter_markup};
 use crate::text::Text;
+use crate::{DesignPoint, is_drawable};
 
 /// Type sizes of the caption and of the details below it.
 pub(crate) const SIZE: f64 = 13.0;
@@ -26,7 +27,6 @@ pub(crate) fn title(drawing: &Drawing) -> String {
 /// The body, the named points, `legend` (what found no room in the chart) and the design points, of which the
 /// `numbered` ones carry a number in the chart, as words of a paragraph.
 pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) -> Vec<Text> {
-    let pair = |k: f64, mu: f64| format!("$({},{})$", digits(k), digits(mu));
     let named =
         drawing.named().map(|point| format!("{} {}", letter_markup(point.name), pair(point.k, point.mu)));
     let parts: Vec<_> = named.chain(legend.iter().cloned()).collect();
@@ -34,7 +34,32 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
     if drawing.sheet.shaded.iter().any(|part| matches!(part, Part::Unresolved(_))) {
         words.extend(margins::words("Hatched: given to another mode in IV.7.", SMALL));
     }
-    let shown = drawing.points.iter().enumerate().filter(|(_, point)| point.is_drawable());
+    let chart = drawing.diagram.chart();
+    let said = |point: &DesignPoint| {
+        let at = Point::new(chart.gamma(), chart.k_prime(), point.k, point.mu).ok()?;
+        Some(Said { verdict: GroundVerdict::Begins(at.mode()), others: at.others() })
+    };
+    words.extend(of_points(drawing.points, drawing.cloud, &drawing.window, numbered, said));
+    words
+}
+
+/// What is said of a point whose force points left.
+pub(crate) struct Said {
+    pub verdict: GroundVerdict,
+    /// What is consistent beside it.
+    pub others: Modes,
+}
+
+/// The design points, of which the `numbered` ones carry a number in the chart, each with what `said` says of it; and the cloud.
+pub(crate) fn of_points(
+    points: &[DesignPoint],
+    cloud: &[(f64, f64)],
+    window: &View,
+    numbered: &[usize],
+    said: impl Fn(&DesignPoint) -> Option<Said>,
+) -> Vec<Text> {
+    let mut words = Vec::new();
+    let shown = points.iter().enumerate().filter(|(_, point)| point.is_drawable());
     for (i, point) in shown.take(LISTED) {
         let name = match point.label.trim() {
             "" => format!("Point {}", i + 1),
@@ -42,30 +67,37 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
             label => label.into(),
         };
         words.extend(name.split_whitespace().map(|word| Text::verbatim(&shortened(word), SMALL)));
-        let outside = if drawing.window.shows(point.k, point.mu) { "" } else { ", outside the window" };
+        let outside = if window.shows(point.k, point.mu) { "" } else { ", outside the window" };
         words.extend(margins::words(&format!("{}{outside}:", pair(point.k, point.mu)), SMALL));
-        let chart = drawing.diagram.chart();
-        if let Ok(at) = Point::new(chart.gamma(), chart.k_prime(), point.k, point.mu) {
-            let (mode, others, remark) = if point.mirrored {
-                (at.mode().mirrored(), at.others().mirrored(), " (to the right, mirrored)")
+        if let Some(Said { verdict, others }) = said(point) {
+            let (verdict, others, remark) = if point.mirrored {
+                (verdict.mirrored(), others.mirrored(), " (to the right, mirrored)")
             } else {
-                (at.mode(), at.others(), "")
+                (verdict, others, "")
             };
-            words.extend(margins::words(&format!("{}{}{remark}.", symbol(mode), also(others)), SMALL));
+            words.extend(margins::words(
+                &format!("{}{}{remark}.", verdict_symbol(verdict), also(others)),
+                SMALL,
+            ));
         }
     }
-    let beyond = drawing.points.iter().filter(|point| point.is_drawable()).count().saturating_sub(LISTED);
+    let beyond = points.iter().filter(|point| point.is_drawable()).count().saturating_sub(LISTED);
     if beyond > 0 {
         words.extend(margins::words(&format!("And {beyond} more."), SMALL));
     }
-    words.extend(margins::words(&cloud(drawing), SMALL));
+    words.extend(margins::words(&of_cloud(cloud, window), SMALL));
     words
 }
 
+/// A place of the plane in markup.
+pub(crate) fn pair(k: f64, mu: f64) -> String {
+    format!("$({},{})$", digits(k), digits(mu))
+}
+
 /// How many points without names there are, in and out of the window.
-fn cloud(drawing: &Drawing) -> String {
-    let points = || drawing.cloud.iter().filter(|point| is_drawable(point));
-    let outside = points().filter(|&&(k, mu)| !drawing.window.shows(k, mu)).count();
+fn of_cloud(cloud: &[(f64, f64)], window: &View) -> String {
+    let points = || cloud.iter().filter(|point| is_drawable(point));
+    let outside = points().filter(|&&(k, mu)| !window.shows(k, mu)).count();
     match (points().count(), outside) {
         (0, _) => String::new(),
         (count, 0) => format!("Dots: {count} points."),
@@ -79,7 +111,7 @@ pub(crate) fn also(others: Modes) -> String {
 }
 
 /// The symbols of modes in markup.
-fn symbols(modes: Modes) -> String {
+pub(crate) fn symbols(modes: Modes) -> String {
     modes.iter().map(symbol).collect::<Vec<_>>().join(", ")
 }
 

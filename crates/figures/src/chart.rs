@@ -7,22 +7,20 @@ use standfast::Mode;
 use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
 
-use crate::canvas::Canvas;
+use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{SIZE, SMALL};
 use crate::drawing::Drawing;
-use crate::labels::Lines;
 use crate::margins::{self, Numbers, Tab};
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
 use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
-use crate::{DesignPoint, Figure, caption, inset, is_drawable};
+use crate::{Figure, caption, inset};
 
-const PLOT: (f64, f64) = (400.0, 310.0);
+pub(crate) const PLOT: (f64, f64) = (400.0, 310.0);
 const TOP: f64 = 42.0;
-const LETTER: f64 = 14.5;
-const FORMULA: f64 = 13.0;
+pub(crate) const LETTER: f64 = 14.5;
 pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" };
 
 /// A shaded area as the window shows it.
@@ -134,7 +132,7 @@ impl Drawing<'_> {
 }
 
 /// A plot with its left edge at `left`.
-fn frame_at(left: f64, window: View) -> Frame {
+pub(crate) fn frame_at(left: f64, window: View) -> Frame {
     Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window }
 }
 
@@ -216,9 +214,9 @@ impl<'a> Draft<'a> {
 
     /// What stands over the lines: letters, points, the lens, names, notes and formulas, the later where the earlier leave room.
     pub(crate) fn marks(&mut self) {
-        self.cloud();
+        self.canvas.cloud(self.given.cloud);
         self.letters();
-        self.design_points();
+        self.numbered = self.canvas.design_points(self.given.points);
         self.lens();
         self.names();
         self.notes();
@@ -273,42 +271,6 @@ impl<'a> Draft<'a> {
         Some(frame.at(arc.to, arc.curve.at(arc.to)))
     }
 
-    fn cloud(&mut self) {
-        let frame = self.canvas.board.frame;
-        let seen =
-            self.given.cloud.iter().filter(|point| is_drawable(point) && frame.shows(point.0, point.1));
-        let places: Vec<_> = seen.map(|&(k, mu)| frame.at(k, mu)).collect();
-        self.canvas.dots(&places);
-    }
-
-    fn design_points(&mut self) {
-        let frame = self.canvas.board.frame;
-        let points = self.given.points;
-        // What lies outside is pointed at from the nearest place of the edge.
-        let at = |point: &DesignPoint| {
-            let ((x, y), Rect { x0, y0, x1, y1 }) = (frame.at(point.k, point.mu), frame.area.grown(-7.0));
-            if frame.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
-        };
-        for point in points.iter().filter(|point| point.is_drawable()) {
-            if frame.shows(point.k, point.mu) {
-                self.canvas.diamond(at(point));
-            } else {
-                self.canvas.pointer(at(point), frame.at(point.k, point.mu));
-            }
-        }
-        for (i, point) in points.iter().enumerate().filter(|(_, point)| point.is_drawable()) {
-            let label = point.label.trim();
-            if label.is_empty() || self.canvas.design_label(&Text::verbatim(label, FORMULA), at(point)) {
-                continue;
-            }
-            // No room for the name: a number, which the caption explains.
-            let number = Text::verbatim(&(i + 1).to_string(), FORMULA);
-            if self.canvas.design_label(&number, at(point)) {
-                self.numbered.push(i);
-            }
-        }
-    }
-
     fn lens(&mut self) {
         if self.given.sheet.lens {
             inset::draw(&mut self.canvas.scene, &mut self.canvas.board, self.given.diagram);
@@ -350,18 +312,13 @@ impl<'a> Draft<'a> {
         let chart = self.given.diagram.chart();
         let markup = line.formula(chart);
         let text = Text::new(markup, FORMULA);
-        if self.beside(arcs, &text) {
-            return;
-        }
+        let frame = self.canvas.board.frame;
         let longest = &arcs[0];
-        let joined = [0.5, 0.7, 0.3].into_iter().find_map(|share| {
+        let places = [0.5, 0.7, 0.3].map(|share| {
             let k = longest.from + share * (longest.to - longest.from);
-            let to = self.canvas.board.frame.at(k, longest.curve.at(k));
-            self.canvas.board.near(to, 0.0, (text.width, text.height()), 6, Lines::Avoid)
+            frame.at(k, longest.curve.at(k))
         });
-        if let Some((rect, leader)) = joined {
-            self.canvas.leader(&leader);
-            self.canvas.place(&text, Some(rect), INK);
+        if self.canvas.beside_line(arcs, &text) || self.canvas.joined(places, &text) {
             return;
         }
         let Some(short) = line.short() else {
@@ -373,15 +330,10 @@ impl<'a> Draft<'a> {
             return;
         };
         let text = Text::new(short, FORMULA);
-        if !self.beside(arcs, &text) {
+        if !self.canvas.beside_line(arcs, &text) {
             self.at_edge(line, text);
         }
         self.legend.push(markup.into());
-    }
-
-    fn beside(&mut self, arcs: &[Arc], text: &Text) -> bool {
-        let place = arcs.iter().find_map(|arc| self.canvas.board.along(arc, text));
-        self.canvas.place(text, place, INK)
     }
 
     /// The named values under the k axis; their formulas in the caption for want of room. Returns the y below.

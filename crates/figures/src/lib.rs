@@ -16,7 +16,7 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `feasible` (two quantities of a design) |
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
@@ -38,6 +38,7 @@ mod drawing;
 mod feasible;
 mod font;
 mod free_body;
+mod ground;
 mod inset;
 mod labels;
 mod map;
@@ -68,6 +69,7 @@ pub use cases::cases_on_screen;
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
+pub use ground::{GroundPlane, ground_diagram, ground_outlines};
 pub use margins::{AxisNumbers, axis_numbers};
 pub use number::significant;
 pub use outlines::outlines;

@@ -159,6 +159,12 @@ pub(crate) fn sheet(case: ChartCase) -> (&'static Sheet, &'static str) {
     }
 }
 
+/// k_A, or k_D where A is at infinity or next to it.
+pub(crate) fn unit(diagram: &Diagram) -> f64 {
+    let chart = diagram.chart();
+    Some(chart.k_a()).filter(|&k| k < 1e6 / chart.gamma()).unwrap_or(chart.k_d())
+}
+
 /// The window of a diagram: A, unless it is at infinity or next to it, the other named points up to some times its distance, and all
 /// points to be marked, given as (k, μ).
 pub(crate) fn window(diagram: &Diagram, points: &[(f64, f64)]) -> View {

@@ -4,6 +4,7 @@
 //! stay within a two-thousandth of the window's height of the exact ones.
 
 use standfast::diagram::Window;
+use standfast::ground::GroundVerdict;
 use standfast::initiation::PointName;
 use standfast::region::{Curve, Strip};
 use standfast::{Diagram, Mode, Modes};
@@ -28,6 +29,8 @@ pub struct Outlines {
     pub unresolved: Vec<UnresolvedArea>,
     /// The drawn lines, in the order in which they are drawn.
     pub lines: Vec<OutlinedLine>,
+    /// Of a base that gives way, the boundaries on rigid ground: to be drawn behind.
+    pub rigid: Vec<Polyline>,
     /// The named points in the window.
     pub points: Vec<Mark>,
     /// Values marked on the k axis.
@@ -39,8 +42,8 @@ pub struct Outlines {
 /// The region of a mode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
-    /// The mode.
-    pub mode: Mode,
+    /// What the body does there: a mode, or BF on ground that fails.
+    pub verdict: GroundVerdict,
     /// Its symbol as markup.
     pub symbol: &'static str,
     /// Its colour, as `#rrggbb`.
@@ -109,7 +112,7 @@ pub struct Tick {
 /// use standfast_figures::{DiagramContent, outlines};
 ///
 /// let shown = outlines(&Diagram::new(3.0, 0.8)?, &DiagramContent::default());
-/// let slide = shown.areas.iter().find(|area| area.mode == Mode::SlideLeft).unwrap();
+/// let slide = shown.areas.iter().find(|area| area.verdict.mode() == Some(Mode::SlideLeft)).unwrap();
 /// assert_eq!(slide.polygons[0][0], (0.0, 0.0));
 /// # Ok::<(), standfast::InputError>(())
 /// ```
@@ -121,7 +124,7 @@ pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
     let shows = |k: f64, mu: f64| (0.0..=window.k).contains(&k) && (0.0..=window.mu).contains(&mu);
 
     let areas = diagram.regions().iter().map(|region| Area {
-        mode: region.mode,
+        verdict: GroundVerdict::Begins(region.mode),
         symbol: symbol(region.mode),
         tint: tint(region.mode),
         polygons: polygons(&region.strips, &view),
@@ -173,6 +176,7 @@ pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
         areas: areas.collect(),
         unresolved: unresolved.collect(),
         lines: lines.collect(),
+        rigid: Vec::new(),
         points: points.collect(),
         k_marks: k_marks.collect(),
         mu_marks: mu_marks.collect(),
@@ -197,7 +201,7 @@ fn name(line: Line, elevation: f64) -> &'static str {
 }
 
 /// The outline of strips in a window: out along the lower edges, back along the upper ones.
-fn polygons(strips: &[Strip], view: &View) -> Vec<Polyline> {
+pub(crate) fn polygons(strips: &[Strip], view: &View) -> Vec<Polyline> {
     let pieces = clip_strips(strips, view);
     let rows = pieces.chunk_by(|left, right| left.to == right.from);
     rows.map(|row| {

@@ -4,11 +4,14 @@
 //! yellow, which colour-blind readers see. A mode that the report's force cannot start has the tint of its mirror image.
 
 use standfast::Mode;
+use standfast::ground::GroundVerdict;
 
 /// Curves, axes and text.
 pub(crate) const INK: &str = "#16202b";
 /// Drop lines, leaders and hatching.
 pub(crate) const FAINT: &str = "#5d6873";
+/// What stands behind for comparison.
+pub(crate) const BEHIND: &str = "#7d8791";
 /// Design points.
 pub(crate) const MARK: &str = "#a3123f";
 /// The page.
@@ -42,6 +45,19 @@ pub(crate) fn tint(mode: Mode) -> &'static str {
     }
 }
 
+/// The tint of ground that fails: the darkest in grey print.
+const FAILED: &str = "#c9ae98";
+
+/// The tint of what a body does on ground that can fail.
+pub(crate) fn verdict_tint(verdict: GroundVerdict) -> &'static str {
+    verdict.mode().map_or(FAILED, tint)
+}
+
+/// The symbol of the same in markup.
+pub(crate) fn verdict_symbol(verdict: GroundVerdict) -> &'static str {
+    verdict.mode().map_or(r"$\up{BF}$", symbol)
+}
+
 /// A colour of this palette as a custom property that a page may set, with the colour itself where it does not.
 pub(crate) fn themed(colour: &str) -> &str {
     match colour {
@@ -58,6 +74,8 @@ pub(crate) fn themed(colour: &str) -> &str {
         "#6cb7a2" => "var(--slide-rock-toe,#6cb7a2)",
         "#c5799f" => "var(--slide-rock-right,#c5799f)",
         "#dcd6cb" => "var(--flight,#dcd6cb)",
+        FAILED => "var(--bearing-failure,#c9ae98)",
+        BEHIND => "var(--behind,#7d8791)",
         other => other,
     }
 }

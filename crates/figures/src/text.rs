@@ -316,7 +316,10 @@ fn plain_script(mark: &str, argument: &str) -> String {
         ("^", "2") => "²".into(),
         ("_", "−") => "₋".into(),
         ("_", "+") => "₊".into(),
-        _ => format!("{mark}{argument}"),
+        _ => {
+            let upright = argument.strip_prefix(r"\up{").and_then(|rest| rest.strip_suffix('}'));
+            format!("{mark}{}", upright.unwrap_or(argument))
+        }
     }
 }
 

@@ -301,6 +301,25 @@ impl Ground {
         }
     }
 
+    /// The eccentricity, as a share of B and on the side that X pushes to, at which the ground bears most under the inclination η.
+    fn best_eccentricity(&self, inclination: f64) -> f64 {
+        match self.0 {
+            Kind::Soil { .. } => 0.0,
+            Kind::Envelope { horizontal, moment, coupling, .. } => {
+                (2.0 * coupling * inclination * moment / horizontal).clamp(-0.999, 0.999)
+            }
+        }
+    }
+
+    /// The law by name: `ec7`, `hansen` or `envelope`.
+    pub fn law_name(&self) -> &'static str {
+        match self.0 {
+            Kind::Soil { law: GroundLaw::Ec7, .. } => "ec7",
+            Kind::Soil { law: GroundLaw::Hansen, .. } => "hansen",
+            Kind::Envelope { .. } => "envelope",
+        }
+    }
+
     /// R/P.
     pub fn factor(&self, reaction: &Reaction) -> f64 {
         self.resistance(reaction) / reaction.p

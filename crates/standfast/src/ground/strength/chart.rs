@@ -263,8 +263,9 @@ impl CrushChart {
         [A, C, D, E].into_iter().filter_map(|name| self.point(name)).collect()
     }
 
-    /// Where μ* crosses a line of the plane, right of A: the roots of a polynomial of the fourth degree in α.
-    fn crossings(&self, line: Curve) -> Vec<f64> {
+    /// Where μ* crosses a line of the plane, right of A and from left to right: the roots of a polynomial of the fourth degree in α.
+    /// Of a hyperbola it is the tangent at k = 0.
+    pub fn rock_crossings(&self, line: Curve) -> Vec<RockEdgePoint> {
         let (slope, intercept) = (line.slope(0.0), line.at(0.0));
         let times = |f: &[f64], g: &[f64]| {
             let mut all = vec![0.0; f.len() + g.len() - 1];
@@ -286,7 +287,7 @@ impl CrushChart {
         let mut right: Vec<f64> = force.iter().map(|k| slope * k).collect();
         square.iter().zip(&mut right).for_each(|(s, r)| *r += intercept * lever * s);
         let (left, right) = (times(&pull, &u), times(&right, &one));
-        let mut at = Vec::new();
+        let mut at: Vec<f64> = Vec::new();
         for branch in [1.0, -1.0] {
             let mut f: Vec<f64> = left.iter().zip(&right).map(|(l, r)| branch * l - r).collect();
             let size = left.iter().chain(&right).fold(0.0, |size: f64, c| size.max(c.abs()));
@@ -299,9 +300,10 @@ impl CrushChart {
             }
             let Some(leading) = f.last() else { continue };
             let most = 1.0 + f.iter().map(|c| (c / leading).abs()).fold(0.0, f64::max);
-            at.extend(real_roots(&f, 0.0, most).into_iter().map(|alpha| self.rock_at(alpha).k));
+            at.extend(real_roots(&f, 0.0, most));
         }
-        at
+        at.sort_by(f64::total_cmp);
+        at.into_iter().map(|alpha| self.rock_at(alpha)).collect()
     }
 }
 
@@ -320,8 +322,8 @@ impl CrushMap {
         let (upper, lower) = (chart.upper_line(), chart.lower_line());
         let mut ends = vec![chart.k_a(), chart.k_d(), chart.k_e()];
         if chart.k_a().is_finite() {
-            ends.extend(chart.crossings(upper));
-            ends.extend(chart.crossings(lower));
+            let crossings = [upper, lower].map(|line| chart.rock_crossings(line));
+            ends.extend(crossings.into_iter().flatten().map(|point| point.k));
         }
         ends.retain(|k| k.is_finite() && *k > 0.0);
         ends.sort_by(f64::total_cmp);

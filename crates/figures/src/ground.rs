@@ -1,0 +1,375 @@
+//! The k–μ plane where the base gives way: a base that crushes, with the rigid map in grey behind it, or ground that fails.
+//!
+//! All curves are lines between points that satisfy the library's equations to the last digit, so dense that no bend is seen.
+
+mod crush;
+mod shape;
+mod soil;
+
+use standfast::diagram::Window;
+use standfast::ground::GroundVerdict;
+use standfast::ground::bearing::BearingPlane;
+use standfast::ground::strength::{CrushMap, CrushPoint};
+use standfast::{Diagram, Modes};
+
+use self::shape::{Shape, through};
+use crate::canvas::{Canvas, FORMULA};
+use crate::caption::{self, SIZE, SMALL, Said, pair};
+use crate::chart::{LETTER, PLOT, frame_at};
+use crate::margins::{self, Numbers};
+use crate::number::digits;
+use crate::outlines::{OutlinedLine, Outlines, polygons};
+use crate::palette::{BEHIND, FAINT, INK, verdict_symbol, verdict_tint};
+use crate::plot::{Arc, Piece, View, clip_strips, hatch, outline};
+use crate::scene::{Path, Pen, Rect};
+use crate::text::Text;
+use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
+
+const BOUNDARY: Pen = Pen::solid(INK, 1.5);
+const DASHED: Pen = Pen { colour: INK, width: 0.9, dashes: "5 3.4" };
+const RIGID: Pen = Pen::solid(BEHIND, 1.1);
+
+/// The k–μ plane of a base that gives way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GroundPlane<'a> {
+    /// A base that crushes.
+    Crushing(&'a CrushMap),
+    /// Ground that fails.
+    Failing(&'a BearingPlane),
+}
+
+/// The k–μ plane where the base gives way, with the lines of the rigid map in grey behind.
+///
+/// ```
+/// use standfast::ground::strength::CrushMap;
+/// use standfast_figures::{DesignPoint, DiagramContent, GroundPlane, ground_diagram};
+///
+/// let map = CrushMap::new(0.8, 0.9167, 0.08)?;
+/// let storm = [DesignPoint { k: 0.61, mu: 0.6, label: "storm".into(), mirrored: false }];
+/// let content = DiagramContent { points: &storm, ..DiagramContent::default() };
+/// let figure = ground_diagram(GroundPlane::Crushing(&map), &content);
+/// assert!(figure.caption().contains("storm (0.61, 0.6): RO."));
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+pub fn ground_diagram(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
+    Draft::new(plane, content).figure(plane, content)
+}
+
+/// The same as coordinates; see [`outlines`](fn@crate::outlines). Curves go through points that satisfy the library's equations to the
+/// last digit.
+pub fn ground_outlines(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Outlines {
+    let window = plane.window_of(content);
+    let view = View::from_origin(window.k, window.mu);
+    let Shape { areas, lines, points, k_marks, mu_marks } = plane.shape(&view);
+    let areas = areas.iter().map(|(verdict, strips)| outlines::Area {
+        verdict: *verdict,
+        symbol: verdict_symbol(*verdict),
+        tint: verdict_tint(*verdict),
+        polygons: polygons(strips, &view),
+    });
+    Outlines {
+        window,
+        areas: areas.collect(),
+        unresolved: Vec::new(),
+        lines,
+        rigid: plane.rigid_lines(window),
+        points,
+        k_marks,
+        mu_marks,
+    }
+}
+
+impl GroundPlane<'_> {
+    fn body(&self) -> (f64, f64) {
+        match self {
+            GroundPlane::Crushing(map) => (map.chart().gamma(), map.chart().k_prime()),
+            GroundPlane::Failing(plane) => (plane.gamma(), plane.k_prime()),
+        }
+    }
+
+    /// The plane on rigid ground.
+    fn rigid(&self) -> Diagram {
+        let (gamma, k_prime) = self.body();
+        Diagram::new(gamma, k_prime).expect("a plane has been made of these numbers")
+    }
+
+    /// The window asked for; if none is, one that shows both this plane and the rigid one behind it, and all points.
+    pub fn window_of(&self, content: &DiagramContent<'_>) -> Window {
+        content.window.unwrap_or_else(|| {
+            let View { k_max, mu_max, .. } = map::window(&self.rigid(), &[]);
+            // Where little is left of the plane, the rigid one gives way.
+            let share = match self {
+                GroundPlane::Crushing(map) => (2.5 * (1.0 - map.chart().omega())).min(1.0),
+                GroundPlane::Failing(plane) => {
+                    let (k_bf, unit) = (plane.k_bf(), map::unit(&self.rigid()));
+                    if k_bf > 0.0 { (3.0 * k_bf / unit).min(1.0) } else { 1.0 }
+                }
+            };
+            let mut window = Window { k: share * k_max, mu: share * mu_max };
+            for (k, mu) in content.marked() {
+                window = Window { k: window.k.max(1.12 * k), mu: window.mu.max(1.12 * mu) };
+            }
+            window
+        })
+    }
+
+    fn shape(&self, view: &View) -> Shape {
+        match self {
+            GroundPlane::Crushing(map) => crush::shape(map, view),
+            GroundPlane::Failing(plane) => soil::shape(plane, view),
+        }
+    }
+
+    /// The boundaries on rigid ground.
+    fn rigid_lines(&self, window: Window) -> Vec<outlines::Polyline> {
+        let content = DiagramContent { window: Some(window), ..DiagramContent::default() };
+        let lines = outlines::outlines(&self.rigid(), &content).lines.into_iter();
+        lines.filter(|line| !line.dashed).flat_map(|line| line.parts).collect()
+    }
+
+    fn said(&self, point: &DesignPoint) -> Option<Said> {
+        match self {
+            GroundPlane::Crushing(map) => {
+                let chart = map.chart();
+                let at =
+                    CrushPoint::new(chart.gamma(), chart.k_prime(), point.k, point.mu, chart.omega()).ok()?;
+                Some(Said { verdict: at.verdict(), others: at.others() })
+            }
+            GroundPlane::Failing(plane) => {
+                let verdict = plane.at(point.k, point.mu).ok()?.verdict;
+                Some(Said { verdict, others: Modes::NONE })
+            }
+        }
+    }
+
+    fn heading(&self) -> &'static str {
+        match self {
+            GroundPlane::Crushing(_) => "All modes on a base that crushes:",
+            GroundPlane::Failing(_) => "Rest, sliding and bearing failure:",
+        }
+    }
+
+    /// What the plane is of, in markup.
+    fn given(&self) -> String {
+        let (gamma, k_prime) = self.body();
+        let body = format!("$γ = {}$, $k′ = {}$", digits(gamma), digits(k_prime));
+        match self {
+            GroundPlane::Crushing(map) => format!("{body}, $ω = {}$", digits(map.chart().omega())),
+            GroundPlane::Failing(plane) => {
+                let law = plane.ground().law_name();
+                format!("{body}; ground by {law}, $u = P/V_0 = {}$", digits(plane.share()))
+            }
+        }
+    }
+}
+
+/// The figure under way.
+struct Draft {
+    canvas: Canvas,
+    shape: Shape,
+    window: Window,
+    areas: Vec<(GroundVerdict, Vec<Piece>)>,
+    numbers: Numbers,
+    /// What is said below of lines and hatching, in markup.
+    legend: Vec<String>,
+}
+
+impl Draft {
+    fn new(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Draft {
+        let window = plane.window_of(content);
+        let view = View::from_origin(window.k, window.mu);
+        let shape = plane.shape(&view);
+        let numbers = Numbers::of(&view, PLOT.0, PLOT.1);
+        let canvas = Canvas::new(frame_at(numbers.width().max(34.0) + 6.0, view));
+        let areas = shape.areas.iter().map(|(verdict, strips)| (*verdict, clip_strips(strips, &view)));
+        let areas = areas.filter(|(_, pieces)| !pieces.is_empty()).collect();
+        Draft { canvas, shape, window, areas, numbers, legend: Vec::new() }
+    }
+
+    fn figure(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
+        let frame = self.canvas.board.frame;
+        for (verdict, pieces) in &self.areas {
+            self.canvas.scene.fill(&outline(&frame, pieces), verdict_tint(*verdict));
+        }
+        self.hatching(plane, content);
+        for part in plane.rigid_lines(self.window) {
+            self.line(&part, RIGID);
+        }
+        for line in std::mem::take(&mut self.shape.lines) {
+            for part in &line.parts {
+                self.line(part, if line.dashed { DASHED } else { BOUNDARY });
+            }
+            self.shape.lines.push(line);
+        }
+        margins::axes(&mut self.canvas.scene, &frame, &margins::NUMBERED);
+        let numbered = self.marks(content);
+        self.finish(plane, content, &numbered)
+    }
+
+    /// Draws a line and keeps labels off it.
+    fn line(&mut self, part: &[(f64, f64)], pen: Pen) {
+        let frame = self.canvas.board.frame;
+        let places: Vec<_> = part.iter().map(|&(k, mu)| frame.at(k, mu)).collect();
+        self.canvas.scene.stroke(&Path::through(&places), pen);
+        for pair in part.windows(2) {
+            let [(x0, y0), (x1, y1)] = [pair[0], pair[1]].map(|(k, mu)| frame.at(k, mu));
+            if (x1 - x0).abs() < 1e-6 {
+                self.canvas.board.verticals.push((x0, y0.min(y1), y0.max(y1)));
+            }
+        }
+        self.canvas.board.arcs.extend(arcs(part));
+    }
+
+    /// Hatches where several modes are consistent, if a point lies there.
+    fn hatching(&mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>) {
+        let GroundPlane::Crushing(map) = plane else { return };
+        let chart = map.chart();
+        let is_several = |&(k, mu): &(f64, f64)| {
+            let point = CrushPoint::new(chart.gamma(), chart.k_prime(), k, mu, chart.omega());
+            point.is_ok_and(|point| !point.is_unique())
+        };
+        if !content.marked().iter().any(is_several) {
+            return;
+        }
+        let frame = self.canvas.board.frame;
+        let (strips, modes) = crush::undecided(chart, &frame.window);
+        let pieces = clip_strips(&strips, &frame.window);
+        self.canvas.scene.stroke(&hatch(&frame, &pieces, 9.0, false), Pen::solid(FAINT, 0.4));
+        for (verdict, own) in &self.areas {
+            self.canvas.hatched.push((common(&pieces, own), verdict_tint(*verdict)));
+        }
+        self.legend.push(format!("hatched: one of {}", caption::symbols(modes)));
+    }
+
+    /// Letters, points, names of regions and formulas. Gives the points that carry numbers.
+    fn marks(&mut self, content: &DiagramContent<'_>) -> Vec<usize> {
+        let frame = self.canvas.board.frame;
+        self.canvas.cloud(content.cloud);
+        for point in &self.shape.points {
+            let (x, y) = frame.at(point.k, point.mu);
+            self.canvas.scene.dot((x, y), 2.6, INK, None);
+            self.canvas.board.reserve(Rect::around(x, y, 6.5, 6.5));
+        }
+        for point in &self.shape.points {
+            self.canvas.letter(&Text::new(&point.markup, LETTER), frame.at(point.k, point.mu));
+        }
+        let numbered = self.canvas.design_points(content.points);
+        for (verdict, pieces) in &self.areas {
+            self.canvas.name(pieces, verdict_symbol(*verdict), 15.5, None);
+        }
+        for line in std::mem::take(&mut self.shape.lines) {
+            self.formula(&line);
+            self.shape.lines.push(line);
+        }
+        numbered
+    }
+
+    /// A line's equation beside it, or near it with a leader, or in the caption.
+    fn formula(&mut self, line: &OutlinedLine) {
+        if line.formula.is_empty() || line.parts.is_empty() {
+            return;
+        }
+        let frame = self.canvas.board.frame;
+        let longest = line.parts.iter().max_by(|one, other| length(one).total_cmp(&length(other)));
+        let Some(part) = longest else { return };
+        // From a little beyond the middle of the line outwards.
+        let mut arcs = arcs(part);
+        let (from, to) = (part[0].0, part[part.len() - 1].0);
+        let middle = from + 0.6 * (to - from);
+        arcs.sort_by(|one, other| {
+            let off = |arc: &Arc| ((arc.from + arc.to) / 2.0 - middle).abs();
+            off(one).total_cmp(&off(other))
+        });
+        let places = || [2, 3, 4, 1].map(|i| part[(part.len() - 1) * i / 5]).map(|(k, mu)| frame.at(k, mu));
+        for markup in [line.formula, line.short] {
+            let text = Text::new(markup, FORMULA);
+            if !markup.is_empty()
+                && (self.canvas.beside_line(&arcs, &text) || self.canvas.joined(places(), &text))
+            {
+                return;
+            }
+        }
+        self.legend.push(format!("{}: {}", line.name.replace("mu", "μ"), line.formula));
+    }
+
+    fn finish(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>, numbered: &[usize]) -> Figure {
+        let frame = self.canvas.board.frame;
+        let bottom = self.numbers.draw(&mut self.canvas.scene, &frame);
+        let width = frame.area.x1 + 46.0;
+        let edges = (16.0, width - 16.0);
+        let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
+        let parts =
+            self.shape.points.iter().map(|point| format!("{} {}", point.markup, pair(point.k, point.mu)));
+        let parts: Vec<String> = parts.chain(std::mem::take(&mut self.legend)).collect();
+        let stop = if parts.is_empty() { "" } else { "." };
+        let known = format!("{}{stop} Grey: on rigid ground. {}", parts.join(", "), self.remark(plane));
+        let mut details = margins::words(known.trim(), SMALL);
+        let view = frame.window;
+        let said = |point: &DesignPoint| plane.said(point);
+        details.extend(caption::of_points(content.points, content.cloud, &view, numbered, said));
+        let scene = &mut self.canvas.scene;
+        let below = margins::paragraph(scene, &heading, edges, bottom + 16.0, SIZE);
+        let below = margins::paragraph(scene, &details, edges, below + 5.0, SMALL);
+        let [title, caption] = [&heading, &details]
+            .map(|words| words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" "));
+        let description = self.description(&caption);
+        let size = (width.ceil(), (below + 10.0).ceil());
+        let (svg, labels) = self.canvas.scene.finish(size.0, size.1, &title, &description);
+        Figure { svg, title, caption, labels, size }
+    }
+
+    /// What is to be known of the whole plane, in markup.
+    fn remark(&self, plane: GroundPlane<'_>) -> String {
+        let GroundPlane::Failing(plane) = plane else { return String::new() };
+        if plane.k_bf() > 0.0 { String::new() } else { "The ground does not bear the body alone.".to_owned() }
+    }
+
+    fn description(&self, caption: &str) -> String {
+        let plain = |markup: &str| Text::inline(markup, SMALL).plain;
+        let shaded = self.areas.iter().map(|(verdict, _)| {
+            format!(
+                "{}, where the body {}",
+                plain(verdict_symbol(*verdict)),
+                verdict.words().replace('\'', "′")
+            )
+        });
+        format!(
+            "Chart of the friction coefficient μ, upwards from 0 to {}, over the force k, to the right from 0 to {}. \
+             Shaded: {}. {caption}",
+            plain(&format!("${}$", digits(self.window.mu))),
+            plain(&format!("${}$", digits(self.window.k))),
+            shaded.collect::<Vec<_>>().join("; ")
+        )
+    }
+}
+
+fn length(part: &[(f64, f64)]) -> f64 {
+    part.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
+}
+
+/// A polyline as what labels keep off.
+fn arcs(part: &[(f64, f64)]) -> Vec<Arc> {
+    let rising = part
+        .windows(2)
+        .map(|pair| if pair[0].0 < pair[1].0 { (pair[0], pair[1]) } else { (pair[1], pair[0]) });
+    let flat = rising.filter(|(one, other)| one.0 < other.0);
+    flat.map(|(one, other)| Arc { curve: through(one, other), from: one.0, to: other.0 }).collect()
+}
+
+/// What two sets of pieces share.
+fn common(some: &[Piece], others: &[Piece]) -> Vec<Piece> {
+    let mut shared = Vec::new();
+    for one in some {
+        for other in others {
+            let (from, to) = (one.from.max(other.from), one.to.min(other.to));
+            let middle = (from + to) / 2.0;
+            if from < to
+                && one.lower.at(middle) < other.upper.at(middle)
+                && other.lower.at(middle) < one.upper.at(middle)
+            {
+                shared.push(Piece { from, to, ..*one });
+            }
+        }
+    }
+    shared
+}
