@@ -1,0 +1,327 @@
+//! Correlation of inputs by a normal copula: each input is a function of a standard normal z, and the z are correlated.
+//!
+//! What is known of two inputs may be the correlation of their z, of their ranks (Spearman), or of their values (Nataf, as
+//! described by Liu and Der Kiureghian, Probabilistic Engineering Mechanics 1, 1986):
+//!
+//! ```text
+//! ρ_z = 2 sin(πρ_rank/6)           ρ_value(ρ_z) = (E[x₁(z₁) x₂(z₂)] − m₁ m₂)/(s₁ s₂)
+//! ```
+//!
+//! The second rises with ρ_z and is solved for it; not every correlation of values can be had.
+
+use std::f64::consts::PI;
+
+use crate::law::Distribution;
+use crate::legendre;
+use crate::normal;
+
+/// How a correlation is measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Measure {
+    /// Of the standard normals behind the values.
+    Normal(f64),
+    /// Spearman's, of the ranks.
+    Rank(f64),
+    /// Pearson's, of the values.
+    Linear(f64),
+}
+
+impl Measure {
+    /// The number given.
+    pub fn value(self) -> f64 {
+        match self {
+            Measure::Normal(value) | Measure::Rank(value) | Measure::Linear(value) => value,
+        }
+    }
+}
+
+/// Two inputs, by their places, and how they are correlated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Correlation {
+    /// One input.
+    pub first: usize,
+    /// The other.
+    pub second: usize,
+    /// How much.
+    pub measure: Measure,
+}
+
+/// What is wrong with correlations.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CopulaError {
+    /// A pair that is one input twice, or has an input that is not there.
+    #[error("a correlation between inputs {first} and {second}: expected two different ones of {inputs}")]
+    Pair {
+        /// One place.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// How many inputs there are.
+        inputs: usize,
+    },
+    /// A pair that is named twice.
+    #[error("the correlation between inputs {first} and {second} is given twice")]
+    Twice {
+        /// One place.
+        first: usize,
+        /// The other.
+        second: usize,
+    },
+    /// A correlation that these two laws, or the others' correlations, do not admit.
+    #[error(
+        "the correlation {value} between inputs {first} and {second}: expected a value above {from} and below {to}"
+    )]
+    Unattainable {
+        /// One place.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// The value given.
+        value: f64,
+        /// The least that can be approached.
+        from: f64,
+        /// The largest that can be approached.
+        to: f64,
+        /// Whether it is the other correlations that do not admit it, rather than the two laws.
+        beside_others: bool,
+    },
+    /// Correlations that contradict each other, and not by one of them alone.
+    #[error(
+        "the correlations contradict each other: no change of a single one of them makes the matrix positive definite"
+    )]
+    Contradictory,
+}
+
+/// The correlation matrix of the standard normals behind the inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Copula {
+    matrix: Vec<Vec<f64>>,
+}
+
+impl Copula {
+    /// Inputs that do not depend on each other.
+    pub fn independent(inputs: usize) -> Copula {
+        let row = |i: usize| (0..inputs).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+        Copula { matrix: (0..inputs).map(row).collect() }
+    }
+
+    /// Inputs of these laws with these correlations; what is not named is independent.
+    ///
+    /// # Errors
+    /// If a pair is not one of two inputs or is named twice, if two laws do not attain a correlation, or if the matrix is not
+    /// positive definite: then of the last pair that alone could mend it.
+    pub fn new(inputs: &[Distribution], correlations: &[Correlation]) -> Result<Copula, CopulaError> {
+        let n = inputs.len();
+        let mut copula = Copula::independent(n);
+        let mut given: Vec<(usize, usize)> = Vec::new();
+        for &Correlation { first, second, measure } in correlations {
+            if first == second || first >= n || second >= n {
+                return Err(CopulaError::Pair { first, second, inputs: n });
+            }
+            if given.contains(&(first, second)) || given.contains(&(second, first)) {
+                return Err(CopulaError::Twice { first, second });
+            }
+            given.push((first, second));
+            let pair = Pair::new(&inputs[first], &inputs[second], measure);
+            let Some(rho) = pair.of_normals() else {
+                let ((from, to), value) = (pair.attainable(), measure.value());
+                return Err(CopulaError::Unattainable {
+                    first,
+                    second,
+                    value,
+                    from,
+                    to,
+                    beside_others: false,
+                });
+            };
+            copula.set(first, second, rho);
+        }
+        if copula.factor(&natural(n)).is_some() {
+            return Ok(copula);
+        }
+        // The last of the pairs that alone could mend it.
+        for &Correlation { first, second, measure } in correlations.iter().rev() {
+            if let Some((from, to)) = copula.admitted(first, second) {
+                let pair = Pair::new(&inputs[first], &inputs[second], measure);
+                let (from, to, value) = (pair.measured(from), pair.measured(to), measure.value());
+                return Err(CopulaError::Unattainable {
+                    first,
+                    second,
+                    value,
+                    from,
+                    to,
+                    beside_others: true,
+                });
+            }
+        }
+        Err(CopulaError::Contradictory)
+    }
+
+    fn set(&mut self, i: usize, j: usize, rho: f64) {
+        self.matrix[i][j] = rho;
+        self.matrix[j][i] = rho;
+    }
+
+    /// The correlation of the standard normals behind two inputs.
+    pub fn between(&self, first: usize, second: usize) -> f64 {
+        self.matrix[first][second]
+    }
+
+    /// How many inputs there are.
+    #[allow(clippy::len_without_is_empty, reason = "a problem without inputs has no copula to ask")]
+    pub fn len(&self) -> usize {
+        self.matrix.len()
+    }
+
+    /// The standard normals of all inputs, in their order, from as many independent ones: z = L u.
+    pub fn correlated(&self, u: &[f64]) -> Vec<f64> {
+        self.natural_factor().iter().map(|row| row.iter().zip(u).map(|(a, b)| a * b).sum()).collect()
+    }
+
+    /// The independent normals behind correlated ones, in the same order: u = L⁻¹ z.
+    pub fn independent_of(&self, z: &[f64]) -> Vec<f64> {
+        let factor = self.natural_factor();
+        let mut u = Vec::with_capacity(z.len());
+        for (row, z) in factor.iter().zip(z) {
+            let known: f64 = row.iter().zip(&u).map(|(a, b)| a * b).sum();
+            u.push((z - known) / row[u.len()]);
+        }
+        u
+    }
+
+    /// Whether no input depends on another.
+    pub fn is_independent(&self) -> bool {
+        self.matrix
+            .iter()
+            .enumerate()
+            .all(|(i, row)| row.iter().enumerate().all(|(j, &rho)| i == j || rho == 0.0))
+    }
+
+    /// Cholesky's factor with the inputs in the order given.
+    pub(crate) fn natural_factor(&self) -> Vec<Vec<f64>> {
+        self.factor(&natural(self.len())).expect("a copula is positive definite")
+    }
+
+    /// Cholesky's factor of the matrix with the inputs in this order: z of `order[i]` is the sum over j ≤ i of `factor[i][j]`
+    /// times the independent u with number j. None if the matrix is not positive definite.
+    pub(crate) fn factor(&self, order: &[usize]) -> Option<Vec<Vec<f64>>> {
+        let mut factor: Vec<Vec<f64>> = Vec::with_capacity(order.len());
+        for (i, &at) in order.iter().enumerate() {
+            let mut row = vec![0.0; i + 1];
+            for (j, &other) in order.iter().enumerate().take(i) {
+                let known: f64 = row[..j].iter().zip(&factor[j]).map(|(a, b)| a * b).sum();
+                row[j] = (self.matrix[at][other] - known) / factor[j][j];
+            }
+            let rest = 1.0 - row[..i].iter().map(|a| a * a).sum::<f64>();
+            // A matrix this near to singular has lost its digits.
+            if rest <= 1e-12 {
+                return None;
+            }
+            row[i] = rest.sqrt();
+            factor.push(row);
+        }
+        Some(factor)
+    }
+
+    /// The correlations of one pair for which the matrix is positive definite, all others as they are: an interval, or none.
+    fn admitted(&self, i: usize, j: usize) -> Option<(f64, f64)> {
+        const STEPS: i32 = 2000;
+        let holds = |rho: f64| {
+            let mut with = self.clone();
+            with.set(i, j, rho);
+            with.factor(&natural(self.matrix.len())).is_some()
+        };
+        let inside =
+            (1 - STEPS..STEPS).map(|step| f64::from(step) / f64::from(STEPS)).find(|rho| holds(*rho))?;
+        let end = |sign: f64| {
+            let (mut inside, mut outside) = (inside, sign);
+            for _ in 0..50 {
+                let middle = 0.5 * (inside + outside);
+                if holds(middle) { inside = middle } else { outside = middle }
+            }
+            inside
+        };
+        Some((end(-1.0), end(1.0)))
+    }
+}
+
+/// Inputs in the order given.
+pub(crate) fn natural(n: usize) -> Vec<usize> {
+    (0..n).collect()
+}
+
+/// A measure of correlation between two laws.
+struct Pair<'a> {
+    laws: [&'a Distribution; 2],
+    measure: Measure,
+    /// Mean and standard deviation of each, where the values' correlation asks for them.
+    moments: [(f64, f64); 2],
+}
+
+impl<'a> Pair<'a> {
+    fn new(first: &'a Distribution, second: &'a Distribution, measure: Measure) -> Pair<'a> {
+        let moments = match measure {
+            Measure::Linear(_) => [moments(first), moments(second)],
+            _ => [(0.0, 1.0); 2],
+        };
+        Pair { laws: [first, second], measure, moments }
+    }
+
+    /// The correlation of the normals that has the one given, if there is one.
+    fn of_normals(&self) -> Option<f64> {
+        match self.measure {
+            Measure::Normal(rho) => Some(rho).filter(|rho| rho.abs() < 1.0),
+            Measure::Rank(rank) => Some(2.0 * (PI * rank / 6.0).sin()).filter(|_| rank.abs() < 1.0),
+            Measure::Linear(linear) => {
+                let (mut low, mut high) = (-1.0 + 1e-9, 1.0 - 1e-9);
+                if !(self.measured(low) < linear && linear < self.measured(high)) {
+                    return None;
+                }
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    if self.measured(middle) < linear { low = middle } else { high = middle }
+                }
+                Some(0.5 * (low + high))
+            }
+        }
+    }
+
+    fn attainable(&self) -> (f64, f64) {
+        (self.measured(-1.0), self.measured(1.0))
+    }
+
+    /// What is measured where the normals have this correlation.
+    fn measured(&self, rho: f64) -> f64 {
+        match self.measure {
+            Measure::Normal(_) => rho,
+            Measure::Rank(_) => 6.0 / PI * (rho / 2.0).asin(),
+            Measure::Linear(_) => {
+                let [(m1, s1), (m2, s2)] = self.moments;
+                let across = (1.0 - rho * rho).max(0.0).sqrt();
+                let product = expected(|z| {
+                    (self.laws[0].value(z) - m1) * expected(|w| self.laws[1].value(rho * z + across * w) - m2)
+                });
+                product / (s1 * s2)
+            }
+        }
+    }
+}
+
+/// Mean and standard deviation of the values of a distribution.
+fn moments(law: &Distribution) -> (f64, f64) {
+    let mean = expected(|z| law.value(z));
+    (mean, expected(|z| (law.value(z) - mean).powi(2)).sqrt())
+}
+
+/// The mean of a function of a standard normal.
+fn expected(f: impl Fn(f64) -> f64) -> f64 {
+    const REACH: f64 = 9.0;
+    const PANELS: u32 = 6;
+    let width = 2.0 * REACH / f64::from(PANELS);
+    (0..PANELS)
+        .map(|i| -REACH + f64::from(i) * width)
+        .flat_map(|a| legendre::panel(a, a + width))
+        .map(|(z, weight)| weight * normal::density(z) * f(z))
+        .sum()
+}

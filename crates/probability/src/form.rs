@@ -1,0 +1,245 @@
+//! The first-order reliability method, without gradients.
+//!
+//! Of all points at which one of some outcomes holds, the one nearest to the origin of independent standard normals u: the
+//! design point; its distance is β, its direction α. On the line the nearest value is known, so that over the other inputs v
+//!
+//! ```text
+//! u_line(v)² + |v|² → least
+//! ```
+//!
+//! is all that is left. The function has kinks where formulas change, and none is smooth at a corner of a mode's region: so
+//! Nelder and Mead's simplex, begun again about what it has found until two rounds agree, from several starts.
+//!
+//! Φ(−β) is no probability: it is that of a half-space. It ranks; [`integrate`](crate::integrate) and
+//! [`sample`](crate::sample) answer.
+
+use crate::normal;
+use crate::points::Sobol;
+use crate::problem::{Frame, Inputs, Outcomes, Scratch};
+
+/// The point of some outcomes that is nearest to the medians, in standard normals.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignPoint {
+    /// The reliability index: its distance from the origin; negative if the origin itself is such a point.
+    pub beta: f64,
+    /// The point in independent standard normals, in the order of the inputs (Cholesky's factor in that order).
+    pub u: Vec<f64>,
+    /// The values of the inputs there.
+    pub values: Vec<f64>,
+    /// u/β: by how much each input's normal contributes, signed. Zeros if β is 0.
+    pub alpha: Vec<f64>,
+    /// Whether the point lies where a formula changes: no one formula's gradient is α there.
+    pub at_change: bool,
+    /// How many of the starts led here.
+    pub agreeing: usize,
+    /// How many starts there were.
+    pub starts: usize,
+}
+
+impl DesignPoint {
+    /// By what β grows if the input with this number is held at its median: 1/√(1 − α²).
+    pub fn omission(&self, input: usize) -> f64 {
+        (1.0 - self.alpha[input].powi(2)).max(0.0).sqrt().recip()
+    }
+
+    /// Φ(−β): a first-order figure, no probability of the outcomes.
+    pub fn first_order(&self) -> f64 {
+        normal::above(self.beta)
+    }
+}
+
+/// β of a probability: −Φ⁻¹(P).
+pub fn generalized(probability: f64) -> f64 {
+    normal::quantile_above(probability)
+}
+
+/// How many starts are made, and how far out they lie.
+const STARTS: usize = 8;
+const SCREENED: u64 = 2048;
+const FAR: f64 = 8.0;
+/// By how much two rounds may differ that agree, relative to β².
+const AGREED: f64 = 1e-13;
+
+/// The design point of the outcomes in `which` (a bit for each); none if nowhere within reach any of them holds.
+pub fn design_point<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u64) -> Option<DesignPoint> {
+    local_design_points(inputs, outcomes, which).into_iter().next()
+}
+
+/// All nearest points that the starts have found, the nearest first: those that lie apart from each other.
+pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u64) -> Vec<DesignPoint> {
+    let frame = Frame::new(inputs, outcomes);
+    let mut search = Search { frame: &frame, which, scratch: frame.scratch() };
+    let n = frame.dimensions();
+    let mut found: Vec<(f64, Vec<f64>, usize)> = Vec::new();
+    let starts = if n == 0 { vec![Vec::new()] } else { search.starts(n) };
+    for start in &starts {
+        let Some((square, v)) = search.descend(start) else { continue };
+        match found.iter_mut().find(|(_, other, _)| distance(other, &v) < 1e-2 * (1.0 + square.sqrt())) {
+            Some(same) => {
+                if square < same.0 {
+                    (same.0, same.1) = (square, v);
+                }
+                same.2 += 1;
+            }
+            None => found.push((square, v, 1)),
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let inside = outcomes.at(&inputs.laws().iter().map(|law| law.median()).collect::<Vec<_>>()) & which != 0;
+    found
+        .into_iter()
+        .filter_map(|(_, v, agreeing)| {
+            let line = search.frame.nearest(&v, which, &mut search.scratch)?;
+            let u = search.frame.in_given_order(&v, line);
+            let beta = u.iter().map(|u| u * u).sum::<f64>().sqrt();
+            let z = inputs.copula().correlated(&u);
+            Some(DesignPoint {
+                beta: if inside { -beta } else { beta },
+                alpha: u.iter().map(|u| if beta > 0.0 { u / beta } else { 0.0 }).collect(),
+                values: inputs.laws().iter().zip(&z).map(|(law, &z)| law.value(z)).collect(),
+                u,
+                at_change: search.at_change(&v),
+                agreeing,
+                starts: starts.len(),
+            })
+        })
+        .collect()
+}
+
+struct Search<'f, 'a, O> {
+    frame: &'f Frame<'a, O>,
+    which: u64,
+    scratch: Scratch,
+}
+
+impl<O: Outcomes> Search<'_, '_, O> {
+    /// The square of the distance of the nearest point with these other inputs; without bound where there is none.
+    fn square(&mut self, v: &[f64]) -> f64 {
+        let others: f64 = v.iter().map(|v| v * v).sum();
+        self.frame
+            .nearest(v, self.which, &mut self.scratch)
+            .map_or(f64::INFINITY, |line| line * line + others)
+    }
+
+    /// Points to start from: of many, the best, and then the best that lie apart from those chosen.
+    fn starts(&mut self, n: usize) -> Vec<Vec<f64>> {
+        let sobol = Sobol::new(n, 1, 0);
+        let mut screened: Vec<(f64, Vec<f64>)> = (0..SCREENED)
+            .map(|i| {
+                let v: Vec<f64> = if i == 0 {
+                    vec![0.0; n]
+                } else {
+                    sobol.point(i).map(|p| FAR * (2.0 * p - 1.0)).collect()
+                };
+                (self.square(&v), v)
+            })
+            .filter(|(square, _)| square.is_finite())
+            .collect();
+        screened.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut starts: Vec<Vec<f64>> = Vec::new();
+        let mut apart = 2.0;
+        while starts.len() < STARTS.min(screened.len()) && apart > 1e-3 {
+            for (_, v) in &screened {
+                if starts.len() < STARTS && starts.iter().all(|other| distance(other, v) > apart) {
+                    starts.push(v.clone());
+                }
+            }
+            apart *= 0.5;
+        }
+        starts
+    }
+
+    /// The least square that is found from a start, and where.
+    fn descend(&mut self, start: &[f64]) -> Option<(f64, Vec<f64>)> {
+        let mut best = (self.square(start), start.to_vec());
+        let (mut size, mut agreed) = (0.5, 0);
+        for round in 0..60 {
+            let next = self.simplex(&best.1, if round % 2 == 0 { size } else { -size });
+            let gain = best.0 - next.0;
+            let little = gain <= AGREED * best.0.max(1e-300);
+            if next.0 < best.0 {
+                best = next;
+            }
+            agreed = if little { agreed + 1 } else { 0 };
+            if agreed == 4 || start.is_empty() {
+                break;
+            }
+            // A round that found nothing looks nearer; one that did, as far again.
+            size = if little { size * 0.05 } else { size.max(1e-3) };
+        }
+        best.0.is_finite().then_some(best)
+    }
+
+    /// One round of Nelder and Mead's simplex about a point, with the coefficients of Gao and Han for many dimensions
+    /// (Computational Optimization and Applications 51, 2012).
+    fn simplex(&mut self, about: &[f64], size: f64) -> (f64, Vec<f64>) {
+        let n = about.len();
+        let mut corners: Vec<(f64, Vec<f64>)> = vec![(self.square(about), about.to_vec())];
+        for i in 0..n {
+            let mut corner = about.to_vec();
+            corner[i] += size;
+            corners.push((self.square(&corner), corner));
+        }
+        if n == 0 {
+            return corners.swap_remove(0);
+        }
+        let m = (n as f64).max(2.0);
+        let (expand, contract, shrink) = (1.0 + 2.0 / m, 0.75 - 0.5 / m, 1.0 - 1.0 / m);
+        for _ in 0..400 * n {
+            corners.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (least, greatest) = (corners[0].0, corners[n].0);
+            let wide =
+                corners[1..].iter().map(|corner| distance(&corner.1, &corners[0].1)).fold(0.0, f64::max);
+            if greatest - least <= 1e-15 * least || wide < 1e-12 {
+                break;
+            }
+            let centre: Vec<f64> =
+                (0..n).map(|i| corners[..n].iter().map(|c| c.1[i]).sum::<f64>() / n as f64).collect();
+            let worst = corners[n].1.clone();
+            let mut along = |step: f64| {
+                let v: Vec<f64> = centre.iter().zip(&worst).map(|(c, w)| c + step * (c - w)).collect();
+                (self.square(&v), v)
+            };
+            let reflected = along(1.0);
+            let taken = if reflected.0 < least {
+                let expanded = along(expand);
+                Some(if expanded.0 < reflected.0 { expanded } else { reflected })
+            } else if reflected.0 < corners[n - 1].0 {
+                Some(reflected)
+            } else {
+                let (contracted, bound) = if reflected.0 < greatest {
+                    (along(contract), reflected.0)
+                } else {
+                    (along(-contract), greatest)
+                };
+                (contracted.0 < bound).then_some(contracted)
+            };
+            if let Some(corner) = taken {
+                corners[n] = corner;
+                continue;
+            }
+            let best = corners[0].1.clone();
+            for corner in &mut corners[1..] {
+                let v: Vec<f64> = best.iter().zip(&corner.1).map(|(b, c)| b + shrink * (c - b)).collect();
+                *corner = (self.square(&v), v);
+            }
+        }
+        corners.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).expect("a simplex has corners")
+    }
+
+    /// Whether the pattern of the pieces changes at a point.
+    fn at_change(&mut self, v: &[f64]) -> bool {
+        let here = self.frame.evaluate(v, &mut self.scratch);
+        (0..v.len()).any(|i| {
+            [-1e-5, 1e-5].into_iter().any(|step| {
+                let mut beside = v.to_vec();
+                beside[i] += step;
+                self.frame.evaluate(&beside, &mut self.scratch) != here
+            })
+        })
+    }
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}

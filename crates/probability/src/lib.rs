@@ -1,0 +1,56 @@
+//! Probabilities of outcomes whose boundaries are known along one of several random inputs.
+//!
+//! Whoever knows, for given values of all other inputs, on which intervals of one input each outcome holds, need not sample that
+//! one: its law gives the probability of an interval. What is left to average over the others is a continuous function, not an
+//! indicator, and small probabilities are as quick as large ones. This crate knows no mechanics; it asks for
+//! [`Outcomes`](problem::Outcomes) and answers by
+//!
+//! | module | method | for |
+//! |---|---|---|
+//! | [`integrate`] | panels between the kinks, two inputs beside the line at most | all digits |
+//! | [`sample::sobol`] | scrambled Sobol' points, with an interval | more inputs |
+//! | [`sample::importance`] | the same about design points | small probabilities |
+//! | [`sample::monte_carlo`] | everything drawn, hits counted | to be believed by anyone |
+//! | [`form`] | nearest points, β and α, without gradients | which input matters |
+//!
+//! Laws ([`law`]) and their correlation by a normal copula ([`copula`]) are accurate in both tails.
+//!
+//! ```
+//! use standfast_probability::law::Law;
+//! use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+//! use standfast_probability::{form, integrate::integrate};
+//!
+//! /// Fails where the first input, a resistance, is below the second, a load.
+//! struct Fails;
+//!
+//! impl Outcomes for Fails {
+//!     fn count(&self) -> usize { 1 }
+//!     fn line(&self) -> usize { 0 }
+//!     fn along(&self, values: &[f64], pieces: &mut Pieces) {
+//!         pieces.push(f64::NEG_INFINITY, values[1], 0);
+//!     }
+//!     fn at(&self, values: &[f64]) -> u64 { u64::from(values[0] < values[1]) }
+//! }
+//!
+//! let inputs = Inputs::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(0.3, 0.08)?.into()]);
+//! let failing = 1; // the set of outcome 0
+//! let p = integrate(&inputs, &Fails, &[failing]).probabilities[0];
+//! assert!((p - 0.00135).abs() < 1e-5); // Φ(−3)
+//! let point = form::design_point(&inputs, &Fails, failing).unwrap();
+//! assert!((point.beta - 3.0).abs() < 1e-9);
+//! assert!((point.alpha[0] + 0.6).abs() < 1e-6);
+//! # Ok::<(), standfast_probability::law::LawError>(())
+//! ```
+
+pub mod copula;
+pub mod form;
+pub mod integrate;
+pub mod law;
+mod legendre;
+pub mod normal;
+pub mod points;
+pub mod problem;
+pub mod sample;
+
+/// How far out in standard normals is looked: beyond ±12 lies 4e-33.
+pub(crate) const REACH: f64 = 12.0;

@@ -1,0 +1,316 @@
+//! What a problem is: random inputs, and outcomes that are known along one of them.
+//!
+//! For given values of all inputs but one, each outcome holds on intervals of that one, its *line*. Then no sample of the line
+//! is needed, and no indicator is averaged: given the others, an outcome's probability is that of its intervals, a continuous
+//! function. It is smooth but where its [`Pieces`] change their pattern, which their signature tells.
+
+use crate::copula::Copula;
+use crate::law::Distribution;
+use crate::normal;
+
+/// Random inputs: a law for each, and how they are correlated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inputs {
+    laws: Vec<Distribution>,
+    copula: Copula,
+}
+
+impl Inputs {
+    /// Inputs of these laws, correlated by a copula of as many.
+    ///
+    /// # Panics
+    /// If the copula is of another number of inputs.
+    pub fn new(laws: Vec<Distribution>, copula: Copula) -> Inputs {
+        assert_eq!(laws.len(), copula.len(), "a copula of as many inputs as there are laws");
+        Inputs { laws, copula }
+    }
+
+    /// Independent inputs of these laws.
+    pub fn independent(laws: Vec<Distribution>) -> Inputs {
+        let copula = Copula::independent(laws.len());
+        Inputs { laws, copula }
+    }
+
+    /// The laws, in order.
+    pub fn laws(&self) -> &[Distribution] {
+        &self.laws
+    }
+
+    /// How the inputs are correlated.
+    pub fn copula(&self) -> &Copula {
+        &self.copula
+    }
+}
+
+/// An interval of the line on which an outcome holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// Its lower end; −∞ if it has none.
+    pub from: f64,
+    /// Its upper end; ∞ if it has none.
+    pub to: f64,
+    /// The outcome's number.
+    pub outcome: usize,
+}
+
+/// The intervals of a line, and the pattern they make.
+#[derive(Debug, Clone, Default)]
+pub struct Pieces {
+    pieces: Vec<Piece>,
+    signature: u64,
+}
+
+impl Pieces {
+    pub(crate) fn clear(&mut self) {
+        self.pieces.clear();
+        self.signature = 0;
+    }
+
+    /// Adds an interval; one that is empty is left out. Intervals of outcomes that exclude each other do not overlap.
+    pub fn push(&mut self, from: f64, to: f64, outcome: usize) {
+        if from < to {
+            self.pieces.push(Piece { from, to, outcome });
+            self.branch(outcome as u64);
+        }
+    }
+
+    /// Notes which of several formulas applied: where the number changes, the intervals' ends have a kink.
+    pub fn branch(&mut self, which: u64) {
+        self.signature = mixed(self.signature, which);
+    }
+
+    /// The intervals.
+    pub fn iter(&self) -> impl Iterator<Item = &Piece> {
+        self.pieces.iter()
+    }
+
+    /// Finds the intervals of a line by its law: a scan, and where the outcomes change from one value to the next, bisection
+    /// to the last bit. For lines whose boundaries have no closed form. `at` gives the outcomes that hold, a bit for each.
+    pub fn scan(&mut self, law: &Distribution, at: impl Fn(f64) -> u64) {
+        let value = |i: u32| law.value(crate::REACH * (2.0 * f64::from(i) / f64::from(SCAN) - 1.0));
+        let mut from = f64::NEG_INFINITY;
+        let (mut x, mut holds) = (value(0), at(value(0)));
+        for i in 1..=SCAN {
+            let (end, then) = (value(i), at(value(i)));
+            while holds != then {
+                // The first change: what follows it may change again before the end.
+                let (mut low, mut high, mut beyond) = (x, end, then);
+                loop {
+                    let middle = 0.5 * (low + high);
+                    if middle <= low || middle >= high {
+                        break;
+                    }
+                    let here = at(middle);
+                    if here == holds { low = middle } else { (high, beyond) = (middle, here) }
+                }
+                self.push_all(from, high, holds);
+                (from, x, holds) = (high, high, beyond);
+            }
+            x = end;
+        }
+        self.push_all(from, f64::INFINITY, holds);
+    }
+
+    fn push_all(&mut self, from: f64, to: f64, outcomes: u64) {
+        let mut rest = outcomes;
+        while rest != 0 {
+            self.push(from, to, rest.trailing_zeros() as usize);
+            rest &= rest - 1;
+        }
+    }
+}
+
+/// Into how many steps a range is cut in search of changes.
+const SCAN: u32 = 192;
+
+/// Two numbers made one, so that another pair makes another.
+pub(crate) fn mixed(a: u64, b: u64) -> u64 {
+    (a.rotate_left(5) ^ b.wrapping_add(1)).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+}
+
+/// What may come of random inputs.
+pub trait Outcomes: Sync {
+    /// How many outcomes there are, at most 64.
+    fn count(&self) -> usize;
+
+    /// The number of the input along which the outcomes' boundaries are known.
+    fn line(&self) -> usize;
+
+    /// The intervals of the line for these values of the inputs; that of the line itself is not to be read.
+    fn along(&self, values: &[f64], pieces: &mut Pieces);
+
+    /// The outcomes that hold for these values of all inputs, a bit for each.
+    fn at(&self, values: &[f64]) -> u64;
+}
+
+/// A problem seen in independent standard normals: those of all inputs but the line's, in an order of choice.
+pub(crate) struct Frame<'a, O> {
+    pub(crate) inputs: &'a Inputs,
+    pub(crate) outcomes: &'a O,
+    /// The places of the inputs: the one that is held, if any, the others, and the line last (or first, if it is held).
+    order: Vec<usize>,
+    factor: Vec<Vec<f64>>,
+    held: Held,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Held {
+    Nothing,
+    Other,
+    Line,
+}
+
+/// What an evaluation works on.
+pub(crate) struct Scratch {
+    u: Vec<f64>,
+    values: Vec<f64>,
+    pieces: Pieces,
+    /// The probability of each outcome at the point.
+    shares: Vec<f64>,
+}
+
+impl Scratch {
+    /// The probability of a set of outcomes, a bit for each, at the point.
+    pub(crate) fn of_set(&self, set: u64) -> f64 {
+        self.shares
+            .iter()
+            .enumerate()
+            .filter(|(outcome, _)| set >> outcome & 1 == 1)
+            .map(|(_, share)| share)
+            .sum()
+    }
+}
+
+impl<'a, O: Outcomes> Frame<'a, O> {
+    /// The problem with the inputs in the order given, the line last.
+    pub(crate) fn new(inputs: &'a Inputs, outcomes: &'a O) -> Frame<'a, O> {
+        Frame::ordered(inputs, outcomes, None, |_| false)
+    }
+
+    /// The same with inputs of which this holds after those of which it does not.
+    pub(crate) fn last(inputs: &'a Inputs, outcomes: &'a O, last: impl Fn(usize) -> bool) -> Frame<'a, O> {
+        Frame::ordered(inputs, outcomes, None, last)
+    }
+
+    /// The same with one input at its median.
+    pub(crate) fn holding(inputs: &'a Inputs, outcomes: &'a O, held: usize) -> Frame<'a, O> {
+        Frame::ordered(inputs, outcomes, Some(held), |_| false)
+    }
+
+    fn ordered(
+        inputs: &'a Inputs,
+        outcomes: &'a O,
+        held: Option<usize>,
+        last: impl Fn(usize) -> bool,
+    ) -> Frame<'a, O> {
+        let line = outcomes.line();
+        let mut others: Vec<usize> =
+            (0..inputs.laws.len()).filter(|i| *i != line && Some(*i) != held).collect();
+        others.sort_by_key(|i| last(*i));
+        let order: Vec<usize> = match held {
+            Some(held) if held == line => std::iter::once(line).chain(others).collect(),
+            held => held.into_iter().chain(others).chain([line]).collect(),
+        };
+        let factor = inputs.copula.factor(&order).expect("a copula is positive definite in any order");
+        let held = match held {
+            None => Held::Nothing,
+            Some(held) if held == line => Held::Line,
+            Some(_) => Held::Other,
+        };
+        Frame { inputs, outcomes, order, factor, held }
+    }
+
+    /// The number of independent standard normals a point has.
+    pub(crate) fn dimensions(&self) -> usize {
+        self.inputs.laws.len() - 1 - usize::from(self.held == Held::Other)
+    }
+
+    pub(crate) fn scratch(&self) -> Scratch {
+        let n = self.inputs.laws.len();
+        let shares = vec![0.0; self.outcomes.count()];
+        Scratch { u: vec![0.0; n], values: vec![0.0; n], pieces: Pieces::default(), shares }
+    }
+
+    /// Puts the values of all inputs but the line's at a point, and gives mean and deviation of the line's normal there.
+    fn place(&self, point: &[f64], scratch: &mut Scratch) -> (f64, f64) {
+        let Scratch { u, values, .. } = scratch;
+        u.fill(0.0);
+        let at = usize::from(self.held != Held::Nothing);
+        u[at..at + point.len()].copy_from_slice(point);
+        let mean = |i: usize| self.factor[i][..i].iter().zip(u.iter()).map(|(a, b)| a * b).sum::<f64>();
+        for (i, &input) in self.order.iter().enumerate() {
+            if input != self.outcomes.line() {
+                values[input] = self.inputs.laws[input].value(mean(i) + self.factor[i][i] * u[i]);
+            }
+        }
+        let last = self.order.len() - 1;
+        if self.held == Held::Line { (0.0, 0.0) } else { (mean(last), self.factor[last][last]) }
+    }
+
+    /// The outcomes' probabilities given a point, in `scratch.shares`, and the signature of the pattern there.
+    pub(crate) fn evaluate(&self, point: &[f64], scratch: &mut Scratch) -> u64 {
+        let (mean, deviation) = self.place(point, scratch);
+        let Scratch { values, pieces, shares, .. } = scratch;
+        pieces.clear();
+        self.outcomes.along(values, pieces);
+        let law = &self.inputs.laws[self.outcomes.line()];
+        shares.fill(0.0);
+        let mut signature = pieces.signature;
+        let median = if deviation == 0.0 { law.median() } else { 0.0 };
+        for piece in &pieces.pieces {
+            if deviation == 0.0 {
+                let inside = piece.from <= median && median < piece.to;
+                shares[piece.outcome] += f64::from(u8::from(inside));
+                signature = mixed(signature, u64::from(inside));
+            } else {
+                let (from, to) = (law.z(piece.from), law.z(piece.to));
+                shares[piece.outcome] += normal::between((from - mean) / deviation, (to - mean) / deviation);
+                // Where an end leaves what the law has values for, the probability has a kink.
+                signature = mixed(signature, u64::from(from.is_finite()) | u64::from(to.is_finite()) << 1);
+            }
+        }
+        signature
+    }
+
+    /// The value of the line's normal nearest to 0 at which one of these outcomes holds (a bit for each), in independent units;
+    /// none if none does.
+    pub(crate) fn nearest(&self, point: &[f64], which: u64, scratch: &mut Scratch) -> Option<f64> {
+        let (mean, deviation) = self.place(point, scratch);
+        let Scratch { values, pieces, .. } = scratch;
+        pieces.clear();
+        self.outcomes.along(values, pieces);
+        let law = &self.inputs.laws[self.outcomes.line()];
+        let reach = |x: f64| (law.z(x) - mean) / deviation;
+        pieces
+            .iter()
+            .filter(|piece| which >> piece.outcome & 1 == 1)
+            .filter_map(|piece| {
+                let (from, to) = (reach(piece.from), reach(piece.to));
+                // Not where the law has no values.
+                (from < to).then(|| 0f64.clamp(from, to))
+            })
+            .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// A point and the line's normal there, as independent normals in the order in which the inputs are given.
+    pub(crate) fn in_given_order(&self, point: &[f64], line: f64) -> Vec<f64> {
+        let u: Vec<f64> = point.iter().copied().chain([line]).collect();
+        let mut z = vec![0.0; u.len()];
+        for (i, &input) in self.order.iter().enumerate() {
+            z[input] = self.factor[i].iter().zip(&u).map(|(a, b)| a * b).sum();
+        }
+        self.inputs.copula.independent_of(&z)
+    }
+
+    /// The independent normals of all inputs but the line's, from those in the order in which the inputs are given.
+    pub(crate) fn others_of(&self, u: &[f64]) -> Vec<f64> {
+        let z = self.inputs.copula.correlated(u);
+        let mut point: Vec<f64> = Vec::with_capacity(z.len());
+        for (row, &input) in self.factor.iter().zip(&self.order) {
+            let known: f64 = row.iter().zip(&point).map(|(a, b)| a * b).sum();
+            point.push((z[input] - known) / row[point.len()]);
+        }
+        point.pop();
+        point
+    }
+}

@@ -1,0 +1,264 @@
+//! Sampling: scrambled Sobol' points with the line integrated, the same about design points, and plain Monte Carlo.
+//!
+//! Each number of points comes from the seed and its own number alone: the same answer on any number of threads, and more points
+//! begin with the ones already taken.
+
+mod interval;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+pub use interval::Estimate;
+
+use crate::normal;
+use crate::points::{Sobol, Stream};
+use crate::problem::{Frame, Inputs, Outcomes};
+
+/// When to stop, and what to begin from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// The seed of all random numbers.
+    pub seed: u64,
+    /// How wide half of an interval may be, relative to the probability.
+    pub precision: f64,
+    /// Probabilities below this need not be precise.
+    pub floor: f64,
+    /// The most points that may be taken.
+    pub points: u64,
+    /// On how many threads; the answer does not depend on it.
+    pub threads: usize,
+}
+
+impl Default for Effort {
+    fn default() -> Effort {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        Effort { seed: 1, precision: 0.05, floor: 1e-6, points: 1 << 22, threads }
+    }
+}
+
+/// Probabilities by sampling.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sampled {
+    /// Of each set of outcomes asked for.
+    pub estimates: Vec<Estimate>,
+    /// How many points were taken.
+    pub points: u64,
+    /// Whether every probability above the floor is as precise as asked.
+    pub precise: bool,
+}
+
+/// How many scrambles of the same sequence are taken: the spread of their means is the interval.
+pub const SCRAMBLES: usize = 32;
+/// The points of one scramble that are taken first.
+const FIRST: u64 = 256;
+/// The points that one piece of work has.
+const BLOCK: u64 = 1 << 14;
+
+/// The probability of each set of outcomes (a bit for each outcome; outcomes of one set exclude each other), by scrambled Sobol'
+/// points for all inputs but the line, and exact integration along the line.
+///
+/// # Panics
+/// For more inputs than a Sobol' point has coordinates.
+pub fn sobol<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
+    scrambles(&Frame::new(inputs, outcomes), sets, &[], effort)
+}
+
+/// The same with the input of this number held at its median.
+pub fn sobol_known<O: Outcomes>(
+    inputs: &Inputs,
+    outcomes: &O,
+    sets: &[u64],
+    known: usize,
+    effort: &Effort,
+) -> Sampled {
+    scrambles(&Frame::holding(inputs, outcomes, known), sets, &[], effort)
+}
+
+/// The same points drawn where the outcomes are: nine tenths as standard normals about the points given, the others about the
+/// origin, each weighed by what it is drawn too often. The points are independent normals in the order of the inputs, as
+/// [`DesignPoint::u`](crate::form::DesignPoint::u) has them.
+///
+/// # Panics
+/// For more inputs than a Sobol' point has coordinates.
+pub fn importance<O: Outcomes>(
+    inputs: &Inputs,
+    outcomes: &O,
+    sets: &[u64],
+    about: &[Vec<f64>],
+    effort: &Effort,
+) -> Sampled {
+    let frame = Frame::new(inputs, outcomes);
+    let about: Vec<Vec<f64>> = about.iter().map(|u| frame.others_of(u)).collect();
+    scrambles(&frame, sets, &about, effort)
+}
+
+/// The share of points that importance sampling leaves about the origin.
+const AT_ORIGIN: f64 = 0.1;
+
+fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], effort: &Effort) -> Sampled {
+    let dimensions = frame.dimensions();
+    let picked = usize::from(!about.is_empty());
+    let sequences: Vec<Sobol> = (0..SCRAMBLES as u64)
+        .map(|scramble| Sobol::new(dimensions + picked, effort.seed, scramble))
+        .collect();
+    let mut sums = vec![vec![0.0; sets.len()]; SCRAMBLES];
+    let mut taken = 0;
+    loop {
+        let next = if taken == 0 { FIRST } else { 2 * taken };
+        // One piece of work is a run of points of one scramble.
+        let runs: Vec<(usize, u64, u64)> = (0..SCRAMBLES)
+            .flat_map(|scramble| {
+                (taken..next)
+                    .step_by(BLOCK as usize)
+                    .map(move |from| (scramble, from, next.min(from + BLOCK)))
+            })
+            .collect();
+        let results = shared_out(effort.threads, runs.len(), || {
+            let mut scratch = frame.scratch();
+            let mut point = vec![0.0; dimensions];
+            let (runs, sequences) = (&runs, &sequences);
+            move |run: usize| {
+                let (scramble, from, to) = runs[run];
+                let mut sums = vec![0.0; sets.len()];
+                for index in from..to {
+                    let mut coordinates = sequences[scramble].point(index);
+                    let component = if picked == 1 { coordinates.next().unwrap_or(0.0) } else { 0.0 };
+                    for (u, p) in point.iter_mut().zip(coordinates) {
+                        *u = normal::quantile(p);
+                    }
+                    let weight = displaced(&mut point, component, about);
+                    frame.evaluate(&point, &mut scratch);
+                    for (sum, set) in sums.iter_mut().zip(sets) {
+                        *sum += weight * scratch.of_set(*set);
+                    }
+                }
+                sums
+            }
+        });
+        for ((scramble, ..), result) in runs.iter().zip(results) {
+            sums[*scramble].iter_mut().zip(result).for_each(|(sum, part)| *sum += part);
+        }
+        taken = next;
+        let points = taken * SCRAMBLES as u64;
+        let estimates: Vec<Estimate> = (0..sets.len())
+            .map(|set| {
+                let means: Vec<f64> = sums.iter().map(|sum| sum[set] / taken as f64).collect();
+                Estimate::of_means(&means, points)
+            })
+            .collect();
+        let precise = estimates.iter().all(|e| e.is_precise(effort.precision, effort.floor));
+        if precise || 2 * points > effort.points || dimensions == 0 {
+            return Sampled { estimates, points, precise };
+        }
+    }
+}
+
+/// Moves a point about one of the centres, chosen by a number in (0, 1), and gives its weight.
+fn displaced(point: &mut [f64], component: f64, about: &[Vec<f64>]) -> f64 {
+    if about.is_empty() {
+        return 1.0;
+    }
+    let share = (1.0 - AT_ORIGIN) / about.len() as f64;
+    if component >= AT_ORIGIN {
+        let which = (((component - AT_ORIGIN) / share) as usize).min(about.len() - 1);
+        point.iter_mut().zip(&about[which]).for_each(|(u, centre)| *u += centre);
+    }
+    // The density of a normal about a centre, relative to that about the origin: exp(u·c − c²/2).
+    let ratio =
+        |centre: &Vec<f64>| point.iter().zip(centre).map(|(u, c)| u * c - 0.5 * c * c).sum::<f64>().exp();
+    (AT_ORIGIN + share * about.iter().map(ratio).sum::<f64>()).recip()
+}
+
+/// The probability of each set of outcomes by plain Monte Carlo: every input drawn, nothing integrated, hits counted.
+pub fn monte_carlo<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
+    let mut hits = vec![0u64; sets.len()];
+    let mut blocks = 0;
+    loop {
+        let next = if blocks == 0 { 4 } else { 2 * blocks };
+        let results = shared_out(effort.threads, (next - blocks) as usize, || {
+            move |block: usize| {
+                let mut hits = vec![0u64; sets.len()];
+                draw_block(inputs, effort.seed, blocks + block as u64, |values| {
+                    let holds = outcomes.at(values);
+                    hits.iter_mut().zip(sets).for_each(|(hits, set)| *hits += u64::from(holds & set != 0));
+                });
+                hits
+            }
+        });
+        for result in results {
+            hits.iter_mut().zip(result).for_each(|(sum, part)| *sum += part);
+        }
+        blocks = next;
+        let points = blocks * BLOCK;
+        let estimates: Vec<Estimate> = hits.iter().map(|&hits| Estimate::of_hits(hits, points)).collect();
+        let precise = estimates.iter().all(|e| e.is_precise(effort.precision, effort.floor));
+        if precise || 2 * points > effort.points {
+            return Sampled { estimates, points, precise };
+        }
+    }
+}
+
+/// The first `count` draws of a seed: each the values of all inputs, in their order.
+pub fn draws(inputs: &Inputs, seed: u64, count: u64, mut each: impl FnMut(&[f64])) {
+    let mut left = count;
+    let mut block = 0;
+    while left > 0 {
+        draw_block(inputs, seed, block, |values| {
+            if left > 0 {
+                each(values);
+                left -= 1;
+            }
+        });
+        block += 1;
+    }
+}
+
+fn draw_block(inputs: &Inputs, seed: u64, block: u64, mut each: impl FnMut(&[f64])) {
+    let mut stream = Stream::new(seed, block);
+    let laws = inputs.laws();
+    let mut values = vec![0.0; laws.len()];
+    let factor = (!inputs.copula().is_independent()).then(|| inputs.copula().natural_factor());
+    let mut u = vec![0.0; laws.len()];
+    for _ in 0..BLOCK {
+        match &factor {
+            None => values.iter_mut().zip(laws).for_each(|(x, law)| *x = law.value_of_chance(stream.draw())),
+            Some(factor) => {
+                u.iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
+                for ((x, law), row) in values.iter_mut().zip(laws).zip(factor) {
+                    *x = law.value(row.iter().zip(&u).map(|(a, u)| a * u).sum());
+                }
+            }
+        }
+        each(&values);
+    }
+}
+
+/// Does pieces of work on so many threads, each with a worker of its own, and gives the results in the order of the pieces.
+fn shared_out<R: Send, W: FnMut(usize) -> R>(
+    threads: usize,
+    pieces: usize,
+    worker: impl Fn() -> W + Sync,
+) -> Vec<R> {
+    if threads <= 1 || pieces <= 1 {
+        return (0..pieces).map(worker()).collect();
+    }
+    let next = AtomicUsize::new(0);
+    let results: Mutex<Vec<Option<R>>> = Mutex::new((0..pieces).map(|_| None).collect());
+    std::thread::scope(|scope| {
+        for _ in 0..threads.min(pieces) {
+            scope.spawn(|| {
+                let mut work = worker();
+                loop {
+                    let piece = next.fetch_add(1, Ordering::Relaxed);
+                    if piece >= pieces {
+                        break;
+                    }
+                    let result = work(piece);
+                    results.lock().expect("no worker panics while it holds the list")[piece] = Some(result);
+                }
+            });
+        }
+    });
+    let results = results.into_inner().expect("no worker panics while it holds the list");
+    results.into_iter().map(|result| result.expect("every piece is taken once")).collect()
+}

@@ -1,0 +1,122 @@
+//! Intervals of estimates, at 95 %.
+
+use statrs::function::beta::beta_reg;
+
+use super::SCRAMBLES;
+
+/// A probability with the interval in which it lies with a confidence of 95 %.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The estimate.
+    pub value: f64,
+    /// The interval's lower end.
+    pub low: f64,
+    /// Its upper end. Where nothing was met it is the bound that a probability this confident cannot exceed.
+    pub high: f64,
+}
+
+/// Student's t for 31 degrees of freedom, two-sided 95 %.
+const STUDENT: f64 = 2.039_513_446_396_408;
+
+impl Estimate {
+    /// The mean of the means of all scrambles, with Student's interval; where all are zero, the bound of as many plain points.
+    pub(super) fn of_means(means: &[f64], points: u64) -> Estimate {
+        debug_assert_eq!(means.len(), SCRAMBLES);
+        let n = means.len() as f64;
+        let value = means.iter().sum::<f64>() / n;
+        if value == 0.0 {
+            return Estimate::of_hits(0, points);
+        }
+        let variance = means.iter().map(|mean| (mean - value).powi(2)).sum::<f64>() / (n - 1.0);
+        let half = STUDENT * (variance / n).sqrt();
+        Estimate { value, low: (value - half).max(0.0), high: (value + half).min(1.0) }
+    }
+
+    /// The share of hits, with Clopper and Pearson's interval; one-sided where no point was a hit, or all were.
+    pub(super) fn of_hits(hits: u64, points: u64) -> Estimate {
+        let (k, n) = (hits as f64, points as f64);
+        // 0.05 = (1 − p)ⁿ: with 1 − p of all others the bound is one-sided.
+        let alone = -libm::expm1(0.05f64.ln() / n);
+        // P(at least k hits) = I_p(k, n−k+1).
+        let (low, high) = match hits {
+            0 => (0.0, alone),
+            _ if hits == points => (1.0 - alone, 1.0),
+            _ => (
+                where_reached(|p| beta_reg(k, n - k + 1.0, p), 0.025),
+                where_reached(|p| beta_reg(k + 1.0, n - k, p), 0.975),
+            ),
+        };
+        Estimate { value: k / n, low, high }
+    }
+
+    /// Whether half of the interval is within `precision` of the estimate, or the probability below the floor.
+    pub(super) fn is_precise(&self, precision: f64, floor: f64) -> bool {
+        self.high <= floor || 0.5 * (self.high - self.low) <= precision * self.value
+    }
+}
+
+/// Where a function that rises from 0 to 1 on (0, 1) has a value.
+fn where_reached(f: impl Fn(f64) -> f64, value: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if f(middle) < value { low = middle } else { high = middle }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At no hits in n the bound is 1 − 0.05^(1/n); at the ends of the interval the chance of the count, summed term by
+    /// term, is 2.5 %.
+    #[test]
+    fn hits_have_the_interval_of_the_binomial_law() {
+        for n in [10u64, 1000, 1 << 22] {
+            let none = Estimate::of_hits(0, n);
+            assert_eq!((none.value, none.low), (0.0, 0.0));
+            assert!((libm::log1p(-none.high) * n as f64 - 0.05f64.ln()).abs() < 1e-12, "{n}: {}", none.high);
+            let all = Estimate::of_hits(n, n);
+            assert_eq!((all.value, all.high), (1.0, 1.0));
+            assert!((all.low + none.high - 1.0).abs() < 1e-15);
+        }
+        let at_most = |k: u64, n: u64, p: f64| {
+            let (mut term, mut sum) = ((1.0 - p).powi(n as i32), 0.0);
+            for i in 0..=k {
+                sum += term;
+                term *= (n - i) as f64 / (i + 1) as f64 * p / (1.0 - p);
+            }
+            sum
+        };
+        for (k, n) in [(1, 20), (7, 20), (30, 100)] {
+            let e = Estimate::of_hits(k, n);
+            assert!((at_most(k, n, e.high) - 0.025).abs() < 1e-9);
+            assert!((1.0 - at_most(k - 1, n, e.low) - 0.025).abs() < 1e-9);
+        }
+    }
+
+    /// 95 % of Student's law with 31 degrees of freedom lie within the factor: its density by Simpson's rule, normalised over the
+    /// whole line.
+    #[test]
+    fn the_factor_is_students() {
+        let density = |t: f64| (1.0 + t * t / 31.0).powi(-16);
+        let simpson = |to: f64| {
+            let n = 20_000;
+            let h = to / f64::from(n);
+            let weight = |i: i32| {
+                if i == 0 || i == n {
+                    1.0
+                } else if i % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                }
+            };
+            (0..=n).map(|i| weight(i) * density(f64::from(i) * h)).sum::<f64>() * h / 3.0
+        };
+        assert!((simpson(STUDENT) / simpson(60.0) - 0.95).abs() < 1e-10);
+    }
+}

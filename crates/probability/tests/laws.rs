@@ -1,0 +1,218 @@
+//! Laws and correlations against closed forms that the crate does not use.
+
+use standfast_probability::copula::{Copula, CopulaError, Correlation, Measure};
+use standfast_probability::law::{Distribution, Law, LawError, Tails};
+use standfast_probability::normal;
+
+/// ∫ φ(z) f(z) dz by the trapezoidal rule on |z| ≤ 12: no code of the crate.
+fn mean(f: impl Fn(f64) -> f64) -> f64 {
+    mean_by(256, f)
+}
+
+/// The same by so many steps a unit: 16 have all digits of what is smooth.
+fn mean_by(steps: i32, f: impl Fn(f64) -> f64) -> f64 {
+    let h = 1.0 / f64::from(steps);
+    (-12 * steps..=12 * steps)
+        .map(|i| f64::from(i) * h)
+        .map(|z| h * (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt() * f(z))
+        .sum()
+}
+
+fn moments(law: &Distribution) -> (f64, f64) {
+    let m = mean(|z| law.value(z));
+    (m, mean(|z| (law.value(z) - m).powi(2)).sqrt())
+}
+
+fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
+    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value} where {expected} is expected");
+}
+
+fn all() -> Vec<Distribution> {
+    let normal = Law::normal(0.6, 0.1).unwrap();
+    vec![
+        normal.clone().into(),
+        Law::lognormal(0.91, 0.19 * 0.91).unwrap().into(),
+        Law::gumbel_of_mean(4.5, 0.9).unwrap().into(),
+        Law::weibull(3.0, 1.4, 1.0).unwrap().into(),
+        Law::gev(4.0, 0.7, 0.15).unwrap().into(),
+        Law::gev(4.0, 0.7, -0.2).unwrap().into(),
+        Law::uniform(6.8, 7.6).unwrap().into(),
+        Law::triangular(1.0, 1.4, 4.0).unwrap().into(),
+        Law::triangular(1.0, 4.0, 4.0).unwrap().into(),
+        Law::triangular(1.0, 1.0, 4.0).unwrap().into(),
+        Law::max_of(Law::gumbel(3.0, 0.4).unwrap().into(), 50.0).unwrap().into(),
+        Distribution::truncated(normal, 0.0, f64::INFINITY).unwrap(),
+        Distribution::truncated(Law::gumbel_of_mean(4.5, 0.9).unwrap(), 1.0, 6.0).unwrap(),
+    ]
+}
+
+/// A value's normal gives back the value, far into both tails; the tails add up to one and rise with the value.
+#[test]
+fn values_and_normals_belong_together() {
+    for law in all() {
+        let mut last = f64::NEG_INFINITY;
+        for i in -80..=80 {
+            let z = f64::from(i) / 10.0;
+            let x = law.value(z);
+            assert!(x >= last, "{law:?} at {z}");
+            last = x;
+            let tails = law.tails(x);
+            assert!((tails.below + tails.above - 1.0).abs() < 1e-14, "{law:?} at {x}: {tails:?}");
+            // A law with an end has few numbers near it.
+            let (from, to) = law.support();
+            let near = (x - from).abs().min((to - x).abs()) < 1e-9 * x.abs();
+            if !near {
+                assert!((law.z(x) - z).abs() < 2e-6 * z.abs().max(1.0), "{law:?} at {z}: {x}, {}", law.z(x));
+                let chance = Tails::of(z);
+                let (low, high) = (law.value(z - 1e-5), law.value(z + 1e-5));
+                let drawn = law.value_of_chance(normal::below(z));
+                assert!(
+                    (low <= drawn && drawn <= high) || chance.above < 1e-9,
+                    "{law:?} at {z}: {drawn}, {x}"
+                );
+            }
+        }
+        let (from, to) = law.support();
+        assert!(law.z(from) == f64::NEG_INFINITY && law.z(to) == f64::INFINITY, "{law:?}");
+        assert!(law.value(-40.0) >= from && law.value(40.0) <= to);
+    }
+}
+
+/// Means and deviations in closed form: Γ for Weibull's law and the general one, thirds for the triangle, Mills' ratio for the
+/// truncated normal; a Gumbel maximum of n is one with its mode moved by scale · ln n.
+#[test]
+fn means_and_deviations_are_the_closed_forms() {
+    let check = |what: &str, law: Law, m: f64, s: f64| {
+        let (mean, sd) = moments(&law.into());
+        assert_close(what, mean, m, 1e-7);
+        assert_close(what, sd, s, 1e-6);
+    };
+    let gamma = libm::tgamma;
+    check("normal", Law::normal(0.6, 0.1).unwrap(), 0.6, 0.1);
+    check("lognormal", Law::lognormal(0.91, 0.173).unwrap(), 0.91, 0.173);
+    check("gumbel", Law::gumbel_of_mean(4.5, 0.9).unwrap(), 4.5, 0.9);
+    let (g1, g2) = (gamma(1.0 + 1.0 / 1.4), gamma(1.0 + 2.0 / 1.4));
+    check("weibull", Law::weibull(3.0, 1.4, 1.0).unwrap(), 1.0 + 3.0 * g1, 3.0 * (g2 - g1 * g1).sqrt());
+    let (g1, g2) = (gamma(1.0 - 0.15), gamma(1.0 - 0.3));
+    let spread = 0.7 / 0.15 * (g2 - g1 * g1).sqrt();
+    check("gev", Law::gev(4.0, 0.7, 0.15).unwrap(), 4.0 + 0.7 / 0.15 * (g1 - 1.0), spread);
+    check("uniform", Law::uniform(1.0, 4.0).unwrap(), 2.5, 3.0 / 12f64.sqrt());
+    let s = ((1.0 + 1.96 + 16.0 - 1.4 - 4.0 - 5.6) / 18.0f64).sqrt();
+    check("triangular", Law::triangular(1.0, 1.4, 4.0).unwrap(), 6.4 / 3.0, s);
+    let most = Law::max_of(Law::gumbel(3.0, 0.4).unwrap().into(), 50.0).unwrap();
+    let moved: Distribution = Law::gumbel(3.0 + 0.4 * 50f64.ln(), 0.4).unwrap().into();
+    for z in [-6.0, -1.0, 0.0, 2.0, 8.0] {
+        assert_close("largest of 50", Distribution::from(most.clone()).value(z), moved.value(z), 1e-12);
+    }
+    let cut = Distribution::truncated(Law::normal(0.6, 0.1).unwrap(), 0.55, f64::INFINITY).unwrap();
+    let ratio = normal::density(-0.5) / normal::above(-0.5);
+    assert_close("truncated mean", mean(|z| cut.value(z)), 0.6 + 0.1 * ratio, 1e-7);
+    assert_close("cut", cut.cut(), normal::below(-0.5), 1e-14);
+}
+
+/// F of a return value is 1 − 1/years.
+#[test]
+fn return_values_are_met() {
+    let law: Distribution = Law::gumbel_of_returns((10.0, 5.4), (100.0, 6.9)).unwrap().into();
+    assert_close("10 years", law.tails(5.4).above, 0.1, 1e-12);
+    assert_close("100 years", law.tails(6.9).above, 0.01, 1e-12);
+    assert!(matches!(
+        Law::gumbel_of_returns((10.0, 6.9), (100.0, 5.4)),
+        Err(LawError::Parameter { parameter: "value", .. })
+    ));
+    assert!(matches!(
+        Law::gumbel_of_returns((1.0, 6.9), (100.0, 5.4)),
+        Err(LawError::Parameter { parameter: "years", value: 1.0, .. })
+    ));
+}
+
+/// Wrong parameters are named with their values; nothing is left between bounds.
+#[test]
+fn wrong_laws_are_refused() {
+    let refused = |law: Result<Law, LawError>, name: &str, which: &str| match law {
+        Err(LawError::Parameter { law, parameter, .. }) => assert_eq!((law, parameter), (name, which)),
+        other => panic!("{name}, {which}: {other:?}"),
+    };
+    refused(Law::normal(0.6, 0.0), "normal", "sd");
+    refused(Law::normal(f64::NAN, 1.0), "normal", "mean");
+    refused(Law::lognormal(-1.0, 1.0), "lognormal", "mean");
+    refused(Law::gumbel(0.0, -1.0), "gumbel", "scale");
+    refused(Law::weibull(1.0, 0.0, 0.0), "weibull", "shape");
+    refused(Law::gev(0.0, f64::INFINITY, 0.1), "gev", "scale");
+    refused(Law::uniform(2.0, 2.0), "uniform", "to");
+    refused(Law::triangular(1.0, 5.0, 4.0), "triangular", "mode");
+    refused(Law::max_of(Law::normal(0.0, 1.0).unwrap().into(), 0.5), "max_of", "count");
+    let law = || Law::uniform(0.0, 1.0).unwrap();
+    for (lower, upper) in [(1.0, 2.0), (0.6, 0.5), (f64::NAN, 1.0), (0.5, 0.5)] {
+        assert!(
+            matches!(Distribution::truncated(law(), lower, upper), Err(LawError::Empty { .. })),
+            "{lower} {upper}"
+        );
+    }
+    let message = Law::normal(0.6, -0.1).unwrap_err().to_string();
+    assert_eq!(message, "sd = -0.1 of the law normal: expected a number above 0");
+}
+
+/// Of lognormals the values' correlation is a closed form: ρ_z = ln(1 + ρ c₁ c₂)/(ζ₁ ζ₂), and so are its bounds. Of ranks it is
+/// 12 E[Φ(z₁)Φ(z₂)] − 3.
+#[test]
+fn measures_of_correlation_are_the_closed_forms() {
+    let (c1, c2) = (0.19, 0.8);
+    let laws: Vec<Distribution> =
+        vec![Law::lognormal(0.91, 0.91 * c1).unwrap().into(), Law::lognormal(2.0, 2.0 * c2).unwrap().into()];
+    let zeta = |c: f64| (1.0 + c * c).ln().sqrt();
+    let pair = |measure| Copula::new(&laws, &[Correlation { first: 0, second: 1, measure }]);
+    for rho in [-0.5, 0.3, 0.9] {
+        let found = pair(Measure::Linear(rho)).unwrap().between(0, 1);
+        assert_close("linear", found, (1.0 + rho * c1 * c2).ln() / (zeta(c1) * zeta(c2)), 1e-9);
+        let rank = pair(Measure::Rank(rho)).unwrap().between(1, 0);
+        let across = (1.0 - rank * rank).sqrt();
+        let spearman = 12.0
+            * mean_by(16, |z| normal::below(z) * mean_by(16, |w| normal::below(rank * z + across * w)))
+            - 3.0;
+        assert_close("rank", spearman, rho, 1e-10);
+    }
+    let bounds = [-1.0, 1.0].map(|sign| (sign * zeta(c1) * zeta(c2)).exp_m1() / (c1 * c2));
+    match pair(Measure::Linear(-0.95)) {
+        Err(CopulaError::Unattainable { value, from, to, beside_others, .. }) => {
+            assert_eq!((value, beside_others), (-0.95, false));
+            assert_close("least", from, bounds[0], 1e-9);
+            assert_close("most", to, bounds[1], 1e-9);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Three inputs: with 0.9 and 0.9 the third correlation has to lie above 0.62: 0.81 ∓ 0.19.
+#[test]
+fn a_matrix_that_is_none_names_the_pair() {
+    let laws = vec![Distribution::from(Law::normal(0.0, 1.0).unwrap()); 3];
+    let of = |first, second, value| Correlation { first, second, measure: Measure::Normal(value) };
+    match Copula::new(&laws, &[of(0, 1, 0.9), of(0, 2, 0.5), of(1, 2, -0.5)]) {
+        Err(CopulaError::Unattainable { first: 1, second: 2, from, to, beside_others: true, .. }) => {
+            let (middle, half) = (0.45, (0.19f64 * 0.75).sqrt());
+            assert!(
+                (from - (middle - half)).abs() < 1e-6 && (to - (middle + half)).abs() < 1e-6,
+                "{from} {to}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+    assert!(matches!(Copula::new(&laws, &[of(1, 1, 0.2)]), Err(CopulaError::Pair { .. })));
+    assert!(matches!(Copula::new(&laws, &[of(0, 3, 0.2)]), Err(CopulaError::Pair { .. })));
+    assert!(matches!(Copula::new(&laws, &[of(0, 1, 0.2), of(1, 0, 0.3)]), Err(CopulaError::Twice { .. })));
+    assert!(matches!(Copula::new(&laws, &[of(0, 1, 1.5)]), Err(CopulaError::Unattainable { .. })));
+    assert!(matches!(Copula::new(&laws, &[of(0, 1, f64::NAN)]), Err(CopulaError::Unattainable { .. })));
+    // z = L u and back; the products of L's rows are the correlations.
+    let copula = Copula::new(&laws, &[of(0, 1, 0.9), of(0, 2, 0.5), of(1, 2, 0.3)]).unwrap();
+    let u = [0.3, -1.2, 2.0];
+    for (a, b) in copula.independent_of(&copula.correlated(&u)).iter().zip(u) {
+        assert!((a - b).abs() < 1e-14);
+    }
+    let unit =
+        |i: usize| copula.correlated(&std::array::from_fn::<f64, 3, _>(|j| f64::from(u8::from(i == j))));
+    let product = |a: usize, b: usize| (0..3).map(|i| unit(i)[a] * unit(i)[b]).sum::<f64>();
+    for (a, b, rho) in [(0, 0, 1.0), (0, 1, 0.9), (0, 2, 0.5), (1, 2, 0.3)] {
+        assert!((product(a, b) - rho).abs() < 1e-14);
+    }
+}
