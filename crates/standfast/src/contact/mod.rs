@@ -59,6 +59,7 @@ mod explain;
 pub(crate) use conditions::{Numbers, Verdict};
 use conditions::{Rotation, conditions};
 
+pub mod friction;
 pub mod path;
 pub mod plane;
 
@@ -204,6 +205,12 @@ pub(crate) fn check(block: &Block, wrench: &Wrench) -> Result<(), InputError> {
     InputError::finite(Quantity::WrenchP, wrench.p)?;
     InputError::finite(Quantity::WrenchM, wrench.m)?;
     Ok(())
+}
+
+/// The block on another friction to stick, that to slip in proportion.
+fn with_friction(block: &Block, μ: f64) -> Block {
+    let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
+    Block { mu_s: μ, mu_k: μ * ratio, ..*block }
 }
 
 /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.

@@ -14,7 +14,7 @@
 //! is a picture's precision, not that of a mode.
 
 use super::conditions::{COUNT, conditions};
-use super::{Block, numbers, solve};
+use super::{Block, numbers, solve, with_friction};
 use crate::error::InputError;
 use crate::mode::Mode;
 use crate::quantity::Quantity;
@@ -88,11 +88,6 @@ fn stretched(strip: &Strip, up_to: f64) -> Strip {
         lower: curve(strip.lower),
         upper: strip.upper.map(curve),
     }
-}
-
-fn with_friction(block: &Block, μ: f64) -> Block {
-    let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
-    Block { mu_s: μ, mu_k: μ * ratio, ..*block }
 }
 
 /// Every condition as a boundary of the plane, duplicates left out.

@@ -1,0 +1,86 @@
+//! Which mode a block begins with, for every friction: the same problem read along μ.
+//!
+//! Every condition of the [contact problem](super) is linear in μ for a fixed ratio of μ_k to μ_s, so each changes its sign at
+//! one friction at most; between two of these the modes are constant, and are decided exactly at one friction. For the report's
+//! problem the frictions are its curves
+//!
+//! ```text
+//! k      1/γ − kk'      −1/γ − kk'      |ak + b|/(ck + d)
+//! ```
+//!
+//! Whoever knows the law of μ knows from these intervals the probability of each mode, and need not draw μ.
+
+use super::conditions::{COUNT, conditions};
+use super::{Block, check, numbers, solve, with_friction};
+use crate::error::InputError;
+use crate::mode::{Mode, Modes};
+use crate::wrench::Wrench;
+
+/// Frictions with the same modes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// The friction μ_s at which it begins; 0 for the first.
+    pub from: f64,
+    /// The friction at which it ends; infinite for the last.
+    pub to: f64,
+    /// The mode reported.
+    pub mode: Option<Mode>,
+    /// All consistent modes.
+    pub modes: Modes,
+    /// Which condition changes its sign at `from`, by its number; 0 for the first span. As long as modes and numbers stay the
+    /// same, the ends of the spans are smooth functions of block and wrench.
+    pub condition: usize,
+}
+
+/// The spans of friction from zero without end. The block's own μ_s and μ_k say by their ratio alone how slip follows stick.
+///
+/// ```
+/// use standfast::Wrench;
+/// use standfast::contact::{Block, friction};
+///
+/// // γ = 0.8, k' = 0.9, k = 0.45: slides below μ = k, rests above.
+/// let wrench = Wrench { x: -0.45, p: 1.0, m: 0.45 * 0.9 * 0.8 };
+/// let spans = friction::spans(&Block::uniform(0.8, 1.0), &wrench)?;
+/// let ends: Vec<_> = spans.iter().map(|span| (span.mode.unwrap().to_string(), span.to)).collect();
+/// assert_eq!(ends, [("SL".to_string(), 0.45), ("RE".to_string(), f64::INFINITY)]);
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+///
+/// # Errors
+/// As [`solve`].
+pub fn spans(block: &Block, wrench: &Wrench) -> Result<Vec<Span>, InputError> {
+    check(block, wrench)?;
+    let at = |μ| -> [f64; COUNT] { conditions(&numbers(&with_friction(block, μ), wrench)) };
+    let (start, end) = (at(0.0), at(1.0));
+    let mut crossings: Vec<(f64, usize)> = (0..COUNT)
+        .map(|i| (start[i] / (start[i] - end[i]), i))
+        .filter(|(μ, _)| *μ > 0.0 && *μ < LARGEST)
+        .collect();
+    crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    // One friction, computed from two conditions; the first of them names it.
+    crossings.dedup_by(|later, earlier| {
+        let same = later.0 - earlier.0 <= ONE * later.0;
+        earlier.1 = if same { earlier.1.min(later.1) } else { earlier.1 };
+        same
+    });
+    let mut spans: Vec<Span> = Vec::new();
+    let mut begin = (0.0, 0);
+    for next in crossings.into_iter().map(Some).chain([None]) {
+        let (from, condition) = begin;
+        let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
+        // Beyond the last crossing any friction will do.
+        let inside = if to.is_finite() { from + (to - from) / 2.0 } else { 2.0 * from + 1.0 };
+        let solution = solve(&with_friction(block, inside), wrench)?;
+        match spans.last_mut() {
+            Some(last) if (last.mode, last.modes) == (solution.mode(), solution.modes) => last.to = to,
+            _ => spans.push(Span { from, to, mode: solution.mode(), modes: solution.modes, condition }),
+        }
+        begin = next.unwrap_or(begin);
+    }
+    Ok(spans)
+}
+
+/// Beyond this no friction is asked for: a condition whose share in μ is all rounding crosses there.
+const LARGEST: f64 = 1e9;
+/// Relative distance of two crossings that are one.
+const ONE: f64 = 1e-13;
