@@ -5,6 +5,7 @@ mod acting;
 pub mod checks;
 mod coordinates;
 mod figures;
+pub mod ground;
 mod json;
 mod loads;
 mod sea;
@@ -16,13 +17,14 @@ use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use standfast::loads::Earthquake;
-use standfast::{Departure, InputError, Outcome, Situation};
+use standfast::{InputError, Outcome, Situation};
 
 use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
 use crate::face::Face;
 use crate::units::Extent;
 pub use figures::{CaseFigure, Drawn};
+pub use ground::OnGround;
 pub(crate) use json::SCHEMA;
 pub use loads::{Component, left_out, share};
 pub use text::criteria_met;
@@ -58,8 +60,10 @@ pub struct Assessed {
     pub is_reported: bool,
     /// The body under its loads.
     pub situation: Situation,
-    /// What becomes of it.
+    /// What becomes of it on rigid ground.
     pub outcome: Outcome,
+    /// What its base bears, where the case says so; what begins on it takes the place of what begins on rigid ground.
+    pub ground: Option<OnGround>,
     /// The same under the other accelerations of the base, none of them worse as a whole.
     pub others: Vec<Assessed>,
 }
@@ -211,7 +215,22 @@ impl Assessed {
             let outcome = situation.outcome()?;
             let others = Vec::new();
             let extent = case.extent;
-            Ok(Assessed { index, acting, extent, earthquake, is_reported: true, situation, outcome, others })
+            let ground = case.ground.as_ref().map(|foundation| {
+                let histories = case.histories(acting, earthquake);
+                OnGround::of(case, foundation, &situation, &outcome, &histories)
+            });
+            let ground = ground.transpose()?;
+            Ok(Assessed {
+                index,
+                acting,
+                extent,
+                earthquake,
+                is_reported: true,
+                situation,
+                outcome,
+                ground,
+                others,
+            })
         };
         let tried = case.earthquakes(acting).into_iter().map(|earthquake| {
             let assessed = shaken(Some(earthquake))?;
@@ -228,11 +247,6 @@ impl Assessed {
         tried.sort_by(|(one, _), (two, _)| Severity::compare(one, two));
         let others = tried.into_iter().map(|(_, other)| Assessed { is_reported: false, ..other }).collect();
         Ok(Assessed { others, ..worst })
-    }
-
-    /// The mode in which the body leaves rest.
-    pub fn departure(&self) -> &Departure {
-        &self.outcome.departure
     }
 
     /// Whether a combination multiplies a load by another factor than 1.

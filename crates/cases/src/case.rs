@@ -25,9 +25,11 @@
 //! Nothing here reads text, so that a case may be varied millions of times.
 
 mod given;
+mod ground;
 mod loads;
 mod section;
 
+use standfast::ground::impact::History;
 use standfast::loads::{Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, StillWater, Uplift};
 use standfast::section::{Part, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
@@ -35,6 +37,7 @@ use standfast::{Body, InputError, Situation};
 
 use given::Given;
 pub(crate) use given::fault;
+pub use ground::{Foundation, Limit};
 pub use loads::{Combination, Direction, FacePressure, PointForce};
 pub(crate) use section::OF_PARTS;
 
@@ -67,6 +70,8 @@ pub struct Case {
     pub friction: f64,
     /// Coulomb friction μ to slip.
     pub kinetic_friction: f64,
+    /// What the base can bear; `None` of one that is rigid.
+    pub ground: Option<Foundation>,
     /// How water takes part in the weight.
     pub weight: Weight,
     /// Still water.
@@ -131,6 +136,8 @@ pub struct Waves {
     pub choices: Choices,
     /// The pressures, forces and moments.
     pub goda: Goda,
+    /// How thrust and uplift vary in time.
+    pub history: Option<History>,
 }
 
 impl Case {
@@ -149,6 +156,8 @@ impl Case {
         let friction = given.required(Key::Friction)?;
         let kinetic_friction = given.kinetic_friction(friction)?;
         let weight = given.weight(&body, section.as_ref())?;
+        let ground = given.in_table(Table::Ground, |given| given.ground(&body))?;
+        given.answerable(ground.as_ref())?;
         let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity))?;
         let water = match (inputs.has(Table::Water), weight, &wave) {
             (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),
@@ -184,6 +193,7 @@ impl Case {
             part_names: given.part_names(),
             friction,
             kinetic_friction,
+            ground,
             weight,
             water,
             uplift,
@@ -250,6 +260,21 @@ impl Case {
             }
         }
         Ok(situation)
+    }
+
+    /// How each load of a [situation](Case::situation) varies in time, in their order; `None` of one that does not.
+    pub fn histories(&self, acting: Acting, earthquake: Option<Earthquake>) -> Vec<Option<&History>> {
+        let loads = self.loads(acting, earthquake.or(self.earthquake));
+        let acts = loads.iter().filter(|(of, load)| match acting {
+            Acting::Combination(index) => self.factor(&self.combinations[index], *of, load) != 0.0,
+            Acting::All | Acting::Alone(_) => true,
+        });
+        acts.map(|(of, _)| match of {
+            Of::Table(Table::Wave) => self.wave.as_ref().and_then(|wave| wave.history.as_ref()),
+            Of::Force(index) => self.forces[*index].history.as_ref(),
+            _ => None,
+        })
+        .collect()
     }
 
     /// The parts of the body, with their names.

@@ -5,7 +5,8 @@
 
 use std::fmt;
 
-use standfast::{Departure, Mode, Modes};
+use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::{Mode, Modes};
 
 use crate::assess::Assessed;
 use crate::inputs::{Inputs, Value};
@@ -17,7 +18,7 @@ use crate::units::Dimension;
 /// What is asked of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Criterion {
-    /// The key under which it is asked; its name is that of the result.
+    /// The key under which it is asked; its name is that of the result, with `_max` behind it for one of the ground.
     pub key: Key,
     /// The bound.
     pub bound: Bound,
@@ -65,12 +66,15 @@ const fn asked(key: Key, result: ResultName, bound: fn(f64) -> Bound) -> Asked {
     Asked { key, result, bound }
 }
 
-const NUMBERS: [Asked; 6] = [
+const NUMBERS: [Asked; 9] = [
     asked(Key::LeastSliding, ResultName::SfSliding, Bound::AtLeast),
     asked(Key::LeastOverturning, ResultName::SfOverturning, Bound::AtLeast),
     asked(Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost),
     asked(Key::LeastContact, ResultName::ContactShare, Bound::AtLeast),
     asked(Key::GreatestEccentricity, ResultName::Eccentricity, Bound::AtMost),
+    asked(Key::LeastGround, ResultName::GroundFactor, Bound::AtLeast),
+    asked(Key::GreatestEffective, ResultName::EffectivePressure, Bound::AtMost),
+    asked(Key::GreatestRotation, ResultName::Rotation, Bound::AtMost),
     asked(Key::LeastLoadFactor, ResultName::LoadFactor, Bound::AtLeast),
 ];
 
@@ -116,7 +120,7 @@ impl Criterion {
             // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
             Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
             Some(result) => result.of(assessed),
-            None => ResultValue::Modes(assessed.outcome.full.modes),
+            None => ResultValue::Modes(assessed.modes()),
         };
         let (utilisation, met) = match (self.bound, value) {
             (Bound::AtLeast(least), ResultValue::Number(value)) => {
@@ -179,10 +183,12 @@ impl Check {
             Bound::NoneOf(_) => 0.0,
         };
         match (self.value, assessed.departure()) {
-            (ResultValue::Number(_), Departure::Never) if criterion.key == Key::LeastLoadFactor => {
+            (ResultValue::Number(_), GroundDeparture::Never) if criterion.key == Key::LeastLoadFactor => {
                 "never leaves rest".to_owned()
             }
-            (ResultValue::Number(_), Departure::AtOnce { .. }) if criterion.key == Key::LeastLoadFactor => {
+            (ResultValue::Number(_), GroundDeparture::AtOnce { .. })
+                if criterion.key == Key::LeastLoadFactor =>
+            {
                 "leaves rest at once".to_owned()
             }
             (ResultValue::Number(value), _) => {
@@ -190,7 +196,9 @@ impl Check {
                 let text = if value == against { digits(value) } else { apart(&[value, against])[0].clone() };
                 if value.is_finite() { criterion.with_unit(&text) } else { text }
             }
-            (ResultValue::Modes(modes), _) if modes.is_empty() => "none".to_owned(),
+            (ResultValue::Modes(modes), _) if modes.is_empty() => {
+                assessed.verdict().map_or("none", GroundVerdict::symbol).to_owned()
+            }
             (ResultValue::Modes(modes), _) => listed(modes),
             _ => "none".to_owned(),
         }

@@ -30,7 +30,8 @@ use crate::layout::digits;
 use crate::parse::CaseFile;
 use quantity::{Ends, Quantity};
 use set::{Beyond, End, Search, Stretch};
-use standfast::{Departure, Mode};
+use standfast::Mode;
+use standfast::ground::GroundDeparture;
 
 /// How many parts a range is cut into to find where a target is met.
 const PARTS: u32 = 400;
@@ -264,7 +265,7 @@ impl<'a> Design<'a> {
     /// That of a target that asks how far the loads may rise nothing is said where none does.
     fn unrisen(&self) -> Option<String> {
         let answer = &self.found().answer;
-        let still = answer.all.iter().filter(|assessed| assessed.outcome.path.is_empty());
+        let still = answer.all.iter().filter(|assessed| !assessed.rises());
         let names: Vec<_> = still.filter_map(|assessed| answer.name(assessed)).collect();
         let asked = self.request.target.asks_for_rise() && !names.is_empty();
         asked.then(|| {
@@ -289,21 +290,24 @@ impl<'a> Design<'a> {
 
 /// That a target is met by a body that does not stay at rest, where the worst situation is one of these.
 fn moves_though_met(answer: &Assessment) -> Option<String> {
-    let moving =
-        |assessed: &Assessed| load_factor(assessed) < 1.0 || assessed.outcome.full.mode != Some(Mode::Rest);
+    let moving = |assessed: &Assessed| load_factor(assessed) < 1.0 || assessed.mode() != Some(Mode::Rest);
     let worst = answer.least(load_factor);
     let assessed = if moving(worst) { worst } else { answer.tried().find(|assessed| moving(assessed))? };
     let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
     let place = place.map_or(String::new(), |name| format!(" in {name}"));
-    let (when, mode) = match assessed.departure() {
-        Departure::At { factor, mode } if *factor < 1.0 => {
-            (format!("from {} % of the variable load on", digits(100.0 * factor)), *mode)
+    let (when, verdict) = match assessed.departure() {
+        GroundDeparture::At { factor, verdict } if factor < 1.0 => {
+            (format!("from {} % of the variable load on", digits(100.0 * factor)), verdict)
         }
-        Departure::AtOnce { mode, permanent: true } => ("under the permanent loads alone".to_owned(), *mode),
-        Departure::AtOnce { mode, .. } => ("under any share of the variable load".to_owned(), *mode),
-        _ => ("under the full load at once".to_owned(), assessed.outcome.full.mode),
+        GroundDeparture::AtOnce { verdict, permanent: true } => {
+            ("under the permanent loads alone".to_owned(), verdict)
+        }
+        GroundDeparture::AtOnce { verdict, .. } => {
+            ("under any share of the variable load".to_owned(), verdict)
+        }
+        _ => ("under the full load at once".to_owned(), assessed.verdict()),
     };
-    Some(format!("the target is met, but not by a body at rest{place}: {when} it {}", predicate(mode)))
+    Some(format!("the target is met, but not by a body at rest{place}: {when} it {}", predicate(verdict)))
 }
 
 /// That a target is met as far as the range reaches, and which option finds a boundary.

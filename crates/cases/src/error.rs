@@ -322,6 +322,93 @@ pub enum Problem {
         /// The key.
         missing: Key,
     },
+    /// A ground of which nothing is said.
+    #[error("[ground] says nothing of what the base bears")]
+    EmptyGround,
+    /// Keys of ground that is told in different ways.
+    #[error("`{}` does not go with `{}`", key.entry(), with.entry())]
+    NotWith {
+        /// A key.
+        key: Key,
+        /// Another that says otherwise.
+        with: Key,
+    },
+    /// A number of the envelope, of ground that is none.
+    #[error("`{}` is a number of the envelope, and `law` is not \"envelope\"", key.entry())]
+    NotEnvelope {
+        /// The key.
+        key: Key,
+    },
+    /// A number of ground with a friction angle, of which the law is an envelope.
+    #[error("`{}` does not go with `law = \"envelope\"`", key.entry())]
+    OfEnvelope {
+        /// The key.
+        key: Key,
+    },
+    /// A criterion of what the ground does not say.
+    #[error("the criterion `{}` asks for {of}, and {lacks}", key.name())]
+    NeedsGround {
+        /// The criterion.
+        key: Key,
+        /// What it asks for.
+        of: &'static str,
+        /// What is not there.
+        lacks: &'static str,
+    },
+    /// A load in time where nothing takes it.
+    #[error(
+        "`{key}` says how a load varies in time, which an elastic base takes, and [ground] has no {lacks}"
+    )]
+    HistoryOnRigid {
+        /// The key.
+        key: Id,
+        /// What is not there.
+        lacks: &'static str,
+    },
+    /// A permanent load that varies in time.
+    #[error("`{key}` says how the load varies in time, and the load is permanent")]
+    HistoryOfPermanent {
+        /// The key.
+        key: Id,
+    },
+    /// A course in time that is none.
+    #[error(
+        "the shape of the `history` is {written}; expected \"constant\", \"rect\", \"triangle\", \"decay\", \"church-roof\" or \"points\""
+    )]
+    HistoryShape {
+        /// The value as it stands in the file.
+        written: String,
+        /// The one it resembles.
+        suggestion: Option<&'static str>,
+    },
+    /// A number that a course in time does not have.
+    #[error("a `history` of shape \"{shape}\" has no `{}`", shortened(name))]
+    HistoryKey {
+        /// The shape.
+        shape: &'static str,
+        /// The key.
+        name: String,
+        /// What it has.
+        takes: &'static [&'static str],
+    },
+    /// What a course in time needs.
+    #[error("the `history` lacks `{name}`")]
+    HistoryLacks {
+        /// The key.
+        name: &'static str,
+        /// A line that has it right.
+        example: &'static str,
+    },
+    /// A number that a course in time cannot have.
+    #[error("`{name}` of the `history` is {written}; expected {expected}")]
+    HistoryValue {
+        /// The key.
+        name: &'static str,
+        /// The value as it stands in the file.
+        written: String,
+        /// What it has to be.
+        expected: &'static str,
+    },
     /// A value that does not go with the others.
     #[error("`{}` is {}; expected {}", key.entry(), exact(.error.value), .error.expected)]
     Impossible {
@@ -403,6 +490,33 @@ impl Problem {
             Problem::WaterTwice => "keep [water] to work with the total weight and explicit pressures, or \
                  `buoyant_weight` to work with W'"
                 .into(),
+            Problem::EmptyGround => "give strength, for a base that crushes; or friction_angle_deg and unit_weight, or law = \"envelope\" \
+                 and centric_resistance, for ground that fails; or stiffness"
+                .into(),
+            Problem::NotWith { key: Key::Strength, with: Key::GroundAngle } => {
+                "keep strength for stone, mortar or a pressure that is given; friction_angle_deg for ground that fails".into()
+            }
+            Problem::NotWith { .. } | Problem::OfEnvelope { .. } => "keep one of them".into(),
+            Problem::NotEnvelope { .. } => "add law = \"envelope\", or remove it".into(),
+            Problem::NeedsGround { key: Key::GreatestRotation, .. } => {
+                "add for example\n[ground]\nstiffness = \"50 MN/m3\"".into()
+            }
+            Problem::NeedsGround { .. } => format!("add for example\n{}", Table::Ground.example()),
+            Problem::HistoryOnRigid { .. } => {
+                "add for example\n[ground]\nstiffness = \"50 MN/m3\"\ntangential_stiffness = \"25 MN/m3\"".into()
+            }
+            Problem::HistoryOfPermanent { .. } => "keep one of them".into(),
+            Problem::HistoryShape { suggestion, .. } => {
+                let line = "for example { shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }; shapes are of straight lines, others \
+                            are given by their points";
+                suggestion.map_or(line.to_owned(), |word| format!("did you mean \"{word}\"? {line}"))
+            }
+            Problem::HistoryKey { name, takes, .. } => {
+                let known: Vec<_> = ["shape"].iter().chain(takes.iter()).chain(&["peak", "start"]).copied().collect();
+                let line = format!("it has {}", known.join(", "));
+                closest(name, known.iter().copied()).map_or(line.clone(), |word| format!("did you mean `{word}`? {line}"))
+            }
+            Problem::HistoryLacks { example, .. } => format!("add for example {example}"),
             Problem::NoWater => "add for example\n[water]\nlevel = \"7.1 m\"".into(),
             Problem::NoLevel => "add level = \"7.1 m\" for both sides, or left and right".into(),
             Problem::NoWaterDensity => "add for example density = \"1030 kg/m3\"".into(),
@@ -445,6 +559,10 @@ impl Problem {
             Problem::NotOfCylinder { key: Key::WetSides } => {
                 "`sides` are those of a long wall; give the `mass` of the water that moves with it".into()
             }
+            Problem::NotOfCylinder { key } if key.info().table == Table::Ground => {
+                "what is known of the ground here are formulas of a strip: leave out [ground], or describe a block with its `length`"
+                    .into()
+            }
             Problem::NotOfCylinder { .. } => {
                 "its `width` is its diameter, and it stands on the whole of its circle".into()
             }
@@ -475,6 +593,7 @@ impl Problem {
             | Problem::SidesWithoutWater
             | Problem::OneWaveHeight { .. }
             | Problem::CaissonWidth { .. }
+            | Problem::HistoryValue { .. }
             | Problem::Impossible { .. } => return None,
         };
         Some(help)
@@ -671,6 +790,7 @@ pub(crate) fn expected_type(kind: Kind) -> &'static str {
         Kind::Choice { words, .. } => words,
         Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
         Kind::Factors => "names of loads with their factors, in braces",
+        Kind::History => "a shape with its numbers, in braces",
         Kind::ModeList => "a list of symbols of modes in quotes",
     }
 }

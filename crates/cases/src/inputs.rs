@@ -2,6 +2,7 @@
 
 use standfast::Modes;
 
+use crate::history::TimeShape;
 use crate::key::{Id, Key, Table};
 use crate::units::{Dimension, Extent};
 
@@ -25,6 +26,8 @@ pub enum Value {
     Factors(Vec<(String, f64)>),
     /// A set of modes.
     Modes(Modes),
+    /// How a load varies in time.
+    History(TimeShape),
 }
 
 /// The values of a case file.
@@ -108,6 +111,14 @@ impl Inputs {
     pub fn modes(&self, id: impl Into<Id>) -> Option<Modes> {
         match self.get(id)? {
             Value::Modes(modes) => Some(*modes),
+            _ => None,
+        }
+    }
+
+    /// How a load varies in time, under a key.
+    pub fn history(&self, id: impl Into<Id>) -> Option<&TimeShape> {
+        match self.get(id)? {
+            Value::History(shape) => Some(shape),
             _ => None,
         }
     }

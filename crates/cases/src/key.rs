@@ -21,6 +21,8 @@ pub enum Table {
     Body,
     /// What the body is made of.
     Part,
+    /// What the base can bear.
+    Ground,
     /// Waves from the right.
     Wave,
     /// Still water.
@@ -43,10 +45,11 @@ pub enum Table {
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 12] = [
+    pub const ALL: [Table; 13] = [
         Table::Top,
         Table::Body,
         Table::Part,
+        Table::Ground,
         Table::Wave,
         Table::Water,
         Table::Uplift,
@@ -64,6 +67,7 @@ impl Table {
             Table::Top => "",
             Table::Body => "body",
             Table::Part => "part",
+            Table::Ground => "ground",
             Table::Wave => "wave",
             Table::Water => "water",
             Table::Uplift => "uplift",
@@ -91,6 +95,7 @@ impl Table {
             Table::Top => "the case file",
             Table::Body => "[body]",
             Table::Part => "[[part]]",
+            Table::Ground => "[ground]",
             Table::Wave => "[wave]",
             Table::Water => "[water]",
             Table::Uplift => "[uplift]",
@@ -111,6 +116,10 @@ impl Table {
             Table::Part => {
                 "one such table for each part of the section: a rectangle or trapezoid, or a polygon; parts touch, and a cavity \
                  is a part of density 0; mass, centre of mass and moment of inertia follow"
+            }
+            Table::Ground => {
+                "what the base can bear, without which it is rigid and bears everything: a strength at which it crushes; or ground \
+                 that fails, by a friction angle or an envelope; and a stiffness, alone or beside them"
             }
             Table::Wave => "waves by Goda's formulas, with the sea at the right",
             Table::Water => "still water on both sides and under the base",
@@ -152,6 +161,7 @@ impl Table {
                 "[[part]]\nname = \"footing\"\nleft = 0\nwidth = \"15 m\"\nbottom = 0\nheight = \"1.5 m\"\n\
                  density = \"2400 kg/m3\""
             }
+            Table::Ground => "[ground]\nfriction_angle_deg = 35\nunit_weight = \"10 kN/m3\"",
             Table::Water => "[water]\nlevel = \"7.1 m\"",
             Table::Pressure => {
                 "[[pressure]]\nname = \"backfill\"\nface = \"right\"\nelevation = [\"0 m\", \"9 m\"]\n\
@@ -230,6 +240,8 @@ pub enum Kind {
     Factors,
     /// Symbols of modes in a list.
     ModeList,
+    /// How a load varies in time, in braces.
+    History,
 }
 
 /// What goes with a number when it is varied.
@@ -309,7 +321,7 @@ impl KeyInfo {
             Kind::InGravity => Some(Range::Finite),
             Kind::OneOfThree => Some(Range::NotNegative),
             Kind::Text | Kind::Truth | Kind::Sides | Kind::Choice { .. } => None,
-            Kind::List(_) | Kind::Factors | Kind::ModeList => None,
+            Kind::List(_) | Kind::Factors | Kind::ModeList | Kind::History => None,
         }
     }
 
@@ -338,12 +350,15 @@ const FACES: Kind =
     Kind::Choice { of: &["left", "right", "base", "top"], words: "\"left\", \"right\", \"base\" or \"top\"" };
 const DIRECTIONS: Kind =
     Kind::Choice { of: &["left", "right", "down", "up"], words: "\"left\", \"right\", \"down\" or \"up\"" };
+const LAWS: Kind =
+    Kind::Choice { of: &["ec7", "hansen", "envelope"], words: "\"ec7\", \"hansen\" or \"envelope\"" };
 const SHAPES: Kind = Kind::Choice { of: &["block", "cylinder"], words: "\"block\" or \"cylinder\"" };
 
-use Kind::{Factors, InGravity, List, Measured, ModeList, OneOfThree, Plain, Sides, Text, Truth};
+use Kind::{Factors, History, InGravity, List, Measured, ModeList, OneOfThree, Plain, Sides, Text, Truth};
 use Range::{Finite, NotNegative, Positive, Share};
 use Table::{
-    AddedMass, Body, Combination, Criteria, Earthquake, Load, Part, Pressure, Top, Uplift, Water, Wave,
+    AddedMass, Body, Combination, Criteria, Earthquake, Ground, Load, Part, Pressure, Top, Uplift, Water,
+    Wave,
 };
 
 listed! {
@@ -417,6 +432,31 @@ listed! {
     PartDensityBelow = key(Part, "density_below_water", Measured(Dimension::Density, NotNegative), "ρ_pw", "density under still water, its water with it", "\"2100 kg/m3\"")
         .silent("density under still water: the same as above it").gives(&[Quantity::Density]);
 
+    Strength = key(Ground, "strength", Measured(Dimension::Pressure, Positive), "q_u", "pressure at which the base crushes: of stone, mortar, or ground taken so", "\"600 kPa\"")
+        .silent("strength of the base: no limit").gives(&[Quantity::Strength]);
+    GroundAngle = key(Ground, "friction_angle_deg", Plain(Positive), "φ", "angle of friction of the ground, 20° to 50°", "40")
+        .gives(&[Quantity::GroundFrictionAngle]);
+    UnitWeight = key(Ground, "unit_weight", Measured(Dimension::UnitWeight, Positive), "γ'", "effective unit weight of the ground; under water less that of water", "\"10 kN/m3\"")
+        .gives(&[Quantity::UnitWeight]);
+    Surcharge = key(Ground, "surcharge", Measured(Dimension::Pressure, NotNegative), "q'", "effective pressure of the ground beside the base, at its level", "\"15 kPa\"")
+        .silent("surcharge beside the base: none").gives(&[Quantity::Surcharge]);
+    Cohesion = key(Ground, "cohesion", Measured(Dimension::Pressure, NotNegative), "c'", "effective cohesion of the ground", "\"5 kPa\"")
+        .silent("cohesion of the ground: none").gives(&[Quantity::Cohesion]);
+    GroundLaw = key(Ground, "law", LAWS, "", "bearing resistance: EN 1997-1 Annex D, Brinch Hansen as in API RP 2GEO, or Butterfield and Gottardi’s envelope", "\"hansen\"")
+        .silent("bearing resistance of ground with a friction angle: EN 1997-1 Annex D");
+    CentricResistance = key(Ground, "centric_resistance", Measured(Dimension::Force, Positive), "V_0", "what the whole base bears upright and in its middle, for the envelope", "\"20 MN/m\"")
+        .gives(&[Quantity::CentricResistance]);
+    EnvelopeHorizontal = key(Ground, "t_h", Plain(Positive), "t_h", "slope of the envelope at no load, horizontal force over vertical", "0.52")
+        .silent("slopes and coupling of the envelope: 0.52, 0.35, 0.22").gives(&[Quantity::EnvelopeSlope]);
+    EnvelopeMoment = key(Ground, "t_m", Plain(Positive), "t_m", "the same of moment over vertical force times width of the base", "0.35")
+        .gives(&[Quantity::EnvelopeSlope]);
+    EnvelopeCoupling = key(Ground, "C", Plain(Finite), "C_e", "coupling of both; positive where an eccentricity towards the push strengthens", "0.22")
+        .gives(&[Quantity::EnvelopeCoupling]);
+    Stiffness = key(Ground, "stiffness", Measured(Dimension::Stiffness, Positive), "k_n", "stiffness of the base, pressure over settlement", "\"50 MN/m3\"")
+        .silent("stiffness of the base: rigid").gives(&[Quantity::Stiffness]);
+    TangentialStiffness = key(Ground, "tangential_stiffness", Measured(Dimension::Stiffness, Positive), "k_t", "the same along the base; without it no periods", "\"25 MN/m3\"")
+        .gives(&[Quantity::TangentialStiffness]);
+
     WaterDepth = key(Wave, "water_depth", length(Positive), "h", "depth at the wall", "\"10.1 m\"")
         .gives(&[Quantity::WaterDepth]);
     SeaBottomSlope = key(Wave, "sea_bottom_slope", Plain(NotNegative), "i", "slope of the sea bed, Goda’s tan θ", "0.01")
@@ -456,6 +496,9 @@ listed! {
         .silent("pressure of the waves under the base: Goda’s");
     TurnDeg = key(Wave, "turn_deg", Plain(NotNegative), "Δβ", "by how much they are turned towards it", "15")
         .silent("waves turned towards the normal by: 0°").gives(&[Quantity::WaveTurn]);
+    WaveHistory = key(Wave, "history", History, "", "how thrust and uplift of the waves vary in time, on an elastic base",
+        "{ shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }")
+        .silent("waves in time: as static loads").gives(&[Quantity::LoadTime, Quantity::LoadShare]);
 
     Level = key(Water, "level", length(NotNegative), "h_l", "still water above the base, both sides", "\"7.1 m\"")
         .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);
@@ -517,6 +560,9 @@ listed! {
         .silent("load: variable");
     Together = key(Load, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
         .silent("load: alone, an alternative to the others");
+    LoadHistory = key(Load, "history", History, "", "how the load varies in time, on an elastic base",
+        "{ shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }")
+        .silent("load in time: as a static load").gives(&[Quantity::LoadTime, Quantity::LoadShare]);
 
     CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
     LoadFactors = key(Combination, "factors", Factors, "",
@@ -533,6 +579,12 @@ listed! {
         "at most: distance of the resultant from the middle of the base", "\"2.5 m\"");
     LeastLoadFactor = key(Criteria, "load_factor", Plain(Positive), "",
         "at least: multiple of the variable loads at which the body leaves rest", "1.1");
+    LeastGround = key(Criteria, "ground_factor", Plain(Positive), "",
+        "at least: what the ground bears over what presses on it, R/P", "1.4");
+    GreatestEffective = key(Criteria, "effective_pressure_max", Measured(Dimension::Pressure, Positive), "",
+        "at most: pressure on the effective width, P/B'", "\"400 kPa\"");
+    GreatestRotation = key(Criteria, "rotation_max", Measured(Dimension::Angle, Positive), "",
+        "at most: rotation on an elastic base", "\"2 mrad\"");
     ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
 }
 

@@ -38,6 +38,7 @@ pub mod design;
 mod error;
 mod excerpt;
 mod face;
+pub mod history;
 mod inputs;
 pub mod key;
 pub mod layout;

@@ -2,6 +2,7 @@
 //!
 //! Nothing is guessed: a key, unit or value that is not understood is a [`CaseError`] that points at it.
 
+mod history;
 mod option;
 
 use std::collections::BTreeMap;
@@ -356,6 +357,7 @@ impl Field<'_> {
                 }
                 Value::Modes(modes)
             }
+            Kind::History => Value::History(self.history()?),
         })
     }
 

@@ -5,8 +5,12 @@
 //! comes) is [`Nothing`](ResultValue::Nothing), and nothing else is; a number without bound is infinite.
 
 use serde::{Serialize, Serializer};
-use standfast::{Bearing, Departure, Margins, Mode, Modes, Response};
+use standfast::ground::bearing::{LoadFactors, Reaction};
+use standfast::ground::impact::{ImpactEvent, ImpactResponse};
+use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::{Bearing, Margins, Modes, Response};
 
+use crate::assess::ground::{Elastic, OnGround};
 use crate::assess::{Assessed, checks};
 use crate::list::listed;
 use crate::units::Dimension;
@@ -73,7 +77,7 @@ pub struct ResultInfo {
     of: fn(&Assessed) -> ResultValue,
 }
 
-const SYMBOLS: [&str; 10] = ["RE", "SL", "RO", "SRO-", "SRO+", "SRO'-", "RO'", "SL+", "SRO'+", "FL"];
+const SYMBOLS: [&str; 11] = ["RE", "SL", "RO", "SRO-", "SRO+", "SRO'-", "RO'", "SL+", "SRO'+", "FL", "BF"];
 
 const fn number(
     name: &'static str,
@@ -97,18 +101,18 @@ listed! {
     /// A result of a situation.
     ResultName: ResultInfo;
 
-    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once", |a| mode(a.outcome.full.mode));
+    Mode = word("mode", &SYMBOLS, "the mode under the full load, applied at once; BF where the ground fails", |a| verdict(a.verdict()));
     Unique = ResultInfo {
         name: "unique",
         kind: ResultKind::Truth,
         words: "whether no other mode is consistent under the full load",
-        of: |a| ResultValue::Truth(a.outcome.full.is_unique()),
+        of: |a| ResultValue::Truth(a.is_unique()),
     };
     Also = ResultInfo {
         name: "also",
         kind: ResultKind::Modes,
         words: "the other consistent modes",
-        of: |a| ResultValue::Modes(a.outcome.full.others()),
+        of: |a| ResultValue::Modes(a.others()),
     };
     Lifted = ResultInfo {
         name: "lifted",
@@ -118,19 +122,19 @@ listed! {
     };
     Departure = word("departure", &["never", "at-once", "at"],
         "whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at `load_factor`",
-        |a| ResultValue::Word(departure(&a.outcome.departure)));
+        |a| ResultValue::Word(departure(&a.departure())));
     LoadFactor = number("load_factor", None, "where it leaves rest, as a multiple of the variable loads; only where `departure` is `at`",
-        |a| match a.outcome.departure {
-            Departure::At { factor, .. } => ResultValue::Number(factor),
-            Departure::Never | Departure::AtOnce { .. } => ResultValue::Nothing,
+        |a| match a.departure() {
+            GroundDeparture::At { factor, .. } => ResultValue::Number(factor),
+            GroundDeparture::Never | GroundDeparture::AtOnce { .. } => ResultValue::Nothing,
         });
-    DepartureMode = word("departure_mode", &SYMBOLS, "the mode in which it leaves rest", |a| mode(a.outcome.departure.mode()));
+    DepartureMode = word("departure_mode", &SYMBOLS, "the mode in which it leaves rest; BF where the ground fails", |a| verdict(a.departure().verdict()));
     DepartureBy = word("departure_by", &["permanent-loads", "any-share"],
         "what moves a body that departs at once: its permanent loads alone, or any share of the variable ones, however small",
-        |a| match a.outcome.departure {
-            Departure::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
-            Departure::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
-            Departure::Never | Departure::At { .. } => ResultValue::Nothing,
+        |a| match a.departure() {
+            GroundDeparture::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
+            GroundDeparture::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
+            GroundDeparture::Never | GroundDeparture::At { .. } => ResultValue::Nothing,
         });
 
     SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(&a.outcome.full, a.outcome.stability.sliding));
@@ -190,6 +194,44 @@ listed! {
         |a| ResultValue::Number(a.outcome.actions.buoyant_weight));
     WeightArm = number("weight_arm", Some(Dimension::Length), "t, its arm to the heel", |a| ResultValue::Number(a.outcome.actions.weight_arm));
 
+    Omega = number("omega", None, "ω, the share of the base that crushes under P alone, P/(2B q_u); from 1 on it cannot carry P",
+        |a| ground(a, |g| g.omega));
+    Pivot = number("pivot", Some(Dimension::Length),
+        "of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to",
+        |a| ground(a, OnGround::pivot));
+    Neutral = number("neutral", Some(Dimension::Length),
+        "of a base that crushes, how far inside its edge the neutral point is about which the body turns", |a| ground(a, OnGround::neutral));
+    EffectiveWidth = number("effective_width", Some(Dimension::Length),
+        "B' = 2(B − |e|), the width that the resultant has in its middle; 0 where it misses the base",
+        |a| on_base(a, Reaction::effective_width));
+    EffectivePressure = number("effective_pressure", Some(Dimension::Pressure), "pressure on the effective width, P/B'",
+        |a| on_base(a, Reaction::effective_pressure));
+    GroundResistance = number("ground_resistance", Some(Dimension::Force),
+        "R, what the ground bears at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
+    GroundFactor = number("ground_factor", None, "R/P, what the ground bears over what presses on it", |a| ground(a, |g| g.factor));
+    LoadFactorGround = number("load_factor_ground", None,
+        "where R/P falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads alone",
+        |a| failing(a, |f| Some(f.given)));
+    LoadFactorGroundLess = number("load_factor_ground_less", None, "the same at an angle of friction 2° less", |a| failing(a, |f| f.less));
+    LoadFactorGroundMore = number("load_factor_ground_more", None, "the same at an angle of friction 2° more", |a| failing(a, |f| f.more));
+    KBf = number("k_BF", None,
+        "horizontal by vertical force at which R/P is 1, if force and moment grow as they stand to each other under the full load",
+        |a| ground(a, |g| g.k_bf));
+    Rotation = number("rotation", Some(Dimension::Angle), "rotation on the elastic base under the full load, raised slowly",
+        |a| elastic(a, |e| e.rotation));
+    KOverturn = number("k_overturn", None,
+        "horizontal by vertical force at which the body overturns on the elastic base if the load is raised slowly, as `k_BF`",
+        |a| elastic(a, |e| e.k_overturn));
+    Period1 = number("period_1", Some(Dimension::Time), "the longer natural period of sway and rocking on the elastic base",
+        |a| elastic(a, |e| e.periods.map(|periods| periods[0])));
+    Period2 = number("period_2", Some(Dimension::Time), "the shorter one", |a| elastic(a, |e| e.periods.map(|periods| periods[1])));
+    DShear = number("D_shear", None, "the largest shear of the base over that of the loads in time", |a| impact(a, |i| i.d_shear));
+    DMoment = number("D_moment", None, "the largest moment about the middle of the base over that of the loads in time",
+        |a| impact(a, |i| i.d_moment));
+    FirstEvent = word("first_event", &["slip", "lift", "yield"], "what first ends the linear response of the elastic base: the base slips, an edge lifts, or it yields",
+        |a| first_event(a).map_or(ResultValue::Nothing, |(event, _)| ResultValue::Word(event)));
+    FirstEventTime = number("first_event_time", Some(Dimension::Time), "when that is", |a| perhaps(first_event(a).map(|(_, time)| time)));
+
     KEff = number("k_eff", None, "k of the load in the report's diagram, where it has a point there",
         |a| a.outcome.full.effective.map_or(ResultValue::Nothing, |reduced| ResultValue::Number(reduced.point.k())));
     KPrimeEff = number("k_prime_eff", None, "k' of the load in the report's diagram",
@@ -207,22 +249,78 @@ impl ResultName {
         (self.info().of)(assessed)
     }
 
+    /// Whether only a case with a [ground] has it.
+    pub fn is_of_ground(self) -> bool {
+        (ResultName::Omega..=ResultName::FirstEventTime).contains(&self)
+    }
+
     /// The result of a name.
     pub fn find(name: &str) -> Option<ResultName> {
         ResultName::ALL.iter().copied().find(|result| result.name() == name)
     }
 }
 
-fn mode(mode: Option<Mode>) -> ResultValue {
-    mode.map_or(ResultValue::Nothing, |mode| ResultValue::Word(mode.symbol()))
+fn verdict(verdict: Option<GroundVerdict>) -> ResultValue {
+    verdict.map_or(ResultValue::Nothing, |verdict| ResultValue::Word(verdict.symbol()))
+}
+
+/// A number that may not exist.
+fn perhaps(number: Option<f64>) -> ResultValue {
+    number.map_or(ResultValue::Nothing, ResultValue::Number)
+}
+
+/// A number of what presses on the base, of any case with a rectangular one.
+fn on_base(assessed: &Assessed, of: fn(&Reaction) -> f64) -> ResultValue {
+    let reaction = match &assessed.ground {
+        Some(ground) => ground.reaction,
+        None => Reaction::of(&assessed.situation, 1.0).ok().flatten(),
+    };
+    perhaps(reaction.map(|reaction| of(&reaction)))
+}
+
+/// A number of what the base bears.
+fn ground(assessed: &Assessed, of: fn(&OnGround) -> Option<f64>) -> ResultValue {
+    perhaps(assessed.ground.as_ref().and_then(of))
+}
+
+/// A load factor of the ground.
+fn failing(assessed: &Assessed, of: fn(&LoadFactors) -> Option<f64>) -> ResultValue {
+    perhaps(assessed.ground.as_ref().and_then(|ground| of(ground.load_factors.as_ref()?)))
+}
+
+/// A number of an elastic base.
+fn elastic(assessed: &Assessed, of: fn(&Elastic) -> Option<f64>) -> ResultValue {
+    perhaps(assessed.ground.as_ref().and_then(|ground| of(ground.elastic.as_ref()?)))
+}
+
+/// A number of the response to loads in time.
+fn impact(assessed: &Assessed, of: fn(&ImpactResponse) -> Option<f64>) -> ResultValue {
+    let response = assessed.ground.as_ref().and_then(|ground| ground.elastic.as_ref()?.impact.as_ref());
+    perhaps(response.and_then(of))
+}
+
+/// What first ends the linear response of an elastic base, and when.
+fn first_event(assessed: &Assessed) -> Option<(&'static str, f64)> {
+    let elastic = assessed.ground.as_ref()?.elastic.as_ref()?;
+    let found = elastic.impact.as_ref()?.first_event()?;
+    Some((event(found.event), found.time?))
+}
+
+/// An event in a word.
+pub(crate) fn event(event: ImpactEvent) -> &'static str {
+    match event {
+        ImpactEvent::Slip => "slip",
+        ImpactEvent::Lift => "lift",
+        ImpactEvent::Yield => "yield",
+    }
 }
 
 /// Whether a body leaves rest, in a word.
-fn departure(departure: &Departure) -> &'static str {
+fn departure(departure: &GroundDeparture) -> &'static str {
     match departure {
-        Departure::Never => "never",
-        Departure::AtOnce { .. } => "at-once",
-        Departure::At { .. } => "at",
+        GroundDeparture::Never => "never",
+        GroundDeparture::AtOnce { .. } => "at-once",
+        GroundDeparture::At { .. } => "at",
     }
 }
 
@@ -253,6 +351,7 @@ mod tests {
         for &result in ResultName::ALL {
             assert_eq!(ResultName::find(result.name()), Some(result));
         }
-        assert_eq!(SYMBOLS, Mode::ALL.map(Mode::symbol));
+        let verdicts = (0..=GroundVerdict::BEARING_FAILURE_CODE).filter_map(GroundVerdict::from_code);
+        assert_eq!(SYMBOLS.to_vec(), verdicts.map(GroundVerdict::symbol).collect::<Vec<_>>());
     }
 }

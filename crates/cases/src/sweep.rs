@@ -78,13 +78,16 @@ pub enum SweepResult {
 }
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 7] = [
+const CRITERIA: [&str; 10] = [
     "SF_sliding",
     "SF_overturning",
     "bearing_max",
     "contact_share",
     "eccentricity",
     "load_factor",
+    "ground_factor",
+    "effective_pressure_max",
+    "rotation_max",
     "modes_not",
 ];
 
@@ -146,7 +149,7 @@ impl Sweep {
                     self.case.earthquake.is_some()
                 }
                 SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
-                SweepResult::Of(_) => true,
+                SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
             })
             .collect()
     }

@@ -88,6 +88,12 @@ pub enum Dimension {
     Time,
     /// N·m per metre run.
     Moment,
+    /// N/m³, of what weighs.
+    UnitWeight,
+    /// N/m³, pressure over displacement.
+    Stiffness,
+    /// rad.
+    Angle,
     /// kg.
     WholeMass,
     /// N.
@@ -147,9 +153,25 @@ impl Dimension {
                 ("kg m²/m", Times(1.0)),
                 ("t m²/m", Times(1e3)),
             ],
-            Dimension::Pressure => {
-                &[("Pa", Times(1.0)), ("kPa", Times(1e3)), ("kN/m2", Times(1e3)), ("kN/m²", Times(1e3))]
+            Dimension::Pressure => &[
+                ("Pa", Times(1.0)),
+                ("kPa", Times(1e3)),
+                ("MPa", Times(1e6)),
+                ("kN/m2", Times(1e3)),
+                ("kN/m²", Times(1e3)),
+            ],
+            Dimension::UnitWeight => {
+                &[("N/m3", Times(1.0)), ("kN/m3", Times(1e3)), ("N/m³", Times(1.0)), ("kN/m³", Times(1e3))]
             }
+            Dimension::Stiffness => &[
+                ("N/m3", Times(1.0)),
+                ("kN/m3", Times(1e3)),
+                ("MN/m3", Times(1e6)),
+                ("N/m³", Times(1.0)),
+                ("kN/m³", Times(1e3)),
+                ("MN/m³", Times(1e6)),
+            ],
+            Dimension::Angle => &[("rad", Times(1.0)), ("mrad", Over(1e3))],
             Dimension::Time => &[("s", Times(1.0))],
             Dimension::Moment => &[("N m/m", Times(1.0)), ("kN m/m", Times(1e3)), ("MN m/m", Times(1e6))],
             Dimension::WholeMass => &[("kg", Times(1.0)), ("t", Times(1e3))],
@@ -173,6 +195,9 @@ impl Dimension {
             Dimension::Pressure => "a pressure",
             Dimension::Time => "a time",
             Dimension::Moment => "a moment per metre run",
+            Dimension::UnitWeight => "a unit weight",
+            Dimension::Stiffness => "a stiffness, pressure over displacement",
+            Dimension::Angle => "an angle",
             Dimension::WholeMass => "a mass of the whole object",
             Dimension::WholeForce => "a force on the whole object",
             Dimension::WholeInertia => "a moment of inertia of the whole object",
@@ -192,6 +217,8 @@ impl Dimension {
             Dimension::Pressure => "Pa",
             Dimension::Time => "s",
             Dimension::Moment => "N m/m",
+            Dimension::UnitWeight | Dimension::Stiffness => "N/m3",
+            Dimension::Angle => "rad",
             Dimension::WholeMass => "kg",
             Dimension::WholeForce => "N",
             Dimension::WholeInertia => "kg m2",
@@ -211,6 +238,9 @@ impl Dimension {
             Dimension::Force => ("kN/m", 1e3),
             Dimension::Pressure => ("kPa", 1e3),
             Dimension::Moment => ("kN m/m", 1e3),
+            Dimension::UnitWeight => ("kN/m³", 1e3),
+            Dimension::Stiffness => ("MN/m³", 1e6),
+            Dimension::Angle => ("mrad", 1e-3),
             Dimension::Inertia => ("t m²/m", 1e3),
             Dimension::Density => ("kg/m³", 1.0),
             Dimension::Acceleration => ("m/s²", 1.0),
@@ -328,6 +358,10 @@ mod tests {
             (Dimension::Pressure, "65.7 kPa", 65.7e3),
             (Dimension::Pressure, "65.7 kN/m2", 65.7e3),
             (Dimension::Time, "11.4 s", 11.4),
+            (Dimension::Pressure, "3 MPa", 3e6),
+            (Dimension::UnitWeight, "10 kN/m³", 10e3),
+            (Dimension::Stiffness, "50 MN/m3", 50e6),
+            (Dimension::Angle, "2 mrad", 2e-3),
         ];
         for (quantity, text, expected) in cases {
             assert_eq!(quantity.parse(text), Ok(expected), "{text}");
@@ -337,8 +371,24 @@ mod tests {
     /// What is read is a unit that is understood, of that size.
     #[test]
     fn units_on_paper_are_understood() {
-        use Dimension::{Acceleration, Density, Force, Inertia, Length, Mass, Moment, Pressure, Time};
-        let per_metre = [Length, Mass, Density, Force, Acceleration, Inertia, Pressure, Time, Moment];
+        use Dimension::{
+            Acceleration, Angle, Density, Force, Inertia, Length, Mass, Moment, Pressure, Stiffness, Time,
+            UnitWeight,
+        };
+        let per_metre = [
+            Length,
+            Mass,
+            Density,
+            Force,
+            Acceleration,
+            Inertia,
+            Pressure,
+            Time,
+            Moment,
+            UnitWeight,
+            Stiffness,
+            Angle,
+        ];
         for dimension in per_metre.into_iter().chain(per_metre.map(|dimension| Extent::Whole.of(dimension))) {
             let (unit, scale) = dimension.on_paper();
             assert_eq!(dimension.parse(&format!("1 {unit}")), Ok(scale), "{unit}");
@@ -353,6 +403,8 @@ mod tests {
             (Dimension::Length, "15 kg", unknown("kg")),
             (Dimension::Length, "15 M", unknown("M")),
             (Dimension::Length, "15", UnitError::Missing),
+            (Dimension::Stiffness, "50", UnitError::Missing),
+            (Dimension::Stiffness, "50 MPa", unknown("MPa")),
             (Dimension::Length, "m", UnitError::Number),
             (Dimension::Length, "", UnitError::Number),
             (Dimension::Length, "inf m", UnitError::Number),

@@ -1,7 +1,7 @@
 //! The verdict: in short at the top, in full at the end.
 
 use maud::{Markup, html};
-use standfast::{Departure, Mode};
+use standfast::ground::{GroundDeparture, GroundVerdict};
 use standfast_cases::assess::{criteria_met, verdict};
 use standfast_cases::layout::digits;
 use standfast_cases::{Assessed, Assessment, CaseCheck, View};
@@ -20,18 +20,17 @@ pub fn summary(assessment: &Assessment) -> Markup {
         section.summary {
             h2 { "Summary" }
             @for assessed in assessment.shown(&View::default()) {
-                @let full = &assessed.outcome.full;
-                p.verdict data-mode=(full.mode.map_or("none", Mode::symbol)) {
+                p.verdict data-mode=(assessed.verdict().map_or("none", GroundVerdict::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }
-                    @match full.mode {
-                        Some(mode) => {
-                            "The body " strong { (mode.words()) } " (" (mode) ")"
+                    @match assessed.verdict() {
+                        Some(begun) => {
+                            "The body " strong { (begun.words()) } " (" (begun) ")"
                             @if let Some(factor) = verdict::factor_at_rest(assessed) { ", " (factor) }
                             "."
                         }
                         None => "The body has no consistent mode.",
                     }
-                    @if !full.is_unique() { " The answer is not unique; see the verdict." }
+                    @if !assessed.is_unique() { " The answer is not unique; see the verdict." }
                 }
             }
             @if assessment.case.criteria.is_empty() {
@@ -121,15 +120,15 @@ fn table(assessment: &Assessment) -> Markup {
                     @let factors = [stability.sliding, stability.overturning()];
                     tr {
                         @if several { td.name data-label="Situation" { (name(assessment, assessed)) } }
-                        td data-label=(COLUMNS[0]) { (full.mode.map_or("none", Mode::symbol)) }
+                        td data-label=(COLUMNS[0]) { (assessed.verdict().map_or("none", GroundVerdict::symbol)) }
                         @for (factor, column) in factors.into_iter().zip(&COLUMNS[1..]) {
                             td.n data-label=(column) {
                                 @if full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) }
                             }
                         }
-                        td.n data-label=(COLUMNS[3]) { (departure(&assessed.outcome.departure)) }
-                        td data-label=(COLUMNS[4]) { (assessed.outcome.departure.mode().map_or("–", Mode::symbol)) }
-                        td data-label=(COLUMNS[5]) { @if full.is_unique() { "yes" } @else { "no" } }
+                        td.n data-label=(COLUMNS[3]) { (departure(&assessed.departure())) }
+                        td data-label=(COLUMNS[4]) { (assessed.departure().verdict().map_or("–", GroundVerdict::symbol)) }
+                        td data-label=(COLUMNS[5]) { @if assessed.is_unique() { "yes" } @else { "no" } }
                     }
                 }
             }
@@ -137,10 +136,10 @@ fn table(assessment: &Assessment) -> Markup {
     }
 }
 
-fn departure(departure: &Departure) -> Markup {
+fn departure(departure: &GroundDeparture) -> Markup {
     html! {
         @match *departure {
-            Departure::At { factor, .. } => data value=(factor) data-percent { (digits(100.0 * factor)) },
+            GroundDeparture::At { factor, .. } => data value=(factor) data-percent { (digits(100.0 * factor)) },
             _ => (verdict::departure_word(departure)),
         }
     }

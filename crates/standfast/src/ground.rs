@@ -27,7 +27,7 @@ pub mod strength;
 
 use std::fmt;
 
-use crate::mode::Mode;
+use crate::mode::{Mode, Modes};
 
 /// What a body on ground that can fail does.
 ///
@@ -135,7 +135,46 @@ pub enum GroundDeparture {
     },
 }
 
+/// A stretch of load factors with the same modes, on ground that can fail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct GroundStage {
+    /// The load factor at which it begins.
+    pub from: f64,
+    /// The load factor at which it ends; infinite for the last.
+    pub to: f64,
+    /// What is reported.
+    pub verdict: Option<GroundVerdict>,
+    /// All consistent modes; none where the ground fails.
+    pub modes: Modes,
+}
+
+impl GroundStage {
+    /// The consistent modes beside the one reported.
+    pub fn others(&self) -> Modes {
+        self.modes.without(self.verdict.and_then(GroundVerdict::mode))
+    }
+}
+
 impl GroundDeparture {
+    /// Where a path that begins with `begin` first leaves rest.
+    fn along(begin: Option<GroundVerdict>, path: &[GroundStage]) -> GroundDeparture {
+        let rest = Some(GroundVerdict::Begins(Mode::Rest));
+        if begin != rest {
+            // As soon as anything is added, it may be another mode.
+            let verdict =
+                path.first().map_or(begin, |stage| stage.verdict).filter(|verdict| Some(*verdict) != rest);
+            return GroundDeparture::AtOnce { verdict: verdict.or(begin), permanent: true };
+        }
+        match path.iter().find(|stage| stage.verdict != rest) {
+            None => GroundDeparture::Never,
+            Some(stage) if stage.from == 0.0 => {
+                GroundDeparture::AtOnce { verdict: stage.verdict, permanent: false }
+            }
+            Some(stage) => GroundDeparture::At { factor: stage.from, verdict: stage.verdict },
+        }
+    }
+
     /// What the body leaves rest into.
     pub fn verdict(&self) -> Option<GroundVerdict> {
         match *self {

@@ -23,6 +23,8 @@ __all__ = [
     "Criterion",
     "Document",
     "Earthquake",
+    "Event",
+    "Ground",
     "Load",
     "Motion",
     "OtherEarthquake",
@@ -527,9 +529,11 @@ class Criterion(Answer):
     def name(
         self,
     ) -> Literal[
-        "SF_sliding", "SF_overturning", "bearing_max", "contact_share", "eccentricity", "load_factor", "modes_not"
+        "SF_sliding", "SF_overturning", "bearing_max", "contact_share", "eccentricity", "load_factor",
+        "ground_factor", "effective_pressure_max", "rotation_max", "modes_not"
     ]:
-        """That of the result; modes_not of the modes under the full load."""
+        """That of the result; ground_factor, effective_pressure_max and rotation_max ask for factor, effective_pressure and
+        rotation of the ground, modes_not for the modes under the full load."""
         return self["name"]
 
     @property
@@ -862,6 +866,12 @@ class Situation(Answer):
         return self["k_prime_eff"]
 
     @property
+    def ground(self) -> Ground | None:
+        """What the base bears; None where the case has no [ground], and it bears everything. On one that crushes or fails, mode,
+        motion, departure and path are those of it."""
+        return None if self["ground"] is None else part(Ground, self["ground"])
+
+    @property
     def mode_words(self) -> str | None:
         """The mode as a predicate of the body."""
         return self["mode_words"]
@@ -896,6 +906,129 @@ class Situation(Answer):
     def report(self) -> Report | None:
         """The load in the report's diagram, where it has a point there."""
         return None if self["report"] is None else part(Report, self["report"])
+
+
+class Ground(Answer):
+    """What the base bears under the full load; lengths in m, no partial factor applied. None where nothing presses, or the case
+    does not say."""
+
+    @property
+    def omega(self) -> float | None:
+        """Of a base that crushes, the share of it that P needs, P/(2B q_u); from 1 on it cannot carry P."""
+        return self["omega"]
+
+    @property
+    def pivot(self) -> float | None:
+        """Of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to."""
+        return self["pivot"]
+
+    @property
+    def neutral(self) -> float | None:
+        """Of a base that crushes, how far inside its edge the neutral point is about which the body turns; None of one that does
+        not turn."""
+        return self["neutral"]
+
+    @property
+    def effective_width(self) -> float | None:
+        """B' = 2(B − |e|); 0 where the resultant misses the base."""
+        return self["effective_width"]
+
+    @property
+    def effective_pressure(self) -> float | None:
+        """P/B', Pa."""
+        return self["effective_pressure"]
+
+    @property
+    def resistance(self) -> float | None:
+        """R, what the ground bears at the eccentricity and inclination of the resultant, N/m."""
+        return self["resistance"]
+
+    @property
+    def factor(self) -> float | None:
+        """R/P."""
+        return self["factor"]
+
+    @property
+    def load_factor_ground(self) -> float | None:
+        """Where R/P falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads
+        alone."""
+        return self["load_factor_ground"]
+
+    @property
+    def load_factor_ground_less(self) -> float | None:
+        """The same at an angle of friction 2° less; None where there is no angle."""
+        return self["load_factor_ground_less"]
+
+    @property
+    def load_factor_ground_more(self) -> float | None:
+        """The same at an angle of friction 2° more."""
+        return self["load_factor_ground_more"]
+
+    @property
+    def k_BF(self) -> float | None:
+        """Horizontal by vertical force at which R/P is 1, if force and moment grow as they stand to each other under the full
+        load."""
+        return self["k_BF"]
+
+    @property
+    def rotation(self) -> float | None:
+        """Rotation on the elastic base under the full load, raised slowly, rad; None as well where no rotation bears it."""
+        return self["rotation"]
+
+    @property
+    def k_overturn(self) -> float | None:
+        """Horizontal by vertical force at which the body overturns on the elastic base if the load is raised slowly, as k_BF."""
+        return self["k_overturn"]
+
+    @property
+    def periods(self) -> list[float] | None:
+        """Natural periods of sway and rocking on the elastic base, s, the longer first."""
+        return self["periods"]
+
+    @property
+    def D_shear(self) -> float | None:
+        """The largest shear of the base over that of the loads in time."""
+        return self["D_shear"]
+
+    @property
+    def D_moment(self) -> float | None:
+        """The largest moment about the middle of the base over that of the loads in time."""
+        return self["D_moment"]
+
+    @property
+    def first_event(self) -> Literal["slip", "lift", "yield"] | None:
+        """What first ends the linear response of the elastic base: it slips, an edge lifts, or yields; None where nothing does,
+        or no load has a history."""
+        return self["first_event"]
+
+    @property
+    def first_event_time(self) -> float | None:
+        """When that is, s."""
+        return self["first_event_time"]
+
+    @property
+    def events(self) -> list[Event]:
+        """Each event, of loads in time; empty where no load has a history."""
+        return parts(Event, self["events"])
+
+
+class Event(Answer):
+    """An event of the response of an elastic base to loads in time."""
+
+    @property
+    def event(self) -> Literal["slip", "lift", "yield"]:
+        """The base slips, an edge lifts, or an edge yields."""
+        return self["event"]
+
+    @property
+    def time(self) -> float | None:
+        """When it happens first, s; None if it does not."""
+        return self["time"]
+
+    @property
+    def load_factor(self) -> float:
+        """The multiple of the loads in time at which it happens at all; 0 where the others do it, infinite where none does."""
+        return self["load_factor"]
 
 
 class Point(Answer):
@@ -1253,6 +1386,12 @@ class OnlySituation:
     def k_prime_eff(self) -> float | None:
         """k' of the load in the report's diagram."""
         return self._only().k_prime_eff
+
+    @property
+    def ground(self) -> Ground | None:
+        """What the base bears; None where the case has no [ground], and it bears everything. On one that crushes or fails, mode,
+        motion, departure and path are those of it."""
+        return self._only().ground
 
     @property
     def mode_words(self) -> str | None:

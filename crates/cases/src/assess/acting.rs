@@ -1,6 +1,6 @@
 //! Which loads act in a situation, and which others were tried, for reading.
 
-use standfast::{Mode, Outcome};
+use standfast::ground::GroundVerdict;
 
 use super::{Assessed, Assessment, verdict};
 use crate::case::{Acting, Case, Combination, Direction, PointForce};
@@ -30,7 +30,7 @@ pub(super) fn summary(assessment: &Assessment) -> String {
             };
             row.extend(row![digits(magnitude / 1e3), at]);
         }
-        row.extend(results(&assessed.outcome));
+        row.extend(results(assessed));
         row
     }));
     let numbers: &[usize] = if alone { &[1, 2, 4, 5, 6] } else { &[0, 3, 4, 5] };
@@ -38,15 +38,16 @@ pub(super) fn summary(assessment: &Assessment) -> String {
 }
 
 /// Mode, safety factors, departure and uniqueness, in the cells of a row.
-fn results(outcome: &Outcome) -> Vec<String> {
+fn results(assessed: &Assessed) -> Vec<String> {
+    let outcome = &assessed.outcome;
     let factor = |factor| if outcome.full.is_lifted() { "none".to_owned() } else { digits(factor) };
     row![
-        outcome.full.mode.map_or("none", Mode::symbol),
+        assessed.verdict().map_or("none", GroundVerdict::symbol),
         factor(outcome.stability.sliding),
         factor(outcome.stability.overturning()),
-        verdict::departure_word(&outcome.departure),
-        outcome.departure.mode().map_or("", Mode::symbol),
-        if outcome.full.is_unique() { "yes" } else { "no" },
+        verdict::departure_word(&assessed.departure()),
+        assessed.departure().verdict().map_or("", GroundVerdict::symbol),
+        if assessed.is_unique() { "yes" } else { "no" },
     ]
 }
 
@@ -136,7 +137,7 @@ pub(super) fn earthquakes(case: &Case, assessed: &Assessed) -> String {
     rows.extend(assessed.tried().filter_map(|assessed| {
         let earthquake = assessed.earthquake?;
         let mut row = row![share(earthquake.horizontal()), share(earthquake.vertical())];
-        row.extend(results(&assessed.outcome));
+        row.extend(results(assessed));
         Some(row)
     }));
     let mut text = "\nAccelerations of the base that were tried, the worst first\n".to_owned();

@@ -10,11 +10,21 @@ use crate::layout::{columns, digits, paragraph, row};
 pub const NO_POINT: &str = "The load is no point of the report's diagram, which needs a uniform body with one friction and no \
     added mass, pressed on its base and pushed sideways; it is answered by the general contact problem.";
 
+/// What is said of the coordinates of a load on ground that can fail.
+const RIGID_PLANE: &str = "The report's diagram of these γ and k' is that of rigid ground: its inequalities, margins and changes of mode are not those \
+    of this base, and are not given.";
+
+/// The same of a load that has none.
+const NO_POINT_ON_GROUND: &str = "The load is no point of the report's diagram; it is answered by the general contact problem on this base.";
+
 impl Assessed {
     /// The inequalities that decide the mode under the full load: the report's where the load has a point in its diagram,
     /// otherwise the conditions of the contact problem. None where no mode is consistent.
     pub fn because(&self) -> Vec<Relation> {
         let full = &self.outcome.full;
+        if self.is_on_ground() {
+            return self.because_of_ground();
+        }
         match (&full.effective, full.mode) {
             (Some(reduced), _) => reduced.point.explain().deciding().to_vec(),
             (None, Some(mode)) => {
@@ -27,6 +37,10 @@ impl Assessed {
 }
 
 pub(super) fn text(assessed: &Assessed) -> String {
+    let effective = &assessed.outcome.full.effective;
+    if assessed.is_on_ground() && effective.is_none() {
+        return paragraph(NO_POINT_ON_GROUND, 2);
+    }
     let Some(reduced) = &assessed.outcome.full.effective else { return paragraph(NO_POINT, 2) };
     let point = &reduced.point;
     let (k, k_prime) = match assessed.situation.in_air() {
@@ -43,6 +57,9 @@ pub(super) fn text(assessed: &Assessed) -> String {
         row!["μ", "", digits(point.mu())],
     ];
     let mut text = columns(&rows, 2, &[]);
+    if assessed.is_on_ground() {
+        return text + &paragraph(RIGID_PLANE, 2);
+    }
     if reduced.mirrored {
         text += &paragraph(describe::MIRRORED, 2);
     }

@@ -53,7 +53,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
             figures.push(plane.draw(assessment, &suffix)?);
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
-        if !assessed.outcome.path.is_empty() && assessed.situation.in_air().is_none() {
+        if assessed.rises() && assessed.situation.in_air().is_none() {
             figures.push(path(assessment, assessed, &suffix, view.up_to)?);
         }
     }

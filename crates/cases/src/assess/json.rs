@@ -7,16 +7,17 @@ use std::collections::BTreeMap;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
-use standfast::contact::path::{self, Stage};
+use standfast::ground::impact::EventFound;
+use standfast::ground::{GroundStage, GroundVerdict};
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
-use standfast::{Mode, Modes, Motion, Plan, Wrench, section};
+use standfast::{Modes, Motion, Plan, Wrench, section};
 
 use super::{Assessed, Assessment, CaseCheck, View};
 use crate::case::{self, Acting, Case, PointForce, Waves};
 use crate::criteria::Bound;
 use crate::point::{PointDocument, RelationDocument};
-use crate::results::{ResultName, ResultValue, number_or_word};
+use crate::results::{self, ResultName, ResultValue, number_or_word};
 use crate::units::Extent;
 
 /// The version of the document.
@@ -130,6 +131,8 @@ struct Situation<'a> {
     criteria: Vec<Criterion>,
     #[serde(flatten)]
     results: Results<'a>,
+    /// What the base bears; null of a rigid one.
+    ground: Option<Ground<'a>>,
     mode_words: Option<&'static str>,
     because: Vec<RelationDocument>,
     /// Of the mode reported: m/s², rad/s², N and m per metre run; relative to the base.
@@ -156,10 +159,66 @@ struct Results<'a>(&'a Assessed);
 
 impl Serialize for Results<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(ResultName::ALL.len()))?;
-        for result in ResultName::ALL {
+        let of_rigid = || ResultName::ALL.iter().filter(|result| !result.is_of_ground());
+        let mut map = serializer.serialize_map(Some(of_rigid().count()))?;
+        for result in of_rigid() {
             map.serialize_entry(result.name(), &result.of(self.0))?;
         }
+        map.end()
+    }
+}
+
+/// The results of the ground, under their names there, and the events of loads in time.
+struct Ground<'a>(&'a Assessed);
+
+/// The results under `ground`, by their names there where those are others.
+const OF_GROUND: [(&str, ResultName); 17] = [
+    ("omega", ResultName::Omega),
+    ("pivot", ResultName::Pivot),
+    ("neutral", ResultName::Neutral),
+    ("effective_width", ResultName::EffectiveWidth),
+    ("effective_pressure", ResultName::EffectivePressure),
+    ("resistance", ResultName::GroundResistance),
+    ("factor", ResultName::GroundFactor),
+    ("load_factor_ground", ResultName::LoadFactorGround),
+    ("load_factor_ground_less", ResultName::LoadFactorGroundLess),
+    ("load_factor_ground_more", ResultName::LoadFactorGroundMore),
+    ("k_BF", ResultName::KBf),
+    ("rotation", ResultName::Rotation),
+    ("k_overturn", ResultName::KOverturn),
+    ("D_shear", ResultName::DShear),
+    ("D_moment", ResultName::DMoment),
+    ("first_event", ResultName::FirstEvent),
+    ("first_event_time", ResultName::FirstEventTime),
+];
+
+#[derive(Serialize)]
+struct Event {
+    event: &'static str,
+    time: Option<f64>,
+    #[serde(serialize_with = "number_or_word")]
+    load_factor: f64,
+}
+
+impl Serialize for Ground<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (name, result) in OF_GROUND {
+            map.serialize_entry(name, &result.of(self.0))?;
+        }
+        let elastic = self.0.ground.as_ref().and_then(|ground| ground.elastic.as_ref());
+        map.serialize_entry(
+            "periods",
+            &elastic.and_then(|elastic| elastic.periods).map(|[one, two, _]| [one, two]),
+        )?;
+        let events = elastic.and_then(|elastic| elastic.impact.as_ref()).map(|impact| &impact.events[..]);
+        let event = |found: &EventFound| Event {
+            event: results::event(found.event),
+            time: found.time,
+            load_factor: found.load_factor,
+        };
+        let events: Vec<_> = events.unwrap_or_default().iter().map(event).collect();
+        map.serialize_entry("events", &events)?;
         map.end()
     }
 }
@@ -247,7 +306,7 @@ struct Component {
 struct PathStage {
     from: f64,
     to: f64,
-    mode: Option<Mode>,
+    mode: Option<GroundVerdict>,
     also: Modes,
 }
 
@@ -370,9 +429,10 @@ impl<'a> Situation<'a> {
                 .collect(),
             criteria: assessed.checks(case).iter().map(Criterion::of).collect(),
             results: Results(assessed),
-            mode_words: full.mode.map(Mode::words),
+            ground: assessed.ground.as_ref().map(|_| Ground(assessed)),
+            mode_words: assessed.verdict().map(GroundVerdict::words),
             because: assessed.because().iter().map(RelationDocument::of).collect(),
-            motion: full.motion,
+            motion: assessed.motion().copied(),
             wrench: full.wrench,
             components: assessed
                 .components()
@@ -386,8 +446,9 @@ impl<'a> Situation<'a> {
                     wrench: component.wrench,
                 })
                 .collect(),
-            path: path::up_to(&assessed.outcome.path, view.up_to).iter().map(PathStage::of).collect(),
-            report: full.effective.as_ref().map(|reduced| Report {
+            path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
+            // The report's ground is rigid.
+            report: full.effective.as_ref().filter(|_| !assessed.is_on_ground()).map(|reduced| Report {
                 point: PointDocument::of(reduced),
                 overturning: reduced.point.safety_against_overturning(),
             }),
@@ -453,7 +514,7 @@ impl Criterion {
 }
 
 impl PathStage {
-    fn of(stage: &Stage) -> PathStage {
-        PathStage { from: stage.from, to: stage.to, mode: stage.mode, also: stage.others() }
+    fn of(stage: &GroundStage) -> PathStage {
+        PathStage { from: stage.from, to: stage.to, mode: stage.verdict, also: stage.others() }
     }
 }

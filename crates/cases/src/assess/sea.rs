@@ -20,7 +20,7 @@ fn metres(x: f64) -> String {
     format!("{} m", digits(x))
 }
 
-fn sea(Waves { sea, heights, section, choices, goda }: &Waves) -> String {
+fn sea(Waves { sea, heights, section, choices, goda, .. }: &Waves) -> String {
     let mut rows = Vec::new();
     match *heights {
         Heights::DeepWater(height) => {

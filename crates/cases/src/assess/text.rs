@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::{
-    Assessed, Assessment, CaseCheck, GOVERNING, View, acting, checks, coordinates, loads, sea, verdict,
+    Assessed, Assessment, CaseCheck, GOVERNING, View, acting, checks, coordinates, ground, loads, sea,
+    verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -121,6 +122,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     text += &checks::actions(assessed);
     text += "\nSafety factors and bearing pressure\n";
     text += &checks::factors(assessed);
+    text += &ground::text(case, assessed);
 
     text += "\nVerdict\n";
     for sentence in verdict::full_load(assessed) {
@@ -128,6 +130,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     }
     text += &acting::earthquakes(case, assessed);
     text += match (full.effective.is_some(), assessed.situation.in_air().is_some()) {
+        _ if assessed.is_on_ground() => "\nCoordinates\n",
         (true, false) => "\nIn the report's diagram, with effective coordinates\n",
         _ => "\nIn the report's diagram\n",
     };
@@ -137,7 +140,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
         text += "\nBecause\n";
         text += &describe::relations(&because, 2);
     }
-    if let Some(motion) = &full.motion {
+    if let Some(motion) = assessed.motion() {
         text += "\nAt onset\n";
         text += &describe::real_motion(motion, &Scale::of(case));
         if assessed.earthquake.is_some() {
@@ -145,7 +148,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
         }
     }
     text += &path(assessed, view);
-    if let Some(reduced) = &full.effective {
+    if let Some(reduced) = full.effective.as_ref().filter(|_| !assessed.is_on_ground()) {
         text += "\nChanges of mode as the friction grows, at this load\n";
         text += &describe::along_mu(reduced, 2);
     }
@@ -153,7 +156,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
 }
 
 fn path(assessed: &Assessed, view: &View) -> String {
-    let mut text = if assessed.outcome.path.is_empty() {
+    let mut text = if !assessed.rises() {
         "\nLoad path\n".to_owned()
     } else {
         let title = "\nLoad path: the variable loads rise by a factor, the permanent ones stay\n";

@@ -1,19 +1,22 @@
 //! What the body does under the full load at once, and while it rises, in sentences: those of every face.
 
-use standfast::contact::path;
-use standfast::{Departure, Mode, Response};
+use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::{Mode, Response};
 
-use super::{Assessed, View};
+use super::{Assessed, OnGround, View};
 use crate::layout::{columns, digits, row};
 use crate::units::Extent;
 
-/// A mode, or the lack of one, as a predicate with its symbol.
-pub fn predicate(mode: Option<Mode>) -> String {
-    match mode {
-        Some(mode) => format!("{} ({mode})", mode.words()),
+/// A mode, ground that fails, or the lack of both, as a predicate with its symbol.
+pub fn predicate(verdict: Option<GroundVerdict>) -> String {
+    match verdict {
+        Some(verdict) => format!("{} ({verdict})", verdict.words()),
         None => "has no consistent mode".to_owned(),
     }
 }
+
+/// What is said of ground that fails.
+const NO_MOTION: &str = "The ground cannot bear the reaction; how the body then moves is not computed.";
 
 /// The state under the full load, applied at once.
 pub fn full_load(assessed: &Assessed) -> Vec<String> {
@@ -23,7 +26,14 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
         sentences.push(lifted(full, assessed.extent));
     }
     let factor = factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
-    sentences.push(format!("Applied at once, the full load: the body {}{factor}.", predicate(full.mode)));
+    sentences
+        .push(format!("Applied at once, the full load: the body {}{factor}.", predicate(assessed.verdict())));
+    if let Some(neutral) = assessed.ground.as_ref().and_then(OnGround::neutral) {
+        sentences.push(format!(
+            "The base crushes under that corner: the body turns about a point {} m inside it.",
+            digits(neutral)
+        ));
+    }
     sentences.push(uniqueness(assessed));
     sentences
 }
@@ -35,7 +45,7 @@ pub fn factor_at_rest(assessed: &Assessed) -> Option<String> {
     let (sliding, overturning) = (stability.sliding, stability.overturning());
     let (factor, against) =
         if overturning < sliding { (overturning, "overturning") } else { (sliding, "sliding") };
-    let rests = assessed.outcome.full.mode == Some(Mode::Rest) && factor.is_finite();
+    let rests = assessed.mode() == Some(Mode::Rest) && factor.is_finite();
     rests.then(|| format!("with a safety factor of {} against {against}", digits(factor)))
 }
 
@@ -55,22 +65,23 @@ fn lifted(full: &Response, extent: Extent) -> String {
 
 /// Whether the answer is the only one, and which it is if not.
 fn uniqueness(assessed: &Assessed) -> String {
-    let full = &assessed.outcome.full;
-    let mode = match full.mode {
+    let mode = match assessed.verdict() {
         None => {
             return "That happens only where friction to stick is larger than friction to slip.".to_owned();
         }
-        Some(_) if full.is_unique() => return "The answer is unique.".to_owned(),
-        Some(mode) => mode,
+        Some(GroundVerdict::BearingFailure) => return NO_MOTION.to_owned(),
+        Some(_) if assessed.is_unique() => return "The answer is unique.".to_owned(),
+        Some(GroundVerdict::Begins(mode)) => mode,
     };
-    let list: Vec<_> = full.others().iter().map(|mode| predicate(Some(mode))).collect();
+    let list: Vec<_> =
+        assessed.others().iter().map(|mode| predicate(Some(GroundVerdict::Begins(mode)))).collect();
     let verb = if list.len() == 1 { "satisfies" } else { "satisfy" };
     let mut text = format!(
         "The answer is not unique: that it {} {verb} the equations of motion, Coulomb's law and the contact \
          conditions as well. Rigid-body mechanics cannot choose; a suddenly applied load favours {mode}.",
         list.join(" and that it "),
     );
-    let risen = assessed.outcome.risen().filter(|risen| *risen != mode && *risen != Mode::Rest);
+    let risen = assessed.risen().filter(|risen| *risen != mode && *risen != Mode::Rest);
     if let Some(risen) = risen {
         text += &format!(" Under a rising load the body comes there in {risen} and stays in it.");
     }
@@ -81,7 +92,7 @@ fn uniqueness(assessed: &Assessed) -> String {
 pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
     let in_air = assessed.situation.in_air();
     let mut rows = vec![row!["from", "to", "mode", "", ""]];
-    rows.extend(path::up_to(&assessed.outcome.path, view.up_to).iter().map(|stage| {
+    rows.extend(assessed.path_up_to(view.up_to).iter().map(|stage| {
         let others = stage.others();
         let also = if others.is_empty() { String::new() } else { format!("not unique, also {others}") };
         let force = in_air.filter(|_| stage.from > 0.0).map(|reduced| {
@@ -89,7 +100,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
             let k = stage.from * reduced.point.k();
             format!("from F = {} (k = {}) on", assessed.extent.kilonewtons(k * weight), digits(k))
         });
-        let mode = stage.mode.map_or("none", Mode::symbol);
+        let mode = stage.verdict.map_or("none", GroundVerdict::symbol);
         row![digits(stage.from), digits(stage.to), mode, force.unwrap_or_default(), also]
     }));
     columns(&rows, 2, &[0, 1])
@@ -99,9 +110,9 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
 pub fn path(assessed: &Assessed) -> Vec<String> {
     const NONE: &str = "No variable load acts; nothing rises.";
     match assessed.departure() {
-        Departure::Never if assessed.outcome.path.is_empty() => vec![NONE.to_owned()],
-        departure if assessed.outcome.path.is_empty() => vec![NONE.to_owned(), leaving(departure)],
-        departure => vec![rising(assessed), leaving(departure), difference(assessed)],
+        GroundDeparture::Never if !assessed.rises() => vec![NONE.to_owned()],
+        departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure)],
+        departure => vec![rising(assessed), leaving(&departure), difference(assessed)],
     }
 }
 
@@ -116,17 +127,20 @@ fn rising(assessed: &Assessed) -> String {
 }
 
 /// Where the body leaves rest as the loads rise.
-fn leaving(departure: &Departure) -> String {
+fn leaving(departure: &GroundDeparture) -> String {
     match *departure {
-        Departure::Never => "No multiple of the variable loads moves the body.".to_owned(),
-        Departure::AtOnce { mode, permanent: true } => {
-            format!("The permanent loads alone move the body: it {}.", predicate(mode))
+        GroundDeparture::Never => "No multiple of the variable loads moves the body.".to_owned(),
+        GroundDeparture::AtOnce { verdict, permanent: true } => {
+            format!("The permanent loads alone move the body: it {}.", predicate(verdict))
         }
-        Departure::AtOnce { mode, permanent: false } => {
-            format!("Any share of the variable load, however small, moves the body: it {}.", predicate(mode))
+        GroundDeparture::AtOnce { verdict, permanent: false } => {
+            format!(
+                "Any share of the variable load, however small, moves the body: it {}.",
+                predicate(verdict)
+            )
         }
-        Departure::At { factor, mode } => {
-            let into = mode.map_or("no consistent mode", Mode::symbol);
+        GroundDeparture::At { factor, verdict } => {
+            let into = verdict.map_or("no consistent mode", GroundVerdict::symbol);
             format!(
                 "The body first leaves rest at {} % of the variable load, into {into}.",
                 digits(100.0 * factor)
@@ -137,52 +151,51 @@ fn leaving(departure: &Departure) -> String {
 
 /// The difference between the full load at once and a rising one.
 fn difference(assessed: &Assessed) -> String {
-    let full = assessed.outcome.full.mode;
-    let symbol = |mode: Option<Mode>| mode.map_or("no consistent mode", Mode::symbol);
-    match *assessed.departure() {
-        Departure::AtOnce { permanent: true, .. } => {
+    let full = assessed.verdict();
+    let rests = assessed.mode() == Some(Mode::Rest);
+    let symbol = |verdict: Option<GroundVerdict>| verdict.map_or("no consistent mode", GroundVerdict::symbol);
+    match assessed.departure() {
+        GroundDeparture::AtOnce { permanent: true, .. } => {
             "With no rest to begin from, a rising load has no first departure.".to_owned()
         }
-        Departure::AtOnce { .. } if full == Some(Mode::Rest) => {
+        GroundDeparture::AtOnce { .. } if rests => {
             "At once, the full load leaves the body at rest; rising, it has moved it before.".to_owned()
         }
-        Departure::AtOnce { mode, .. } if mode == full => {
+        GroundDeparture::AtOnce { verdict, .. } if verdict == full => {
             format!("At once and rising, the body takes up the same mode, {}.", symbol(full))
         }
-        Departure::AtOnce { mode, .. } => {
+        GroundDeparture::AtOnce { verdict, .. } => {
             format!(
                 "At once, the full load starts {}; rising, the load has started {} before.",
                 symbol(full),
-                symbol(mode)
+                symbol(verdict)
             )
         }
-        Departure::At { factor, .. } if factor < 1.0 && full == Some(Mode::Rest) => format!(
+        GroundDeparture::At { factor, .. } if factor < 1.0 && rests => format!(
             "At once, the full load leaves the body at rest; rising, it has moved it before, at {} %.",
             digits(100.0 * factor)
         ),
-        _ if full == Some(Mode::Rest) => {
-            "At once or rising, the full load leaves the body at rest.".to_owned()
-        }
-        Departure::At { factor, mode } if mode == full => format!(
+        _ if rests => "At once or rising, the full load leaves the body at rest.".to_owned(),
+        GroundDeparture::At { factor, verdict } if verdict == full => format!(
             "At once and rising, the body takes up the same mode, {}; rising, it moves from {} % on.",
             symbol(full),
             digits(100.0 * factor)
         ),
-        Departure::At { factor, mode } => format!(
+        GroundDeparture::At { factor, verdict } => format!(
             "At once, the full load starts {}; rising, the load has started {} before, at {} %.",
             symbol(full),
-            symbol(mode),
+            symbol(verdict),
             digits(100.0 * factor)
         ),
-        Departure::Never => format!("At once, the full load starts {}.", symbol(full)),
+        GroundDeparture::Never => format!("At once, the full load starts {}.", symbol(full)),
     }
 }
 
 /// Where a body leaves rest, in a word or as per cent of the load.
-pub fn departure_word(departure: &Departure) -> String {
+pub fn departure_word(departure: &GroundDeparture) -> String {
     match *departure {
-        Departure::Never => "never".to_owned(),
-        Departure::AtOnce { .. } => "at once".to_owned(),
-        Departure::At { factor, .. } => format!("{} %", digits(100.0 * factor)),
+        GroundDeparture::Never => "never".to_owned(),
+        GroundDeparture::AtOnce { .. } => "at once".to_owned(),
+        GroundDeparture::At { factor, .. } => format!("{} %", digits(100.0 * factor)),
     }
 }

@@ -242,7 +242,8 @@ impl Given<'_> {
             let problem = Problem::Height { base_depth, crest_height, height: body.height() };
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
         }
-        Ok(Waves { sea, heights, section, choices, goda })
+        let history = self.history(Key::WaveHistory.into())?;
+        Ok(Waves { sea, heights, section, choices, goda, history })
     }
 
     /// The key that says how wide the base is.

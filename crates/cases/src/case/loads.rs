@@ -1,5 +1,6 @@
 //! Pressures along faces, forces at points, and which of them act together.
 
+use standfast::ground::impact::History;
 use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, PressureDiagram};
 use standfast::{Body, InputError, Quantity, Slip};
 
@@ -39,6 +40,8 @@ pub struct PointForce {
     pub permanent: bool,
     /// Whether it acts with all other loads, rather than alone of those that do.
     pub together: bool,
+    /// How it varies in time.
+    pub history: Option<History>,
 }
 
 /// Where a force points.
@@ -150,6 +153,11 @@ impl Given<'_> {
             reduced.map_err(|error| self.blame_in(Table::Load, index, error))?;
         }
         let truth = |key| self.inputs.truth(id(key)).unwrap_or(false);
+        let history = self.history(id(Key::LoadHistory))?;
+        if history.is_some() && truth(Key::LoadPermanent) {
+            let problem = Problem::HistoryOfPermanent { key: id(Key::LoadHistory) };
+            return Err(Fault::new(problem, id(Key::LoadHistory)).and(id(Key::LoadPermanent)));
+        }
         Ok(PointForce {
             name: self.inputs.text(id(Key::LoadName)).map(str::to_owned),
             magnitude,
@@ -158,6 +166,7 @@ impl Given<'_> {
             distance,
             permanent: truth(Key::LoadPermanent),
             together: truth(Key::Together),
+            history,
         })
     }
 

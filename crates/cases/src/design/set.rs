@@ -7,7 +7,7 @@
 use super::quantity::{DIGITS, Quantity, with_unit};
 use super::target::{Binding, Target};
 use super::{DesignError, Spelling, Varied, least, load_factor, overturning, sliding};
-use crate::assess::Assessment;
+use crate::assess::{Assessed, Assessment};
 use crate::error::CaseError;
 use crate::layout::digits;
 use crate::rounded::{Decimal, Towards};
@@ -205,7 +205,7 @@ impl Search<'_> {
 
     /// Whether a variable load acts at any value that is tried.
     pub(super) fn rises(&self) -> bool {
-        let rises = |answer: &Assessment| answer.tried().any(|assessed| !assessed.outcome.path.is_empty());
+        let rises = |answer: &Assessment| answer.tried().any(Assessed::rises);
         self.samples().into_iter().any(|value| self.attempt(value).answer.is_ok_and(|answer| rises(&answer)))
     }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use standfast::Mode;
+use standfast::ground::GroundVerdict;
 use thiserror::Error;
 
 use super::quantity::fault;
@@ -195,10 +196,10 @@ impl Target {
     fn is_met_by(self, answer: &Assessment, assessed: &Assessed) -> bool {
         let full = &assessed.outcome.full;
         match self {
-            Target::Rest => full.mode == Some(Mode::Rest),
+            Target::Rest => assessed.mode() == Some(Mode::Rest),
             Target::Factor(factor) => {
                 // By uplift that turns it, a body may move with both factors above 1.
-                let turns = factor >= 1.0 && full.mode != Some(Mode::Rest);
+                let turns = factor >= 1.0 && assessed.mode() != Some(Mode::Rest);
                 sliding(assessed) >= factor && overturning(assessed) >= factor && !full.is_lifted() && !turns
             }
             Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),
@@ -230,17 +231,18 @@ impl Target {
     }
 
     /// The mode that is not to be, under the full load or, with its load factor, before.
-    fn offending(self, assessed: &Assessed) -> Option<(f64, Option<Mode>)> {
-        let offends = |mode: Option<Mode>| match (self, mode) {
+    fn offending(self, assessed: &Assessed) -> Option<(f64, Option<GroundVerdict>)> {
+        // Ground that fails lets the body turn and slip.
+        let offends = |verdict: Option<GroundVerdict>| match (self, verdict.and_then(GroundVerdict::mode)) {
             (Target::NoRock, Some(mode)) => mode.corner().is_some() || mode == Mode::Flight,
             (Target::NoSlide, Some(mode)) => mode.slip().is_some() || mode == Mode::Flight,
             (_, None) => true,
             _ => false,
         };
-        let stages = assessed.outcome.path.iter().filter(|stage| stage.from < 1.0);
+        let stages = assessed.path().into_iter().filter(|stage| stage.from < 1.0);
         let mut candidates =
-            stages.map(|stage| (stage.from, stage.mode)).chain([(1.0, assessed.outcome.full.mode)]);
-        candidates.find(|(_, mode)| offends(*mode))
+            stages.map(|stage| (stage.from, stage.verdict)).chain([(1.0, assessed.verdict())]);
+        candidates.find(|(_, verdict)| offends(*verdict))
     }
 
     /// How good an outcome is, to tell how near a design came.
@@ -262,18 +264,18 @@ impl Target {
         match self {
             Target::Factor(factor) => of_factors(assessed, factor),
             Target::Rest => {
-                let mode = assessed.outcome.full.mode;
-                let words = format!("under the full load the body {}", moves(assessed, mode));
-                Binding { by: motion(mode), words }
+                let verdict = assessed.verdict();
+                let words = format!("under the full load the body {}", moves(assessed, verdict));
+                Binding { by: motion(verdict), words }
             }
             Target::NoRock | Target::NoSlide => {
-                let (at, mode) = self.offending(assessed).unwrap_or_default();
+                let (at, verdict) = self.offending(assessed).unwrap_or_default();
                 let when = if at < 1.0 {
                     format!("as the load rises, from {} % on", digits(100.0 * at))
                 } else {
                     "under the full load at once".to_owned()
                 };
-                Binding { by: motion(mode), words: format!("{when}, the body {}", predicate(mode)) }
+                Binding { by: motion(verdict), words: format!("{when}, the body {}", predicate(verdict)) }
             }
             Target::Criterion(_) | Target::Utilisation(_) => of_check(answer, &self.checks(answer)[0], self),
         }
@@ -291,8 +293,9 @@ fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
     } else if overturning(assessed) < factor {
         Binding { by: "overturning", words: format!("overturning: (W' t − M_U)/M_p ≥ {at_least} fails") }
     } else {
-        let mode = assessed.outcome.full.mode;
-        Binding { by: motion(mode), words: format!("under the full load the body {}", moves(assessed, mode)) }
+        let verdict = assessed.verdict();
+        let words = format!("under the full load the body {}", moves(assessed, verdict));
+        Binding { by: motion(verdict), words }
     }
 }
 
@@ -301,15 +304,17 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
     let CaseCheck { check, assessed } = worst;
     let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
     let place = place.map_or(String::new(), |name| format!(", in {name}"));
-    let mode = assessed.departure().mode().or(assessed.outcome.full.mode);
+    let verdict = assessed.departure().verdict().or(assessed.verdict());
     let by = match check.criterion.key {
         Key::LeastSliding => "sliding",
         Key::LeastOverturning => "overturning",
         Key::GreatestBearing => "bearing",
         Key::LeastContact => "contact",
         Key::GreatestEccentricity => "eccentricity",
-        Key::ModesNot => motion(assessed.outcome.full.mode),
-        _ => motion(mode),
+        Key::ModesNot => motion(assessed.verdict()),
+        Key::LeastGround | Key::GreatestEffective => GROUND,
+        Key::GreatestRotation => "rotation",
+        _ => motion(verdict),
     };
     let words = match (check.met, target) {
         (true, Target::Utilisation(share)) => {
@@ -321,16 +326,25 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
             )
         }
         _ if check.criterion.key == Key::LeastLoadFactor => {
-            format!("{}{place}: the body {}", check.failure(assessed), moves(assessed, mode))
+            format!("{}{place}: the body {}", check.failure(assessed), moves(assessed, verdict))
         }
         _ => check.failure(assessed) + &place,
     };
     Binding { by, words }
 }
 
-/// The motion of a mode in a word.
-fn motion(mode: Option<Mode>) -> &'static str {
-    match mode.map(|mode| (mode.corner().is_some(), mode.slip().is_some(), mode)) {
+/// What binds where the ground fails.
+const GROUND: &str = "ground";
+
+/// The motion of a mode in a word, or the ground that fails.
+fn motion(verdict: Option<GroundVerdict>) -> &'static str {
+    if verdict == Some(GroundVerdict::BearingFailure) {
+        return GROUND;
+    }
+    match verdict
+        .and_then(GroundVerdict::mode)
+        .map(|mode| (mode.corner().is_some(), mode.slip().is_some(), mode))
+    {
         None => "no mode",
         Some((_, _, Mode::Flight)) => "uplift",
         Some((true, true, _)) => "slide-rocking",
@@ -341,8 +355,21 @@ fn motion(mode: Option<Mode>) -> &'static str {
 }
 
 /// A mode that ends rest, and which of the conditions of rest it breaks.
-fn moves(assessed: &Assessed, mode: Option<Mode>) -> String {
-    let Some(mode) = mode else { return "has no consistent mode".to_owned() };
+fn moves(assessed: &Assessed, verdict: Option<GroundVerdict>) -> String {
+    let mode = match verdict {
+        Some(GroundVerdict::Begins(mode)) => mode,
+        Some(_) => return format!("{}: R ≥ P fails", predicate(verdict)),
+        None => return predicate(None),
+    };
+    if assessed.is_on_ground() {
+        let condition = match (mode.corner(), mode.slip()) {
+            (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails",
+            (Some(_), None) => "the base crushes under an edge: −b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q fails",
+            (Some(_), Some(_)) => "|X| ≤ μ P or −b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q fails",
+            _ => "nothing presses it on its base: P > 0 fails",
+        };
+        return format!("{}: {condition}", predicate(verdict));
+    }
     let condition = match (mode.corner(), mode.slip()) {
         (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails",
         (Some(_), None) => "the resultant leaves the base: −b₁ P ≤ X d − M ≤ b₂ P fails",

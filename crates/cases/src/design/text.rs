@@ -1,6 +1,6 @@
 //! A design for reading.
 
-use standfast::Mode;
+use standfast::ground::GroundVerdict;
 
 use super::quantity::{DIGITS, with_unit};
 use super::set::{Beyond, End, Stretch};
@@ -52,7 +52,7 @@ pub(super) fn words(target: Target) -> String {
 fn before_and_after(design: &Design) -> String {
     let Design { quantity, present, request, .. } = design;
     let found = design.found();
-    let symbol = |mode: Option<Mode>| mode.map_or("none", Mode::symbol).to_owned();
+    let symbol = |verdict: Option<GroundVerdict>| verdict.map_or("none", GroundVerdict::symbol).to_owned();
     // Of several situations, the one in which it is worst: said once where it is the same throughout.
     let name = |answer: &Assessment, of: fn(&Assessed) -> f64| {
         answer.name(answer.least(of)).filter(|_| answer.all.len() > 1)
@@ -72,13 +72,13 @@ fn before_and_after(design: &Design) -> String {
         both("SF sliding", &|answer| digits(least(answer, sliding)) + &under(answer, sliding)),
         both("SF overturning", &|answer| digits(least(answer, overturning)) + &under(answer, overturning)),
         both("mode under the full load", &|answer| {
-            symbol(answer.least(load_factor).outcome.full.mode) + &under(answer, load_factor)
+            symbol(answer.least(load_factor).verdict()) + &under(answer, load_factor)
         }),
         both("leaves rest at", &|answer| {
-            departure_word(answer.least(load_factor).departure()) + &under(answer, load_factor)
+            departure_word(&answer.least(load_factor).departure()) + &under(answer, load_factor)
         }),
         both("into", &|answer| {
-            answer.least(load_factor).departure().mode().map_or("", Mode::symbol).to_owned()
+            answer.least(load_factor).departure().verdict().map_or("", GroundVerdict::symbol).to_owned()
         }),
     ];
     rows.extend(asked(request.target, present, &found.answer));

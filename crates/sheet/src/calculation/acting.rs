@@ -1,7 +1,7 @@
 //! Which loads act, and which accelerations of the base were tried.
 
 use maud::{Markup, html};
-use standfast::Mode;
+use standfast::ground::GroundVerdict;
 use standfast::loads::Earthquake;
 use standfast_cases::assess::verdict;
 use standfast_cases::{Acting, Assessed, Assessment};
@@ -42,7 +42,7 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
     if factor != 1.0 {
         steps.note("The accelerations act times the factor of the combination.");
     }
-    let tried = assessed.tried().filter_map(|tried| Some((tried.earthquake?, &tried.outcome)));
+    let tried = assessed.tried().filter_map(|tried| Some((tried.earthquake?, tried)));
     let tried: Vec<_> = tried.collect();
     steps.push(html! {
         table.numbers data-table="earthquakes" {
@@ -57,14 +57,15 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
                 }
             }
             tbody {
-                @for (earthquake, outcome) in &tried {
+                @for (earthquake, tried) in &tried {
+                    @let outcome = &tried.outcome;
                     tr {
                         (accelerations(earthquake))
-                        td { (outcome.full.mode.map_or("none", Mode::symbol)) }
+                        td { (tried.verdict().map_or("none", GroundVerdict::symbol)) }
                         @for factor in [outcome.stability.sliding, outcome.stability.overturning()] {
                             td.n { @if outcome.full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) } }
                         }
-                        td { (verdict::departure_word(&outcome.departure)) }
+                        td { (verdict::departure_word(&tried.departure())) }
                     }
                 }
             }

@@ -34,7 +34,7 @@ fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
 
 /// The motion under the full load.
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
-    let Some(motion) = &assessed.outcome.full.motion else { return };
+    let Some(motion) = assessed.motion() else { return };
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
     let rests = [x_ddot, y_ddot, theta_ddot] == [0.0; 3];
     steps.heading(match rests {
@@ -69,7 +69,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
 fn horizontal(steps: &mut Steps, case: &Case, assessed: &Assessed, motion: &Motion) {
     let Motion { x_ddot, f_x, .. } = *motion;
     let about = "Along the base";
-    match assessed.outcome.full.mode.and_then(|mode| mode.slip()) {
+    match assessed.mode().and_then(|mode| mode.slip()) {
         Some(slip) if f_x != 0.0 => {
             let friction = if case.kinetic_friction == case.friction { "μ" } else { "μ_k" };
             let sign = if slip.sign() < 0.0 { "" } else { "−" };
@@ -102,7 +102,7 @@ fn rotation(steps: &mut Steps, assessed: &Assessed, motion: &Motion) {
     let Motion { theta_ddot, f_x, f_y, xi, .. } = *motion;
     let lever = if f_x != 0.0 { " + y_C f_x" } else { "" };
     if f_y != 0.0 {
-        match assessed.outcome.full.mode.and_then(|mode| mode.corner()) {
+        match assessed.mode().and_then(|mode| mode.corner()) {
             Some(corner) => {
                 let (formula, about) = match corner {
                     Corner::O => ("−b_1", "The reaction acts at the corner O"),

@@ -1,8 +1,8 @@
 //! The way to the full load.
 
 use maud::html;
-use standfast::contact::path;
-use standfast::{Departure, Mode, Wrench};
+use standfast::Wrench;
+use standfast::ground::{GroundDeparture, GroundVerdict};
 use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Assessed, View};
 
@@ -11,7 +11,7 @@ use crate::measured::{KILONEWTON, MOMENT, NONE, number};
 use crate::steps::Steps;
 
 pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Component], view: &View) {
-    let stages = path::up_to(&assessed.outcome.path, view.up_to);
+    let stages = assessed.path_up_to(view.up_to);
     steps.heading("Load path: the variable loads rise by a factor, the permanent ones stay");
     if !stages.is_empty() {
         steps.push(html! {
@@ -22,7 +22,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Compon
                         tr {
                             td.n { data value=(stage.from) { (number(stage.from)) } }
                             td.n { data value=(stage.to) { (number(stage.to)) } }
-                            td { (stage.mode.map_or("none", Mode::symbol)) }
+                            td { (stage.verdict.map_or("none", GroundVerdict::symbol)) }
                             td { (stage.others()) }
                         }
                     }
@@ -34,7 +34,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Compon
         // Backticks would begin a formula.
         steps.note(&sentence.replace('`', "'"));
     }
-    if let Departure::At { factor, .. } = *assessed.departure() {
+    if let GroundDeparture::At { factor, .. } = assessed.departure() {
         departure(steps, assessed, components, factor);
     }
 }

@@ -57,12 +57,16 @@
 
 mod path;
 mod plane;
+mod situated;
 
 pub use path::{GroundPath, LoadFactors};
 pub use plane::{BearingPlane, BearingPoint};
+pub use situated::{BearingOutcome, outcome};
 
+use self::path::Footing;
 use crate::error::{InputError, LARGEST};
 use crate::quantity::{Expected, Quantity};
+use crate::situation::Situation;
 
 /// A formula for the bearing resistance of drained ground with friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -108,6 +112,34 @@ impl Reaction {
             x: InputError::finite(Quantity::WrenchX, x)?,
             e: InputError::finite(Quantity::Eccentricity, e)?,
         })
+    }
+
+    /// What the body of a situation puts on the ground under a load factor if it rests, per metre run; `None` if nothing presses.
+    ///
+    /// # Errors
+    /// If the base is round.
+    pub fn of(situation: &Situation, factor: f64) -> Result<Option<Reaction>, InputError> {
+        Ok(Footing::of(situation)?.reaction(factor))
+    }
+
+    /// P, N per metre run.
+    pub fn p(&self) -> f64 {
+        self.p
+    }
+
+    /// X, N per metre run.
+    pub fn x(&self) -> f64 {
+        self.x
+    }
+
+    /// e, m: positive times X where it lies on the side that X pushes to.
+    pub fn e(&self) -> f64 {
+        self.e
+    }
+
+    /// B, m.
+    pub fn half_width(&self) -> f64 {
+        self.half_width
     }
 
     /// η = |X|/P.

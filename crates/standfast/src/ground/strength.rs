@@ -67,7 +67,7 @@ mod situated;
 mod turning;
 
 pub use chart::{CrushChart, CrushEdge, CrushMap, CrushRegion, CrushStrip, RockEdgePoint};
-pub use path::{CrushStage, LoadRange, rest_range, stages};
+pub use path::{CrushStage, LoadRange, bearing_range, rest_range, stages};
 pub use point::CrushPoint;
 pub use situated::{CrushOutcome, outcome};
 

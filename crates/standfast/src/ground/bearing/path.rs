@@ -5,7 +5,7 @@ use crate::error::InputError;
 use crate::ground::roots::between;
 use crate::ground::{GroundDeparture, GroundVerdict};
 use crate::loads::Pose;
-use crate::mode::Mode;
+use crate::mode::{Mode, Slip};
 use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
 use crate::situation::{Departure, Situation};
@@ -24,17 +24,62 @@ pub struct LoadFactors {
     pub more: Option<f64>,
 }
 
-/// A situation's ground along its loads that rise.
+/// What a situation puts on the ground along its loads that rise: geometry of the base, and wrenches of one metre of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GroundPath {
-    ground: Ground,
+pub(super) struct Footing {
     /// Half of the base, and its middle right of the centre of mass, m.
     half_width: f64,
     middle: f64,
     depth: f64,
-    /// Of one metre of the body.
     permanent: Wrench,
     variable: Wrench,
+}
+
+impl Footing {
+    pub(super) fn of(situation: &Situation) -> Result<Footing, InputError> {
+        let body = situation.body();
+        let Plan::Rectangle { length } = body.plan() else {
+            return Err(InputError::new(Quantity::Width, body.width(), Expected::RectangularBase));
+        };
+        let at = |factor: f64| situation.wrench_at(factor, Pose::UPRIGHT) * (1.0 / length);
+        let permanent = at(0.0);
+        Ok(Footing {
+            half_width: body.base_width() / 2.0,
+            middle: (body.toe_distance() - body.heel_distance()) / 2.0,
+            depth: body.centroid_height(),
+            permanent,
+            variable: at(1.0) + permanent * -1.0,
+        })
+    }
+
+    /// The reaction of a body at rest.
+    pub(super) fn reaction(&self, factor: f64) -> Option<Reaction> {
+        let wrench = self.permanent + self.variable * factor;
+        self.under(&wrench, wrench.x)
+    }
+
+    /// That of a body that slides.
+    fn sliding(&self, factor: f64, slip: Slip, mu: f64) -> Option<Reaction> {
+        let wrench = self.permanent + self.variable * factor;
+        self.under(&wrench, slip.sign() * mu * wrench.p)
+    }
+
+    /// The reaction that passes `x` to the ground, of a body that does not turn.
+    fn under(&self, Wrench { p, m, .. }: &Wrench, x: f64) -> Option<Reaction> {
+        if *p <= 0.0 {
+            return None;
+        }
+        // It acts at (xd − M)/P from the centre of mass: on the side that x pushes to if that is positive.
+        let e = (x * self.depth - m) / p - self.middle;
+        Reaction::new(self.half_width, *p, x, e).ok()
+    }
+}
+
+/// A situation's ground along its loads that rise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundPath {
+    ground: Ground,
+    footing: Footing,
 }
 
 impl GroundPath {
@@ -43,32 +88,32 @@ impl GroundPath {
     /// # Errors
     /// If the base is round: the formulas are those of a strip. Of a body of a given length they leave out its ends.
     pub fn new(ground: Ground, situation: &Situation) -> Result<GroundPath, InputError> {
-        let body = situation.body();
-        let Plan::Rectangle { length } = body.plan() else {
-            return Err(InputError::new(Quantity::Width, body.width(), Expected::RectangularBase));
-        };
-        let at = |factor: f64| situation.wrench_at(factor, Pose::UPRIGHT) * (1.0 / length);
-        let permanent = at(0.0);
-        let variable = at(1.0) + permanent * -1.0;
-        Ok(GroundPath {
-            ground,
-            half_width: body.base_width() / 2.0,
-            middle: (body.toe_distance() - body.heel_distance()) / 2.0,
-            depth: body.centroid_height(),
-            permanent,
-            variable,
-        })
+        Ok(GroundPath { ground, footing: Footing::of(situation)? })
+    }
+
+    /// The ground.
+    pub fn ground(&self) -> &Ground {
+        &self.ground
     }
 
     /// What the base of a body at rest puts on the ground under a load factor; `None` if nothing presses.
     pub fn reaction(&self, factor: f64) -> Option<Reaction> {
-        let Wrench { x, p, m } = self.permanent + self.variable * factor;
-        if p <= 0.0 {
-            return None;
-        }
-        // The wrench passes through the base at (Xd − M)/P from the centre of mass: on the side that X pushes to if X there is positive.
-        let e = (x * self.depth - m) / p - self.middle;
-        Reaction::new(self.half_width, p, x, e).ok()
+        self.footing.reaction(factor)
+    }
+
+    /// The same of a body that slides with the friction `mu` towards `slip`.
+    pub fn sliding_reaction(&self, factor: f64, slip: Slip, mu: f64) -> Option<Reaction> {
+        self.footing.sliding(factor, slip, mu)
+    }
+
+    /// The load factors between two, of the scale of [`load_factor`](GroundPath::load_factors), at which `excess` changes its sign.
+    pub(super) fn crossings(excess: impl Fn(f64) -> f64 + Copy, from: f64, to: f64) -> Vec<f64> {
+        let inside = steps().filter(|λ| *λ > from && *λ < to);
+        let ends: Vec<f64> =
+            std::iter::once(from).chain(inside).chain([to].into_iter().filter(|to| to.is_finite())).collect();
+        let bears = |λ: f64| excess(λ) >= 0.0;
+        let pairs = ends.windows(2).filter(|pair| bears(pair[0]) != bears(pair[1]));
+        pairs.map(|pair| between(excess, pair[0], pair[1]).unwrap_or(pair[1])).collect()
     }
 
     /// R/P under a load factor; `None` if nothing presses.
@@ -84,11 +129,8 @@ impl GroundPath {
             return 0.0;
         }
         // Uplift makes P fall and R/P no line of λ: look along the way, closer where the load is of the size that was given.
-        let steps = (1..=400)
-            .map(|i| 0.01 * f64::from(i))
-            .chain((1..=400).map(|i| 4.0 * 10f64.powf(0.0135 * f64::from(i))));
         let mut low = 0.0;
-        for high in steps {
+        for high in steps() {
             if excess(high) < 0.0 {
                 return between(excess, low, high).unwrap_or(high);
             }
@@ -101,6 +143,17 @@ impl GroundPath {
     pub fn load_factors(&self) -> LoadFactors {
         let turned = |by: f64| self.ground.turned(by).map(|ground| self.load_factor(&ground));
         LoadFactors { given: self.load_factor(&self.ground), less: turned(-2.0), more: turned(2.0) }
+    }
+
+    /// R/P of a body at rest, less 1; where nothing presses nothing fails.
+    pub(super) fn rest_excess(&self, factor: f64) -> f64 {
+        self.reaction(factor).map_or(1.0, |reaction| self.ground.factor(&reaction) - 1.0)
+    }
+
+    /// The same of a body that slides.
+    pub(super) fn sliding_excess(&self, factor: f64, slip: Slip, mu: f64) -> f64 {
+        let reaction = self.sliding_reaction(factor, slip, mu);
+        reaction.map_or(1.0, |reaction| self.ground.factor(&reaction) - 1.0)
     }
 
     /// Where the body leaves rest: on rigid ground as `rigid` says, or before that because the ground fails.
@@ -120,4 +173,10 @@ impl GroundPath {
             _ => GroundDeparture::Never,
         }
     }
+}
+
+/// The load factors at which is looked: closer where the load is of the size that was given.
+fn steps() -> impl Iterator<Item = f64> {
+    let near = (1..=400).map(|i| 0.01 * f64::from(i));
+    near.chain((1..=400).map(|i| 4.0 * 10f64.powf(0.0135 * f64::from(i))))
 }

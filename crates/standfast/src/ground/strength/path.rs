@@ -13,19 +13,7 @@ use crate::ground::GroundVerdict;
 use crate::mode::{Corner, Modes, Slip};
 use crate::wrench::Wrench;
 
-/// A stretch of load factors with the same modes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct CrushStage {
-    /// The load factor at which it begins.
-    pub from: f64,
-    /// The load factor at which it ends; infinite for the last.
-    pub to: f64,
-    /// What is reported.
-    pub verdict: Option<GroundVerdict>,
-    /// All consistent modes; none where the ground fails.
-    pub modes: Modes,
-}
+pub use crate::ground::GroundStage as CrushStage;
 
 /// a + bλ + cλ².
 #[derive(Clone, Copy)]
@@ -95,8 +83,28 @@ pub fn rest_range(
 ) -> Result<Option<LoadRange>, InputError> {
     solve(block, permanent, strength)?;
     solve(block, variable, strength)?;
+    Ok(hold(&conditions(block, permanent, variable, strength)[..REST]))
+}
+
+/// The same of the conditions at both edges alone: where the base bears the reaction of a body that friction holds.
+///
+/// # Errors
+/// As [`solve`].
+pub fn bearing_range(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+    strength: f64,
+) -> Result<Option<LoadRange>, InputError> {
+    solve(block, permanent, strength)?;
+    solve(block, variable, strength)?;
+    Ok(hold(&conditions(block, permanent, variable, strength)[SLIPS.len()..REST]))
+}
+
+/// The load factors at which none of the conditions is negative: one stretch, as each is concave.
+fn hold(conditions: &[Quadratic]) -> Option<LoadRange> {
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
-    for condition in &conditions(block, permanent, variable, strength)[..REST] {
+    for condition in conditions {
         let [a, b, c] = condition.0;
         let (least, largest) = match condition.zeros() {
             _ if b == 0.0 && c == 0.0 => {
@@ -108,11 +116,11 @@ pub fn rest_range(
             [one, two] => (one, two),
         };
         if least.is_nan() || largest.is_nan() {
-            return Ok(None);
+            return None;
         }
         (from, to) = (from.max(least), to.min(largest));
     }
-    Ok((from <= to).then_some(LoadRange { from, to }))
+    (from <= to).then_some(LoadRange { from, to })
 }
 
 /// The stages of a load rising from zero without end, beside `permanent`, on a base that bears `strength` per length; the last ends

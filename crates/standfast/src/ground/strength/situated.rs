@@ -1,11 +1,11 @@
 //! A situation on a base that crushes, in SI units.
 
-use super::path::{CrushStage, stages};
+use super::path::{CrushStage, bearing_range, stages};
 use super::{CrushMotion, solve};
 use crate::error::InputError;
 use crate::ground::{GroundDeparture, GroundVerdict};
 use crate::loads::Pose;
-use crate::mode::{Mode, Modes};
+use crate::mode::Modes;
 use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
 use crate::situation::Situation;
@@ -25,6 +25,9 @@ pub struct CrushOutcome {
     pub departure: GroundDeparture,
     /// The stages of the rising variable loads, the last without end; none where all loads are permanent.
     pub path: Vec<CrushStage>,
+    /// The least load factor at which the base does not bear the reaction of a body that friction holds: zero where it does not bear
+    /// that of the permanent loads, infinite where it bears that of any multiple of the variable ones.
+    pub load_factor: f64,
 }
 
 /// The situation on a base of `strength` q_u (Pa).
@@ -61,32 +64,18 @@ pub fn outcome(situation: &Situation, strength: f64) -> Result<CrushOutcome, Inp
     let mode = solution.verdict().and_then(GroundVerdict::mode);
     let motion = mode.and_then(|mode| solution.motion(mode));
     let varies = situation.loads().iter().any(|load| !load.permanent);
-    let path =
-        if varies { stages(&block, &permanent, &(at(1.0) + permanent * -1.0), reduced)? } else { Vec::new() };
+    let variable = at(1.0) + permanent * -1.0;
+    let path = if varies { stages(&block, &permanent, &variable, reduced)? } else { Vec::new() };
+    let bearing = bearing_range(&block, &permanent, &variable, reduced)?;
+    let load_factor = bearing.filter(|range| range.from <= 0.0).map_or(0.0, |range| range.to.max(0.0));
     let begin = solve(&block, &permanent, reduced)?.verdict();
     Ok(CrushOutcome {
         omega: solution.omega(),
         verdict: solution.verdict(),
         modes: solution.modes,
         motion: motion.map(|motion| motion.scaled(situation.gravity(), half_width, weight)),
-        departure: departure(begin, &path),
+        departure: GroundDeparture::along(begin, &path),
+        load_factor,
         path,
     })
-}
-
-fn departure(begin: Option<GroundVerdict>, path: &[CrushStage]) -> GroundDeparture {
-    let rest = Some(GroundVerdict::Begins(Mode::Rest));
-    if begin != rest {
-        // As soon as anything is added, it may be another mode.
-        let verdict =
-            path.first().map_or(begin, |stage| stage.verdict).filter(|verdict| Some(*verdict) != rest);
-        return GroundDeparture::AtOnce { verdict: verdict.or(begin), permanent: true };
-    }
-    match path.iter().find(|stage| stage.verdict != rest) {
-        None => GroundDeparture::Never,
-        Some(stage) if stage.from == 0.0 => {
-            GroundDeparture::AtOnce { verdict: stage.verdict, permanent: false }
-        }
-        Some(stage) => GroundDeparture::At { factor: stage.from, verdict: stage.verdict },
-    }
 }

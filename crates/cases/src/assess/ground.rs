@@ -1,0 +1,359 @@
+//! What the base of a situation bears: its part of the answer, and what of the rigid answer it takes the place of.
+
+use standfast::contact::path::Stage;
+use standfast::ground::bearing::{self, BearingPlane, LoadFactors, Reaction};
+use standfast::ground::elastic::{ElasticBase, LargestMoment};
+use standfast::ground::impact::{ElasticBody, History, ImpactResponse};
+use standfast::ground::strength::{self, CrushMotion};
+use standfast::ground::{GroundDeparture, GroundStage, GroundVerdict};
+use standfast::{Departure, InputError, Mode, Modes, Motion, Outcome, Situation, Wrench};
+
+mod because;
+mod text;
+
+use super::Assessed;
+use crate::case::{Case, Foundation, Limit};
+pub(super) use text::render as text;
+pub use text::{left_out, state};
+
+/// What a situation's base bears.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OnGround {
+    /// What the base cannot bear.
+    pub limit: Option<Limit>,
+    /// What begins on it, where it cannot bear everything.
+    pub onset: Option<Onset>,
+    /// What a body at rest puts on it under the full load, per metre run; `None` if nothing presses.
+    pub reaction: Option<Reaction>,
+    /// ω = P/(2B q_u) of a base that crushes.
+    pub omega: Option<f64>,
+    /// How a base that crushes is pressed as the mode under the full load begins.
+    pub crush: Option<CrushMotion>,
+    /// R, N per metre run or of the whole object: what the ground bears at the reaction's eccentricity and inclination.
+    pub resistance: Option<f64>,
+    /// R/P.
+    pub factor: Option<f64>,
+    /// Where R/P falls to 1 as the variable loads rise.
+    pub load_factors: Option<LoadFactors>,
+    /// |X|/P at which R/P is 1 if both X and the moment grow as they stand to each other under the full load.
+    pub k_bf: Option<f64>,
+    /// What is elastic of it.
+    pub elastic: Option<Elastic>,
+}
+
+/// What begins on a base that cannot bear everything: in the place of what begins on a rigid one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Onset {
+    /// Under the full load, applied at once.
+    pub verdict: Option<GroundVerdict>,
+    /// All consistent modes.
+    pub modes: Modes,
+    /// Accelerations and reactions of the verdict's mode.
+    pub motion: Option<Motion>,
+    /// Where the body leaves rest as the variable loads rise.
+    pub departure: GroundDeparture,
+    /// The stages of the rising variable loads.
+    pub path: Vec<GroundStage>,
+}
+
+/// What is elastic of a base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Elastic {
+    /// Under P of the full load, per metre run.
+    pub base: ElasticBase,
+    /// The moment of all loads about the middle of the base, N·m per metre run.
+    pub moment: f64,
+    /// By how much it turns the body, rad; `None` where no rotation bears it.
+    pub rotation: Option<f64>,
+    /// The most it bears if the load is raised slowly.
+    pub largest: LargestMoment,
+    /// |X|/P at which that is reached, as [`k_bf`](OnGround::k_bf).
+    pub k_overturn: Option<f64>,
+    /// Natural periods of sway and rocking, the longer first, and of heave, s; `None` where the centre of mass is off the middle of
+    /// the base or there is no tangential stiffness.
+    pub periods: Option<[f64; 3]>,
+    /// The response to loads in time; `None` where none is given.
+    pub impact: Option<ImpactResponse>,
+}
+
+impl OnGround {
+    /// What the base of a case bears in a situation whose answer on rigid ground is `rigid`; `histories` are those of the situation's loads.
+    pub(super) fn of(
+        case: &Case,
+        foundation: &Foundation,
+        situation: &Situation,
+        rigid: &Outcome,
+        histories: &[Option<&History>],
+    ) -> Result<OnGround, InputError> {
+        let length = situation.body().plan().side(situation.body().width());
+        let reaction = Reaction::of(situation, 1.0)?;
+        let mut answer = OnGround {
+            limit: foundation.limit,
+            onset: None,
+            reaction,
+            omega: None,
+            crush: None,
+            resistance: None,
+            factor: None,
+            load_factors: None,
+            k_bf: None,
+            elastic: None,
+        };
+        match foundation.limit {
+            Some(Limit::Strength(strength)) => answer.crushing(situation, strength, length)?,
+            Some(Limit::Ground(ground)) => {
+                let outcome = bearing::outcome(situation, rigid, ground)?;
+                let holds = outcome.verdict.and_then(GroundVerdict::mode) == rigid.full.mode;
+                answer.onset = Some(Onset {
+                    verdict: outcome.verdict,
+                    modes: outcome.modes,
+                    motion: rigid.full.motion.filter(|_| holds),
+                    departure: outcome.departure,
+                    path: outcome.path,
+                });
+                answer.load_factors = Some(outcome.load_factors);
+                answer.resistance = reaction.map(|reaction| ground.resistance(&reaction) * length);
+                answer.factor = reaction.map(|reaction| ground.factor(&reaction));
+                answer.k_bf = match reaction.and_then(|reaction| Some((reaction, ray(&reaction)?))) {
+                    Some((reaction, ray)) => {
+                        // Of G₁ = γ(1 + k') any γ and k' will do.
+                        let (gamma, k_prime) = match ray {
+                            0.0 => (1.0, -1.0),
+                            ray if ray < 0.0 => (-ray, -2.0),
+                            ray => (ray, 0.0),
+                        };
+                        let (half_width, p) = (reaction.half_width(), reaction.p());
+                        Some(BearingPlane::new(ground, gamma, k_prime, half_width, p)?.k_bf())
+                    }
+                    None => None,
+                };
+            }
+            None => {}
+        }
+        if let (Some(stiffness), Some(reaction)) = (foundation.stiffness, reaction) {
+            let elastic = Elastic::of(case, foundation, stiffness, situation, &reaction, histories)?;
+            answer.elastic = Some(elastic);
+        }
+        Ok(answer)
+    }
+
+    /// On a base that crushes at `strength`.
+    fn crushing(&mut self, situation: &Situation, strength: f64, length: f64) -> Result<(), InputError> {
+        let outcome = strength::outcome(situation, strength)?;
+        self.omega = Some(outcome.omega).filter(|_| self.reaction.is_some());
+        let given = outcome.load_factor;
+        self.load_factors = Some(LoadFactors { given, less: None, more: None });
+        if let Some(reaction) = &self.reaction {
+            let resistance = reaction.effective_width() * strength;
+            self.resistance = Some(resistance * length);
+            self.factor = Some(resistance / reaction.p());
+            self.k_bf = ray(reaction).map(|ray| (1.0 - outcome.omega).max(0.0) / ray.abs());
+        }
+        self.crush = outcome.motion;
+        self.onset = Some(Onset {
+            verdict: outcome.verdict,
+            modes: outcome.modes,
+            motion: outcome.motion.map(|crush| crush.motion),
+            departure: outcome.departure,
+            path: outcome.path,
+        });
+        Ok(())
+    }
+
+    /// How far inside its edge a base that crushes is pressed by a body about to turn, or that turns, m: the place of the reaction.
+    pub fn pivot(&self) -> Option<f64> {
+        let (omega, reaction) = (self.omega?, self.reaction?);
+        match self.crush.as_ref().filter(|crush| crush.neutral.is_some()) {
+            Some(crush) => Some(crush.pressed.width() / 2.0),
+            // N = P as a turn begins.
+            None => Some(omega * reaction.half_width()),
+        }
+    }
+
+    /// How far inside its edge the point is about which a body turns on a base that crushes, m; `None` of one that does not turn.
+    pub fn neutral(&self) -> Option<f64> {
+        self.crush.as_ref().filter(|crush| crush.neutral.is_some()).map(|crush| crush.pressed.width())
+    }
+}
+
+/// ε/η: the eccentricity of a reaction in half widths by its inclination, G₁ of the report's block; negative where it lies against the push.
+/// `None` of one that is upright.
+fn ray(reaction: &Reaction) -> Option<f64> {
+    let side = (reaction.x() * reaction.e()).signum();
+    (reaction.x() != 0.0).then(|| side * reaction.eccentricity_share() / reaction.inclination())
+}
+
+impl Elastic {
+    fn of(
+        case: &Case,
+        foundation: &Foundation,
+        stiffness: f64,
+        situation: &Situation,
+        reaction: &Reaction,
+        histories: &[Option<&History>],
+    ) -> Result<Elastic, InputError> {
+        let body = situation.body();
+        let base = ElasticBase::new(reaction.half_width(), reaction.p(), stiffness)?;
+        let base = match foundation.strength() {
+            Some(strength) => base.with_strength(strength)?,
+            None => base,
+        };
+        let moment = reaction.p() * reaction.e();
+        let largest = base.largest_moment(body.centroid_height())?;
+        let share = largest.moment / (reaction.p() * reaction.half_width());
+        let centred = (body.heel_distance() - body.toe_distance()).abs() <= 1e-9 * body.base_width();
+        let springs = foundation.tangential_stiffness.filter(|_| centred);
+        let swaying = springs.map(|k_t| {
+            let length = body.plan().side(body.width());
+            let (mass, inertia) = (body.mass() / length, body.moment_of_inertia() / length);
+            let body = ElasticBody::new(
+                reaction.half_width(),
+                body.centroid_height(),
+                mass,
+                inertia,
+                stiffness,
+                k_t,
+            )?;
+            let body = body.with_added_mass(situation.added_mass() / length)?;
+            Ok::<_, InputError>((body, length))
+        });
+        let swaying = swaying.transpose()?;
+        let periods =
+            swaying.as_ref().map(|(body, _)| body.frequencies().map(|ω| std::f64::consts::TAU / ω));
+        let impact = match &swaying {
+            Some((body, length)) => response(case, foundation, situation, body, *length, histories)?,
+            None => None,
+        };
+        Ok(Elastic {
+            base,
+            moment,
+            rotation: base.rotation(moment.abs()),
+            largest,
+            k_overturn: ray(reaction).map(|ray| share / ray.abs()),
+            periods,
+            impact,
+        })
+    }
+}
+
+/// The response to the loads in time; those of which none is said are there all the time.
+fn response(
+    case: &Case,
+    foundation: &Foundation,
+    situation: &Situation,
+    body: &ElasticBody,
+    length: f64,
+    histories: &[Option<&History>],
+) -> Result<Option<ImpactResponse>, InputError> {
+    let mut standing = Wrench::ZERO;
+    let mut timed: Vec<(Wrench, History)> = Vec::new();
+    for (load, history) in situation.loads().iter().zip(histories) {
+        let wrench = situation.wrench_of(load) * (1.0 / length);
+        match history {
+            Some(history) => timed.push((wrench, (*history).clone())),
+            None => standing = standing + wrench,
+        }
+    }
+    if timed.is_empty() || standing.p <= 0.0 {
+        return Ok(None);
+    }
+    body.response(&standing, &timed, case.friction, foundation.strength()).map(Some)
+}
+
+impl Assessed {
+    /// What begins under the full load, applied at once.
+    pub fn verdict(&self) -> Option<GroundVerdict> {
+        match self.onset() {
+            Some(onset) => onset.verdict,
+            None => self.outcome.full.mode.map(GroundVerdict::Begins),
+        }
+    }
+
+    /// The mode that begins under the full load; none where the ground fails.
+    pub fn mode(&self) -> Option<Mode> {
+        self.verdict().and_then(GroundVerdict::mode)
+    }
+
+    /// All consistent modes.
+    pub fn modes(&self) -> Modes {
+        self.onset().map_or(self.outcome.full.modes, |onset| onset.modes)
+    }
+
+    /// The consistent modes beside the one reported.
+    pub fn others(&self) -> Modes {
+        self.modes().without(self.mode())
+    }
+
+    /// Whether one mode only is consistent.
+    pub fn is_unique(&self) -> bool {
+        self.modes().len() <= 1
+    }
+
+    /// Accelerations and reactions of the mode that begins.
+    pub fn motion(&self) -> Option<&Motion> {
+        self.onset().map_or(self.outcome.full.motion.as_ref(), |onset| onset.motion.as_ref())
+    }
+
+    /// Where the body leaves rest as the variable loads rise.
+    pub fn departure(&self) -> GroundDeparture {
+        let begins = |mode: Option<Mode>| mode.map(GroundVerdict::Begins);
+        match (self.onset(), &self.outcome.departure) {
+            (Some(onset), _) => onset.departure,
+            (None, Departure::Never) => GroundDeparture::Never,
+            (None, Departure::AtOnce { mode, permanent }) => {
+                GroundDeparture::AtOnce { verdict: begins(*mode), permanent: *permanent }
+            }
+            (None, Departure::At { factor, mode }) => {
+                GroundDeparture::At { factor: *factor, verdict: begins(*mode) }
+            }
+        }
+    }
+
+    /// Whether a load of the situation varies.
+    pub fn rises(&self) -> bool {
+        !self.outcome.path.is_empty()
+    }
+
+    /// The stages of the rising variable loads, the last without end.
+    pub fn path(&self) -> Vec<GroundStage> {
+        let rigid = |Stage { from, to, mode, modes }: &Stage| GroundStage {
+            from: *from,
+            to: *to,
+            verdict: mode.map(GroundVerdict::Begins),
+            modes: *modes,
+        };
+        match self.onset() {
+            Some(onset) => onset.path.clone(),
+            None => self.outcome.path.iter().map(rigid).collect(),
+        }
+    }
+
+    /// The stages up to a load factor.
+    pub fn path_up_to(&self, largest: f64) -> Vec<GroundStage> {
+        let within = self.path().into_iter().filter(|stage| stage.from < largest);
+        within.map(|stage| GroundStage { to: stage.to.min(largest), ..stage }).collect()
+    }
+
+    /// The mode in which a body that left rest under the rising loads comes to the full load; see [`Outcome::risen`].
+    pub fn risen(&self) -> Option<Mode> {
+        match self.onset() {
+            None => self.outcome.risen(),
+            Some(_) => {
+                let stages = self.path().into_iter().filter(|stage| stage.from < 1.0);
+                stages.fold(None, |mode: Option<Mode>, stage| match mode {
+                    Some(mode) if stage.modes.contains(mode) => Some(mode),
+                    _ => stage.verdict.and_then(GroundVerdict::mode),
+                })
+            }
+        }
+    }
+
+    /// Whether the base decides the response: it crushes, or the ground under it fails.
+    pub fn is_on_ground(&self) -> bool {
+        self.onset().is_some()
+    }
+
+    fn onset(&self) -> Option<&Onset> {
+        self.ground.as_ref().and_then(|ground| ground.onset.as_ref())
+    }
+}

@@ -1,0 +1,157 @@
+//! What the base of a case can bear.
+
+use standfast::ground::bearing::{Ground, GroundLaw};
+use standfast::ground::impact::History;
+use standfast::{Body, InputError, Plan};
+
+use super::given::Given;
+use crate::error::{Fault, Problem};
+use crate::key::{Id, Key, Table};
+
+/// What a base is that is not rigid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Foundation {
+    /// What it cannot bear; `None` if nothing is said of that.
+    pub limit: Option<Limit>,
+    /// k_n, N/m³.
+    pub stiffness: Option<f64>,
+    /// k_t, N/m³.
+    pub tangential_stiffness: Option<f64>,
+}
+
+/// Up to where a base bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// It crushes at this pressure, Pa.
+    Strength(f64),
+    /// The ground under it fails.
+    Ground(Ground),
+}
+
+impl Foundation {
+    /// The pressure at which it crushes, Pa.
+    pub fn strength(&self) -> Option<f64> {
+        match self.limit {
+            Some(Limit::Strength(strength)) => Some(strength),
+            _ => None,
+        }
+    }
+
+    /// The ground that fails.
+    pub fn soil(&self) -> Option<Ground> {
+        match self.limit {
+            Some(Limit::Ground(ground)) => Some(ground),
+            _ => None,
+        }
+    }
+}
+
+const SOIL: [Key; 4] = [Key::GroundAngle, Key::UnitWeight, Key::Surcharge, Key::Cohesion];
+const ENVELOPE: [Key; 4] =
+    [Key::CentricResistance, Key::EnvelopeHorizontal, Key::EnvelopeMoment, Key::EnvelopeCoupling];
+
+impl Given<'_> {
+    /// The base.
+    pub(super) fn ground(&self, body: &Body) -> Result<Foundation, Fault> {
+        let has = |key: &Key| self.inputs.get(*key).is_some();
+        let Some(first) = Table::Ground.keys().find(has) else {
+            return Err(Fault::new(Problem::EmptyGround, Table::Ground));
+        };
+        if body.plan() == Plan::Circle {
+            return Err(Fault::new(Problem::NotOfCylinder { key: first }, first));
+        }
+        let limit = match self.number(Key::Strength) {
+            Some(strength) => {
+                if let Some(with) = SOIL.iter().chain(&[Key::GroundLaw]).chain(&ENVELOPE).find(|key| has(key))
+                {
+                    let problem = Problem::NotWith { key: Key::Strength, with: *with };
+                    return Err(Fault::new(problem, Key::Strength).and(*with));
+                }
+                Some(Limit::Strength(strength))
+            }
+            None if self.inputs.choice(Key::GroundLaw) == Some("envelope") => {
+                if let Some(key) = SOIL.into_iter().find(has) {
+                    return Err(Fault::new(Problem::OfEnvelope { key }, key).and(Key::GroundLaw));
+                }
+                Some(Limit::Ground(self.envelope(body)?))
+            }
+            None => {
+                if let Some(key) = ENVELOPE.into_iter().find(has) {
+                    return Err(Fault::new(Problem::NotEnvelope { key }, key));
+                }
+                let tells = has(&Key::GroundLaw) || SOIL.iter().any(has);
+                tells.then(|| self.soil().map(Limit::Ground)).transpose()?
+            }
+        };
+        let stiffness = self.number(Key::Stiffness);
+        if has(&Key::TangentialStiffness) && stiffness.is_none() {
+            return Err(Fault::new(Problem::MissingKey { key: Key::Stiffness }, Key::TangentialStiffness));
+        }
+        Ok(Foundation { limit, stiffness, tangential_stiffness: self.number(Key::TangentialStiffness) })
+    }
+
+    /// Ground with a friction angle.
+    fn soil(&self) -> Result<Ground, Fault> {
+        let (angle, weight) = (self.required(Key::GroundAngle)?, self.required(Key::UnitWeight)?);
+        let law = match self.inputs.choice(Key::GroundLaw) {
+            Some("hansen") => GroundLaw::Hansen,
+            _ => GroundLaw::Ec7,
+        };
+        let or_none = |key| self.number(key).unwrap_or(0.0);
+        let ground = Ground::new(law, angle, weight)
+            .and_then(|ground| ground.with_surcharge(or_none(Key::Surcharge)))
+            .and_then(|ground| ground.with_cohesion(or_none(Key::Cohesion)));
+        ground.map_err(|error| self.blame(Table::Ground, error))
+    }
+
+    /// Ground known by what it bears upright and in the middle; of an object of a given length that is for all of it.
+    fn envelope(&self, body: &Body) -> Result<Ground, Fault> {
+        let centric = self.required(Key::CentricResistance)? / body.plan().side(body.width());
+        let or = |key, otherwise| self.number(key).unwrap_or(otherwise);
+        let (t_h, t_m) = (or(Key::EnvelopeHorizontal, T_H), or(Key::EnvelopeMoment, T_M));
+        let ground = Ground::envelope_with(centric, t_h, t_m, or(Key::EnvelopeCoupling, COUPLING));
+        ground.map_err(|error| self.blame(Table::Ground, error))
+    }
+
+    /// Whether the case can answer what is asked of its ground, and has what loads in time need.
+    pub(super) fn answerable(&self, ground: Option<&Foundation>) -> Result<(), Fault> {
+        let limit = ground.is_some_and(|ground| ground.limit.is_some());
+        let stiffness = ground.is_some_and(|ground| ground.stiffness.is_some());
+        let tangential = ground.is_some_and(|ground| ground.tangential_stiffness.is_some());
+        let asked = |key: Key| self.inputs.get(key).is_some();
+        if asked(Key::LeastGround) && !limit {
+            let (of, lacks) = (
+                "what the ground bears",
+                "[ground] has neither `strength` nor a friction angle nor an envelope",
+            );
+            let problem = Problem::NeedsGround { key: Key::LeastGround, of, lacks };
+            return Err(Fault::new(problem, Key::LeastGround));
+        }
+        if asked(Key::GreatestRotation) && !stiffness {
+            let (of, lacks) = ("how far the base lets the body turn", "[ground] has no `stiffness`");
+            let problem = Problem::NeedsGround { key: Key::GreatestRotation, of, lacks };
+            return Err(Fault::new(problem, Key::GreatestRotation));
+        }
+        let loads = (0..self.inputs.count(Table::Load)).map(|index| Id { key: Key::LoadHistory, index });
+        let mut histories = loads.chain([Key::WaveHistory.into()]);
+        match histories.find(|id| self.inputs.history(*id).is_some()) {
+            Some(key) if !(stiffness && tangential) => {
+                let lacks = if stiffness { "`tangential_stiffness`" } else { "`stiffness`" };
+                Err(Fault::new(Problem::HistoryOnRigid { key, lacks }, key))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// How a load varies in time.
+    pub(super) fn history(&self, id: Id) -> Result<Option<History>, Fault> {
+        let shape = self.inputs.history(id);
+        let history = shape.map(|shape| shape.history()).transpose();
+        history.map_err(|error: InputError| Fault::new(Problem::Impossible { key: id.key, error }, id))
+    }
+}
+
+/// Butterfield and Gottardi's slopes and coupling.
+pub(crate) const T_H: f64 = 0.52;
+pub(crate) const T_M: f64 = 0.35;
+pub(crate) const COUPLING: f64 = 0.22;
