@@ -1,5 +1,6 @@
 //! docs/case-file.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
 
+use standfast_cases::history::Course;
 use standfast_cases::key::{Key, Kind, Moves, Table};
 use standfast_cases::units::Dimension;
 
@@ -70,7 +71,21 @@ fn takes(kind: Kind) -> String {
         Kind::List(dimension) => format!("a list, each {} in {}", dimension.words(), dimension.understood()),
         Kind::Factors => "names and factors, zero or more".to_owned(),
         Kind::ModeList => "a list of symbols of modes".to_owned(),
+        Kind::History => history(),
     }
+}
+
+/// The shapes of a load in time, and what each takes.
+fn history() -> String {
+    let shape = |(name, takes): &(&str, &[&str])| match takes {
+        [] => format!("`{name}`"),
+        takes => format!("`{name}` ({})", takes.join(", ")),
+    };
+    let shapes: Vec<_> = Course::NAMES.iter().map(shape).collect();
+    format!(
+        "a shape with its numbers, in braces: {}; each with `peak` (1) and `start` (0)",
+        shapes.join(", ")
+    )
 }
 
 fn moves(moves: Moves) -> &'static str {
@@ -104,7 +119,12 @@ mod tests {
                 ResultKind::Number(Some(dimension)) => format!(", {}", dimension.symbol()),
                 _ => String::new(),
             };
-            let said = &schema["$defs"]["situation"]["properties"][name]["description"];
+            let said = match result.in_ground() {
+                // Both periods are one list.
+                Some("periods") => continue,
+                Some(name) => &schema["$defs"]["ground"]["properties"][name]["description"],
+                None => &schema["$defs"]["situation"]["properties"][name]["description"],
+            };
             assert_eq!(*said, serde_json::json!(format!("{words}{unit}")), "{name}");
         }
     }

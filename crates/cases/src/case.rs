@@ -37,7 +37,7 @@ use standfast::{Body, InputError, Situation};
 
 use given::Given;
 pub(crate) use given::fault;
-pub use ground::{Foundation, Limit};
+pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub use loads::{Combination, Direction, FacePressure, PointForce};
 pub(crate) use section::OF_PARTS;
 

@@ -447,11 +447,11 @@ listed! {
     CentricResistance = key(Ground, "centric_resistance", Measured(Dimension::Force, Positive), "V_0", "what the whole base bears upright and in its middle, for the envelope", "\"20 MN/m\"")
         .gives(&[Quantity::CentricResistance]);
     EnvelopeHorizontal = key(Ground, "t_h", Plain(Positive), "t_h", "slope of the envelope at no load, horizontal force over vertical", "0.52")
-        .silent("slopes and coupling of the envelope: 0.52, 0.35, 0.22").gives(&[Quantity::EnvelopeSlope]);
+        .silent("slope t_h of the envelope: 0.52").gives(&[Quantity::EnvelopeSlope]);
     EnvelopeMoment = key(Ground, "t_m", Plain(Positive), "t_m", "the same of moment over vertical force times width of the base", "0.35")
-        .gives(&[Quantity::EnvelopeSlope]);
+        .silent("slope t_m of the envelope: 0.35").gives(&[Quantity::EnvelopeSlope]);
     EnvelopeCoupling = key(Ground, "C", Plain(Finite), "C_e", "coupling of both; positive where an eccentricity towards the push strengthens", "0.22")
-        .gives(&[Quantity::EnvelopeCoupling]);
+        .silent("coupling C of the envelope: 0.22").gives(&[Quantity::EnvelopeCoupling]);
     Stiffness = key(Ground, "stiffness", Measured(Dimension::Stiffness, Positive), "k_n", "stiffness of the base, pressure over settlement", "\"50 MN/m3\"")
         .silent("stiffness of the base: rigid").gives(&[Quantity::Stiffness]);
     TangentialStiffness = key(Ground, "tangential_stiffness", Measured(Dimension::Stiffness, Positive), "k_t", "the same along the base; without it no periods", "\"25 MN/m3\"")

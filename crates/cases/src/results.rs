@@ -254,6 +254,16 @@ impl ResultName {
         (ResultName::Omega..=ResultName::FirstEventTime).contains(&self)
     }
 
+    /// Its name under `ground` in the JSON; `None` if it stands with the others. Both periods are one list.
+    pub fn in_ground(self) -> Option<&'static str> {
+        match self {
+            ResultName::GroundResistance => Some("resistance"),
+            ResultName::GroundFactor => Some("factor"),
+            ResultName::Period1 | ResultName::Period2 => Some("periods"),
+            result => Some(result.name()).filter(|_| result.is_of_ground()),
+        }
+    }
+
     /// The result of a name.
     pub fn find(name: &str) -> Option<ResultName> {
         ResultName::ALL.iter().copied().find(|result| result.name() == name)

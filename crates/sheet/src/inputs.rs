@@ -2,12 +2,12 @@
 
 use maud::{Markup, PreEscaped, html};
 use standfast::BaseEdges;
-use standfast_cases::case::Weight;
+use standfast_cases::case::{COUPLING, T_H, T_M, Weight};
 use standfast_cases::key::{Kind, TITLE_BLOCK, Table};
 use standfast_cases::{Case, CaseFile, Entry, Id, Key};
 
 use crate::mathml::symbol;
-use crate::measured::{ACCELERATION, DEGREE, METRE, Measured, NONE, number};
+use crate::measured::{ACCELERATION, DEGREE, KILOPASCAL, METRE, Measured, NONE, number};
 use crate::symbols::numbered;
 
 pub fn tables(case: &Case, file: &CaseFile) -> Markup {
@@ -96,7 +96,7 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
     let count = numbers.len();
     let written = file.written(entry);
     let written = match key.info().kind {
-        Kind::List(_) | Kind::ModeList => written.replace('"', ""),
+        Kind::List(_) | Kind::ModeList | Kind::History => written.replace('"', ""),
         _ => written.trim_matches('"').to_owned(),
     };
     let tables = file.inputs().count(key.info().table);
@@ -147,6 +147,22 @@ fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
             (Key::Impulsive, html! { @if wave.choices.impulsive { "used" } @else { "not used" } }),
             (Key::Lambda1, html! { (factors[0]) ", " (factors[1]) ", " (factors[2]) }),
         ]);
+    }
+    if case.ground.is_some_and(|ground| ground.soil().is_some()) {
+        let has = |key: Key| file.inputs().get(key).is_some();
+        if has(Key::GroundAngle) {
+            taken.push((Key::GroundLaw, html! { "ec7" }));
+            taken.extend(
+                [Key::Surcharge, Key::Cohesion].map(|key| (key, Measured::of(0.0, KILOPASCAL).html(""))),
+            );
+        } else {
+            let envelope = [
+                (Key::EnvelopeHorizontal, T_H),
+                (Key::EnvelopeMoment, T_M),
+                (Key::EnvelopeCoupling, COUPLING),
+            ];
+            taken.extend(envelope.map(|(key, number)| (key, Measured::of(number, NONE).html(""))));
+        }
     }
     if case.earthquake.is_some() {
         taken.push((Key::HorizontalFixed, html! { "not fixed" }));

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Random, tries};
-use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw, GroundPath, Reaction};
+use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw, GroundPath, Reaction, outcome};
 use standfast::ground::{GroundDeparture, GroundVerdict};
 use standfast::loads::{Action, Load, LoadKind, LoadSource, Uplift};
 use standfast::{Body, Mode, Quantity, Situation};
@@ -149,6 +149,73 @@ fn goda_s_caisson_on_sand() {
     // P/B' of the full load: 219 kPa.
     let reaction = path(35.0).reaction(1.0).unwrap();
     assert!((reaction.effective_pressure() / 219e3 - 1.0).abs() < 3e-3, "{}", reaction.effective_pressure());
+}
+
+/// A situation on its ground says what the plane does: by its verdict under the full load, at every stage of the rising load, and where it leaves
+/// rest. The plane is written in k and μ, the situation in metres and newtons.
+#[test]
+fn a_situation_is_a_point_of_the_plane() {
+    let mut random = Random(843);
+    let mut seen = std::collections::BTreeSet::new();
+    for _ in 0..tries(2_000).max(300) {
+        let (γ, h, k, mu) = (
+            random.uniform(0.5, 2.5),
+            random.uniform(-0.9, 1.0),
+            random.uniform(0.02, 1.2),
+            random.uniform(0.1, 1.2),
+        );
+        let (b, mass) = (random.uniform(1.0, 8.0), random.log(1e4, 1e6));
+        let p = mass * 9.81;
+        let ground = match random.uniform(0.0, 1.0) < 0.5 {
+            true => Ground::envelope(p / random.uniform(0.05, 1.05)).unwrap(),
+            false => {
+                Ground::new(GroundLaw::Hansen, random.uniform(20.0, 50.0), random.log(1e3, 1e5)).unwrap()
+            }
+        };
+        let body = Body::new(2.0 * b, 2.0 * γ * b, mass).unwrap();
+        let push = Action::horizontal(-k * p, (1.0 + h) * γ * b);
+        let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, push);
+        let situation = Situation::new(body, mu, 9.81).unwrap().with_weight().with(push);
+        let rigid = situation.outcome().unwrap();
+        let found = outcome(&situation, &rigid, ground).unwrap();
+        let plane = BearingPlane::new(ground, γ, h, b, p).unwrap();
+        let expected = |λ: f64| plane.at(λ * k, mu).unwrap().verdict;
+        assert_eq!(found.verdict, Some(expected(1.0)), "{γ} {h} {k} {mu}");
+        seen.insert(found.verdict.unwrap().symbol());
+        for stage in &found.path {
+            let end = if stage.to.is_finite() { stage.to } else { 3.0 * stage.from + 1.0 };
+            for share in [1e-6, 0.3, 0.9, 1.0 - 1e-6] {
+                let λ = stage.from + share * (end - stage.from);
+                assert_eq!(stage.verdict, Some(expected(λ)), "{γ} {h} {k} {mu} at {λ}: {stage:?}");
+            }
+        }
+        // The departure said without the path.
+        let alone = GroundPath::new(ground, &situation).unwrap();
+        assert_eq!(found.load_factors, alone.load_factors());
+        let departure = alone.departure(&rigid.departure);
+        assert_eq!(found.departure.verdict(), departure.verdict());
+        let [one, two] = [found.departure.load_factor(), departure.load_factor()];
+        assert!(one == two || (one / two - 1.0).abs() < 1e-12, "{one} {two}");
+    }
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), ["BF", "RE", "SL"]);
+}
+
+/// Uplift that grows: the ground fails, and bears again once little is left of the weight and friction holds nothing more; nothing but flight is left
+/// of a body that is lifted.
+#[test]
+fn ground_under_uplift() {
+    let body = Body::new(10.0, 8.0, 200e3).unwrap();
+    let up = Load::variable(LoadSource::Uplift, LoadKind::Uplift, Action::vertical(&body, -2.5e6, 5.0));
+    let situation = Situation::new(body, 0.6, 10.0).unwrap().with_weight().with(up);
+    // 2000 kN/m on ground of 1500: fails until a quarter of it is lifted, at λ = 0.2; off at 0.8.
+    let found = outcome(&situation, &situation.outcome().unwrap(), Ground::envelope(1.5e6).unwrap()).unwrap();
+    let stages: Vec<_> =
+        found.path.iter().map(|stage| (stage.verdict.unwrap().symbol(), stage.from)).collect();
+    assert_eq!(stages.iter().map(|(symbol, _)| *symbol).collect::<Vec<_>>(), ["BF", "RE", "FL"]);
+    assert!((stages[1].1 - 0.2).abs() < 1e-12 && (stages[2].1 - 0.8).abs() < 1e-12, "{stages:?}");
+    assert!(matches!(found.departure, GroundDeparture::AtOnce { permanent: true, .. }));
+    assert_eq!(found.load_factors.given, 0.0);
+    assert_eq!((found.verdict.unwrap().symbol(), found.modes.len()), ("FL", 1));
 }
 
 #[test]

@@ -646,3 +646,30 @@ fn a_situation_is_its_block_in_si_units() {
     let drum = Situation::new(Body::cylinder(2.0, 3.0, 25e3).unwrap(), 0.6, 9.81).unwrap();
     assert!(outcome(&drum, 3e6).is_err());
 }
+
+/// The load factor of the base is where a body that friction holds leaves rest: above it never rests, below it does.
+#[test]
+fn the_base_s_own_load_factor() {
+    let mut random = Random(861);
+    let mut finite = 0;
+    for _ in 0..tries(200).max(50) {
+        let (b, γ) = (random.uniform(1.0, 8.0), random.uniform(0.4, 3.0));
+        let body = Body::new(2.0 * b, 2.0 * γ * b, 1e5).unwrap();
+        let body = body.with_centroid(random.uniform(-0.4, 0.4) * b, γ * b).unwrap();
+        let push = Action::horizontal(-random.uniform(-1e6, 1e6), random.uniform(0.0, 2.0) * γ * b);
+        let up = Action::vertical(&body, random.uniform(-5e5, 5e5), random.uniform(0.5, 1.5) * b);
+        let situation = Situation::new(body, 1e6, 10.0)
+            .unwrap()
+            .with_weight()
+            .with(Load::variable(LoadSource::Force, LoadKind::Horizontal, push))
+            .with(Load::variable(LoadSource::Uplift, LoadKind::Uplift, up));
+        let strength = random.uniform(0.9, 20.0) * 1e6 / (2.0 * b);
+        let found = outcome(&situation, strength).unwrap();
+        // With that friction the path leaves rest where the base does not bear it.
+        let departure = found.departure.load_factor();
+        let [one, two] = [found.load_factor, departure];
+        assert!(one == two || (one / two - 1.0).abs() < 1e-9, "{one} {two}: {found:?}");
+        finite += usize::from(one.is_finite() && one > 0.0);
+    }
+    assert!(finite > 20, "{finite}");
+}

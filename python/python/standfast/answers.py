@@ -493,7 +493,7 @@ class OtherEarthquake(Answer):
 
     @property
     def mode(self) -> Mode | None:
-        """The mode under the full load, applied at once."""
+        """The mode under the full load, applied at once; BF where the ground fails."""
         return None if self["mode"] is None else mode(self["mode"])
 
     @property
@@ -508,7 +508,7 @@ class OtherEarthquake(Answer):
 
     @property
     def departure_mode(self) -> Mode | None:
-        """The mode in which it leaves rest."""
+        """The mode in which it leaves rest; BF where the ground fails."""
         return None if self["departure_mode"] is None else mode(self["departure_mode"])
 
     @property
@@ -693,7 +693,7 @@ class Situation(Answer):
 
     @property
     def mode(self) -> Mode | None:
-        """The mode under the full load, applied at once."""
+        """The mode under the full load, applied at once; BF where the ground fails."""
         return None if self["mode"] is None else mode(self["mode"])
 
     @property
@@ -724,7 +724,7 @@ class Situation(Answer):
 
     @property
     def departure_mode(self) -> Mode | None:
-        """The mode in which it leaves rest."""
+        """The mode in which it leaves rest; BF where the ground fails."""
         return None if self["departure_mode"] is None else mode(self["departure_mode"])
 
     @property
@@ -914,38 +914,37 @@ class Ground(Answer):
 
     @property
     def omega(self) -> float | None:
-        """Of a base that crushes, the share of it that P needs, P/(2B q_u); from 1 on it cannot carry P."""
+        """ω, the share of the base that crushes under P alone, P/(2B q_u); from 1 on it cannot carry P."""
         return self["omega"]
 
     @property
     def pivot(self) -> float | None:
-        """Of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to."""
+        """Of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to, m."""
         return self["pivot"]
 
     @property
     def neutral(self) -> float | None:
-        """Of a base that crushes, how far inside its edge the neutral point is about which the body turns; None of one that does
-        not turn."""
+        """Of a base that crushes, how far inside its edge the neutral point is about which the body turns, m."""
         return self["neutral"]
 
     @property
     def effective_width(self) -> float | None:
-        """B' = 2(B − |e|); 0 where the resultant misses the base."""
+        """B' = 2(B − |e|), the width that the resultant has in its middle; 0 where it misses the base, m."""
         return self["effective_width"]
 
     @property
     def effective_pressure(self) -> float | None:
-        """P/B', Pa."""
+        """Pressure on the effective width, P/B', Pa."""
         return self["effective_pressure"]
 
     @property
     def resistance(self) -> float | None:
-        """R, what the ground bears at the eccentricity and inclination of the resultant, N/m."""
+        """R, what the ground bears at the eccentricity and inclination of the resultant, no partial factor applied, N/m."""
         return self["resistance"]
 
     @property
     def factor(self) -> float | None:
-        """R/P."""
+        """R/P, what the ground bears over what presses on it."""
         return self["factor"]
 
     @property
@@ -956,7 +955,7 @@ class Ground(Answer):
 
     @property
     def load_factor_ground_less(self) -> float | None:
-        """The same at an angle of friction 2° less; None where there is no angle."""
+        """The same at an angle of friction 2° less."""
         return self["load_factor_ground_less"]
 
     @property
@@ -972,12 +971,13 @@ class Ground(Answer):
 
     @property
     def rotation(self) -> float | None:
-        """Rotation on the elastic base under the full load, raised slowly, rad; None as well where no rotation bears it."""
+        """Rotation on the elastic base under the full load, raised slowly, rad."""
         return self["rotation"]
 
     @property
     def k_overturn(self) -> float | None:
-        """Horizontal by vertical force at which the body overturns on the elastic base if the load is raised slowly, as k_BF."""
+        """Horizontal by vertical force at which the body overturns on the elastic base if the load is raised slowly, as
+        ``k_BF``."""
         return self["k_overturn"]
 
     @property
@@ -997,8 +997,7 @@ class Ground(Answer):
 
     @property
     def first_event(self) -> Literal["slip", "lift", "yield"] | None:
-        """What first ends the linear response of the elastic base: it slips, an edge lifts, or yields; None where nothing does,
-        or no load has a history."""
+        """What first ends the linear response of the elastic base: the base slips, an edge lifts, or it yields."""
         return self["first_event"]
 
     @property
@@ -1215,7 +1214,7 @@ class OnlySituation:
 
     @property
     def mode(self) -> Mode | None:
-        """The mode under the full load, applied at once."""
+        """The mode under the full load, applied at once; BF where the ground fails."""
         return self._only().mode
 
     @property
@@ -1246,7 +1245,7 @@ class OnlySituation:
 
     @property
     def departure_mode(self) -> Mode | None:
-        """The mode in which it leaves rest."""
+        """The mode in which it leaves rest; BF where the ground fails."""
         return self._only().departure_mode
 
     @property

@@ -1,9 +1,14 @@
 //! The figures of a case.
 
+use standfast::ground::bearing::BearingPlane;
+use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
-use standfast_figures::{DesignPoint, Figure, LoadPlane, diagram, load_plane};
+use standfast_figures::{
+    DesignPoint, DiagramContent, Figure, GroundPlane, LoadPlane, diagram, ground_diagram, load_plane,
+};
 
 use super::{Assessed, Assessment, View, section};
+use crate::case::Limit;
 use crate::layout::digits;
 
 /// A figure of a case.
@@ -34,9 +39,35 @@ pub enum Drawn {
 struct Plane {
     k_prime: f64,
     in_air: bool,
+    /// The base, where it does not bear everything.
+    base: Option<Base>,
     /// The place of the first load.
     first: usize,
     points: Vec<DesignPoint>,
+}
+
+/// A base that does not bear everything, in the plane of a load.
+#[derive(Clone, Copy, PartialEq)]
+enum Base {
+    /// It crushes, with ω.
+    Crushing(f64),
+    /// The ground fails.
+    Failing(BearingPlane),
+}
+
+impl Base {
+    /// The base of a situation at a point of the report's plane; `Err` where it carries nothing, and there is no plane.
+    fn of(assessed: &Assessed, gamma: f64, k_prime: f64) -> Result<Option<Base>, InputError> {
+        let Some(ground) = &assessed.ground else { return Ok(None) };
+        Ok(match (ground.limit, ground.omega, &ground.reaction) {
+            (Some(Limit::Strength(_)), Some(omega), _) => Some(Base::Crushing(omega)),
+            (Some(Limit::Ground(soil)), _, Some(reaction)) => {
+                let plane = BearingPlane::new(soil, gamma, k_prime, reaction.half_width(), reaction.p())?;
+                Some(Base::Failing(plane))
+            }
+            _ => None,
+        })
+    }
 }
 
 /// The figures of the situations shown, and the section of the case.
@@ -44,16 +75,17 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
     // In the order of the case, as the files are named.
     let mut shown = assessment.shown(view);
     shown.sort_by_key(|assessed| assessed.index);
-    let planes = planes(assessment, &shown);
+    let planes = planes(assessment, &shown)?;
     let several = assessment.all.len() > 1;
     let mut figures = Vec::new();
     for (i, assessed) in shown.iter().enumerate() {
         let suffix = if several { format!("-{}", assessed.index + 1) } else { String::new() };
         if let Some(plane) = planes.iter().find(|plane| plane.first == i) {
-            figures.push(plane.draw(assessment, &suffix)?);
+            figures.extend(plane.draw(assessment, &suffix)?);
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
-        if assessed.rises() && assessed.situation.in_air().is_none() {
+        // The plane of load factor and friction is that of rigid ground.
+        if assessed.rises() && assessed.situation.in_air().is_none() && !assessed.is_on_ground() {
             figures.push(path(assessment, assessed, &suffix, view.up_to)?);
         }
     }
@@ -67,7 +99,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
 }
 
 /// The diagrams, each with the loads of one k'.
-fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Vec<Plane> {
+fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Result<Vec<Plane>, InputError> {
     let mut planes: Vec<Plane> = Vec::new();
     for (i, assessed) in shown.iter().enumerate() {
         let Some(reduced) = &assessed.outcome.full.effective else { continue };
@@ -75,17 +107,33 @@ fn planes(assessment: &Assessment, shown: &[&Assessed]) -> Vec<Plane> {
         let in_air = assessed.situation.in_air().is_some();
         let label = assessment.name(assessed).unwrap_or_else(|| "full load".to_owned());
         let design = DesignPoint { k: point.k(), mu: point.mu(), label, mirrored: reduced.mirrored };
-        match planes.iter_mut().find(|plane| plane.k_prime == point.k_prime() && plane.in_air == in_air) {
+        let base = Base::of(assessed, point.gamma(), point.k_prime())?;
+        let is_it =
+            |plane: &&mut Plane| (plane.k_prime, plane.in_air, plane.base) == (point.k_prime(), in_air, base);
+        match planes.iter_mut().find(is_it) {
             Some(plane) => plane.points.push(design),
-            None => planes.push(Plane { k_prime: point.k_prime(), in_air, first: i, points: vec![design] }),
+            None => {
+                planes.push(Plane { k_prime: point.k_prime(), in_air, base, first: i, points: vec![design] });
+            }
         }
     }
-    planes
+    Ok(planes)
 }
 
 impl Plane {
-    fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<CaseFigure, InputError> {
-        let plane = Diagram::new(assessment.case.body.slenderness(), self.k_prime)?;
+    /// The diagram; none of a base that cannot carry the weight.
+    fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<Option<CaseFigure>, InputError> {
+        let gamma = assessment.case.body.slenderness();
+        let content = DiagramContent { points: &self.points, ..DiagramContent::default() };
+        let figure = match &self.base {
+            None => diagram(&Diagram::new(gamma, self.k_prime)?, &self.points),
+            Some(Base::Crushing(omega)) if *omega >= 1.0 => return Ok(None),
+            Some(Base::Crushing(omega)) => {
+                let map = CrushMap::new(gamma, self.k_prime, *omega)?;
+                ground_diagram(GroundPlane::Crushing(&map), &content)
+            }
+            Some(Base::Failing(plane)) => ground_diagram(GroundPlane::Failing(plane), &content),
+        };
         let words = match (self.in_air, suffix.is_empty()) {
             (false, true) => "k–μ diagram in effective coordinates".to_owned(),
             (false, false) => {
@@ -95,8 +143,12 @@ impl Plane {
             (true, true) => "Diagram".to_owned(),
             (true, false) => format!("Diagram for k' = {}", digits(self.k_prime)),
         };
-        let figure = diagram(&plane, &self.points);
-        Ok(CaseFigure { suffix: suffix.to_owned(), words, drawn: Drawn::Diagram, figure })
+        let words = match self.base {
+            None => words,
+            Some(Base::Crushing(_)) => words + ", of a base that crushes",
+            Some(Base::Failing(_)) => words + ", of ground that fails",
+        };
+        Ok(Some(CaseFigure { suffix: suffix.to_owned(), words, drawn: Drawn::Diagram, figure }))
     }
 }
 

@@ -171,27 +171,6 @@ impl Serialize for Results<'_> {
 /// The results of the ground, under their names there, and the events of loads in time.
 struct Ground<'a>(&'a Assessed);
 
-/// The results under `ground`, by their names there where those are others.
-const OF_GROUND: [(&str, ResultName); 17] = [
-    ("omega", ResultName::Omega),
-    ("pivot", ResultName::Pivot),
-    ("neutral", ResultName::Neutral),
-    ("effective_width", ResultName::EffectiveWidth),
-    ("effective_pressure", ResultName::EffectivePressure),
-    ("resistance", ResultName::GroundResistance),
-    ("factor", ResultName::GroundFactor),
-    ("load_factor_ground", ResultName::LoadFactorGround),
-    ("load_factor_ground_less", ResultName::LoadFactorGroundLess),
-    ("load_factor_ground_more", ResultName::LoadFactorGroundMore),
-    ("k_BF", ResultName::KBf),
-    ("rotation", ResultName::Rotation),
-    ("k_overturn", ResultName::KOverturn),
-    ("D_shear", ResultName::DShear),
-    ("D_moment", ResultName::DMoment),
-    ("first_event", ResultName::FirstEvent),
-    ("first_event_time", ResultName::FirstEventTime),
-];
-
 #[derive(Serialize)]
 struct Event {
     event: &'static str,
@@ -203,14 +182,17 @@ struct Event {
 impl Serialize for Ground<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for (name, result) in OF_GROUND {
-            map.serialize_entry(name, &result.of(self.0))?;
-        }
         let elastic = self.0.ground.as_ref().and_then(|ground| ground.elastic.as_ref());
-        map.serialize_entry(
-            "periods",
-            &elastic.and_then(|elastic| elastic.periods).map(|[one, two, _]| [one, two]),
-        )?;
+        let periods = elastic.and_then(|elastic| elastic.periods).map(|[one, two, _]| [one, two]);
+        for result in ResultName::ALL {
+            match result.in_ground() {
+                Some("periods") if *result == ResultName::Period1 => {
+                    map.serialize_entry("periods", &periods)?
+                }
+                Some("periods") | None => {}
+                Some(name) => map.serialize_entry(name, &result.of(self.0))?,
+            }
+        }
         let events = elastic.and_then(|elastic| elastic.impact.as_ref()).map(|impact| &impact.events[..]);
         let event = |found: &EventFound| Event {
             event: results::event(found.event),

@@ -151,7 +151,9 @@ impl Given<'_> {
     }
 }
 
-/// Butterfield and Gottardi's slopes and coupling.
-pub(crate) const T_H: f64 = 0.52;
-pub(crate) const T_M: f64 = 0.35;
-pub(crate) const COUPLING: f64 = 0.22;
+/// Butterfield and Gottardi's slope of horizontal force.
+pub const T_H: f64 = 0.52;
+/// Theirs of moment.
+pub const T_M: f64 = 0.35;
+/// Their coupling of both.
+pub const COUPLING: f64 = 0.22;

@@ -64,6 +64,15 @@ impl Footing {
         self.under(&wrench, slip.sign() * mu * wrench.p)
     }
 
+    /// The load factors at which the reaction of a body at rest is in the middle of the base, and upright; with `slip` and its friction the first
+    /// of a body that slides. There the ground bears most, so that no stretch in which it bears is so narrow that it is missed.
+    fn even(&self, slip: Option<(Slip, f64)>) -> [f64; 2] {
+        let x = |w: &Wrench| slip.map_or(w.x, |(slip, mu)| slip.sign() * mu * w.p);
+        let off = |w: &Wrench| x(w) * self.depth - w.m - self.middle * w.p;
+        let zero = |of: &dyn Fn(&Wrench) -> f64| -of(&self.permanent) / of(&self.variable);
+        [zero(&off), zero(&|w| w.x)]
+    }
+
     /// The reaction that passes `x` to the ground, of a body that does not turn.
     fn under(&self, Wrench { p, m, .. }: &Wrench, x: f64) -> Option<Reaction> {
         if *p <= 0.0 {
@@ -106,11 +115,14 @@ impl GroundPath {
         self.footing.sliding(factor, slip, mu)
     }
 
-    /// The load factors between two, of the scale of [`load_factor`](GroundPath::load_factors), at which `excess` changes its sign.
-    pub(super) fn crossings(excess: impl Fn(f64) -> f64 + Copy, from: f64, to: f64) -> Vec<f64> {
-        let inside = steps().filter(|λ| *λ > from && *λ < to);
-        let ends: Vec<f64> =
-            std::iter::once(from).chain(inside).chain([to].into_iter().filter(|to| to.is_finite())).collect();
+    /// The load factors between two at which the ground begins to bear a body that rests, or that slides with a friction, or fails under it.
+    pub(super) fn crossings(&self, slip: Option<(Slip, f64)>, from: f64, to: f64) -> Vec<f64> {
+        let excess = |λ: f64| self.excess(slip, λ);
+        let looked = steps().chain(self.footing.even(slip));
+        let mut ends: Vec<f64> = looked.filter(|λ| *λ > from && *λ < to).collect();
+        ends.push(from);
+        ends.extend(Some(to).filter(|to| to.is_finite()));
+        ends.sort_by(f64::total_cmp);
         let bears = |λ: f64| excess(λ) >= 0.0;
         let pairs = ends.windows(2).filter(|pair| bears(pair[0]) != bears(pair[1]));
         pairs.map(|pair| between(excess, pair[0], pair[1]).unwrap_or(pair[1])).collect()
@@ -145,14 +157,12 @@ impl GroundPath {
         LoadFactors { given: self.load_factor(&self.ground), less: turned(-2.0), more: turned(2.0) }
     }
 
-    /// R/P of a body at rest, less 1; where nothing presses nothing fails.
-    pub(super) fn rest_excess(&self, factor: f64) -> f64 {
-        self.reaction(factor).map_or(1.0, |reaction| self.ground.factor(&reaction) - 1.0)
-    }
-
-    /// The same of a body that slides.
-    pub(super) fn sliding_excess(&self, factor: f64, slip: Slip, mu: f64) -> f64 {
-        let reaction = self.sliding_reaction(factor, slip, mu);
+    /// R/P less 1 of a body at rest, or of one that slides with a friction; where nothing presses nothing fails.
+    pub(super) fn excess(&self, slip: Option<(Slip, f64)>, factor: f64) -> f64 {
+        let reaction = match slip {
+            None => self.reaction(factor),
+            Some((slip, mu)) => self.sliding_reaction(factor, slip, mu),
+        };
         reaction.map_or(1.0, |reaction| self.ground.factor(&reaction) - 1.0)
     }
 

@@ -3,7 +3,7 @@
 use super::{Ground, GroundPath, LoadFactors};
 use crate::error::InputError;
 use crate::ground::{GroundDeparture, GroundStage, GroundVerdict};
-use crate::mode::{Mode, Modes};
+use crate::mode::{Mode, Modes, Slip};
 use crate::situation::{Departure, Outcome, Situation};
 
 /// What a situation does on ground that can fail.
@@ -51,11 +51,11 @@ struct On {
 }
 
 impl On {
-    /// R/P less 1 of a mode of the rigid problem; `None` of one that does not press the ground, or turns.
-    fn excess(&self, mode: Mode, factor: f64) -> Option<f64> {
+    /// How a mode of the rigid problem presses the ground: at rest, or sliding with a friction; `None` of one that turns, or flies.
+    fn pressing(&self, mode: Mode) -> Option<Option<(Slip, f64)>> {
         match (mode, mode.corner(), mode.slip()) {
-            (Mode::Rest, ..) => Some(self.path.rest_excess(factor)),
-            (_, None, Some(slip)) => Some(self.path.sliding_excess(factor, slip, self.friction)),
+            (Mode::Rest, ..) => Some(None),
+            (_, None, Some(slip)) => Some(Some((slip, self.friction))),
             _ => None,
         }
     }
@@ -64,8 +64,8 @@ impl On {
     fn verdict(&self, mode: Option<Mode>, factor: f64) -> Option<GroundVerdict> {
         let mode = mode?;
         let begins = GroundVerdict::Begins(mode);
-        Some(match self.excess(mode, factor) {
-            Some(excess) if excess >= 0.0 => begins,
+        Some(match self.pressing(mode) {
+            Some(slip) if self.path.excess(slip, factor) >= 0.0 => begins,
             None if mode == Mode::Flight => begins,
             _ => GroundVerdict::BearingFailure,
         })
@@ -83,8 +83,9 @@ impl On {
             }
         };
         for stage in &rigid.path {
-            let excess = |λ: f64| stage.mode.and_then(|mode| self.excess(mode, λ)).unwrap_or(-1.0);
-            let mut ends = GroundPath::crossings(excess, stage.from, stage.to);
+            let pressing = stage.mode.and_then(|mode| self.pressing(mode));
+            let crossings = |slip| self.path.crossings(slip, stage.from, stage.to);
+            let mut ends = pressing.map_or_else(Vec::new, crossings);
             if stage.mode == Some(Mode::Rest) {
                 // One crossing, found twice.
                 let is_first = |end: &&mut f64| (**end - first).abs() <= 16.0 * f64::EPSILON * first;
