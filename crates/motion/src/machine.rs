@@ -1,0 +1,385 @@
+//! From event to event: the motion in power series, their first roots, and what happens there.
+
+mod settle;
+mod step;
+
+use standfast::contact::Block;
+use standfast::{Corner, Mode, Modes, Slip};
+
+use crate::decide::{Contact, DECIDING, Decider, Decision, Scales, Zero, base_moment, combined, on_base, turning};
+use crate::error::MotionError;
+use crate::forcing::{Channels, Forcing};
+use crate::impact::{After, CORNERS, Law, kinetic, stuck};
+use crate::outcome::{End, Event, Outcome, Step, Why};
+use crate::problem::{Initial, Problem};
+use crate::roots::{first_root, value};
+use crate::series::{
+    LEN, Motion, ORDER, Pose, Series, arm, flat, flying, gap_along, inertia_along, lever, rocking, slipping,
+    velocity,
+};
+
+/// After so many events the motion is given up.
+pub(crate) const MOST_EVENTS: usize = 100_000;
+
+/// The share of a radian, of B, that a step may leave.
+const TOLERANCE: f64 = 1e-16;
+
+/// What ends a step before its time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Failure {
+    Rest(Option<Zero>),
+    Stop,
+    Tip(Corner),
+    Unload,
+    Cone(Slip),
+    Singular,
+    Meet(Corner),
+    Overturned,
+}
+
+/// What to keep beside the result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Keep {
+    /// The steps, from which the position at any moment follows.
+    pub steps: bool,
+}
+
+/// Follows the motion to its end.
+///
+/// # Errors
+/// If the problem is none; see [`Problem::check`].
+pub fn simulate(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
+    problem.check()?;
+    let forcing = Forcing::new(problem);
+    let mut machine = Machine::new(problem, &forcing, keep);
+    let end = machine.run()?;
+    Ok(machine.outcome(end))
+}
+
+struct Machine<'a> {
+    block: &'a Block,
+    law: Law,
+    gravity: f64,
+    forcing: &'a Forcing,
+    scales: Scales,
+    t_max: f64,
+    keep: Keep,
+    /// Whether D can vanish at any pose.
+    singular: bool,
+
+    t: f64,
+    segment: usize,
+    mode: Mode,
+    pose: Pose,
+    /// Whether the corner's slip is zero at this moment, up to rounding: a state of slip begins.
+    slip_begins: bool,
+    /// What else is zero at this moment, and the state that failed.
+    begins: (Option<Zero>, Option<Mode>),
+    channels: Channels,
+    motion: Motion,
+
+    events: Vec<Event>,
+    steps: Vec<Step>,
+    /// Where C and each corner right of it were at the beginning, apart, so that a small slide keeps its digits.
+    feet: [[f64; 2]; 2],
+    max_slide: [f64; 2],
+    max_theta: [f64; 2],
+    past_balance: bool,
+    impacts: usize,
+    t_rest_is_bound: bool,
+    first: Pose,
+    work: f64,
+    friction_loss: f64,
+    impact_loss: f64,
+    unique: bool,
+    impulse_left_base: bool,
+    stuck_events: usize,
+}
+
+impl<'a> Machine<'a> {
+    fn new(problem: &'a Problem, forcing: &'a Forcing, keep: Keep) -> Machine<'a> {
+        let block = &problem.block;
+        let length = block.b1.max(block.b2);
+        let radius = length.hypot(block.d);
+        let scales = Scales { time: (length / problem.gravity).sqrt(), length, acceleration: problem.gravity };
+        let least = |b: f64| {
+            let square = b * b + block.d * block.d;
+            block.rho2 + 0.5 * block.m_y * square * (1.0 - (1.0 + block.mu_k * block.mu_k).sqrt())
+        };
+        Machine {
+            block,
+            law: Law { law: problem.impact, μ: problem.impact_friction() },
+            gravity: problem.gravity,
+            forcing,
+            scales,
+            t_max: problem.t_max.unwrap_or(forcing.end() + 200.0 * (radius / problem.gravity).sqrt()),
+            keep,
+            singular: least(block.b1).min(least(block.b2)) <= 0.0,
+            t: 0.0,
+            segment: 0,
+            mode: Mode::Rest,
+            pose: started(block, &problem.initial),
+            slip_begins: false,
+            begins: (None, None),
+            channels: Channels::EMPTY,
+            motion: Motion::EMPTY,
+            events: Vec::new(),
+            steps: Vec::new(),
+            feet: [[0.0; 2]; 2],
+            max_slide: [0.0; 2],
+            max_theta: [0.0; 2],
+            past_balance: false,
+            impacts: 0,
+            t_rest_is_bound: false,
+            first: Pose::default(),
+            work: 0.0,
+            friction_loss: 0.0,
+            impact_loss: 0.0,
+            unique: true,
+            impulse_left_base: false,
+            stuck_events: 0,
+        }
+    }
+
+    fn run(&mut self) -> Result<End, MotionError> {
+        if let Some(end) = self.begin()? {
+            return Ok(end);
+        }
+        loop {
+            if self.events.len() >= MOST_EVENTS {
+                return Ok(End::TooManyEvents);
+            }
+            let stop = self.forcing.stop(self.segment);
+            if self.t >= self.t_max {
+                self.say(Why::End, Modes::NONE);
+                return Ok(End::Time);
+            }
+            if self.t >= stop {
+                let jump = self.forcing.jumps[self.segment];
+                self.segment += 1;
+                if jump && let Some(end) = self.jumped() {
+                    return Ok(end);
+                }
+                continue;
+            }
+            if let Some(end) = self.advance(stop) {
+                return Ok(end);
+            }
+        }
+    }
+
+    /// The state at time 0.
+    fn begin(&mut self) -> Result<Option<End>, MotionError> {
+        self.first = self.pose;
+        let tiny = 1e-12 * self.scales.length;
+        let gap = |corner| self.pose.y - lever(self.block, corner, self.pose.θ)[1];
+        let touching = CORNERS.map(|corner| gap(corner) <= tiny);
+        let place = |corner| [self.pose.x, lever(self.block, corner, self.pose.θ)[0]];
+        self.feet = CORNERS.map(place);
+        if let Some(lower) = (0..2).find(|i| touching[*i]) {
+            // A body that rocks over without slipping stays where it is, whichever corner it began on.
+            let [x, c] = self.feet[lower];
+            self.feet = CORNERS.map(|corner| [x + (c - arm(self.block, CORNERS[lower])), arm(self.block, corner)]);
+        }
+        self.max_theta = [self.pose.θ.abs(), 0.0];
+        let tiny = tiny / self.scales.time;
+        let [left, right] = CORNERS.map(|corner| velocity(self.block, corner, &self.pose));
+        let up = [left[1], right[1]];
+        let approach = (0..2).any(|i| touching[i] && up[i] < -tiny);
+        let mut closed = [0, 1].map(|i| touching[i] && up[i] <= tiny);
+        let mut slip = None;
+        if approach {
+            let Some(after) = self.meet(touching, true) else {
+                return Ok(Some(self.ended(Why::NoContinuation, End::NoContinuation)));
+            };
+            (closed, slip) = (after.closed, after.slip);
+        } else if let Some(i) = (0..2).find(|i| closed[*i]) {
+            let along = [left[0], right[0]][i];
+            slip = direction(along, tiny);
+        }
+        if self.pose.ω.abs() * self.scales.length > tiny && closed == [true, true] {
+            // Both touch and neither moves up: no rotation is left, up to rounding.
+            closed = CORNERS.map(|corner| turning(corner) == self.pose.ω.signum());
+        }
+        let decision = self.decide(Contact { closed, slip, failed: None, zero: None, jump: true });
+        if closed == [true, true] && slip.is_none() {
+            let permanent = self.forcing.pressing;
+            if permanent <= 0.0 {
+                return Err(MotionError::Floats { pressing: permanent });
+            }
+        }
+        Ok(self.go_on(Why::Start, decision, slip, closed))
+    }
+
+    fn outcome(self, end: End) -> Outcome {
+        let touching = self.mode.corner().or(match self.mode {
+            Mode::Flight => None,
+            _ => Some(Corner::O),
+        });
+        let at = |corner: Corner| self.slide_of(corner);
+        let last = self.events.last().map_or(0.0, |event| event.t);
+        let resting = self.mode == Mode::Rest;
+        let since = self.events.iter().rposition(|event| event.state != Mode::Rest);
+        let t_rest = resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
+        Outcome {
+            end,
+            slide: at(touching.unwrap_or(Corner::O)),
+            max_slide: self.max_slide[0],
+            t_max_slide: self.max_slide[1],
+            max_theta: self.max_theta[0],
+            t_max_theta: self.max_theta[1],
+            theta: self.pose.θ,
+            past_balance: self.past_balance,
+            impacts: self.impacts,
+            t_rest,
+            t_rest_is_bound: self.t_rest_is_bound,
+            t_final: last.max(self.forcing.end().min(self.t_max)),
+            work: self.work,
+            friction_loss: self.friction_loss,
+            impact_loss: self.impact_loss,
+            kinetic: kinetic(self.block, &self.pose) - kinetic(self.block, &self.first),
+            potential: self.gravity * (self.pose.y - self.first.y),
+            unique: self.unique,
+            impulse_left_base: self.impulse_left_base,
+            events: self.events,
+            steps: self.steps,
+        }
+    }
+
+    fn say(&mut self, why: Why, consistent: Modes) {
+        self.events.push(Event { t: self.t, why, state: self.mode, consistent });
+    }
+
+    fn ended(&mut self, why: Why, end: End) -> End {
+        self.say(why, Modes::NONE);
+        end
+    }
+
+    fn decide(&mut self, contact: Contact) -> Decision {
+        self.begins = (contact.zero, contact.failed);
+        self.forcing.channels(self.segment, self.t, DECIDING, &mut self.channels);
+        Decider { block: self.block, scales: self.scales, channels: &self.channels, pose: self.pose, contact }.decide()
+    }
+
+    /// The closed corners of the present state, and the direction of their slip.
+    fn contact(&self) -> ([bool; 2], Option<Slip>) {
+        let closed = match (self.mode, self.mode.corner()) {
+            (_, Some(corner)) => CORNERS.map(|other| other == corner),
+            (Mode::Flight, None) => [false, false],
+            (_, None) => [true, true],
+        };
+        (closed, self.mode.slip())
+    }
+
+    /// A load jumps: the state is decided afresh.
+    fn jumped(&mut self) -> Option<End> {
+        if self.mode == Mode::Flight {
+            return None;
+        }
+        let (closed, slip) = self.contact();
+        let decision = self.decide(Contact { closed, slip, failed: None, zero: None, jump: true });
+        if decision.mode == Some(self.mode) {
+            self.unique &= decision.modes.len() <= 1;
+            return None;
+        }
+        self.go_on(Why::Jump, decision, slip, closed)
+    }
+
+    /// Takes the state that was decided; grips where there is none.
+    fn go_on(&mut self, why: Why, decision: Decision, slip: Option<Slip>, closed: [bool; 2]) -> Option<End> {
+        let Decision { mode, modes } = decision;
+        if let Some(mode) = mode {
+            self.unique &= modes.len() <= 1;
+            self.take(mode, slip.is_none());
+            self.say(why, modes);
+            return None;
+        }
+        if slip.is_some() && let Some((after, corner)) = self.gripped(closed) {
+            self.impact_loss += kinetic(self.block, &self.pose) - kinetic(self.block, &after);
+            self.pose = after;
+            let closed = CORNERS.map(|other| other == corner);
+            let decision = self.decide(Contact { closed, slip: None, failed: None, zero: None, jump: false });
+            if let Some(mode) = decision.mode {
+                self.unique &= decision.modes.len() <= 1;
+                self.take(mode, true);
+                if why == Why::Start || why == Why::Impact {
+                    self.say(why, decision.modes);
+                }
+                self.say(Why::Grip, decision.modes);
+                return None;
+            }
+        }
+        Some(self.ended(Why::NoContinuation, End::NoContinuation))
+    }
+
+    fn take(&mut self, mode: Mode, slip_begins: bool) {
+        self.mode = mode;
+        self.slip_begins = slip_begins && mode.slip().is_some();
+        if mode.corner().is_none() && mode != Mode::Flight {
+            self.pose = Pose { θ: 0.0, ω: 0.0, y: self.block.d, vy: 0.0, ..self.pose };
+            if mode == Mode::Rest || self.slip_begins {
+                self.pose.vx = 0.0;
+            }
+        }
+        self.see_slide();
+    }
+
+    /// The impulse by which a corner that slips grips: the corner that leaves the other one no way into the base.
+    fn gripped(&self, closed: [bool; 2]) -> Option<(Pose, Corner)> {
+        let both = closed == [true, true];
+        CORNERS.into_iter().zip(closed).filter(|(_, closed)| *closed).find_map(|(corner, _)| {
+            let after = stuck(self.block, lever(self.block, corner, self.pose.θ), &self.pose);
+            let normal = self.block.m_y * (after.vy - self.pose.vy);
+            let tangential = self.block.m_x * (after.vx - self.pose.vx);
+            let leaves = !both || turning(corner) * after.ω > 0.0;
+            (leaves && normal > 0.0 && tangential.abs() <= self.law.μ * normal).then_some((after, corner))
+        })
+    }
+
+    /// The impact of corners on the base; books its energy.
+    fn meet(&mut self, touching: [bool; 2], landing: bool) -> Option<After> {
+        let after = self.law.after(self.block, &self.pose, touching, landing)?;
+        self.impact_loss += kinetic(self.block, &self.pose) - kinetic(self.block, &after.pose);
+        self.pose = after.pose;
+        self.unique &= !after.others;
+        self.impulse_left_base |= !after.on_base;
+        self.impacts += 1;
+        Some(after)
+    }
+
+    /// How far a corner is along the base from where it was.
+    fn slide_of(&self, corner: Corner) -> f64 {
+        let [x, c] = self.feet[corner as usize];
+        (self.pose.x - x) + (lever(self.block, corner, self.pose.θ)[0] - c)
+    }
+
+    fn see_slide(&mut self) {
+        let corner = match (self.mode, self.mode.corner()) {
+            (_, Some(corner)) => corner,
+            (Mode::Flight, None) => return,
+            (_, None) => Corner::O,
+        };
+        let slide = self.slide_of(corner).abs();
+        if slide > self.max_slide[0] {
+            self.max_slide = [slide, self.t];
+        }
+    }
+}
+
+/// Which way, if at all.
+fn direction(along: f64, tiny: f64) -> Option<Slip> {
+    match along {
+        u if u > tiny => Some(Slip::Right),
+        u if u < -tiny => Some(Slip::Left),
+        _ => None,
+    }
+}
+
+/// The pose at the beginning. A velocity that is not given is that of a lower corner that stays where it is.
+fn started(block: &Block, initial: &Initial) -> Pose {
+    let Initial { theta: θ, omega: ω, vx, vy, gap } = *initial;
+    let lower = if θ > 0.0 || (θ == 0.0 && ω >= 0.0) { Corner::O } else { Corner::OPrime };
+    let [c, h] = lever(block, lower, θ);
+    let (along, up) = if gap > 0.0 { (0.0, 0.0) } else { (-h * ω, -c * ω) };
+    Pose { x: 0.0, y: h + gap, θ, vx: vx.unwrap_or(along), vy: vy.unwrap_or(up), ω }
+}

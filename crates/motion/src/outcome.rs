@@ -1,0 +1,216 @@
+//! What became of the body.
+
+use standfast::{Mode, Modes};
+
+use crate::roots::value;
+use crate::series::Series;
+
+/// Why a state of motion ended and another began.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Why {
+    /// The motion begins.
+    Start,
+    /// The load, as it grows, moves the body from rest.
+    Load,
+    /// A load jumps.
+    Jump,
+    /// Friction at a corner that stuck is exhausted.
+    Cone,
+    /// Slip ends.
+    Stop,
+    /// A corner, or the base, is no longer pressed.
+    Unload,
+    /// The reaction of a base that slides reaches a corner.
+    Tip,
+    /// A corner meets the base.
+    Impact,
+    /// Impacts that follow each other ever faster have ended the rotation.
+    Settle,
+    /// No slip could go on, and the corner grips.
+    Grip,
+    /// A quarter turn.
+    Overturned,
+    /// At rest for good.
+    Rest,
+    /// The time is up.
+    End,
+    /// No state satisfies all conditions.
+    NoContinuation,
+}
+
+impl Why {
+    /// The word in results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Why::Start => "start",
+            Why::Load => "load",
+            Why::Jump => "jump",
+            Why::Cone => "cone",
+            Why::Stop => "stop",
+            Why::Unload => "unload",
+            Why::Tip => "tip",
+            Why::Impact => "impact",
+            Why::Settle => "settle",
+            Why::Grip => "grip",
+            Why::Overturned => "overturned",
+            Why::Rest => "rest",
+            Why::End => "end",
+            Why::NoContinuation => "no-continuation",
+        }
+    }
+
+    /// The reason in words, as the end of "the state changes because …".
+    pub fn words(self) -> &'static str {
+        match self {
+            Why::Start => "the motion begins",
+            Why::Load => "the load moves it",
+            Why::Jump => "a load jumps",
+            Why::Cone => "friction is exhausted",
+            Why::Stop => "slip ends",
+            Why::Unload => "a corner is no longer pressed",
+            Why::Tip => "the reaction reaches a corner",
+            Why::Impact => "a corner meets the base",
+            Why::Settle => "impacts ever faster end the rotation",
+            Why::Grip => "slip cannot go on: the corner grips",
+            Why::Overturned => "a quarter turn",
+            Why::Rest => "at rest for good",
+            Why::End => "the time is up",
+            Why::NoContinuation => "no state satisfies all conditions",
+        }
+    }
+}
+
+/// A moment at which the state changes, or the motion ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// When.
+    pub t: f64,
+    /// Why.
+    pub why: Why,
+    /// The state that goes on.
+    pub state: Mode,
+    /// All states that satisfied every condition; more than one where the answer is not unique.
+    pub consistent: Modes,
+}
+
+/// How the motion ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// At rest, and nothing later moves it.
+    AtRest,
+    /// |θ| reached a quarter turn.
+    Overturned,
+    /// The time was up.
+    Time,
+    /// No state satisfies all conditions.
+    NoContinuation,
+    /// After so many events that no end is in sight.
+    TooManyEvents,
+}
+
+/// What became of the body, in the units of the problem.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// How it ended.
+    pub end: End,
+    /// What happened, in its order.
+    pub events: Vec<Event>,
+    /// Displacement along the base of the corner that touches at the end, of O if none does.
+    pub slide: f64,
+    /// The largest |displacement| of a touching corner.
+    pub max_slide: f64,
+    /// When.
+    pub t_max_slide: f64,
+    /// The largest |θ|.
+    pub max_theta: f64,
+    /// When.
+    pub t_max_theta: f64,
+    /// θ at the end.
+    pub theta: f64,
+    /// Whether the centre of mass went beyond the corner it turned about, whatever became of it.
+    pub past_balance: bool,
+    /// How many times a corner met the base; of an infinite sequence those that were followed one by one.
+    pub impacts: usize,
+    /// Since when it rests for good.
+    pub t_rest: Option<f64>,
+    /// Whether `t_rest` is a lower bound only: slower motion than can be followed was left.
+    pub t_rest_is_bound: bool,
+    /// The last event, or the end of the loads if that is later.
+    pub t_final: f64,
+    /// Work of the loads, the weight left out, per mass.
+    pub work: f64,
+    /// Energy that friction took.
+    pub friction_loss: f64,
+    /// Energy that impacts took.
+    pub impact_loss: f64,
+    /// Kinetic energy at the end less that at the beginning.
+    pub kinetic: f64,
+    /// g times what the centre of mass rose.
+    pub potential: f64,
+    /// Whether at every event one state only satisfied all conditions, and one impact.
+    pub unique: bool,
+    /// Whether the impulse of a measured `ratio` acted outside the base.
+    pub impulse_left_base: bool,
+    /// The steps, if they were asked for.
+    pub steps: Vec<Step>,
+}
+
+impl Outcome {
+    /// Whether it overturned.
+    pub fn overturned(&self) -> bool {
+        self.end == End::Overturned
+    }
+
+    /// Whether it rests at the end.
+    pub fn at_rest(&self) -> bool {
+        self.events.last().is_some_and(|event| event.state == Mode::Rest)
+    }
+
+    /// What the balance of energy lacks: kinetic + potential + losses − work.
+    pub fn energy_residual(&self) -> f64 {
+        self.kinetic + self.potential + self.friction_loss + self.impact_loss - self.work
+    }
+
+    /// The position at a moment, if the [steps](Outcome::steps) were kept: x and y of the centre of mass and θ; that at the nearest end
+    /// outside of the time that was followed.
+    pub fn at(&self, t: f64) -> Option<Position> {
+        let i = self.steps.partition_point(|step| step.t <= t);
+        let step = self.steps.get(i.saturating_sub(1))?;
+        let τ = (t - step.t).clamp(0.0, step.duration);
+        let at = |powers: &Series| value(powers, τ);
+        Some(Position { t, x: at(&step.x), y: at(&step.y), theta: at(&step.θ), omega: at(&step.ω), state: step.state })
+    }
+}
+
+/// Where the body is at a moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Position {
+    /// The moment.
+    pub t: f64,
+    /// x of the centre of mass, from where it was at the beginning of the problem.
+    pub x: f64,
+    /// y of the centre of mass above the base.
+    pub y: f64,
+    /// θ.
+    pub theta: f64,
+    /// θ̇.
+    pub omega: f64,
+    /// The state.
+    pub state: Mode,
+}
+
+/// A stretch of time over which the motion is a power series.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// When it begins.
+    pub t: f64,
+    /// How long it is.
+    pub duration: f64,
+    /// The state.
+    pub state: Mode,
+    pub(crate) θ: Series,
+    pub(crate) ω: Series,
+    pub(crate) x: Series,
+    pub(crate) y: Series,
+}

@@ -1,0 +1,152 @@
+//! The problem: a block on its base, what acts on it in time, how it meets the base.
+
+use standfast::contact::Block;
+
+use crate::error::MotionError;
+use crate::history::History;
+
+/// What happens when a corner meets the base.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Impact {
+    /// No rebound at any closed corner, Coulomb friction on the impulses.
+    #[default]
+    Inelastic,
+    /// The corner that meets the base sticks, whatever the friction.
+    Housner,
+    /// A measured ratio of the rates of rotation after and before, 0 to 1.
+    Ratio(f64),
+}
+
+/// A force with a history, at a point of the body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Where it acts from C, at θ = 0, fixed in the body.
+    pub at: [f64; 2],
+    /// Its direction; its length is a factor.
+    pub direction: [f64; 2],
+    /// Whether its direction turns with the body.
+    pub follows: bool,
+    /// Force in units of mass times acceleration.
+    pub history: History,
+}
+
+/// The ground's acceleration.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Base {
+    /// To the right.
+    pub horizontal: Option<History>,
+    /// Upwards.
+    pub vertical: Option<History>,
+}
+
+/// How the motion begins.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Initial {
+    /// θ, counter-clockwise, rad.
+    pub theta: f64,
+    /// ω = θ̇.
+    pub omega: f64,
+    /// ẋ of the centre of mass; `None`: that of a body whose lower corner does not slip (in flight: 0).
+    pub vx: Option<f64>,
+    /// ẏ of the centre of mass; `None`: that of a body whose lower corner stays on the base (in flight: 0).
+    pub vy: Option<f64>,
+    /// Of the lower corner above the base.
+    pub gap: f64,
+}
+
+/// A block, what acts on it, and how it begins. Lengths in any unit, masses in that of the body, times and accelerations as they come.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// The block, of mass 1.
+    pub block: Block,
+    /// μ_i, friction at impacts; μ_k if `None`.
+    pub mu_impact: Option<f64>,
+    /// g, down.
+    pub gravity: f64,
+    /// Forces beside the weight.
+    pub loads: Vec<Load>,
+    /// The ground's acceleration.
+    pub base: Base,
+    /// The law of impacts.
+    pub impact: Impact,
+    /// How it begins.
+    pub initial: Initial,
+    /// When to stop; `None`: 200 √(R/g) after the end of the loads.
+    pub t_max: Option<f64>,
+}
+
+impl Problem {
+    /// A block at rest with its weight alone.
+    pub fn new(block: Block, gravity: f64) -> Problem {
+        Problem {
+            block,
+            mu_impact: None,
+            gravity,
+            loads: Vec::new(),
+            base: Base::default(),
+            impact: Impact::default(),
+            initial: Initial::default(),
+            t_max: None,
+        }
+    }
+
+    /// μ_i.
+    pub fn impact_friction(&self) -> f64 {
+        self.mu_impact.unwrap_or(self.block.mu_k)
+    }
+
+    /// Refuses what no problem can have.
+    ///
+    /// # Errors
+    /// See [`MotionError`].
+    pub fn check(&self) -> Result<(), MotionError> {
+        let block = &self.block;
+        standfast::contact::solve(block, &standfast::Wrench { x: 0.0, p: 1.0, m: 0.0 })?;
+        let value = |name, value, expected| Err(MotionError::Value { name, value, expected });
+        if !(self.gravity > 0.0 && self.gravity < 1e50) {
+            return value("gravity", self.gravity, "a number above zero");
+        }
+        if let Some(μ) = self.mu_impact.filter(|μ| !(0.0..1e50).contains(μ)) {
+            return value("mu_impact", μ, "a number not below zero");
+        }
+        if let Some(t) = self.t_max.filter(|t| !(*t > 0.0 && *t < 1e50)) {
+            return value("t_max", t, "a time above zero");
+        }
+        if let Impact::Ratio(ratio) = self.impact {
+            if !(0.0..=1.0).contains(&ratio) {
+                return value("ratio", ratio, "a number from 0 to 1");
+            }
+            let largest = self.largest_ratio();
+            if ratio > largest {
+                return Err(MotionError::Ratio { ratio, largest });
+            }
+        }
+        let Initial { theta, omega, vx, vy, gap } = self.initial;
+        if !(theta.abs() < std::f64::consts::FRAC_PI_2) {
+            return value("theta", theta, "an angle within a quarter turn");
+        }
+        if !(0.0..1e50).contains(&gap) {
+            return value("gap", gap, "a number not below zero");
+        }
+        for (name, number) in [("omega", omega), ("vx", vx.unwrap_or(0.0)), ("vy", vy.unwrap_or(0.0))] {
+            if !(number.abs() < 1e50) {
+                return value(name, number, "a finite number");
+            }
+        }
+        for load in &self.loads {
+            for (name, numbers) in [("at", load.at), ("direction", load.direction)] {
+                if let Some(number) = numbers.into_iter().find(|number| !(number.abs() < 1e50)) {
+                    return value(name, number, "a finite number");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// √(I_old/I_new), with I about the corners at θ = 0, for the direction in which it is less.
+    pub fn largest_ratio(&self) -> f64 {
+        let Block { b1, b2, d, rho2, m_x, m_y, .. } = self.block;
+        let [one, two] = [b1, b2].map(|b| rho2 + m_y * b * b + m_x * d * d);
+        (one.min(two) / one.max(two)).sqrt()
+    }
+}
