@@ -13,6 +13,7 @@
 //! | What is the answer to a case? | [`Assessment`]; its results by name: [`results`]; what is asked of them: [`criteria`] |
 //! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
 //! | What is the answer for many values of some numbers? | [`sweep`] |
+//! | What becomes of a block in time? | [`motion`] |
 //! | What is printed for one point? | [`point`] |
 //!
 //! ```
@@ -43,6 +44,7 @@ mod inputs;
 pub mod key;
 pub mod layout;
 mod list;
+pub mod motion;
 mod parse;
 pub mod point;
 pub mod results;

@@ -131,6 +131,34 @@ pub enum Command {
         Example:\n  standfast sheet examples/goda-2000.toml --date 2026-11-21 -o goda-2000.html")]
     Sheet(SheetArgs),
 
+    /// Follow the motion of a block in time: from rest through slide, rock, impacts and flight to the end
+    ///
+    /// Prints what becomes of the body, its slide and rotation, each change of state with its time and reason, and where the energy
+    /// went. The motion is followed from event to event, and the events are roots, not steps of time.
+    #[command(after_help = "Example of a case (lengths in any one unit, the mass as 1, accelerations as they come):\n\
+        \u{20} [block]\n\
+        \u{20} b1 = 1                     # O left of the centre of mass C; b2: O' right of it; d: the base below it\n\
+        \u{20} b2 = 1\n\
+        \u{20} d = 3                      # rho2 = I/m left out: (1 + d^2)/3, a uniform block with b1 = b2 = 1\n\
+        \u{20} mu_s = 0.4                 # mu_k and mu_impact left out: the same; m_x, m_y left out: 1\n\
+        \u{20} gravity = 1\n\n\
+        \u{20} [[block.load]]             # as many as there are\n\
+        \u{20} at = [0, 1]                # from C, fixed in the body\n\
+        \u{20} direction = [-1, 0]        # fixed in space; with follows = true it turns with the body\n\
+        \u{20} history = { shape = \"triangle\", peak = 0.9, rise = 0.5, duration = 2 }\n\n\
+        \u{20} [motion]\n\
+        \u{20} impact = { law = \"inelastic\" }   # or \"housner\", or { law = \"ratio\", ratio = 0.9 }\n\
+        \u{20} t_max = 100                # 200 (R/g)^0.5 after the loads, if left out\n\
+        \u{20} [motion.initial]           # theta, omega, vx, vy, gap\n\
+        \u{20} [motion.base]\n\
+        \u{20} horizontal = { shape = \"file\", file = \"record.AT2\", factor = 1 }   # and vertical\n\n\
+        Shapes, each with start: constant (peak), rect (peak, duration), triangle (peak, rise, duration), decay,\n\
+        half-sine (peak, duration), sine (peak, angular_frequency or period, phase, duration), church-roof (peak,\n\
+        rise, impact_duration, tail, duration), points (times, values, peak), file (file, column of a CSV, dt where\n\
+        it has no times, factor or target_peak, baseline = \"mean\" or \"linear\").\n\n\
+        Example:\n  standfast simulate examples/block-base-pulse.toml --series motion.csv --dt 0.01")]
+    Simulate(SimulateArgs),
+
     /// Classify one point of the k–μ plane
     #[command(
         after_help = "Example:\n  standfast classify --gamma 0.8 --k-prime 0.333 --k 0.5 --mu 0.6 --explain"
@@ -203,6 +231,29 @@ pub struct AssessArgs {
     #[arg(long)]
     pub check: bool,
     /// How to print the answer
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Arguments of `simulate`.
+#[derive(Debug, Args)]
+pub struct SimulateArgs {
+    /// The case file (TOML) with a [block]; - reads standard input
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// Write the motion at even steps of time to a CSV file; - writes to standard output in place of the answer
+    #[arg(long, value_name = "OUT.csv", requires = "dt")]
+    pub series: Option<PathBuf>,
+    /// The step of time of --series
+    #[arg(long, value_name = "DT", requires = "series", value_parser = time_step)]
+    pub dt: Option<f64>,
+    /// Run once more with friction and height changed a little, and say how much that changes
+    #[arg(long)]
+    pub sensitivity: bool,
+    /// Show every event
+    #[arg(long)]
+    pub all: bool,
+    /// How to print the answer; json is always complete
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -406,6 +457,11 @@ fn scale(text: &str) -> Result<f32, String> {
     let range = 0.1..=20.0;
     let value = text.parse().ok().filter(|value| range.contains(value));
     value.ok_or_else(|| format!("expected a number from {} to {}", range.start(), range.end()))
+}
+
+fn time_step(text: &str) -> Result<f64, String> {
+    let step = text.trim().parse().ok().filter(|step: &f64| *step > 0.0 && step.is_finite());
+    step.ok_or_else(|| "expected a number above zero".to_owned())
 }
 
 fn factor(text: &str) -> Result<f64, String> {

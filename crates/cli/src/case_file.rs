@@ -40,7 +40,7 @@ fn is_standard_input(path: &Path) -> bool {
 }
 
 /// What a case file is called.
-fn name(path: &Path) -> String {
+pub(crate) fn name(path: &Path) -> String {
     if is_standard_input(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
 
@@ -70,7 +70,7 @@ pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
 ///
 /// # Errors
 /// If it cannot be read, or is not text.
-fn read(path: &Path) -> Result<String, CaseFileError> {
+pub(crate) fn read(path: &Path) -> Result<String, CaseFileError> {
     let read = || {
         if !is_standard_input(path) {
             return fs::read(path);

@@ -6,6 +6,7 @@
 //! | From which file to which is a table answered? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
 //! | How is a calculation sheet written? | [`sheet`] |
+//! | What becomes of a block in time? | [`simulate`] |
 //! | What may a build leave out? | [`features`] |
 //!
 //! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`';
@@ -23,6 +24,7 @@ pub mod features;
 pub mod format;
 mod progress;
 pub mod sheet;
+pub mod simulate;
 pub mod title_block;
 pub mod write;
 
@@ -64,6 +66,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             sheet::sheet(&args.case, &args.output, &options, args.paper)?;
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
+        Command::Simulate(args) => print(&simulate::simulate(&args)?),
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
             let point = Reduced { point, mirrored: false };

@@ -243,6 +243,8 @@ impl<'a> Machine<'a> {
             impulse_left_base: self.impulse_left_base,
             events: self.events,
             steps: self.steps,
+            block: *self.block,
+            feet: self.feet,
         }
     }
 
@@ -338,13 +340,32 @@ impl<'a> Machine<'a> {
 
     /// The impact of corners on the base; books its energy.
     fn meet(&mut self, touching: [bool; 2], landing: bool) -> Option<After> {
-        let after = self.law.after(self.block, &self.pose, touching, landing)?;
+        let after = self.law.after(self.block, &self.pose, touching, landing);
+        let after = after.or_else(|| if landing { self.touched(touching) } else { None })?;
         self.impact_loss += kinetic(self.block, &self.pose) - kinetic(self.block, &after.pose);
         self.pose = after.pose;
         self.unique &= !after.others;
         self.impulse_left_base |= !after.on_base;
         self.impacts += 1;
         Some(after)
+    }
+
+    /// After a flight so low that nothing but rounding is left of the velocity at which it ends: no impulse.
+    fn touched(&self, touching: [bool; 2]) -> Option<After> {
+        let tiny = 1e-10 * self.scales.length / self.scales.time;
+        let up = CORNERS.map(|corner| velocity(self.block, corner, &self.pose)[1]);
+        if (0..2).any(|i| touching[i] && up[i].abs() > tiny) {
+            return None;
+        }
+        let mut pose = self.pose;
+        let corner = CORNERS[(0..2).find(|i| touching[*i])?];
+        if touching == [true, true] {
+            (pose.ω, pose.vy) = (0.0, 0.0);
+        } else {
+            pose.vy = -lever(self.block, corner, pose.θ)[0] * pose.ω;
+        }
+        let [along, _] = velocity(self.block, corner, &pose);
+        Some(After { pose, closed: touching, slip: direction(along, tiny), others: false, on_base: true })
     }
 
     /// How far a corner is along the base from where it was.

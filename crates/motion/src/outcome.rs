@@ -1,9 +1,10 @@
 //! What became of the body.
 
-use standfast::{Mode, Modes};
+use standfast::contact::Block;
+use standfast::{Corner, Mode, Modes};
 
 use crate::roots::value;
-use crate::series::Series;
+use crate::series::{Series, lever};
 
 /// Why a state of motion ended and another began.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -154,6 +155,8 @@ pub struct Outcome {
     pub impulse_left_base: bool,
     /// The steps, if they were asked for.
     pub steps: Vec<Step>,
+    pub(crate) block: Block,
+    pub(crate) feet: [[f64; 2]; 2],
 }
 
 impl Outcome {
@@ -179,7 +182,11 @@ impl Outcome {
         let step = self.steps.get(i.saturating_sub(1))?;
         let τ = (t - step.t).clamp(0.0, step.duration);
         let at = |powers: &Series| value(powers, τ);
-        Some(Position { t, x: at(&step.x), y: at(&step.y), theta: at(&step.θ), omega: at(&step.ω), state: step.state })
+        let (x, theta) = (at(&step.x), at(&step.θ));
+        let corner = step.state.corner().unwrap_or(Corner::O);
+        let [x0, c0] = self.feet[corner as usize];
+        let slide = (x - x0) + (lever(&self.block, corner, theta)[0] - c0);
+        Some(Position { t, slide, x, y: at(&step.y), theta, omega: at(&step.ω), state: step.state })
     }
 }
 
@@ -188,6 +195,8 @@ impl Outcome {
 pub struct Position {
     /// The moment.
     pub t: f64,
+    /// Displacement along the base of the corner that touches, of O if none or both do.
+    pub slide: f64,
     /// x of the centre of mass, from where it was at the beginning of the problem.
     pub x: f64,
     /// y of the centre of mass above the base.

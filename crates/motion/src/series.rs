@@ -184,6 +184,10 @@ pub(crate) fn rocking(block: &Block, corner: Corner, pose: &Pose, channels: &Cha
         (motion.x[k + 1], motion.y[k + 1]) = (-motion.c[k + 1], motion.h[k + 1]);
     }
     (motion.x[0], motion.y[0]) = (pose.x, h0);
+    // One power less than ω has; nothing of an earlier state may stay.
+    (motion.vx[n], motion.vy[n]) = (0.0, 0.0);
+    motion.x[n + 1..].fill(0.0);
+    motion.y[n + 1..].fill(0.0);
 }
 
 /// ĉ = c − sμ_k h and D = ρ² + m_y c ĉ, whose zero is Painlevé's, of a corner that slips.
@@ -242,6 +246,9 @@ pub(crate) fn slipping(
         motion.y[k + 1] = motion.h[k + 1];
     }
     motion.y[0] = h0;
+    motion.vy[n] = 0.0;
+    motion.x[n + 2..].fill(0.0);
+    motion.y[n + 1..].fill(0.0);
 }
 
 /// D of a corner that slips, along a motion found before.
@@ -281,6 +288,8 @@ pub(crate) fn flying(block: &Block, pose: &Pose, channels: &Channels, n: usize, 
         (θ[k + 2], x[k + 2], y[k + 2]) =
             (ω[k + 1] / (next + 1.0), vx[k + 1] / (next + 1.0), vy[k + 1] / (next + 1.0));
     }
+    motion.x[n + 2..].fill(0.0);
+    motion.y[n + 2..].fill(0.0);
     motion.normal = [0.0; LEN];
     motion.tangential = [0.0; LEN];
 }

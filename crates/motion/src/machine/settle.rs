@@ -10,6 +10,9 @@ const SHORT: f64 = 1e-5;
 /// A tail of motion whose energy is less than this share of what its supports can take is left.
 const LITTLE: f64 = 1e-10;
 
+/// Below this share of g B the energy of a rotation is that of rounding errors.
+const NOTHING: f64 = 1e-26;
+
 /// One flight of a sequence between two impacts.
 #[derive(Clone, Copy)]
 struct Bounce {
@@ -36,7 +39,9 @@ impl Machine<'_> {
         match self.remaining(corner) {
             Some(τ) if τ < SHORT * self.scales.time => self.close(τ),
             Some(_) => None,
-            None => self.left_to_rest(),
+            None if self.left_to_rest() => None,
+            None if self.is_over() => self.close(0.0),
+            None => None,
         }
     }
 
@@ -124,7 +129,7 @@ impl Machine<'_> {
 
     /// Chatter within chatter has no closed form. Where so little motion is left that the supports could stop it a hundred times over, it
     /// is left.
-    fn left_to_rest(&mut self) -> Option<End> {
+    fn left_to_rest(&mut self) -> bool {
         let [x, p, m] = self.channels.wrench(0.0);
         let Block { b1, b2, d, mu_k, .. } = *self.block;
         let b = self.scales.length;
@@ -132,13 +137,20 @@ impl Machine<'_> {
         let margin = margins.into_iter().fold(f64::INFINITY, f64::min);
         let energy = kinetic(self.block, &self.pose);
         if !(margin > 0.0 && energy < LITTLE * margin * b) {
-            return None;
+            return false;
         }
         self.impact_loss += energy;
         self.pose = Pose { vx: 0.0, vy: 0.0, ω: 0.0, ..self.pose };
         self.t_rest_is_bound = true;
         self.take(Mode::Rest, false);
         self.say(Why::Settle, Modes::NONE);
-        None
+        true
+    }
+
+    /// Whether so little rotation is left that it is rounding.
+    fn is_over(&self) -> bool {
+        let Block { rho2, m_y, .. } = *self.block;
+        let energy = m_y * self.pose.vy * self.pose.vy + rho2 * self.pose.ω * self.pose.ω;
+        energy < NOTHING * self.scales.acceleration * self.scales.length
     }
 }

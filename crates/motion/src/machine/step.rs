@@ -78,6 +78,9 @@ impl Machine<'_> {
         };
         within(motion.θ[ORDER].abs(), ORDER);
         within(motion.θ[ORDER + 1].abs(), ORDER + 1);
+        // Levers turn however evenly the body does.
+        let lever = if self.mode == Mode::Flight { 1.0 } else { 1.0 / self.scales.length };
+        within(lever * motion.c[ORDER].abs().max(motion.h[ORDER].abs()), ORDER);
         if self.mode.slip().is_some() || self.mode == Mode::Flight {
             for series in [&motion.x, &motion.y] {
                 within(series[ORDER].abs() / self.scales.length, ORDER);

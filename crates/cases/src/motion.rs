@@ -1,0 +1,99 @@
+//! The motion in time of a case: `[block]`, `[motion]`, the histories of loads and base, and the answer as text and JSON.
+//!
+//! A `[block]` is a body of which only ratios matter: lengths in any one unit, the mass as 1, accelerations as they come.
+//!
+//! ```
+//! use standfast_cases::motion::{BlockCase, Follow};
+//!
+//! let text = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = 1\n\
+//!     [motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 2 }\n";
+//! let case = BlockCase::parse("block.toml", text, &|file| Err(format!("no file {file}")))?;
+//! let followed = case.follow(&Follow::default())?;
+//! assert!(followed.outcome.at_rest());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod block;
+mod error;
+mod history;
+mod json;
+mod series;
+mod table;
+mod text;
+
+pub use block::{BlockCase, has_block};
+pub use error::MotionCaseError;
+pub use series::series_csv;
+
+use standfast_motion::{Keep, Outcome, sensitivity, simulate};
+
+pub use standfast_motion::MotionError;
+
+/// Reads the text of a file that a case names, or says why it cannot.
+pub type ReadFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
+
+/// What to find beside the motion itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Follow {
+    /// Whether to run once more with inputs changed a little.
+    pub sensitivity: bool,
+    /// Whether to keep the whole motion, for its [series](series_csv).
+    pub series: bool,
+}
+
+/// The motion of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Followed {
+    /// What became of the body.
+    pub outcome: Outcome,
+    /// The larger change of slide, in B, and of max |θ| for a relative change of friction and of d, if it was asked for.
+    pub sensitivity: Option<f64>,
+    /// What may be a slip, or leaves the range of the model.
+    pub warnings: Vec<MotionWarning>,
+}
+
+/// Something that may be a slip, or leaves the range of the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionWarning {
+    /// Its name.
+    pub name: &'static str,
+    /// What is so, with its number.
+    pub words: String,
+}
+
+impl BlockCase {
+    /// Follows the motion to its end.
+    ///
+    /// # Errors
+    /// If the problem is refused.
+    pub fn follow(&self, follow: &Follow) -> Result<Followed, MotionError> {
+        let outcome = simulate(&self.problem, Keep { steps: follow.series })?;
+        let sensitivity = if follow.sensitivity { Some(sensitivity(&self.problem)?) } else { None };
+        let mut warnings = self.warnings.clone();
+        warnings.extend(found(self, &outcome));
+        Ok(Followed { outcome, sensitivity, warnings })
+    }
+}
+
+/// What the motion itself gives reason to warn of.
+fn found(case: &BlockCase, outcome: &Outcome) -> Vec<MotionWarning> {
+    let mut warnings = Vec::new();
+    let block = &case.problem.block;
+    if (block.m_x != 1.0 || block.m_y != 1.0) && outcome.max_theta > 0.05 {
+        let words = format!(
+            "the body turns by {:.3} rad, and water moves with it as if it did not turn: the added mass of a rocking body is another",
+            outcome.max_theta
+        );
+        warnings.push(MotionWarning { name: "added-mass-turns", words });
+    }
+    if outcome.impulse_left_base {
+        let words =
+            "the impulse that the measured ratio asks for acts beside the base: no base can give it".to_owned();
+        warnings.push(MotionWarning { name: "impulse-beside-base", words });
+    }
+    if outcome.t_rest_is_bound {
+        let words = "the last motion, too small to matter, was not followed: the time of rest is a lower bound".to_owned();
+        warnings.push(MotionWarning { name: "rest-is-bound", words });
+    }
+    warnings
+}

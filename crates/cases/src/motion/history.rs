@@ -1,0 +1,170 @@
+//! Histories: the shapes of a case file.
+
+use standfast::number::exact;
+use standfast_motion::record::{Baseline, Record};
+use standfast_motion::{History, MotionError, Problematic};
+
+use super::error::Wrong;
+use super::table::Section;
+use super::{MotionWarning, ReadFile};
+
+/// A shape, with the keys it has beside `shape` and `start`.
+const SHAPES: [(&str, &[&str]); 9] = [
+    ("constant", &["peak"]),
+    ("rect", &["peak", "duration"]),
+    ("triangle", &["peak", "rise", "duration"]),
+    ("decay", &["peak", "duration"]),
+    ("half-sine", &["peak", "duration"]),
+    ("sine", &["peak", "angular_frequency", "period", "phase", "duration"]),
+    ("church-roof", &["peak", "rise", "impact_duration", "tail", "duration"]),
+    ("points", &["peak", "times", "values"]),
+    ("file", &["file", "column", "dt", "factor", "target_peak", "baseline"]),
+];
+
+/// Every key of a history.
+pub(crate) const KEYS: [&str; 18] = [
+    "shape",
+    "start",
+    "peak",
+    "duration",
+    "rise",
+    "angular_frequency",
+    "period",
+    "phase",
+    "impact_duration",
+    "tail",
+    "times",
+    "values",
+    "file",
+    "column",
+    "dt",
+    "factor",
+    "target_peak",
+    "baseline",
+];
+
+/// A history with what it gives reason to warn of.
+pub(crate) struct Read {
+    pub history: History,
+    pub warnings: Vec<MotionWarning>,
+    /// The longest step between the points of a file.
+    pub step: Option<f64>,
+}
+
+/// Reads the history under `section`.
+pub(crate) fn read(section: &Section<'_>, file: &ReadFile<'_>) -> Result<Read, Wrong> {
+    let shapes = SHAPES.map(|(name, keys)| (name, (name, keys)));
+    let (shape, keys) = section.choice("shape", &shapes)?.ok_or_else(|| {
+        let names: Vec<String> = SHAPES.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+        section.lacks("shape").help(format!("the shapes: {}", names.join(", ")))
+    })?;
+    let foreign = KEYS[2..].iter().find(|key| section.get(key).is_some() && !keys.contains(key));
+    if let Some(key) = foreign {
+        let message = format!("`{key}` does not go with the shape \"{shape}\"");
+        return Err(Wrong::new(message, section.place(key)).help(format!("\"{shape}\" has {}", keys.join(", "))));
+    }
+    let number = |key: &str| section.needed(key);
+    let peak = || section.number("peak").map(|peak| peak.unwrap_or(1.0));
+    let start = section.number("start")?.unwrap_or(0.0);
+    let mut warnings = Vec::new();
+    let history = match shape {
+        "file" => return recorded(section, file, start),
+        "constant" => History::constant(peak()?),
+        "rect" => History::rect(peak()?, number("duration")?),
+        "triangle" => History::triangle(peak()?, number("rise")?, number("duration")?),
+        "decay" => History::decay(peak()?, number("duration")?),
+        "half-sine" => History::half_sine(peak()?, number("duration")?),
+        "sine" => {
+            let ω = frequency(section)?;
+            History::sine(peak()?, ω, section.number("phase")?.unwrap_or(0.0), number("duration")?)
+        }
+        "church-roof" => History::church_roof(
+            peak()?,
+            number("rise")?,
+            number("impact_duration")?,
+            section.number("tail")?.unwrap_or(0.0),
+            number("duration")?,
+        ),
+        _ => {
+            let times = section.numbers("times")?.ok_or_else(|| section.lacks("times"))?;
+            let values = section.numbers("values")?.ok_or_else(|| section.lacks("values"))?;
+            warnings.extend(cut(&values, "the points"));
+            let peak = peak()?;
+            History::points(&times, &values).map(|history| history.times_factor(peak))
+        }
+    };
+    let history = history.and_then(|history| history.starting(start)).map_err(|error| refused(section, &error))?;
+    Ok(Read { history, warnings, step: None })
+}
+
+fn longest(times: &[f64]) -> Option<f64> {
+    times.windows(2).map(|pair| pair[1] - pair[0]).reduce(f64::max)
+}
+
+fn frequency(section: &Section<'_>) -> Result<f64, Wrong> {
+    match (section.number("angular_frequency")?, section.number("period")?) {
+        (Some(_), Some(_)) => Err(Wrong::new(
+            format!("{} has both `angular_frequency` and `period`", section.name),
+            section.place("period"),
+        )),
+        (Some(ω), None) => Ok(ω),
+        (None, Some(period)) if period > 0.0 => Ok(std::f64::consts::TAU / period),
+        (None, Some(period)) => {
+            let message = format!("`period` is {}; expected a number above zero", exact(period));
+            Err(Wrong::new(message, section.place("period")))
+        }
+        (None, None) => Err(section.lacks("angular_frequency").help("or give `period`")),
+    }
+}
+
+/// What the library refuses, shown at the key it is about.
+fn refused(section: &Section<'_>, error: &MotionError) -> Wrong {
+    let key = match error {
+        MotionError::Value { name, .. } => name,
+        MotionError::Point { problem: Problematic::Value, .. } => "values",
+        MotionError::Point { .. } | MotionError::Lengths { .. } | MotionError::FewPoints { .. } => "times",
+        _ => "shape",
+    };
+    Wrong::new(format!("{}: {error}", section.name), section.place(key))
+}
+
+/// A record that stops short of zero.
+fn cut(values: &[f64], what: &str) -> Option<MotionWarning> {
+    let peak = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let last = values.last().copied().unwrap_or(0.0);
+    (last.abs() > 0.01 * peak).then(|| MotionWarning {
+        name: "record-ends-abruptly",
+        words: format!("{what} end at {:.1} % of the peak, and drop to 0 there", 100.0 * last.abs() / peak),
+    })
+}
+
+/// A record of a file, its numbers as they come.
+fn recorded(section: &Section<'_>, file: &ReadFile<'_>, start: f64) -> Result<Read, Wrong> {
+    let name = section.words("file")?.ok_or_else(|| section.lacks("file"))?;
+    let place = || section.place("file");
+    let text = file(name).map_err(|why| Wrong::new(format!("cannot read {name}: {why}"), place()))?;
+    let record = Record::parse(name, &text, section.words("column")?, section.number("dt")?);
+    let record = record.map_err(|error| Wrong::new(error.to_string(), place()))?;
+    let baseline = section.choice("baseline", &[("mean", Baseline::Mean), ("linear", Baseline::Linear)])?;
+    let record = match baseline {
+        Some(baseline) => record.corrected(baseline),
+        None => record,
+    };
+    let factor = match (section.number("factor")?, section.number("target_peak")?) {
+        (Some(_), Some(_)) => {
+            let message = format!("{} has both `factor` and `target_peak`", section.name);
+            return Err(Wrong::new(message, section.place("target_peak")));
+        }
+        (None, Some(peak)) => peak / record.peak(),
+        (factor, None) => factor.unwrap_or(1.0),
+    };
+    let [velocity, displacement] = record.drift().map(|drift| drift * factor);
+    let mut warnings: Vec<MotionWarning> = cut(&record.values, name).into_iter().collect();
+    warnings.push(MotionWarning {
+        name: "record-drift",
+        words: format!("{name} ends with a velocity of {velocity:.3e} and a displacement of {displacement:.3e} of the ground"),
+    });
+    let history = record.history(factor).and_then(|history| history.starting(start));
+    let history = history.map_err(|error| refused(section, &error))?;
+    Ok(Read { history, warnings, step: longest(&record.times) })
+}

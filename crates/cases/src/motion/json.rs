@@ -1,0 +1,114 @@
+//! The answer as JSON.
+
+use serde::Serialize;
+use standfast::Mode;
+use standfast_motion::{End, Outcome};
+
+use super::{BlockCase, Followed};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    schema: u32,
+    title: Option<&'a str>,
+    end: &'static str,
+    slide: f64,
+    max_slide: f64,
+    t_max_slide: f64,
+    max_theta: f64,
+    t_max_theta: f64,
+    max_theta_of_balance: f64,
+    theta: f64,
+    overturned: bool,
+    past_balance: bool,
+    at_rest: bool,
+    impacts: usize,
+    t_rest: Option<f64>,
+    t_rest_is_bound: bool,
+    t_final: f64,
+    work: f64,
+    friction_loss: f64,
+    impact_loss: f64,
+    kinetic: f64,
+    potential: f64,
+    energy_residual: f64,
+    unique: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivity: Option<f64>,
+    events: Vec<EventEntry>,
+    warnings: Vec<WarningEntry<'a>>,
+}
+
+#[derive(Serialize)]
+struct EventEntry {
+    t: f64,
+    why: &'static str,
+    state: &'static str,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    also: Vec<&'static str>,
+}
+
+#[derive(Serialize)]
+struct WarningEntry<'a> {
+    name: &'a str,
+    words: &'a str,
+}
+
+/// How a motion ended, in a word.
+pub(super) fn end_word(end: End) -> &'static str {
+    match end {
+        End::AtRest => "rest",
+        End::Overturned => "overturned",
+        End::Time => "time",
+        End::NoContinuation => "no-continuation",
+        End::TooManyEvents => "too-many-events",
+    }
+}
+
+/// The largest |θ| over that of balance, of the side to which it is nearer to it.
+pub(super) fn of_balance(case: &BlockCase, outcome: &Outcome) -> f64 {
+    let block = &case.problem.block;
+    outcome.max_theta / (block.b1.min(block.b2) / block.d).atan()
+}
+
+impl BlockCase {
+    /// The answer as a JSON document, in the units of the case.
+    pub fn json(&self, followed: &Followed) -> String {
+        let outcome = &followed.outcome;
+        let events = outcome.events.iter().map(|event| EventEntry {
+            t: event.t,
+            why: event.why.word(),
+            state: event.state.symbol(),
+            also: event.consistent.without(Some(event.state)).iter().map(Mode::symbol).collect(),
+        });
+        let warnings = followed.warnings.iter();
+        crate::json(&Document {
+            schema: 1,
+            title: self.title.as_deref(),
+            end: end_word(outcome.end),
+            slide: outcome.slide,
+            max_slide: outcome.max_slide,
+            t_max_slide: outcome.t_max_slide,
+            max_theta: outcome.max_theta,
+            t_max_theta: outcome.t_max_theta,
+            max_theta_of_balance: of_balance(self, outcome),
+            theta: outcome.theta,
+            overturned: outcome.overturned(),
+            past_balance: outcome.past_balance,
+            at_rest: outcome.at_rest(),
+            impacts: outcome.impacts,
+            t_rest: outcome.t_rest,
+            t_rest_is_bound: outcome.t_rest_is_bound,
+            t_final: outcome.t_final,
+            work: outcome.work,
+            friction_loss: outcome.friction_loss,
+            impact_loss: outcome.impact_loss,
+            kinetic: outcome.kinetic,
+            potential: outcome.potential,
+            energy_residual: outcome.energy_residual(),
+            unique: outcome.unique,
+            sensitivity: followed.sensitivity,
+            events: events.collect(),
+            warnings: warnings.map(|w| WarningEntry { name: w.name, words: &w.words }).collect(),
+        })
+    }
+}

@@ -1,0 +1,161 @@
+//! A table of a case of motion, read key by key; what it does not have is refused.
+
+use std::ops::Range as Span;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::error::Wrong;
+use crate::layout::shortened;
+use crate::suggest::closest;
+
+/// A table with its name, as errors call it, and its place.
+pub(crate) struct Section<'a> {
+    pub name: String,
+    table: &'a DeTable<'a>,
+    pub span: Span<usize>,
+    text: &'a str,
+}
+
+pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(integer) if integer.radix() != 10 => "a number that is not decimal",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date or time",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+fn number_of(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        _ => None,
+    }
+}
+
+impl<'a> Section<'a> {
+    /// A table that has only these keys.
+    pub(crate) fn new(
+        name: impl Into<String>,
+        table: &'a DeTable<'a>,
+        span: Span<usize>,
+        text: &'a str,
+        keys: &[&str],
+    ) -> Result<Section<'a>, Wrong> {
+        let name = name.into();
+        let unknown = table.keys().filter(|key| !keys.contains(&key.get_ref().as_ref()));
+        if let Some(key) = unknown.min_by_key(|key| key.span().start) {
+            let found = key.get_ref().as_ref();
+            let known = format!("the keys understood here: {}", keys.join(", "));
+            let help = match closest(found, keys.iter().copied()) {
+                Some(like) => format!("did you mean `{like}`? {known}"),
+                None => known,
+            };
+            return Err(Wrong::new(format!("{name} has no key `{}`", shortened(found)), key.span()).help(help));
+        }
+        Ok(Section { name, table, span, text })
+    }
+
+    pub(crate) fn get(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.table.get(key)
+    }
+
+    /// Where the value of a key stands; the table if it is not there.
+    pub(crate) fn place(&self, key: &str) -> Span<usize> {
+        self.get(key).map_or_else(|| self.span.clone(), Spanned::span)
+    }
+
+    pub(crate) fn lacks(&self, key: &str) -> Wrong {
+        Wrong::new(format!("{} lacks `{key}`", self.name), self.span.clone())
+    }
+
+    fn wrong_type(&self, key: &str, value: &Spanned<DeValue<'_>>, expected: &str) -> Wrong {
+        Wrong::new(format!("`{key}` is {}; expected {expected}", type_of(value.get_ref())), value.span())
+    }
+
+    fn finite(&self, key: &str, value: &Spanned<DeValue<'_>>, expected: &str) -> Result<f64, Wrong> {
+        let number = number_of(value.get_ref()).ok_or_else(|| self.wrong_type(key, value, expected))?;
+        if number.is_finite() {
+            return Ok(number + 0.0);
+        }
+        let written = shortened(self.text.get(value.span()).unwrap_or_default());
+        Err(Wrong::new(format!("`{key}` is {written}; expected a finite number"), value.span()))
+    }
+
+    pub(crate) fn number(&self, key: &str) -> Result<Option<f64>, Wrong> {
+        self.get(key).map(|value| self.finite(key, value, "a number without unit or quotes")).transpose()
+    }
+
+    pub(crate) fn needed(&self, key: &str) -> Result<f64, Wrong> {
+        self.number(key)?.ok_or_else(|| self.lacks(key))
+    }
+
+    pub(crate) fn truth(&self, key: &str) -> Result<Option<bool>, Wrong> {
+        let read = |value: &Spanned<DeValue<'_>>| {
+            value.get_ref().as_bool().ok_or_else(|| self.wrong_type(key, value, "true or false"))
+        };
+        self.get(key).map(read).transpose()
+    }
+
+    pub(crate) fn words(&self, key: &str) -> Result<Option<&'a str>, Wrong> {
+        let read = |value: &'a Spanned<DeValue<'a>>| {
+            value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in quotes"))
+        };
+        self.get(key).map(read).transpose()
+    }
+
+    /// One of some words.
+    pub(crate) fn choice<T: Copy>(&self, key: &str, choices: &[(&str, T)]) -> Result<Option<T>, Wrong> {
+        let Some(written) = self.words(key)? else { return Ok(None) };
+        if let Some((_, choice)) = choices.iter().find(|(word, _)| *word == written) {
+            return Ok(Some(*choice));
+        }
+        let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
+        let message = format!("`{key}` is \"{}\"; expected {}", shortened(written), words.join(", "));
+        let wrong = Wrong::new(message, self.place(key));
+        Err(match closest(written, choices.iter().map(|(word, _)| *word)) {
+            Some(like) => wrong.help(format!("did you mean \"{like}\"?")),
+            None => wrong,
+        })
+    }
+
+    pub(crate) fn numbers(&self, key: &str) -> Result<Option<Vec<f64>>, Wrong> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let expected = "a list of numbers";
+        let list = value.get_ref().as_array().ok_or_else(|| self.wrong_type(key, value, expected))?;
+        let numbers = list.iter().map(|value| self.finite(key, value, expected));
+        numbers.collect::<Result<Vec<f64>, Wrong>>().map(Some)
+    }
+
+    pub(crate) fn pair(&self, key: &str) -> Result<Option<[f64; 2]>, Wrong> {
+        let Some(numbers) = self.numbers(key)? else { return Ok(None) };
+        match numbers[..] {
+            [x, y] => Ok(Some([x, y])),
+            _ => Err(Wrong::new(format!("`{key}` has {} numbers; expected two, x and y", numbers.len()), self.place(key))),
+        }
+    }
+
+    /// A table within this one.
+    pub(crate) fn section(&self, key: &str, name: String, keys: &[&str]) -> Result<Option<Section<'a>>, Wrong> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let table = value.get_ref().as_table().ok_or_else(|| self.wrong_type(key, value, "a table"))?;
+        Section::new(name, table, value.span(), self.text, keys).map(Some)
+    }
+
+    /// Tables of a list within this one.
+    pub(crate) fn sections(&self, key: &str, name: &str, keys: &[&str]) -> Result<Vec<Section<'a>>, Wrong> {
+        let Some(value) = self.get(key) else { return Ok(Vec::new()) };
+        let expected = "one table for each, under a header in double brackets";
+        let list = value.get_ref().as_array().ok_or_else(|| self.wrong_type(key, value, expected))?;
+        list.iter()
+            .map(|value| {
+                let table = value.get_ref().as_table().ok_or_else(|| self.wrong_type(key, value, expected))?;
+                Section::new(name, table, value.span(), self.text, keys)
+            })
+            .collect()
+    }
+}

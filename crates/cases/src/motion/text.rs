@@ -1,0 +1,137 @@
+//! The answer in words and numbers.
+
+use std::fmt::Write;
+
+use standfast::Mode;
+use standfast_motion::{End, Event, Outcome, Why};
+
+use super::json::of_balance;
+use super::{BlockCase, Followed};
+use crate::layout::{columns, significant};
+
+/// So many events are shown one by one.
+const SHOWN: usize = 24;
+
+impl BlockCase {
+    /// The answer in words, then in numbers, in the units of the case; `all` shows every event.
+    pub fn text(&self, followed: &Followed, all: bool) -> String {
+        let outcome = &followed.outcome;
+        let mut text = String::new();
+        if let Some(title) = &self.title {
+            let _ = writeln!(text, "{title}\n");
+        }
+        let _ = writeln!(text, "{}\n", verdict(outcome));
+        text += &columns(&numbers(self, followed), 2, &[1]);
+        let _ = write!(text, "\nEvents\n{}", events(outcome, all));
+        let _ = write!(text, "\nEnergy per mass\n{}", columns(&energy(outcome), 2, &[1]));
+        let _ = writeln!(text, "\n{}", uniqueness(outcome));
+        if let Some(sensitivity) = followed.sensitivity {
+            let _ = writeln!(text, "{}", predictable(sensitivity));
+        }
+        for warning in &followed.warnings {
+            let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
+        }
+        text
+    }
+}
+
+fn number(x: f64) -> String {
+    significant(x, 7)
+}
+
+/// What becomes of the body, in a sentence.
+fn verdict(outcome: &Outcome) -> String {
+    let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t));
+    let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
+    let Some(first) = moves else { return "The body stays at rest.".to_owned() };
+    let begins = match first.why {
+        Why::Start => "From the start the body".to_owned(),
+        _ => format!("At t = {} the body leaves rest: it", number(first.t)),
+    };
+    let last = outcome.events.last();
+    let ends = match outcome.end {
+        End::AtRest => format!("It comes to rest at t = {}.", number(outcome.t_rest.unwrap_or(outcome.t_final))),
+        End::Overturned => format!("It overturns at t = {}.", at(last)),
+        End::Time => format!("It still moves at t = {}, when the time is up.", at(last)),
+        End::NoContinuation => {
+            format!("At t = {} no state satisfies all conditions, and the motion is not followed further.", at(last))
+        }
+        End::TooManyEvents => {
+            format!("After {} events, at t = {}, the motion is not followed further.", outcome.events.len(), at(last))
+        }
+    };
+    let past = if outcome.past_balance && outcome.end != End::Overturned {
+        " It was past its point of balance, and came back."
+    } else {
+        ""
+    };
+    format!("{begins} {}. {ends}{past}", first.state.words())
+}
+
+fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
+    let outcome = &followed.outcome;
+    let row = |words: &str, value: f64, more: String| vec![words.to_owned(), number(value), more];
+    vec![
+        row("slide, to the right", outcome.slide, String::new()),
+        row("largest slide", outcome.max_slide, format!("at t = {}", number(outcome.t_max_slide))),
+        row(
+            "largest |θ|",
+            outcome.max_theta,
+            format!("at t = {}, {} of that of balance", number(outcome.t_max_theta), significant(of_balance(case, outcome), 4)),
+        ),
+        row("θ at the end", outcome.theta, String::new()),
+        vec!["impacts".to_owned(), outcome.impacts.to_string(), String::new()],
+    ]
+}
+
+fn events(outcome: &Outcome, all: bool) -> String {
+    let row = |event: &Event| {
+        let others = event.consistent.without(Some(event.state));
+        let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
+        vec![
+            format!("t = {}", number(event.t)),
+            event.why.words().to_owned(),
+            format!("{}{also}", event.state.symbol()),
+        ]
+    };
+    let events = &outcome.events;
+    if all || events.len() <= SHOWN {
+        return columns(&events.iter().map(row).collect::<Vec<_>>(), 2, &[]);
+    }
+    let (head, tail) = (SHOWN * 2 / 3, SHOWN / 3);
+    let mut rows: Vec<Vec<String>> = events[..head].iter().map(row).collect();
+    let left = events.len() - head - tail;
+    rows.push(vec!["…".to_owned(), format!("{left} more; --all shows them"), String::new()]);
+    rows.extend(events[events.len() - tail..].iter().map(row));
+    columns(&rows, 2, &[])
+}
+
+fn energy(outcome: &Outcome) -> Vec<Vec<String>> {
+    let row = |words: &str, value: f64| vec![words.to_owned(), number(value)];
+    vec![
+        row("work of the loads", outcome.work),
+        row("lost to friction", outcome.friction_loss),
+        row("lost at impacts", outcome.impact_loss),
+        row("gained as motion", outcome.kinetic),
+        row("gained as height", outcome.potential),
+        vec!["what the balance lacks".to_owned(), format!("{:.1e}", outcome.energy_residual())],
+    ]
+}
+
+fn uniqueness(outcome: &Outcome) -> String {
+    if outcome.unique {
+        return "At every event one state only satisfies all conditions.".to_owned();
+    }
+    "At an event several states satisfy all conditions: the answer is not unique. The one that goes on is the first of rest, slide, \
+     slide-rock, rock, flight."
+        .to_owned()
+}
+
+fn predictable(sensitivity: f64) -> String {
+    let size = significant(sensitivity, 3);
+    if sensitivity > 1e5 {
+        format!("Sensitivity {size}: not predictable in detail; a single motion is no answer, many of them are.")
+    } else {
+        format!("Sensitivity {size}: so much more than friction and height change slide and θ, relatively.")
+    }
+}

@@ -1,0 +1,418 @@
+//! Files of recorded motion: CSV with units in its header, PEER's AT2, the SMC of the USGS.
+
+use std::fmt;
+
+use crate::error::MotionError;
+use crate::history::History;
+
+/// The unit of a record's values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecordUnit {
+    /// Standard gravity, 9.80665 m/s².
+    Gravity,
+    /// m/s².
+    MetrePerSecondSquared,
+    /// cm/s².
+    CentimetrePerSecondSquared,
+    /// N, or N per metre run.
+    Newton,
+    /// kN, or kN per metre run.
+    Kilonewton,
+    /// MN, or MN per metre run.
+    Meganewton,
+    /// None is given.
+    Unnamed,
+}
+
+/// Standard gravity, m/s².
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+impl RecordUnit {
+    const NAMED: [(&'static str, RecordUnit); 9] = [
+        ("g", RecordUnit::Gravity),
+        ("m_s2", RecordUnit::MetrePerSecondSquared),
+        ("cm_s2", RecordUnit::CentimetrePerSecondSquared),
+        ("n", RecordUnit::Newton),
+        ("kn", RecordUnit::Kilonewton),
+        ("mn", RecordUnit::Meganewton),
+        ("n_m", RecordUnit::Newton),
+        ("kn_m", RecordUnit::Kilonewton),
+        ("mn_m", RecordUnit::Meganewton),
+    ];
+
+    /// So many SI units is one of it; 1 if it has no name.
+    pub fn si(self) -> f64 {
+        match self {
+            RecordUnit::Gravity => STANDARD_GRAVITY,
+            RecordUnit::CentimetrePerSecondSquared => 0.01,
+            RecordUnit::Kilonewton => 1e3,
+            RecordUnit::Meganewton => 1e6,
+            RecordUnit::MetrePerSecondSquared | RecordUnit::Newton | RecordUnit::Unnamed => 1.0,
+        }
+    }
+
+    /// Whether it is one of acceleration.
+    pub fn is_acceleration(self) -> bool {
+        matches!(
+            self,
+            RecordUnit::Gravity | RecordUnit::MetrePerSecondSquared | RecordUnit::CentimetrePerSecondSquared
+        )
+    }
+}
+
+/// A recorded history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// When, s.
+    pub times: Vec<f64>,
+    /// Values in their unit.
+    pub values: Vec<f64>,
+    /// The unit.
+    pub unit: RecordUnit,
+}
+
+/// What is wrong with a record file.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{file}{}: {problem}", Line(*line))]
+pub struct RecordError {
+    /// The file.
+    pub file: String,
+    /// The line, from 1; `None` for the whole.
+    pub line: Option<usize>,
+    /// What.
+    pub problem: RecordProblem,
+}
+
+struct Line(Option<usize>);
+
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |line| write!(f, ", line {line}"))
+    }
+}
+
+/// What is wrong in a line of a record, or with all of it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RecordProblem {
+    /// A word where a number should be.
+    #[error("\"{0}\" is not a number")]
+    NotANumber(String),
+    /// NaN or infinite.
+    #[error("\"{0}\" is not a finite number")]
+    NotFinite(String),
+    /// A time that does not rise.
+    #[error("the time {found} is not after {before}; expected times that rise")]
+    NotRising {
+        /// The time.
+        found: String,
+        /// That before it.
+        before: String,
+    },
+    /// Not as many values as the header says.
+    #[error("the header says {said} values, and there are {found}")]
+    Count {
+        /// By the header.
+        said: usize,
+        /// In the file.
+        found: usize,
+    },
+    /// A header that is not understood.
+    #[error("\"{found}\" is not understood; expected {expected}")]
+    Header {
+        /// What stands there.
+        found: String,
+        /// What should.
+        expected: &'static str,
+    },
+    /// A unit that is missing or unknown.
+    #[error("the column \"{column}\" names no unit that is known; expected a name that ends in _g, _m_s2, _cm_s2, _N, _kN or _MN")]
+    Unit {
+        /// The column.
+        column: String,
+    },
+    /// A column that there is not.
+    #[error("there is no column \"{column}\"; there are {found}")]
+    Column {
+        /// The column.
+        column: String,
+        /// The columns.
+        found: String,
+    },
+    /// Several columns of values, and none named.
+    #[error("there are several columns of values: {found}; name one with `column`")]
+    Columns {
+        /// The columns.
+        found: String,
+    },
+    /// A row with fewer cells than the header.
+    #[error("the row has {found} cells; expected {expected}")]
+    Row {
+        /// Cells.
+        found: usize,
+        /// Columns.
+        expected: usize,
+    },
+    /// Values without times, and no step given.
+    #[error("there is no column of times; expected `time_s` first, or the step `dt`")]
+    NoTimes,
+    /// Too short.
+    #[error("{0} values; expected two at least")]
+    TooShort(usize),
+    /// A step that is none.
+    #[error("the step of time is {0}; expected a number above zero")]
+    Step(String),
+    /// Nothing there.
+    #[error("the file is empty")]
+    Empty,
+}
+
+/// What to subtract from a record of acceleration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Baseline {
+    /// Its mean.
+    Mean,
+    /// The line nearest to it by least squares.
+    Linear,
+}
+
+impl Record {
+    /// Reads a record: AT2 and SMC are known by their headers, everything else is taken as CSV, of which `column` is read, or the only
+    /// one beside the times; `dt` is the step of a file without times.
+    ///
+    /// # Errors
+    /// See [`RecordProblem`], with file and line.
+    pub fn parse(file: &str, text: &str, column: Option<&str>, dt: Option<f64>) -> Result<Record, RecordError> {
+        let at = |line: Option<usize>, problem| RecordError { file: file.to_owned(), line, problem };
+        let lines: Vec<&str> = text.lines().collect();
+        if text.trim().is_empty() {
+            return Err(at(None, RecordProblem::Empty));
+        }
+        let third = lines.get(2).map_or("", |line| line).to_uppercase();
+        let read = if third.contains("UNITS OF") {
+            at2(&lines)
+        } else if lines.iter().take(40).any(|line| line.starts_with('|')) && lines.get(11).is_some_and(|l| l.contains("-32768")) {
+            smc(&lines)
+        } else {
+            csv(&lines, column, dt)
+        };
+        let record = read.map_err(|(line, problem)| at(line, problem))?;
+        if record.values.len() < 2 {
+            return Err(at(None, RecordProblem::TooShort(record.values.len())));
+        }
+        Ok(record)
+    }
+
+    /// The largest magnitude, in its unit.
+    pub fn peak(&self) -> f64 {
+        self.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+    }
+
+    /// The record with its baseline taken off.
+    #[must_use]
+    pub fn corrected(mut self, baseline: Baseline) -> Record {
+        let n = self.values.len() as f64;
+        let mean = self.values.iter().sum::<f64>() / n;
+        let middle = self.times.iter().sum::<f64>() / n;
+        let (mut tt, mut ta) = (0.0, 0.0);
+        for (t, a) in self.times.iter().zip(&self.values) {
+            tt += (t - middle) * (t - middle);
+            ta += (t - middle) * (a - mean);
+        }
+        let slope = if baseline == Baseline::Linear { ta / tt } else { 0.0 };
+        for (t, a) in self.times.iter().zip(&mut self.values) {
+            *a -= mean + slope * (t - middle);
+        }
+        self
+    }
+
+    /// The ground's velocity and displacement at the end, in the unit of the values times s and s².
+    pub fn drift(&self) -> [f64; 2] {
+        let (mut v, mut x) = (0.0, 0.0);
+        for (t, a) in self.times.windows(2).zip(self.values.windows(2)) {
+            let h = t[1] - t[0];
+            x += v * h + h * h * (2.0 * a[0] + a[1]) / 6.0;
+            v += h * (a[0] + a[1]) / 2.0;
+        }
+        [v, x]
+    }
+
+    /// The history, with values times a factor; times as they are.
+    ///
+    /// # Errors
+    /// As [`History::points`].
+    pub fn history(&self, factor: f64) -> Result<History, MotionError> {
+        Ok(History::points(&self.times, &self.values)?.times_factor(factor))
+    }
+}
+
+type Found = Result<Record, (Option<usize>, RecordProblem)>;
+
+fn number(word: &str, line: usize) -> Result<f64, (Option<usize>, RecordProblem)> {
+    let found: f64 = word.parse().map_err(|_| (Some(line), RecordProblem::NotANumber(short(word))))?;
+    if found.is_finite() { Ok(found) } else { Err((Some(line), RecordProblem::NotFinite(short(word)))) }
+}
+
+fn short(word: &str) -> String {
+    let mut short: String = word.chars().take(60).collect();
+    if short.len() < word.len() {
+        short.push('…');
+    }
+    short
+}
+
+fn evenly(dt: f64, values: Vec<f64>, unit: RecordUnit) -> Record {
+    Record { times: (0..values.len()).map(|i| i as f64 * dt).collect(), values, unit }
+}
+
+/// PEER's AT2: four lines, of which the third has the unit and the fourth count and step, in either of two forms.
+fn at2(lines: &[&str]) -> Found {
+    let third = lines[2].to_uppercase();
+    let named = third.split("UNITS OF").nth(1).unwrap_or("").trim();
+    let unit = match named.trim_end_matches('.').trim() {
+        "G" => RecordUnit::Gravity,
+        "CM/S2" | "CM/S/S" | "CM/SEC2" | "GAL" => RecordUnit::CentimetrePerSecondSquared,
+        "M/S2" | "M/S/S" => RecordUnit::MetrePerSecondSquared,
+        _ => {
+            let expected = "ACCELERATION TIME SERIES IN UNITS OF G";
+            return Err((Some(3), RecordProblem::Header { found: short(lines[2].trim()), expected }));
+        }
+    };
+    let fourth = lines.get(3).map_or("", |line| line);
+    let header = || {
+        let expected = "NPTS= 4000, DT= .01 SEC, or 4000 0.01 NPTS, DT";
+        (Some(4), RecordProblem::Header { found: short(fourth.trim()), expected })
+    };
+    let upper = fourth.to_uppercase();
+    let words: Vec<&str> =
+        upper.split(|c: char| c.is_whitespace() || c == ',' || c == '=').filter(|word| !word.is_empty()).collect();
+    let numbers: Vec<f64> = words.iter().filter_map(|word| word.parse().ok()).collect();
+    let has = |name: &str| words.contains(&name);
+    let [count, dt] = numbers[..] else { return Err(header()) };
+    if !(has("NPTS") && has("DT")) || count.fract() != 0.0 || count < 0.0 {
+        return Err(header());
+    }
+    if !(dt > 0.0 && dt.is_finite()) {
+        return Err((Some(4), RecordProblem::Step(dt.to_string())));
+    }
+    let mut values = Vec::with_capacity((count as usize).min(1 << 20));
+    for (i, line) in lines.iter().enumerate().skip(4) {
+        for word in line.split_whitespace() {
+            values.push(number(word, i + 1)?);
+        }
+    }
+    if values.len() != count as usize {
+        return Err((None, RecordProblem::Count { said: count as usize, found: values.len() }));
+    }
+    Ok(evenly(dt, values, unit))
+}
+
+/// The SMC format of the USGS: 11 lines of text, 6 of integers, 10 of reals, comments, then values of ten columns each, in cm/s².
+fn smc(lines: &[&str]) -> Found {
+    let fields = |range: std::ops::Range<usize>, width: usize| {
+        let mut all = Vec::new();
+        for i in range {
+            let line = lines.get(i).copied().unwrap_or("");
+            for cell in cells(line, width) {
+                all.push(number(cell.trim(), i + 1)?);
+            }
+        }
+        Ok::<_, (Option<usize>, RecordProblem)>(all)
+    };
+    let integers = fields(11..17, 10)?;
+    let reals = fields(17..27, 15)?;
+    let (Some(comments), Some(count), Some(rate)) = (integers.get(15), integers.get(16), reals.get(1)) else {
+        let expected = "6 lines of integers and 10 of reals after 11 lines of text";
+        return Err((Some(12), RecordProblem::Header { found: short(lines.get(11).map_or("", |l| l.trim())), expected }));
+    };
+    if !(*rate > 0.0 && *rate < 1e6) {
+        return Err((Some(18), RecordProblem::Step(format!("1/{rate}"))));
+    }
+    let first = 27 + comments.max(0.0) as usize;
+    let mut values = Vec::new();
+    for (i, line) in lines.iter().enumerate().skip(first) {
+        for cell in cells(line, 10) {
+            values.push(number(cell.trim(), i + 1)?);
+        }
+    }
+    let said = count.max(0.0) as usize;
+    if values.len() != said {
+        return Err((None, RecordProblem::Count { said, found: values.len() }));
+    }
+    Ok(evenly(1.0 / rate, values, RecordUnit::CentimetrePerSecondSquared))
+}
+
+/// The cells of so many characters each of a line, without the empty ones at its end.
+fn cells(line: &str, width: usize) -> impl Iterator<Item = &str> {
+    let line = line.trim_end();
+    let ends = (0..line.len().div_ceil(width)).map(move |i| i * width);
+    ends.filter_map(move |start| line.get(start..(start + width).min(line.len())))
+}
+
+fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
+    // Lines that are empty or comments do not count; the first of the others is the header.
+    let mut rows = lines
+        .iter()
+        .enumerate()
+        .map(|(i, line)| (i + 1, line.trim_start_matches('\u{feff}').trim()))
+        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let Some((at, header)) = rows.next() else { return Err((None, RecordProblem::Empty)) };
+    let separator = if header.contains(';') { ';' } else if header.contains('\t') { '\t' } else { ',' };
+    let names: Vec<&str> = header.split(separator).map(|name| name.trim().trim_matches('"')).collect();
+    if names.iter().all(|name| name.parse::<f64>().is_ok()) {
+        let expected = "a header with units, as time_s,a_g";
+        return Err((Some(at), RecordProblem::Header { found: short(header), expected }));
+    }
+    let is_time = |name: &str| ["time_s", "t_s", "time", "t"].contains(&name.to_lowercase().as_str());
+    let time = names.iter().position(|name| is_time(name));
+    let others: Vec<usize> = (0..names.len()).filter(|i| Some(*i) != time).collect();
+    let listed = || others.iter().map(|i| format!("\"{}\"", names[*i])).collect::<Vec<_>>().join(", ");
+    let value = match column {
+        Some(column) => others.iter().copied().find(|i| names[*i] == column).ok_or_else(|| {
+            (Some(at), RecordProblem::Column { column: column.to_owned(), found: listed() })
+        })?,
+        None if others.len() == 1 => others[0],
+        None => return Err((Some(at), RecordProblem::Columns { found: listed() })),
+    };
+    if time.is_none() && dt.is_none() {
+        return Err((Some(at), RecordProblem::NoTimes));
+    }
+    if let Some(dt) = dt.filter(|dt| !(*dt > 0.0 && dt.is_finite())) {
+        return Err((Some(at), RecordProblem::Step(dt.to_string())));
+    }
+    let (mut times, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    for (line, row) in rows {
+        let cells: Vec<&str> = row.split(separator).map(|cell| cell.trim().trim_matches('"')).collect();
+        if cells.len() < names.len() {
+            return Err((Some(line), RecordProblem::Row { found: cells.len(), expected: names.len() }));
+        }
+        let t = match (time, dt) {
+            (Some(time), _) => number(cells[time], line)?,
+            (None, dt) => dt.unwrap_or(0.0) * values.len() as f64,
+        };
+        if let Some(before) = times.last().filter(|before| t <= **before) {
+            let (found, before) = (t.to_string(), before.to_string());
+            return Err((Some(line), RecordProblem::NotRising { found, before }));
+        }
+        times.push(t);
+        values.push(number(cells[value], line)?);
+    }
+    let name = names[value].to_lowercase();
+    let known = RecordUnit::NAMED.iter().filter(|(unit, _)| name.ends_with(&format!("_{unit}")));
+    let unit = known.max_by_key(|(unit, _)| unit.len()).map_or(RecordUnit::Unnamed, |(_, unit)| *unit);
+    Ok(Record { times, values, unit })
+}
+
+impl Record {
+    /// Its unit; an error that names the column if there is none.
+    ///
+    /// # Errors
+    /// If the file names no unit.
+    pub fn known_unit(&self, file: &str, column: Option<&str>) -> Result<RecordUnit, RecordError> {
+        if self.unit == RecordUnit::Unnamed {
+            let column = column.unwrap_or("of values").to_owned();
+            return Err(RecordError { file: file.to_owned(), line: None, problem: RecordProblem::Unit { column } });
+        }
+        Ok(self.unit)
+    }
+}
