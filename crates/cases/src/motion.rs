@@ -87,12 +87,14 @@ fn found(case: &BlockCase, outcome: &Outcome) -> Vec<MotionWarning> {
         warnings.push(MotionWarning { name: "added-mass-turns", words });
     }
     if outcome.impulse_left_base {
-        let words =
-            "the impulse that the measured ratio asks for acts beside the base: no base can give it".to_owned();
+        let words = "the impulse that the measured ratio asks for acts beside the base: no base can give it"
+            .to_owned();
         warnings.push(MotionWarning { name: "impulse-beside-base", words });
     }
     if outcome.t_rest_is_bound {
-        let words = "the last motion, too small to matter, was not followed: the time of rest is a lower bound".to_owned();
+        let words =
+            "the last motion, too small to matter, was not followed: the time of rest is a lower bound"
+                .to_owned();
         warnings.push(MotionWarning { name: "rest-is-bound", words });
     }
     warnings

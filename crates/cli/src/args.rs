@@ -135,7 +135,8 @@ pub enum Command {
     ///
     /// Prints what becomes of the body, its slide and rotation, each change of state with its time and reason, and where the energy
     /// went. The motion is followed from event to event, and the events are roots, not steps of time.
-    #[command(after_help = "Example of a case (lengths in any one unit, the mass as 1, accelerations as they come):\n\
+    #[command(
+        after_help = "Example of a case (lengths in any one unit, the mass as 1, accelerations as they come):\n\
         \u{20} [block]\n\
         \u{20} b1 = 1                     # O left of the centre of mass C; b2: O' right of it; d: the base below it\n\
         \u{20} b2 = 1\n\
@@ -156,7 +157,8 @@ pub enum Command {
         half-sine (peak, duration), sine (peak, angular_frequency or period, phase, duration), church-roof (peak,\n\
         rise, impact_duration, tail, duration), points (times, values, peak), file (file, column of a CSV, dt where\n\
         it has no times, factor or target_peak, baseline = \"mean\" or \"linear\").\n\n\
-        Example:\n  standfast simulate examples/block-base-pulse.toml --series motion.csv --dt 0.01")]
+        Example:\n  standfast simulate examples/block-base-pulse.toml --series motion.csv --dt 0.01"
+    )]
     Simulate(SimulateArgs),
 
     /// Classify one point of the k–μ plane

@@ -25,7 +25,9 @@ pub enum SimulateError {
     Case(#[from] MotionCaseError),
     /// There is no block.
     #[error("{name} has no [block]")]
-    #[diagnostic(help("`standfast simulate --help` shows a case; `standfast assess` takes those with a [body]"))]
+    #[diagnostic(help(
+        "`standfast simulate --help` shows a case; `standfast assess` takes those with a [body]"
+    ))]
     NoBlock {
         /// The case file.
         name: String,

@@ -10,9 +10,7 @@ use standfast::{Corner, Mode, Modes, Slip, Wrench};
 
 use crate::forcing::Channels;
 use crate::impact::CORNERS;
-use crate::series::{
-    Motion, Pose, Series, flat, flying, gap_along, rocking, slipping, slipping_inertia,
-};
+use crate::series::{Motion, Pose, Series, flat, flying, gap_along, rocking, slipping, slipping_inertia};
 
 /// The order of the series that decide: derivatives up to the third of a force.
 pub(crate) const DECIDING: usize = 5;
@@ -154,7 +152,9 @@ impl Decider<'_> {
             let [x, p, m] = self.channels.wrench(0.0);
             // Exactly, for the numbers at this moment; what it calls rest may still be left at once.
             let exact = solve(self.block, &Wrench { x, p, m }).ok();
-            if let Some(first) = exact.and_then(|solution| solution.mode()).filter(|mode| modes.contains(*mode)) {
+            if let Some(first) =
+                exact.and_then(|solution| solution.mode()).filter(|mode| modes.contains(*mode))
+            {
                 mode = Some(first);
             }
         }
@@ -198,7 +198,11 @@ impl Decider<'_> {
             Mode::Rest => 0,
             Mode::SlideLeft | Mode::SlideRight => 1,
             mode if mode.corner().is_some() && mode.slip().is_some() => {
-                if regular(*mode) { 2 } else { 4 }
+                if regular(*mode) {
+                    2
+                } else {
+                    4
+                }
             }
             Mode::Flight => 5,
             _ => 3,
@@ -217,13 +221,15 @@ impl Decider<'_> {
         match (mode, mode.corner()) {
             (Mode::Flight, _) => {
                 flying(block, &self.pose, self.channels, n, &mut motion);
-                CORNERS.into_iter().zip(self.contact.closed).filter(|(_, closed)| *closed).all(|(corner, _)| {
-                    let mut gap = gap_along(block, corner, n, &motion);
-                    // On the base, and not moving up.
-                    let known = if self.contact.zero == Some(Zero::Normal) { 3 } else { 2 };
-                    gap[..known].fill(0.0);
-                    scales.sign(&gap[..=n], scales.length) != Less
-                })
+                CORNERS.into_iter().zip(self.contact.closed).filter(|(_, closed)| *closed).all(
+                    |(corner, _)| {
+                        let mut gap = gap_along(block, corner, n, &motion);
+                        // On the base, and not moving up.
+                        let known = if self.contact.zero == Some(Zero::Normal) { 3 } else { 2 };
+                        gap[..known].fill(0.0);
+                        scales.sign(&gap[..=n], scales.length) != Less
+                    },
+                )
             }
             (_, None) => {
                 flat(block, slip, &self.pose, self.channels, n, &mut motion);
@@ -231,8 +237,11 @@ impl Decider<'_> {
                 let size = scales.acceleration + x[0].abs() + p[0].abs() + m[0].abs() / scales.length;
                 let base = on_base(block, p, &base_moment(block, slip, &motion.wrench, n), n);
                 let width = size * (block.b1 + block.b2 + block.d);
-                let pressed = force(p, size) != Less && base.iter().all(|margin| force(margin, width) != Less);
-                let friction = |side: f64| force(&combined(&[(block.mu_s, p), (-side, x)], n), size * (1.0 + block.mu_s));
+                let pressed =
+                    force(p, size) != Less && base.iter().all(|margin| force(margin, width) != Less);
+                let friction = |side: f64| {
+                    force(&combined(&[(block.mu_s, p), (-side, x)], n), size * (1.0 + block.mu_s))
+                };
                 pressed
                     && match () {
                         () if mode == Mode::Rest => friction(1.0) != Less && friction(-1.0) != Less,
@@ -273,7 +282,8 @@ impl Decider<'_> {
                 }
                 if slip == 0.0 {
                     let cone = |side: f64| {
-                        let margin = combined(&[(block.mu_s, &motion.normal), (-side, &motion.tangential)], n - 2);
+                        let margin =
+                            combined(&[(block.mu_s, &motion.normal), (-side, &motion.tangential)], n - 2);
                         force(&margin, size * (1.0 + block.mu_s)) != Less
                     };
                     cone(1.0) && cone(-1.0)
@@ -285,7 +295,9 @@ impl Decider<'_> {
                     if Zero::of_slip(self.contact.zero, block, mode.slip()) {
                         u[1] = 0.0;
                     }
-                    scales.sign(&u[..n], scales.acceleration * scales.time * (1.0 + size / scales.acceleration)) == Greater
+                    scales
+                        .sign(&u[..n], scales.acceleration * scales.time * (1.0 + size / scales.acceleration))
+                        == Greater
                 } else {
                     true
                 }

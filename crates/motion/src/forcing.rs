@@ -104,21 +104,28 @@ impl Forcing {
                 }
             }
         }
-        for (history, to, factor) in [(&problem.base.horizontal, [0, 0], -1.0), (&problem.base.vertical, [1, 0], 1.0)] {
+        for (history, to, factor) in
+            [(&problem.base.horizontal, [0, 0], -1.0), (&problem.base.vertical, [1, 0], 1.0)]
+        {
             if let Some(history) = history {
                 add(histories.len(), to, factor);
                 histories.push(history);
             }
         }
-        let mut breaks: Vec<f64> =
-            histories.iter().flat_map(|h| h.times().iter().copied()).filter(|t| *t > 0.0 && t.is_finite()).collect();
+        let mut breaks: Vec<f64> = histories
+            .iter()
+            .flat_map(|h| h.times().iter().copied())
+            .filter(|t| *t > 0.0 && t.is_finite())
+            .collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         let pieces: Vec<Vec<Local>> = histories.iter().map(|history| localised(history, &breaks)).collect();
         let jumps = breaks.iter().map(|t| histories.iter().any(|history| history.jumps_at(*t))).collect();
         let turn = shares.iter().any(|share| share.to[1] != 0);
-        let permanent = problem.loads.iter().filter(|load| load.history.times().last() == Some(&f64::INFINITY));
-        let pressing = problem.gravity - permanent.map(|load| load.direction[1] * load.history.at(0.0)).sum::<f64>();
+        let permanent =
+            problem.loads.iter().filter(|load| load.history.times().last() == Some(&f64::INFINITY));
+        let pressing =
+            problem.gravity - permanent.map(|load| load.direction[1] * load.history.at(0.0)).sum::<f64>();
         Forcing { breaks, jumps, pieces, shares, turn, gravity: problem.gravity, pressing }
     }
 
@@ -144,7 +151,8 @@ impl Forcing {
         let τ = t - self.start(segment);
         (channels.turn, channels.linear, channels.fastest) = (self.turn, true, 0.0);
         // Of a line the two first coefficients; what sines left above them is swept below.
-        let sines = self.shares.iter().any(|share| matches!(self.pieces[share.history][segment], Local::Sine { .. }));
+        let sines =
+            self.shares.iter().any(|share| matches!(self.pieces[share.history][segment], Local::Sine { .. }));
         let kinds = if self.turn { 3 } else { 1 };
         for row in &mut channels.series {
             for series in &mut row[..kinds] {
@@ -188,8 +196,12 @@ fn localised(history: &History, breaks: &[f64]) -> Vec<Local> {
         let piece = if i == 0 || i == times.len() { Piece::ZERO } else { history.pieces()[i - 1] };
         let τ = if i == 0 { 0.0 } else { start - times[i - 1] };
         found.push(match piece {
-            Piece::Line { value, slope } => Local::Line { value: if slope == 0.0 { value } else { value + slope * τ }, slope },
-            Piece::Sine { peak, angular_frequency: ω, phase } => Local::Sine { peak, ω, phase: phase + ω * τ },
+            Piece::Line { value, slope } => {
+                Local::Line { value: if slope == 0.0 { value } else { value + slope * τ }, slope }
+            }
+            Piece::Sine { peak, angular_frequency: ω, phase } => {
+                Local::Sine { peak, ω, phase: phase + ω * τ }
+            }
         });
     }
     found

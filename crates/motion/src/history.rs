@@ -108,7 +108,11 @@ impl History {
     pub fn triangle(peak: f64, rise: f64, duration: f64) -> Result<History, MotionError> {
         let (peak, duration) = (finite("peak", peak)?, positive("duration", duration)?);
         if !(0.0..=duration).contains(&rise) {
-            return Err(MotionError::Value { name: "rise", value: rise, expected: "a time from zero to the duration" });
+            return Err(MotionError::Value {
+                name: "rise",
+                value: rise,
+                expected: "a time from zero to the duration",
+            });
         }
         Ok(History::lines(&[(0.0, 0.0), (rise, peak), (duration, 0.0)]))
     }
@@ -134,9 +138,15 @@ impl History {
     ///
     /// # Errors
     /// As [`History::rect`]; or if the angular frequency is not above zero.
-    pub fn sine(peak: f64, angular_frequency: f64, phase: f64, duration: f64) -> Result<History, MotionError> {
+    pub fn sine(
+        peak: f64,
+        angular_frequency: f64,
+        phase: f64,
+        duration: f64,
+    ) -> Result<History, MotionError> {
         let angular_frequency = positive("angular_frequency", angular_frequency)?;
-        let piece = Piece::Sine { peak: finite("peak", peak)?, angular_frequency, phase: finite("phase", phase)? };
+        let piece =
+            Piece::Sine { peak: finite("peak", peak)?, angular_frequency, phase: finite("phase", phase)? };
         Ok(History::of(vec![(0.0, piece)], positive("duration", duration)?))
     }
 
@@ -160,7 +170,11 @@ impl History {
         }
         let share = if peak == 0.0 { if tail == 0.0 { 0.0 } else { f64::NAN } } else { tail / peak };
         if !(0.0..=1.0).contains(&share) {
-            return Err(MotionError::Value { name: "tail", value: tail, expected: "a number between zero and the peak" });
+            return Err(MotionError::Value {
+                name: "tail",
+                value: tail,
+                expected: "a number between zero and the peak",
+            });
         }
         let fall = impact_duration - (impact_duration - rise) * share;
         Ok(History::lines(&[(0.0, tail), (rise * share, tail), (rise, peak), (fall, tail), (duration, tail)]))
@@ -216,7 +230,11 @@ impl History {
         }
         for (i, pair) in history.times.windows(2).enumerate() {
             if !(pair[0].is_finite() && pair[0] < pair[1]) {
-                return Err(MotionError::Point { index: i + 1, value: pair[1], problem: Problematic::NotRising });
+                return Err(MotionError::Point {
+                    index: i + 1,
+                    value: pair[1],
+                    problem: Problematic::NotRising,
+                });
             }
         }
         for piece in &history.pieces {
@@ -288,7 +306,11 @@ impl History {
             Piece::Sine { peak, angular_frequency, phase } => {
                 let turns = |angle: f64| ((angle / std::f64::consts::PI) - 0.5).floor();
                 let last = phase + angular_frequency * (t[1] - t[0]);
-                if turns(last) > turns(*phase) { peak.abs() } else { piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs()) }
+                if turns(last) > turns(*phase) {
+                    peak.abs()
+                } else {
+                    piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs())
+                }
             }
             Piece::Line { slope: 0.0, value } => value.abs(),
             Piece::Line { .. } => piece.at(0.0).abs().max(piece.at(t[1] - t[0]).abs()),

@@ -44,7 +44,13 @@ pub(crate) fn stuck(block: &Block, [c, h]: [f64; 2], pose: &Pose) -> Pose {
 
 impl Law {
     /// After `touching` corners met the base: the one that approaches it, or both. `None` if nothing satisfies the law.
-    pub(crate) fn after(&self, block: &Block, pose: &Pose, touching: [bool; 2], landing: bool) -> Option<After> {
+    pub(crate) fn after(
+        &self,
+        block: &Block,
+        pose: &Pose,
+        touching: [bool; 2],
+        landing: bool,
+    ) -> Option<After> {
         match self.law {
             Impact::Ratio(ratio) if !landing => self.measured(block, pose, ratio),
             Impact::Housner if !landing => Some(housner(block, pose)),
@@ -83,7 +89,14 @@ impl Law {
         found
     }
 
-    fn one(&self, block: &Block, pose: &Pose, corner: Corner, slip: Option<Slip>, both: bool) -> Option<After> {
+    fn one(
+        &self,
+        block: &Block,
+        pose: &Pose,
+        corner: Corner,
+        slip: Option<Slip>,
+        both: bool,
+    ) -> Option<After> {
         let Block { rho2, m_x, m_y, .. } = *block;
         let [c, h] = lever(block, corner, pose.θ);
         let after = match slip {
@@ -157,7 +170,8 @@ impl Law {
         let normal = m_y * (vy - pose.vy);
         let sticking = m_x * (-h * ω - pose.vx);
         let limit = self.μ * normal.max(0.0);
-        let (tangential, sticks) = if sticking.abs() <= limit { (sticking, true) } else { (limit.copysign(sticking), false) };
+        let (tangential, sticks) =
+            if sticking.abs() <= limit { (sticking, true) } else { (limit.copysign(sticking), false) };
         let vx = if sticks { -h * ω } else { pose.vx + tangential / m_x };
         let after = Pose { vx, vy, ω, ..*pose };
         if normal < 0.0 || (!sticks && kinetic(block, &after) > kinetic(block, pose)) {

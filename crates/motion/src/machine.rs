@@ -6,7 +6,9 @@ mod step;
 use standfast::contact::Block;
 use standfast::{Corner, Mode, Modes, Slip};
 
-use crate::decide::{Contact, DECIDING, Decider, Decision, Scales, Zero, base_moment, combined, on_base, turning};
+use crate::decide::{
+    Contact, DECIDING, Decider, Decision, Scales, Zero, base_moment, combined, on_base, turning,
+};
 use crate::error::MotionError;
 use crate::forcing::{Channels, Forcing};
 use crate::impact::{After, CORNERS, Law, kinetic, stuck};
@@ -101,7 +103,8 @@ impl<'a> Machine<'a> {
         let block = &problem.block;
         let length = block.b1.max(block.b2);
         let radius = length.hypot(block.d);
-        let scales = Scales { time: (length / problem.gravity).sqrt(), length, acceleration: problem.gravity };
+        let scales =
+            Scales { time: (length / problem.gravity).sqrt(), length, acceleration: problem.gravity };
         let least = |b: f64| {
             let square = b * b + block.d * block.d;
             block.rho2 + 0.5 * block.m_y * square * (1.0 - (1.0 + block.mu_k * block.mu_k).sqrt())
@@ -179,7 +182,8 @@ impl<'a> Machine<'a> {
         if let Some(lower) = (0..2).find(|i| touching[*i]) {
             // A body that rocks over without slipping stays where it is, whichever corner it began on.
             let [x, c] = self.feet[lower];
-            self.feet = CORNERS.map(|corner| [x + (c - arm(self.block, CORNERS[lower])), arm(self.block, corner)]);
+            self.feet =
+                CORNERS.map(|corner| [x + (c - arm(self.block, CORNERS[lower])), arm(self.block, corner)]);
         }
         self.max_theta = [self.pose.θ.abs(), 0.0];
         let tiny = tiny / self.scales.time;
@@ -220,7 +224,8 @@ impl<'a> Machine<'a> {
         let last = self.events.last().map_or(0.0, |event| event.t);
         let resting = self.mode == Mode::Rest;
         let since = self.events.iter().rposition(|event| event.state != Mode::Rest);
-        let t_rest = resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
+        let t_rest =
+            resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
         Outcome {
             end,
             slide: at(touching.unwrap_or(Corner::O)),
@@ -229,6 +234,17 @@ impl<'a> Machine<'a> {
             max_theta: self.max_theta[0],
             t_max_theta: self.max_theta[1],
             theta: self.pose.θ,
+            last: Initial {
+                theta: self.pose.θ,
+                omega: self.pose.ω,
+                vx: Some(self.pose.vx),
+                vy: Some(self.pose.vy),
+                gap: CORNERS
+                    .map(|corner| self.pose.y - lever(self.block, corner, self.pose.θ)[1])
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min)
+                    .max(0.0),
+            },
             past_balance: self.past_balance,
             impacts: self.impacts,
             t_rest,
@@ -260,7 +276,8 @@ impl<'a> Machine<'a> {
     fn decide(&mut self, contact: Contact) -> Decision {
         self.begins = (contact.zero, contact.failed);
         self.forcing.channels(self.segment, self.t, DECIDING, &mut self.channels);
-        Decider { block: self.block, scales: self.scales, channels: &self.channels, pose: self.pose, contact }.decide()
+        Decider { block: self.block, scales: self.scales, channels: &self.channels, pose: self.pose, contact }
+            .decide()
     }
 
     /// The closed corners of the present state, and the direction of their slip.
@@ -296,7 +313,9 @@ impl<'a> Machine<'a> {
             self.say(why, modes);
             return None;
         }
-        if slip.is_some() && let Some((after, corner)) = self.gripped(closed) {
+        if slip.is_some()
+            && let Some((after, corner)) = self.gripped(closed)
+        {
             self.impact_loss += kinetic(self.block, &self.pose) - kinetic(self.block, &after);
             self.pose = after;
             let closed = CORNERS.map(|other| other == corner);

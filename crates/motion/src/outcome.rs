@@ -3,6 +3,7 @@
 use standfast::contact::Block;
 use standfast::{Corner, Mode, Modes};
 
+use crate::problem::Initial;
 use crate::roots::value;
 use crate::series::{Series, lever};
 
@@ -129,6 +130,8 @@ pub struct Outcome {
     pub t_max_theta: f64,
     /// θ at the end.
     pub theta: f64,
+    /// Where the body is at the end, and how it moves.
+    pub last: Initial,
     /// Whether the centre of mass went beyond the corner it turned about, whatever became of it.
     pub past_balance: bool,
     /// How many times a corner met the base; of an infinite sequence those that were followed one by one.
@@ -173,6 +176,15 @@ impl Outcome {
     /// What the balance of energy lacks: kinetic + potential + losses − work.
     pub fn energy_residual(&self) -> f64 {
         self.kinetic + self.potential + self.friction_loss + self.impact_loss - self.work
+    }
+
+    /// ẋ of the centre of mass at a moment, as [`Outcome::at`].
+    pub fn velocity(&self, t: f64) -> Option<f64> {
+        let i = self.steps.partition_point(|step| step.t <= t);
+        let step = self.steps.get(i.saturating_sub(1))?;
+        let τ = (t - step.t).clamp(0.0, step.duration);
+        // The derivative of the polynomial.
+        Some(step.x.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, a)| sum * τ + k as f64 * a))
     }
 
     /// The position at a moment, if the [steps](Outcome::steps) were kept: x and y of the centre of mass and θ; that at the nearest end

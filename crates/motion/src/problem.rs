@@ -122,20 +122,20 @@ impl Problem {
             }
         }
         let Initial { theta, omega, vx, vy, gap } = self.initial;
-        if !(theta.abs() < std::f64::consts::FRAC_PI_2) {
+        if theta.is_nan() || theta.abs() >= std::f64::consts::FRAC_PI_2 {
             return value("theta", theta, "an angle within a quarter turn");
         }
         if !(0.0..1e50).contains(&gap) {
             return value("gap", gap, "a number not below zero");
         }
         for (name, number) in [("omega", omega), ("vx", vx.unwrap_or(0.0)), ("vy", vy.unwrap_or(0.0))] {
-            if !(number.abs() < 1e50) {
+            if !(-1e50..1e50).contains(&number) {
                 return value(name, number, "a finite number");
             }
         }
         for load in &self.loads {
             for (name, numbers) in [("at", load.at), ("direction", load.direction)] {
-                if let Some(number) = numbers.into_iter().find(|number| !(number.abs() < 1e50)) {
+                if let Some(number) = numbers.into_iter().find(|number| !(-1e50..1e50).contains(number)) {
                     return value(name, number, "a finite number");
                 }
             }

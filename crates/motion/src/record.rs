@@ -126,7 +126,9 @@ pub enum RecordProblem {
         expected: &'static str,
     },
     /// A unit that is missing or unknown.
-    #[error("the column \"{column}\" names no unit that is known; expected a name that ends in _g, _m_s2, _cm_s2, _N, _kN or _MN")]
+    #[error(
+        "the column \"{column}\" names no unit that is known; expected a name that ends in _g, _m_s2, _cm_s2, _N, _kN or _MN"
+    )]
     Unit {
         /// The column.
         column: String,
@@ -182,7 +184,12 @@ impl Record {
     ///
     /// # Errors
     /// See [`RecordProblem`], with file and line.
-    pub fn parse(file: &str, text: &str, column: Option<&str>, dt: Option<f64>) -> Result<Record, RecordError> {
+    pub fn parse(
+        file: &str,
+        text: &str,
+        column: Option<&str>,
+        dt: Option<f64>,
+    ) -> Result<Record, RecordError> {
         let at = |line: Option<usize>, problem| RecordError { file: file.to_owned(), line, problem };
         let lines: Vec<&str> = text.lines().collect();
         if text.trim().is_empty() {
@@ -191,7 +198,9 @@ impl Record {
         let third = lines.get(2).map_or("", |line| line).to_uppercase();
         let read = if third.contains("UNITS OF") {
             at2(&lines)
-        } else if lines.iter().take(40).any(|line| line.starts_with('|')) && lines.get(11).is_some_and(|l| l.contains("-32768")) {
+        } else if lines.iter().take(40).any(|line| line.starts_with('|'))
+            && lines.get(11).is_some_and(|l| l.contains("-32768"))
+        {
             smc(&lines)
         } else {
             csv(&lines, column, dt)
@@ -284,8 +293,10 @@ fn at2(lines: &[&str]) -> Found {
         (Some(4), RecordProblem::Header { found: short(fourth.trim()), expected })
     };
     let upper = fourth.to_uppercase();
-    let words: Vec<&str> =
-        upper.split(|c: char| c.is_whitespace() || c == ',' || c == '=').filter(|word| !word.is_empty()).collect();
+    let words: Vec<&str> = upper
+        .split(|c: char| c.is_whitespace() || c == ',' || c == '=')
+        .filter(|word| !word.is_empty())
+        .collect();
     let numbers: Vec<f64> = words.iter().filter_map(|word| word.parse().ok()).collect();
     let has = |name: &str| words.contains(&name);
     let [count, dt] = numbers[..] else { return Err(header()) };
@@ -323,7 +334,10 @@ fn smc(lines: &[&str]) -> Found {
     let reals = fields(17..27, 15)?;
     let (Some(comments), Some(count), Some(rate)) = (integers.get(15), integers.get(16), reals.get(1)) else {
         let expected = "6 lines of integers and 10 of reals after 11 lines of text";
-        return Err((Some(12), RecordProblem::Header { found: short(lines.get(11).map_or("", |l| l.trim())), expected }));
+        return Err((
+            Some(12),
+            RecordProblem::Header { found: short(lines.get(11).map_or("", |l| l.trim())), expected },
+        ));
     };
     if !(*rate > 0.0 && *rate < 1e6) {
         return Err((Some(18), RecordProblem::Step(format!("1/{rate}"))));
@@ -357,7 +371,13 @@ fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
         .map(|(i, line)| (i + 1, line.trim_start_matches('\u{feff}').trim()))
         .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let Some((at, header)) = rows.next() else { return Err((None, RecordProblem::Empty)) };
-    let separator = if header.contains(';') { ';' } else if header.contains('\t') { '\t' } else { ',' };
+    let separator = if header.contains(';') {
+        ';'
+    } else if header.contains('\t') {
+        '\t'
+    } else {
+        ','
+    };
     let names: Vec<&str> = header.split(separator).map(|name| name.trim().trim_matches('"')).collect();
     if names.iter().all(|name| name.parse::<f64>().is_ok()) {
         let expected = "a header with units, as time_s,a_g";
@@ -411,7 +431,11 @@ impl Record {
     pub fn known_unit(&self, file: &str, column: Option<&str>) -> Result<RecordUnit, RecordError> {
         if self.unit == RecordUnit::Unnamed {
             let column = column.unwrap_or("of values").to_owned();
-            return Err(RecordError { file: file.to_owned(), line: None, problem: RecordProblem::Unit { column } });
+            return Err(RecordError {
+                file: file.to_owned(),
+                line: None,
+                problem: RecordProblem::Unit { column },
+            });
         }
         Ok(self.unit)
     }

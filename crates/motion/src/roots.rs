@@ -48,7 +48,7 @@ pub(crate) fn value(powers: &[f64], τ: f64) -> f64 {
 /// If its value at 0 is not positive, the root is at 0.
 #[inline]
 pub(crate) fn first_root(powers: &[f64], h: f64) -> Option<f64> {
-    let Some((first, rest)) = powers.split_first() else { return None };
+    let (first, rest) = powers.split_first()?;
     let (mut power, mut least) = (1.0, *first);
     for a in rest {
         power *= h;
@@ -115,7 +115,11 @@ fn refine(powers: &[f64], from: f64, to: f64) -> f64 {
             slope = slope * at + f;
             f = f * at + a;
         }
-        if f > 0.0 { low = at } else { high = at }
+        if f > 0.0 {
+            low = at
+        } else {
+            high = at
+        }
         let newton = at - f / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - at).abs() <= 2.0 * f64::EPSILON * at || high - low <= 2.0 * f64::EPSILON * high {
@@ -156,7 +160,9 @@ mod tests {
         ] {
             let found = first_root(&product(&roots), h);
             match (found, expected) {
-                (Some(found), Some(expected)) => assert!((found / expected - 1.0).abs() < 1e-9, "{roots:?} {found}"),
+                (Some(found), Some(expected)) => {
+                    assert!((found / expected - 1.0).abs() < 1e-9, "{roots:?} {found}")
+                }
                 (found, expected) => assert_eq!(found, expected, "{roots:?}"),
             }
         }

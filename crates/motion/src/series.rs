@@ -134,7 +134,14 @@ impl Turning {
 }
 
 /// The corner stays in its place: rocking, to the order `n`.
-pub(crate) fn rocking(block: &Block, corner: Corner, pose: &Pose, channels: &Channels, n: usize, motion: &mut Motion) {
+pub(crate) fn rocking(
+    block: &Block,
+    corner: Corner,
+    pose: &Pose,
+    channels: &Channels,
+    n: usize,
+    motion: &mut Motion,
+) {
     let Block { d, rho2, m_x, m_y, .. } = *block;
     let r = arm(block, corner);
     let [c0, h0] = lever(block, corner, pose.θ);
@@ -306,7 +313,14 @@ pub(crate) fn gap_along(block: &Block, corner: Corner, n: usize, motion: &Motion
 }
 
 /// Both corners on the base: at rest (`slip` 0) or sliding.
-pub(crate) fn flat(block: &Block, slip: f64, pose: &Pose, channels: &Channels, n: usize, motion: &mut Motion) {
+pub(crate) fn flat(
+    block: &Block,
+    slip: f64,
+    pose: &Pose,
+    channels: &Channels,
+    n: usize,
+    motion: &mut Motion,
+) {
     let degree = channels.degree_flat(n);
     channels.fixed(&mut motion.wrench);
     if channels.turn {
@@ -317,7 +331,8 @@ pub(crate) fn flat(block: &Block, slip: f64, pose: &Pose, channels: &Channels, n
         }
     }
     let [x, p, _] = motion.wrench;
-    for array in [&mut motion.θ, &mut motion.ω, &mut motion.vx, &mut motion.vy, &mut motion.x, &mut motion.y] {
+    for array in [&mut motion.θ, &mut motion.ω, &mut motion.vx, &mut motion.vy, &mut motion.x, &mut motion.y]
+    {
         *array = [0.0; LEN];
     }
     (motion.x[0], motion.y[0], motion.vx[0]) = (pose.x, block.d, pose.vx);

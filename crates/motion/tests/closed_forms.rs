@@ -1,7 +1,7 @@
 //! Motions whose end is known in closed form, and those known by quadrature.
 
-use standfast::contact::Block;
 use standfast::Mode;
+use standfast::contact::Block;
 use standfast_motion::{Base, End, History, Impact, Initial, Keep, Load, Outcome, Problem, Why, simulate};
 
 fn run(problem: &Problem) -> Outcome {
@@ -72,7 +72,8 @@ fn half_sine_slides() {
     for (k, μ, t) in [(0.8_f64, 0.5_f64, 1.3_f64), (0.8, 0.6, 1.3), (0.9, 0.2, 0.7), (3.0, 0.9, 0.1)] {
         let (w, φ) = (std::f64::consts::PI / t, (μ / k).asin());
         let v = |x: f64| (k * (φ.cos() - x.cos()) - μ * (x - φ)) / w;
-        let s = |x: f64| (k * ((x - φ) * φ.cos() - x.sin() + φ.sin()) - μ * (x - φ) * (x - φ) / 2.0) / (w * w);
+        let s =
+            |x: f64| (k * ((x - φ) * φ.cos() - x.sin() + φ.sin()) - μ * (x - φ) * (x - φ) / 2.0) / (w * w);
         let pi = std::f64::consts::PI;
         let expected = if μ / k <= 0.724611 {
             s(pi) + v(pi) * v(pi) / (2.0 * μ)
@@ -116,8 +117,8 @@ fn thrust_with_uplift_slides() {
 
 /// ∫ of a smooth function by Gauss–Legendre on many panels, for the quadratures below.
 fn quadrature(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let nodes = [0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363];
-    let weights = [0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763];
+    let nodes = [0.1834346424956498, 0.525532409916329, 0.7966664774136267, 0.9602898564975363];
+    let weights = [0.362683783378362, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763];
     let panels = 400;
     let h = (to - from) / f64::from(panels);
     let mut sum = 0.0;
@@ -133,7 +134,8 @@ fn quadrature(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
 /// Released at θ₀, a block that does not slip meets the base after a time that a quadrature gives: θ̇² = 2p²(cos(α−θ) …) by energy.
 #[test]
 fn quarter_period_by_quadrature() {
-    for (γ, θ0, eccentric) in [(2.264_f64, 0.2_f64, 1.0), (4.0, -0.1, 1.0), (3.0, 0.15, 1.3), (1.2, 0.4, 0.8)] {
+    for (γ, θ0, eccentric) in [(2.264_f64, 0.2_f64, 1.0), (4.0, -0.1, 1.0), (3.0, 0.15, 1.3), (1.2, 0.4, 0.8)]
+    {
         let mut block = Block::uniform(γ, 50.0);
         (block.b1, block.b2) = (eccentric, 2.0 - eccentric);
         let b = if θ0 > 0.0 { block.b1 } else { block.b2 };
@@ -254,8 +256,10 @@ fn one_sine_pulse_overturns_in_two_ranges() {
         let duration = (2.0 * std::f64::consts::PI - phase) / ω;
         let mut problem = Problem::new(block, 1.0);
         problem.impact = Impact::Ratio(r);
-        problem.base =
-            Base { horizontal: Some(History::sine(amplitude * α, ω, phase, duration).unwrap()), vertical: None };
+        problem.base = Base {
+            horizontal: Some(History::sine(amplitude * α, ω, phase, duration).unwrap()),
+            vertical: None,
+        };
         run(&problem).overturned()
     };
     for (amplitude, expected) in [

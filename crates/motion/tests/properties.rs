@@ -29,14 +29,22 @@ fn energy_balances() {
     for seed in 0..4 * CASES {
         let problem = problem(&mut Random::new(seed));
         let outcome = run(&problem);
-        let largest = [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.potential, outcome.kinetic]
-            .into_iter()
-            .fold(1e-6, |most: f64, term| most.max(term.abs()));
-        assert!(outcome.energy_residual().abs() <= 1e-10 * largest, "{seed}: {} of {largest}", outcome.energy_residual());
+        let largest =
+            [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.potential, outcome.kinetic]
+                .into_iter()
+                .fold(1e-6, |most: f64, term| most.max(term.abs()));
+        assert!(
+            outcome.energy_residual().abs() <= 1e-10 * largest,
+            "{seed}: {} of {largest}",
+            outcome.energy_residual()
+        );
         assert!(outcome.friction_loss >= -1e-14 && outcome.impact_loss >= -1e-14, "{seed}");
         // A measured ratio that gave energy to a body that slips is refused; nothing else stops.
         let refused = outcome.end == End::NoContinuation && matches!(problem.impact, Impact::Ratio(_));
-        assert!(refused || !matches!(outcome.end, End::NoContinuation | End::TooManyEvents), "{seed}: {problem:?}");
+        assert!(
+            refused || !matches!(outcome.end, End::NoContinuation | End::TooManyEvents),
+            "{seed}: {problem:?}"
+        );
         ends[outcome.end as usize] += 1;
     }
     // Enough of each kind, or the test says little.
@@ -140,7 +148,10 @@ fn splitting_and_shifting_pieces() {
                 assert!((one.slide - two.slide).abs() < 1e-9, "{seed} {shift} {} {}", one.slide, two.slide);
                 assert!((one.max_theta - two.max_theta).abs() < 1e-9, "{seed} {shift}");
                 let rested = one.t_rest.unwrap() == 0.0;
-                assert!(rested || (one.t_rest.unwrap() + shift - two.t_rest.unwrap()).abs() < 1e-4, "{seed} {shift}");
+                assert!(
+                    rested || (one.t_rest.unwrap() + shift - two.t_rest.unwrap()).abs() < 1e-4,
+                    "{seed} {shift}"
+                );
             }
         }
     }
@@ -188,7 +199,11 @@ fn states_keep_their_conditions() {
             }
             let sticks = |state: Mode| state.slip().is_none() && state != Mode::Flight;
             let between = |last: &standfast_motion::Position| {
-                outcome.events.iter().filter(|event| event.t > last.t && event.t <= t).all(|event| sticks(event.state))
+                outcome
+                    .events
+                    .iter()
+                    .filter(|event| event.t > last.t && event.t <= t)
+                    .all(|event| sticks(event.state))
             };
             if let Some(last) = last.filter(|last| sticks(last.state) && sticks(at.state) && between(last)) {
                 assert!((last.slide - at.slide).abs() < 1e-11, "{seed} {t} {} {}", last.slide, at.slide);

@@ -79,9 +79,14 @@ fn read(text: &str, file: &ReadFile<'_>) -> Result<BlockCase, Wrong> {
                 section.map(|section| history::read(&section, file).map(&mut taken)).transpose()
             };
             problem.base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
-            for (key, history) in [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)] {
+            for (key, history) in
+                [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)]
+            {
                 if let Some(peak) = history.as_ref().map(History::peak).filter(|peak| *peak > 5.0 * gravity) {
-                    let words = format!("the {key} acceleration of the base reaches {:.1} times gravity", peak / gravity);
+                    let words = format!(
+                        "the {key} acceleration of the base reaches {:.1} times gravity",
+                        peak / gravity
+                    );
                     violent.push(MotionWarning { name: "violent-base", words });
                 }
             }
@@ -94,8 +99,12 @@ fn read(text: &str, file: &ReadFile<'_>) -> Result<BlockCase, Wrong> {
         let words = format!("points are up to {step:.3} apart, {:.2} of √(B/g)", step / time);
         warnings.push(MotionWarning { name: "coarse-record", words });
     }
-    if let Impact::Ratio(ratio) = problem.impact && ratio > 0.999 {
-        let words = format!("a ratio of {ratio} leaves almost all of the energy at an impact; measured ones lose more");
+    if let Impact::Ratio(ratio) = problem.impact
+        && ratio > 0.999
+    {
+        let words = format!(
+            "a ratio of {ratio} leaves almost all of the energy at an impact; measured ones lose more"
+        );
         warnings.push(MotionWarning { name: "lossless-impact", words });
     }
     let title = top.words("title")?.map(str::to_owned);
@@ -129,9 +138,7 @@ fn impact(motion: &Section<'_>) -> Result<Impact, Wrong> {
     let ratio = impact.number("ratio")?;
     match (law, ratio) {
         (2, ratio) => Ok(Impact::Ratio(ratio.ok_or_else(|| impact.lacks("ratio"))?)),
-        (_, Some(_)) => {
-            Err(Wrong::new("`ratio` goes with law = \"ratio\" only", impact.place("ratio")))
-        }
+        (_, Some(_)) => Err(Wrong::new("`ratio` goes with law = \"ratio\" only", impact.place("ratio"))),
         (law, None) => Ok(if law == 0 { Impact::Inelastic } else { Impact::Housner }),
     }
 }
@@ -173,7 +180,10 @@ fn refused(block: &Section<'_>, motion: Option<&Section<'_>>, error: &MotionErro
     };
     let inner = motion.and_then(|motion| {
         let within = |table: &str| {
-            motion.section(table, String::new(), &["law", "ratio", "theta", "omega", "vx", "vy", "gap"]).ok().flatten()
+            motion
+                .section(table, String::new(), &["law", "ratio", "theta", "omega", "vx", "vy", "gap"])
+                .ok()
+                .flatten()
         };
         let holds = |section: &Section<'_>| section.get(key).map(|value| value.span());
         holds(motion).or_else(|| ["impact", "initial"].into_iter().find_map(|table| holds(&within(table)?)))

@@ -40,7 +40,12 @@ impl Wrong {
             span.start..span.start + line.len()
         };
         let Some(span) = self.span.map(first_line) else {
-            return MotionCaseError { message: self.message, help: self.help, excerpt: None, spans: Vec::new() };
+            return MotionCaseError {
+                message: self.message,
+                help: self.help,
+                excerpt: None,
+                spans: Vec::new(),
+            };
         };
         let (excerpt, spans) = Excerpt::new(name, text, vec![span]);
         MotionCaseError { message: self.message, help: self.help, excerpt: Some(Box::new(excerpt)), spans }

@@ -61,7 +61,9 @@ pub(crate) fn read(section: &Section<'_>, file: &ReadFile<'_>) -> Result<Read, W
     let foreign = KEYS[2..].iter().find(|key| section.get(key).is_some() && !keys.contains(key));
     if let Some(key) = foreign {
         let message = format!("`{key}` does not go with the shape \"{shape}\"");
-        return Err(Wrong::new(message, section.place(key)).help(format!("\"{shape}\" has {}", keys.join(", "))));
+        return Err(
+            Wrong::new(message, section.place(key)).help(format!("\"{shape}\" has {}", keys.join(", ")))
+        );
     }
     let number = |key: &str| section.needed(key);
     let peak = || section.number("peak").map(|peak| peak.unwrap_or(1.0));
@@ -93,7 +95,8 @@ pub(crate) fn read(section: &Section<'_>, file: &ReadFile<'_>) -> Result<Read, W
             History::points(&times, &values).map(|history| history.times_factor(peak))
         }
     };
-    let history = history.and_then(|history| history.starting(start)).map_err(|error| refused(section, &error))?;
+    let history =
+        history.and_then(|history| history.starting(start)).map_err(|error| refused(section, &error))?;
     Ok(Read { history, warnings, step: None })
 }
 

@@ -55,7 +55,9 @@ impl<'a> Section<'a> {
                 Some(like) => format!("did you mean `{like}`? {known}"),
                 None => known,
             };
-            return Err(Wrong::new(format!("{name} has no key `{}`", shortened(found)), key.span()).help(help));
+            return Err(
+                Wrong::new(format!("{name} has no key `{}`", shortened(found)), key.span()).help(help)
+            );
         }
         Ok(Section { name, table, span, text })
     }
@@ -135,12 +137,20 @@ impl<'a> Section<'a> {
         let Some(numbers) = self.numbers(key)? else { return Ok(None) };
         match numbers[..] {
             [x, y] => Ok(Some([x, y])),
-            _ => Err(Wrong::new(format!("`{key}` has {} numbers; expected two, x and y", numbers.len()), self.place(key))),
+            _ => Err(Wrong::new(
+                format!("`{key}` has {} numbers; expected two, x and y", numbers.len()),
+                self.place(key),
+            )),
         }
     }
 
     /// A table within this one.
-    pub(crate) fn section(&self, key: &str, name: String, keys: &[&str]) -> Result<Option<Section<'a>>, Wrong> {
+    pub(crate) fn section(
+        &self,
+        key: &str,
+        name: String,
+        keys: &[&str],
+    ) -> Result<Option<Section<'a>>, Wrong> {
         let Some(value) = self.get(key) else { return Ok(None) };
         let table = value.get_ref().as_table().ok_or_else(|| self.wrong_type(key, value, "a table"))?;
         Section::new(name, table, value.span(), self.text, keys).map(Some)
@@ -153,7 +163,8 @@ impl<'a> Section<'a> {
         let list = value.get_ref().as_array().ok_or_else(|| self.wrong_type(key, value, expected))?;
         list.iter()
             .map(|value| {
-                let table = value.get_ref().as_table().ok_or_else(|| self.wrong_type(key, value, expected))?;
+                let table =
+                    value.get_ref().as_table().ok_or_else(|| self.wrong_type(key, value, expected))?;
                 Section::new(name, table, value.span(), self.text, keys)
             })
             .collect()

@@ -50,14 +50,23 @@ fn verdict(outcome: &Outcome) -> String {
     };
     let last = outcome.events.last();
     let ends = match outcome.end {
-        End::AtRest => format!("It comes to rest at t = {}.", number(outcome.t_rest.unwrap_or(outcome.t_final))),
+        End::AtRest => {
+            format!("It comes to rest at t = {}.", number(outcome.t_rest.unwrap_or(outcome.t_final)))
+        }
         End::Overturned => format!("It overturns at t = {}.", at(last)),
         End::Time => format!("It still moves at t = {}, when the time is up.", at(last)),
         End::NoContinuation => {
-            format!("At t = {} no state satisfies all conditions, and the motion is not followed further.", at(last))
+            format!(
+                "At t = {} no state satisfies all conditions, and the motion is not followed further.",
+                at(last)
+            )
         }
         End::TooManyEvents => {
-            format!("After {} events, at t = {}, the motion is not followed further.", outcome.events.len(), at(last))
+            format!(
+                "After {} events, at t = {}, the motion is not followed further.",
+                outcome.events.len(),
+                at(last)
+            )
         }
     };
     let past = if outcome.past_balance && outcome.end != End::Overturned {
@@ -77,7 +86,11 @@ fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
         row(
             "largest |θ|",
             outcome.max_theta,
-            format!("at t = {}, {} of that of balance", number(outcome.t_max_theta), significant(of_balance(case, outcome), 4)),
+            format!(
+                "at t = {}, {} of that of balance",
+                number(outcome.t_max_theta),
+                significant(of_balance(case, outcome), 4)
+            ),
         ),
         row("θ at the end", outcome.theta, String::new()),
         vec!["impacts".to_owned(), outcome.impacts.to_string(), String::new()],
@@ -130,7 +143,9 @@ fn uniqueness(outcome: &Outcome) -> String {
 fn predictable(sensitivity: f64) -> String {
     let size = significant(sensitivity, 3);
     if sensitivity > 1e5 {
-        format!("Sensitivity {size}: not predictable in detail; a single motion is no answer, many of them are.")
+        format!(
+            "Sensitivity {size}: not predictable in detail; a single motion is no answer, many of them are."
+        )
     } else {
         format!("Sensitivity {size}: so much more than friction and height change slide and θ, relatively.")
     }

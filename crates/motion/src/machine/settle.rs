@@ -32,7 +32,7 @@ impl Bounce {
 impl Machine<'_> {
     /// After an impact: ends the sequence that has begun, if its end is near.
     pub(super) fn settle(&mut self) -> Option<End> {
-        let Some(corner) = self.mode.corner() else { return None };
+        let corner = self.mode.corner()?;
         if self.pose.θ != 0.0 || self.pose.ω == 0.0 {
             return None;
         }
@@ -87,7 +87,8 @@ impl Machine<'_> {
         let before = Pose { θ: 0.0, ω, vx: u - self.block.d * ω, vy: -r * ω, ..self.pose };
         let after = self.law.after(self.block, &before, [true, true], false)?;
         let corner = bounce.corner.opposite();
-        let about = after.closed == CORNERS.map(|other| other == corner) && after.slip == slip && after.pose.ω != 0.0;
+        let about =
+            after.closed == CORNERS.map(|other| other == corner) && after.slip == slip && after.pose.ω != 0.0;
         if about { self.bounce(corner, after.pose.ω) } else { None }
     }
 
@@ -123,7 +124,8 @@ impl Machine<'_> {
         while self.t >= self.forcing.stop(self.segment) {
             self.segment += 1;
         }
-        let decision = self.decide(Contact { closed: [true, true], slip: along, failed: None, zero: None, jump: true });
+        let decision =
+            self.decide(Contact { closed: [true, true], slip: along, failed: None, zero: None, jump: true });
         self.go_on(Why::Settle, decision, along, [true, true])
     }
 

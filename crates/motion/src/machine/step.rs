@@ -257,7 +257,8 @@ impl Machine<'_> {
         for a in θ.iter().rev() {
             bound = bound * τ + a.abs();
         }
-        let beyond = |block: &Block, corner: Corner, θ: f64| turning(corner) * lever(block, corner, θ)[0] > 0.0;
+        let beyond =
+            |block: &Block, corner: Corner, θ: f64| turning(corner) * lever(block, corner, θ)[0] > 0.0;
         if bound <= self.max_theta[0] {
             return;
         }
@@ -330,7 +331,8 @@ impl Machine<'_> {
             }
             (_, Some(corner)) => {
                 let (θ, ω) = (at(&motion.θ, ORDER + 1), at(&motion.ω, ORDER));
-                let ([c0, _], [c, h]) = (lever(self.block, corner, self.pose.θ), lever(self.block, corner, θ));
+                let ([c0, _], [c, h]) =
+                    (lever(self.block, corner, self.pose.θ), lever(self.block, corner, θ));
                 let (x, vx) = if self.mode.slip().is_some() {
                     (at(&motion.x, ORDER + 1), at(&motion.vx, ORDER))
                 } else {
@@ -393,7 +395,13 @@ impl Machine<'_> {
         if touching == [true, true] {
             (self.pose.θ, self.pose.y) = (0.0, self.block.d);
         }
-        let decision = self.decide(Contact { closed: after.closed, slip: after.slip, failed: None, zero: None, jump: false });
+        let decision = self.decide(Contact {
+            closed: after.closed,
+            slip: after.slip,
+            failed: None,
+            zero: None,
+            jump: false,
+        });
         let end = self.go_on(Why::Impact, decision, after.slip, after.closed);
         if end.is_some() { end } else { self.settle() }
     }

@@ -85,7 +85,8 @@ pub fn problem(random: &mut Random) -> Problem {
         kind => {
             for _ in 0..kind {
                 let peak = reach * random.between(0.5, 3.0);
-                let angle = random.between(-0.4, 0.4) + if random.of(2) == 0 { 0.0 } else { std::f64::consts::PI };
+                let angle =
+                    random.between(-0.4, 0.4) + if random.of(2) == 0 { 0.0 } else { std::f64::consts::PI };
                 let history = history(random, peak);
                 problem.loads.push(Load {
                     at: [random.between(-1.0, 1.0), γ * random.between(-0.9, 0.9)],

@@ -1,0 +1,106 @@
+//! Record files: what is in them, and what is said of those that are wrong.
+
+use standfast_motion::record::{Baseline, Record, RecordUnit};
+
+/// The header of each component says its peak; text and numbers were put there by the agency that recorded it.
+#[test]
+fn smc_of_a_real_earthquake() {
+    for (file, count, peak, share) in [
+        (include_str!("../../../examples/records/np01002p_4225a_a.smc"), 7183, 222.5194, 0.227),
+        (include_str!("../../../examples/records/np01002p_4225b_a.smc"), 7184, f64::NAN, 0.086),
+        (include_str!("../../../examples/records/np01002p_4225c_a.smc"), 7183, f64::NAN, 0.278),
+    ] {
+        let record = Record::parse("a.smc", file, None, None).unwrap();
+        assert!(record.values.len().abs_diff(count) <= 1, "{}", record.values.len());
+        assert_eq!(record.unit, RecordUnit::CentimetrePerSecondSquared);
+        assert!((record.times[200] - 1.0).abs() < 1e-12);
+        assert!((record.peak() * 0.01 / 9.80665 - share).abs() < 5e-4, "{}", record.peak());
+        if peak.is_finite() {
+            // 2.2251940E+02 in the header, the values in five digits.
+            assert!((record.peak() - peak).abs() < 0.02, "{}", record.peak());
+        }
+    }
+}
+
+const VALUES: &str = "  .1E-01  -.2E-01\n .3E-01 .0\n";
+
+#[test]
+fn at2_with_either_header() {
+    let head =
+        "PEER STRONG MOTION DATABASE RECORD\nSOMEWHERE 01/01/90\nACCELERATION TIME HISTORY IN UNITS OF G\n";
+    for line in ["NPTS=    4, DT= .0050 SEC", "4   0.0050   NPTS, DT"] {
+        let record = Record::parse("x.AT2", &format!("{head}{line}\n{VALUES}"), None, None).unwrap();
+        assert_eq!(record.values, [0.01, -0.02, 0.03, 0.0]);
+        assert_eq!((record.times[3], record.unit), (3.0 * 0.005, RecordUnit::Gravity));
+    }
+}
+
+#[test]
+fn csv_with_units() {
+    let read = |text: &str, column| Record::parse("a.csv", text, column, None).unwrap();
+    let one = read("# a pulse\ntime_s,a_g\n0,0\n0.5,0.25\n2,-0.125\n", None);
+    assert_eq!(
+        (one.times, one.values, one.unit),
+        (vec![0.0, 0.5, 2.0], vec![0.0, 0.25, -0.125], RecordUnit::Gravity)
+    );
+    let two = read("time_s;x;force_kN\n0;1;2\n1;3;4\n", Some("force_kN"));
+    assert_eq!((two.values, two.unit), (vec![2.0, 4.0], RecordUnit::Kilonewton));
+    let three = Record::parse("a.csv", "a_cm_s2\n1\n2\n3\n", None, Some(0.25)).unwrap();
+    assert_eq!((three.times, three.unit), (vec![0.0, 0.25, 0.5], RecordUnit::CentimetrePerSecondSquared));
+}
+
+/// Every error has the file, the line and the value.
+#[test]
+fn wrong_files() {
+    let csv = |text: &str| Record::parse("r.csv", text, None, None).unwrap_err().to_string();
+    assert_eq!(csv("time_s,a_g\n0,0\n0.1,x1\n"), "r.csv, line 3: \"x1\" is not a number");
+    assert_eq!(csv("time_s,a_g\n0,0\n0.1,inf\n"), "r.csv, line 3: \"inf\" is not a finite number");
+    assert_eq!(
+        csv("time_s,a_g\n0,0\n0,1\n"),
+        "r.csv, line 3: the time 0 is not after 0; expected times that rise"
+    );
+    assert_eq!(csv("time_s,a_g\n0,0\n"), "r.csv: 1 values; expected two at least");
+    assert_eq!(csv("time_s,a_g\n0,0\n1\n"), "r.csv, line 3: the row has 1 cells; expected 2");
+    assert_eq!(
+        csv("0,0\n1,1\n"),
+        "r.csv, line 1: \"0,0\" is not understood; expected a header with units, as time_s,a_g"
+    );
+    assert_eq!(csv(" \n"), "r.csv: the file is empty");
+    assert!(csv("time_s,a,b\n0,0,0\n").contains("several columns of values: \"a\", \"b\""));
+    assert!(csv("a_g\n0\n").contains("no column of times"));
+    let missing = Record::parse("r.csv", "time_s,a\n0,0\n1,1\n", Some("b"), None).unwrap_err();
+    assert_eq!(missing.to_string(), "r.csv, line 1: there is no column \"b\"; there are \"a\"");
+    let at2 = |third: &str, fourth: &str| {
+        Record::parse("r.AT2", &format!("a\nb\n{third}\n{fourth}\n{VALUES}"), None, None)
+            .unwrap_err()
+            .to_string()
+    };
+    let g = "ACCELERATION TIME SERIES IN UNITS OF G";
+    assert_eq!(at2(g, "NPTS= 5, DT= .01 SEC"), "r.AT2: the header says 5 values, and there are 4");
+    assert!(at2(g, "NPTS= 4, DT= 0 SEC").starts_with("r.AT2, line 4: the step of time is 0"));
+    assert!(at2(g, "4 values").starts_with("r.AT2, line 4: \"4 values\" is not understood"));
+    assert!(at2("IN UNITS OF FURLONGS", "NPTS= 4, DT= .01").starts_with("r.AT2, line 3: "));
+    let smc = include_str!("../../../examples/records/np01002p_4225a_a.smc");
+    let cut: String = smc.lines().take(400).map(|line| format!("{line}\n")).collect();
+    let error = Record::parse("r.smc", &cut, None, None).unwrap_err().to_string();
+    assert!(error.starts_with("r.smc: the header says 7183 values, and there are "), "{error}");
+}
+
+/// A line under a record is found again, and the drift of a constant acceleration is that of a falling stone.
+#[test]
+fn baselines_and_drift() {
+    let times: Vec<f64> = (0..200).map(|i| f64::from(i) * 0.01).collect();
+    let record = |f: &dyn Fn(f64) -> f64| Record {
+        times: times.clone(),
+        values: times.iter().map(|t| f(*t)).collect(),
+        unit: RecordUnit::Gravity,
+    };
+    let line = record(&|t| 0.3 - 0.7 * t);
+    assert!(line.clone().corrected(Baseline::Linear).peak() < 1e-14);
+    let mean: f64 = line.corrected(Baseline::Mean).values.iter().sum();
+    assert!(mean.abs() < 1e-12);
+    let [v, x] = record(&|_| 2.0).drift();
+    assert!((v - 2.0 * 1.99).abs() < 1e-12 && (x - 1.99 * 1.99).abs() < 1e-12);
+    let [v, x] = record(&|t| t).drift();
+    assert!((v - 1.99f64.powi(2) / 2.0).abs() < 1e-12 && (x - 1.99f64.powi(3) / 6.0).abs() < 1e-12);
+}
