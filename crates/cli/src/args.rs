@@ -131,10 +131,11 @@ pub enum Command {
         Example:\n  standfast sheet examples/goda-2000.toml --date 2026-11-21 -o goda-2000.html")]
     Sheet(SheetArgs),
 
-    /// Follow the motion of a block in time: from rest through slide, rock, impacts and flight to the end
+    /// Follow the motion of a block in time, from event to event to its end
     ///
     /// Prints what becomes of the body, its slide and rotation, each change of state with its time and reason, and where the energy
-    /// went. The motion is followed from event to event, and the events are roots, not steps of time.
+    /// went: rest, slide, rock, slide-rock, impacts, flight, overturning. Events are found as roots, and no step of time is to be
+    /// chosen.
     #[command(
         after_help = "Example of a case (lengths in any one unit, the mass as 1, accelerations as they come):\n\
         \u{20} [block]\n\
@@ -157,7 +158,7 @@ pub enum Command {
         half-sine (peak, duration), sine (peak, angular_frequency or period, phase, duration), church-roof (peak,\n\
         rise, impact_duration, tail, duration), points (times, values, peak), file (file, column of a CSV, dt where\n\
         it has no times, factor or target_peak, baseline = \"mean\" or \"linear\").\n\n\
-        Example:\n  standfast simulate examples/block-base-pulse.toml --series motion.csv --dt 0.01"
+        Example:\n  standfast simulate examples/motion/block-base-pulse.toml --series motion.csv --dt 0.01"
     )]
     Simulate(SimulateArgs),
 

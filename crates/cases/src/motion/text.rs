@@ -77,20 +77,28 @@ fn verdict(outcome: &Outcome) -> String {
     format!("{begins} {}. {ends}{past}", first.state.words())
 }
 
+/// What is said of a number that is not zero.
+fn when(number: f64, words: impl Fn() -> String) -> String {
+    if number == 0.0 { String::new() } else { words() }
+}
+
 fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
     let outcome = &followed.outcome;
     let row = |words: &str, value: f64, more: String| vec![words.to_owned(), number(value), more];
     vec![
         row("slide, to the right", outcome.slide, String::new()),
-        row("largest slide", outcome.max_slide, format!("at t = {}", number(outcome.t_max_slide))),
+        row(
+            "largest slide",
+            outcome.max_slide,
+            when(outcome.max_slide, || format!("at t = {}", number(outcome.t_max_slide))),
+        ),
         row(
             "largest |θ|",
             outcome.max_theta,
-            format!(
-                "at t = {}, {} of that of balance",
-                number(outcome.t_max_theta),
-                significant(of_balance(case, outcome), 4)
-            ),
+            when(outcome.max_theta, || {
+                let share = significant(of_balance(case, outcome), 4);
+                format!("at t = {}, {share} of that of balance", number(outcome.t_max_theta))
+            }),
         ),
         row("θ at the end", outcome.theta, String::new()),
         vec!["impacts".to_owned(), outcome.impacts.to_string(), String::new()],
@@ -127,8 +135,17 @@ fn energy(outcome: &Outcome) -> Vec<Vec<String>> {
         row("lost at impacts", outcome.impact_loss),
         row("gained as motion", outcome.kinetic),
         row("gained as height", outcome.potential),
-        vec!["what the balance lacks".to_owned(), format!("{:.1e}", outcome.energy_residual())],
+        vec!["what the balance lacks".to_owned(), lacks(outcome)],
     ]
+}
+
+/// What the balance of energy lacks; not the rounding errors, which are others on another machine.
+fn lacks(outcome: &Outcome) -> String {
+    let terms =
+        [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.kinetic, outcome.potential];
+    let largest = terms.into_iter().fold(0.0, |most: f64, term| most.max(term.abs()));
+    let lacks = outcome.energy_residual();
+    if lacks.abs() <= 1e-12 * largest { "nothing".to_owned() } else { format!("{lacks:.1e}") }
 }
 
 fn uniqueness(outcome: &Outcome) -> String {

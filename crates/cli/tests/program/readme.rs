@@ -18,7 +18,8 @@ fn transcripts_are_real() {
     let folder = tempfile::tempdir().unwrap();
     let examples = folder.path().join("examples");
     fs::create_dir(&examples).unwrap();
-    for entry in fs::read_dir(root.join("examples")).unwrap().map(Result::unwrap) {
+    let files = fs::read_dir(root.join("examples")).unwrap().map(Result::unwrap);
+    for entry in files.filter(|entry| entry.path().is_file()) {
         fs::copy(entry.path(), examples.join(entry.file_name())).unwrap();
     }
 
