@@ -5,20 +5,17 @@ use standfast_motion::record::{Baseline, Record, RecordUnit};
 /// The header of each component says its peak; text and numbers were put there by the agency that recorded it.
 #[test]
 fn smc_of_a_real_earthquake() {
-    for (file, count, peak, share) in [
-        (include_str!("../../../examples/records/np01002p_4225a_a.smc"), 7183, 222.5194, 0.227),
-        (include_str!("../../../examples/records/np01002p_4225b_a.smc"), 7184, f64::NAN, 0.086),
-        (include_str!("../../../examples/records/np01002p_4225c_a.smc"), 7183, f64::NAN, 0.278),
+    for (file, count, peak) in [
+        (include_str!("../../../examples/records/np01002p_4225a_a.smc"), 7183, 222.5),
+        (include_str!("../../../examples/records/np01002p_4225b_a.smc"), 7165, 84.5),
+        (include_str!("../../../examples/records/np01002p_4225c_a.smc"), 7184, 272.3),
     ] {
         let record = Record::parse("a.smc", file, None, None).unwrap();
-        assert!(record.values.len().abs_diff(count) <= 1, "{}", record.values.len());
+        assert_eq!(record.values.len(), count);
         assert_eq!(record.unit, RecordUnit::CentimetrePerSecondSquared);
         assert!((record.times[200] - 1.0).abs() < 1e-12);
-        assert!((record.peak() * 0.01 / 9.80665 - share).abs() < 5e-4, "{}", record.peak());
-        if peak.is_finite() {
-            // 2.2251940E+02 in the header, the values in five digits.
-            assert!((record.peak() - peak).abs() < 0.02, "{}", record.peak());
-        }
+        // The header has one digit behind the point.
+        assert!((record.peak() - peak).abs() < 0.06, "{}", record.peak());
     }
 }
 
