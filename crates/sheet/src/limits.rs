@@ -48,8 +48,14 @@ pub fn words(case: &Case) -> Markup {
 fn not_covered(case: &Case, setting: &Setting) -> Vec<String> {
     let given =
         if case.pressures.is_empty() { "" } else { ", but for the pressures given under [[pressure]]" };
+    let bears = case.ground.is_some_and(|ground| ground.limit.is_some());
+    let springs = case.ground.is_some_and(|ground| ground.stiffness.is_some());
     let mut items = vec![
         match setting {
+            Setting { waves: true, .. } if bears => {
+                "of the ground, what its formula leaves out, see there; sliding within the rubble mound; settlement;"
+            }
+            _ if bears => "of the ground, what its formula leaves out, see there; settlement;",
             Setting { waves: true, .. } => {
                 "bearing capacity and sliding within the rubble mound, the foundation or the soil beneath; settlement and tilt;"
             }
@@ -74,6 +80,9 @@ fn not_covered(case: &Case, setting: &Setting) -> Vec<String> {
         items.push(format!(
             "wave troughs, seaward loads, and waves of other heights, periods and water levels than those given{given};"
         ));
+    }
+    if springs {
+        items.push("damping of the ground, and the change of its stiffness with the load;".to_owned());
     }
     items.push("strength of the body itself, and of its base where a corner alone carries it;".to_owned());
     items.push(match setting.structure {

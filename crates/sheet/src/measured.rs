@@ -50,6 +50,15 @@ units! {
     INERTIA = Unit::of(Dimension::Inertia);
     KILOPASCAL = Unit::of(Dimension::Pressure);
     DENSITY = Unit::of(Dimension::Density);
+    UNIT_WEIGHT = Unit::of(Dimension::UnitWeight);
+    STIFFNESS = Unit::of(Dimension::Stiffness);
+    MRAD = Unit::of(Dimension::Angle);
+    SPRING = Unit::other("N/m²");
+    SPRING_OF_OBJECT = Unit::other("N/m");
+    TURNING = Unit::other("N");
+    TURNING_OF_OBJECT = Unit::other("N m");
+    SQUARE = Unit::other("1/s²");
+    FOURTH = Unit::other("1/s⁴");
     ACCELERATION = Unit::of(Dimension::Acceleration);
 }
 

@@ -11,7 +11,7 @@ pub fn words(assessment: &Assessment) -> Markup {
     let case = &assessment.case;
     html! {
         ul {
-            li { "Body and base are rigid. Friction is dry (Coulomb). Forces act in the plane of the cross-section." }
+            li { (base(case)) " Friction is dry (Coulomb). Forces act in the plane of the cross-section." }
             li {
                 "The motion is that of the first instant after the load is applied to a body at rest: which mode begins, with which \
                  accelerations and reactions. What becomes of it later is not computed."
@@ -75,6 +75,23 @@ pub fn words(assessment: &Assessment) -> Markup {
             }
         }
         (references::list(case))
+    }
+}
+
+/// What body and base are taken for.
+fn base(case: &Case) -> &'static str {
+    match case.ground {
+        None => "Body and base are rigid.",
+        Some(ground) if ground.strength().is_some() => {
+            "The body is rigid. The base bears a pressure up to its strength, where it crushes, and no tension."
+        }
+        Some(ground) if ground.limit.is_some() => {
+            "The body is rigid, and so is the ground until its bearing resistance is reached. Of a body that would turn the ground under its edge \
+             fails first."
+        }
+        Some(_) => {
+            "The body is rigid, and so is the base for the mode that begins; its stiffness gives the rotation and the periods."
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //! it, says so; `docs/theory` says the same.
 
 use maud::{Markup, html};
+use standfast::ground::bearing::GroundLaw;
 use standfast_cases::Case;
 
 /// How far a source was at hand.
@@ -39,7 +40,7 @@ struct Source {
     applies: fn(&Case) -> bool,
 }
 
-const SOURCES: [Source; 5] = [
+const SOURCES: [Source; 9] = [
     Source {
         authors: "Author not named",
         year: "no year",
@@ -85,7 +86,60 @@ const SOURCES: [Source; 5] = [
         known: Known::Recalled,
         applies: |case| case.added_mass.height().is_some(),
     },
+    Source {
+        authors: "European Committee for Standardization",
+        year: "2004",
+        title: "EN 1997-1, Eurocode 7: Geotechnical design, Part 1: General rules",
+        place: "Annex D, bearing resistance of spread foundations",
+        used: "bearing and inclination factors of a strip without cohesion; those of cohesion recalled",
+        known: Known::Recalled,
+        applies: |case| law(case) == Some(Law::Ec7),
+    },
+    Source {
+        authors: "American Petroleum Institute",
+        year: "2011",
+        title: "API RP 2GEO, Geotechnical and foundation design considerations",
+        place: "bearing capacity of shallow foundations, after J. Brinch Hansen",
+        used: "bearing and inclination factors of a strip; checked against a program that carries them",
+        known: Known::Recalled,
+        applies: |case| law(case) == Some(Law::Hansen),
+    },
+    Source {
+        authors: "R. Butterfield, G. Gottardi",
+        year: "1994",
+        title: "A complete three-dimensional failure envelope for shallow footings on sand",
+        place: "Géotechnique, 44(1), 181–184",
+        used: "the envelope of inclined and eccentric loads, its slopes and coupling",
+        known: Known::Recalled,
+        applies: |case| law(case) == Some(Law::Envelope),
+    },
+    Source {
+        authors: "N. Allotey, M. H. El Naggar",
+        year: "2003",
+        title: "Analytical moment–rotation curves for rigid foundations based on a Winkler model",
+        place: "Soil Dynamics and Earthquake Engineering, 23, 367–381",
+        used: "the problem of springs that lift and yield; its solution is derived anew",
+        known: Known::Recalled,
+        applies: |case| case.ground.is_some_and(|ground| ground.stiffness.is_some()),
+    },
 ];
+
+/// By which formula the ground of a case bears.
+#[derive(PartialEq)]
+enum Law {
+    Ec7,
+    Hansen,
+    Envelope,
+}
+
+fn law(case: &Case) -> Option<Law> {
+    let soil = case.ground?.soil()?;
+    Some(match (soil.friction_angle_deg(), soil.law()) {
+        (None, _) => Law::Envelope,
+        (_, Some(GroundLaw::Hansen)) => Law::Hansen,
+        _ => Law::Ec7,
+    })
+}
 
 /// The sources of a case.
 pub fn list(case: &Case) -> Markup {
@@ -110,7 +164,7 @@ mod tests {
     #[test]
     fn the_pages_of_the_theory_have_the_same_sources() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/theory");
-        let pages = ["1-initiation.md", "3-loads.md"].map(|page| {
+        let pages = ["1-initiation.md", "3-loads.md", "5-base.md"].map(|page| {
             let text = std::fs::read_to_string(root.join(page)).unwrap();
             text.split_whitespace().collect::<Vec<_>>().join(" ").replace('*', "")
         });

@@ -106,10 +106,14 @@ fn departure_and_friction_are_steps_with_formulas() {
                     format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
                 select(&html, &selector).len()
             };
-            let departs = matches!(assessed.departure(), GroundDeparture::At { .. });
-            assert_eq!(of("λ_d"), usize::from(departs), "{name}");
+            // Where the ground fails no formula on a line gives it.
+            let departs =
+                matches!(assessed.departure(), GroundDeparture::At { .. }) && !assessed.is_on_ground();
+            if !assessed.is_on_ground() {
+                assert_eq!(of("λ_d"), usize::from(departs), "{name}");
+            }
             departures += usize::from(departs);
-            let slides_here = matches!(assessed.outcome.full.mode, Some(Mode::SlideLeft | Mode::SlideRight))
+            let slides_here = matches!(assessed.mode(), Some(Mode::SlideLeft | Mode::SlideRight))
                 && assessed.situation.kinetic_friction() > 0.0;
             if slides_here {
                 assert_eq!(of("f_x"), 1, "{name}");

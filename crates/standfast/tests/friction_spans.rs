@@ -25,17 +25,22 @@ fn spans_are_the_contact_problem_at_every_friction() {
             mu_k: ratio,
         };
         let signed = |random: &mut Random, size: f64| random.uniform(-size, size);
-        let wrench = Wrench { x: signed(&mut random, 2.0), p: signed(&mut random, 1.5), m: signed(&mut random, 3.0) };
+        let wrench =
+            Wrench { x: signed(&mut random, 2.0), p: signed(&mut random, 1.5), m: signed(&mut random, 3.0) };
         let spans = spans(&block, &wrench).unwrap();
         assert_eq!((spans[0].from, spans.last().unwrap().to), (0.0, f64::INFINITY));
         assert!(spans.windows(2).all(|pair| pair[0].to == pair[1].from && pair[0].from < pair[0].to));
         let asked = (0..8).map(|_| 10f64.powf(signed(&mut random, 1.5)));
-        let beside = spans.iter().skip(1).flat_map(|span| [span.from * (1.0 - 1e-9), span.from * (1.0 + 1e-9)]);
+        let beside =
+            spans.iter().skip(1).flat_map(|span| [span.from * (1.0 - 1e-9), span.from * (1.0 + 1e-9)]);
         for μ in asked.chain(beside) {
             let span = spans.iter().find(|span| span.from <= μ && μ < span.to).unwrap();
             let thin = spans.iter().any(|span| (span.from / μ - 1.0).abs() < 1e-10);
             let there = solve(&Block { mu_s: μ, mu_k: μ * ratio, ..block }, &wrench).unwrap();
-            assert!(thin || (span.mode, span.modes) == (there.mode(), there.modes), "{block:?} {wrench:?} μ = {μ}: {span:?}");
+            assert!(
+                thin || (span.mode, span.modes) == (there.mode(), there.modes),
+                "{block:?} {wrench:?} μ = {μ}: {span:?}"
+            );
         }
     }
 }

@@ -4,7 +4,7 @@ use standfast_cases::criteria::Bound;
 use standfast_cases::{Assessed, Case, CaseCheck, Key};
 
 use super::mode::capital;
-use crate::measured::{KILOPASCAL, METRE, NONE, Unit};
+use crate::measured::{KILOPASCAL, METRE, MRAD, NONE, Unit};
 use crate::steps::Steps;
 
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
@@ -54,6 +54,9 @@ fn quantity(key: Key) -> (&'static str, Unit) {
         Key::GreatestBearing => ("p_max", KILOPASCAL),
         Key::LeastContact => ("ψ", NONE),
         Key::GreatestEccentricity => ("ε", METRE),
+        Key::LeastGround => ("F_R", NONE),
+        Key::GreatestEffective => ("p_b", KILOPASCAL),
+        Key::GreatestRotation => ("θ_b", MRAD),
         _ => ("λ_d", NONE),
     }
 }
@@ -66,6 +69,9 @@ fn letters(key: Key) -> &'static str {
         Key::GreatestBearing => "p",
         Key::LeastContact => "c",
         Key::GreatestEccentricity => "e",
+        Key::LeastGround => "R",
+        Key::GreatestEffective => "b",
+        Key::GreatestRotation => "θ",
         _ => "λ",
     }
 }

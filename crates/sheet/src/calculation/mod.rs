@@ -5,6 +5,7 @@ mod body;
 mod classical;
 mod contact;
 mod criteria;
+mod ground;
 mod loads;
 mod mode;
 mod motion;
@@ -33,7 +34,7 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Ma
     for assessed in &shown {
         let title = assessment.situation_title(assessed).unwrap_or_else(|| "Loads and response".to_owned());
         steps.part(&title, Some(assessed.index));
-        situation(&mut steps, assessment, assessed, view)?;
+        situation(&mut steps, assessment, assessed, inputs, view)?;
     }
     if shown.len() < assessment.all.len() {
         steps.part("Other situations", None);
@@ -50,6 +51,7 @@ fn situation(
     steps: &mut Steps,
     assessment: &Assessment,
     assessed: &Assessed,
+    inputs: &Inputs,
     view: &View,
 ) -> Result<(), SheetError> {
     let case = &assessment.case;
@@ -57,6 +59,7 @@ fn situation(
     acting::steps(steps, assessment, assessed);
     loads::steps(steps, case, assessed, &components);
     classical::steps(steps, case, assessed, &components);
+    ground::steps(steps, case, inputs, assessed);
     let full = &assessed.outcome.full;
     let in_air = assessed.situation.in_air().is_some();
     match &full.effective {
@@ -65,14 +68,20 @@ fn situation(
                 true => mode::in_air(steps, case, assessed, reduced),
                 false => mode::effective(steps, reduced),
             }
-            mode::decision(steps, reduced);
+            if !assessed.is_on_ground() {
+                mode::decision(steps, reduced);
+            }
         }
+        None if assessed.is_on_ground() => {}
         None => contact::steps(steps, &assessed.situation, &full.wrench)?,
+    }
+    if assessed.is_on_ground() {
+        ground::decision(steps, assessed);
     }
     motion::steps(steps, case, assessed);
     path::steps(steps, assessed, &components, view);
     criteria::steps(steps, case, assessed);
-    if let Some(reduced) = &full.effective {
+    if let Some(reduced) = full.effective.as_ref().filter(|_| !assessed.is_on_ground()) {
         mode::changes(steps, reduced, in_air.then_some(case.body.mass() * case.gravity));
     }
     Ok(())

@@ -4,6 +4,7 @@
 use maud::{Markup, PreEscaped, html};
 use standfast::{Corner, Motion};
 use standfast_cases::describe::{MOTION, RELATIVE};
+use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
 use crate::fault::Fault;
@@ -103,6 +104,20 @@ fn rotation(steps: &mut Steps, assessed: &Assessed, motion: &Motion) {
     let lever = if f_x != 0.0 { " + y_C f_x" } else { "" };
     if f_y != 0.0 {
         match assessed.mode().and_then(|mode| mode.corner()) {
+            Some(corner) if assessed.is_on_ground() => {
+                let long = if assessed.extent == Extent::Whole { " L_b" } else { "" };
+                let (formula, about) = match corner {
+                    Corner::O => (
+                        format!("−b_1 + f_y/(2 q_u{long})"),
+                        "The reaction acts in the middle of what is crushed at O",
+                    ),
+                    Corner::OPrime => (
+                        format!("b_2 − f_y/(2 q_u{long})"),
+                        "The reaction acts in the middle of what is crushed at O′",
+                    ),
+                };
+                steps.add(about, "", ["ξ", &formula], xi, METRE, "");
+            }
             Some(corner) => {
                 let (formula, about) = match corner {
                     Corner::O => ("−b_1", "The reaction acts at the corner O"),

@@ -114,6 +114,30 @@ fn more() -> Vec<(String, String)> {
         ("all in a combination", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nuplift = false\n[uplift]\nleft = 1e3\nright = 2e3\n[earthquake]\nhorizontal = 0.05\n\
             vertical = 0.02\n[added_mass]\nsides = 2\n[[combination]]\nfactors = {{ weight = 0.95, water = 1.05, uplift = 1.2, wave = 0.5, earthquake = 0.7 }}\n\
             [criteria]\nload_factor = 1.2\n")),
+        ("crushing, rests", format!("{body}[ground]\nstrength = 500e3\n[[load]]\nforce = 100e3\nelevation = 5\n[criteria]\nground_factor = 1.3\n\
+            effective_pressure_max = \"400 kPa\"\n")),
+        ("crushing, rocks to the right", format!("{body}base_left = 2.5\n[ground]\nstrength = 900e3\n[[load]]\nforce = 500e3\nelevation = 6\ndirection = \"right\"\n")),
+        ("crushing, slides", format!("{body}[ground]\nstrength = 900e3\n[[load]]\nforce = 700e3\nelevation = 1\n")),
+        ("crushing, slide-rocks", format!("{body}[ground]\nstrength = 900e3\n[[load]]\nforce = 900e3\nelevation = 4\n")),
+        ("crushed by its weight", format!("{body}[ground]\nstrength = 100e3\n[[load]]\nforce = 100e3\nelevation = 4\n")),
+        ("crushing object", format!("{body}length = 2\n[ground]\nstrength = 300e3\nstiffness = 2e7\ntangential_stiffness = 1e7\n[[load]]\nforce = 250e3\nelevation = 5\n\
+            history = {{ shape = \"rect\", duration = 0.2 }}\n")),
+        ("sand with all", format!("{body}[ground]\nfriction_angle_deg = 32\nunit_weight = 9e3\nsurcharge = 12e3\ncohesion = 4e3\nlaw = \"hansen\"\n\
+            [[load]]\nforce = 150e3\nelevation = 5\n")),
+        ("clayey sand under an object", format!("{body}length = 3\n[ground]\nfriction_angle_deg = 28\nunit_weight = 9e3\ncohesion = 8e3\n\
+            [[load]]\nforce = 450e3\nelevation = 2\n")),
+        ("sand, slides", format!("{body}[ground]\nfriction_angle_deg = 45\nunit_weight = 2e4\nsurcharge = 90e3\n[[load]]\nforce = 600e3\nelevation = 1\n")),
+        ("sand, the resultant outside", format!("{body}[ground]\nfriction_angle_deg = 40\nunit_weight = 1e4\n[[load]]\nforce = 700e3\nelevation = 6\n")),
+        ("envelope", format!("{body}[ground]\nlaw = \"envelope\"\ncentric_resistance = \"4 MN/m\"\nC = 0.1\n[[load]]\nforce = 200e3\nelevation = 3\n")),
+        ("envelope of an object, against the push", format!("{body}length = 2\ncentroid_offset = 0.8\n[ground]\nlaw = \"envelope\"\ncentric_resistance = \"9 MN\"\n\
+            [[load]]\nforce = 90e3\nelevation = 1\n")),
+        ("springs that lift", format!("{body}[ground]\nstiffness = 5e7\n[[load]]\nforce = 300e3\nelevation = 5\n[criteria]\nrotation_max = \"5 mrad\"\n")),
+        ("springs that yield", format!("{body}[ground]\nstiffness = 5e7\nstrength = 230e3\n[[load]]\nforce = 150e3\nelevation = 5\n")),
+        ("springs that lift and yield", format!("{body}[ground]\nstiffness = 5e7\nstrength = 900e3\n[[load]]\nforce = 440e3\nelevation = 5\n")),
+        ("springs in time", format!("{body}[ground]\nstiffness = 8e7\ntangential_stiffness = 4e7\n[added_mass]\nmass = 10e3\n[[load]]\nforce = 400e3\nelevation = 4\n\
+            history = {{ shape = \"triangle\", rise = 0.1, duration = 0.3 }}\n")),
+        ("effective pressure of a rigid base", format!("{body}[[load]]\nforce = 1e5\nelevation = 4\n[criteria]\neffective_pressure_max = \"200 kPa\"\n")),
+        ("lifted off sand", format!("{body}[ground]\nfriction_angle_deg = 40\nunit_weight = 1e4\n[[load]]\nforce = 2e6\ndirection = \"up\"\ndistance = 3\n")),
         ("no standing pressure", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nlambda = [0, 1, 0.5]\n")),
         ("in air, in a combination", format!("{body}[[load]]\nname = \"push\"\nforce = 90e3\nelevation = 3\n[[combination]]\nfactors = {{ push = 1.5 }}\n")),
         ("shaken up and down", format!("{body}[earthquake]\nhorizontal = 0.2\nvertical = 0.3\n[criteria]\nbearing_max = \"250 kPa\"\nSF_sliding = 2.2\n")),
@@ -196,7 +220,10 @@ pub fn steps(html: &Html) -> Vec<Step> {
 fn unit(text: &str) -> f64 {
     match text.replace(['\u{a0}', '\u{202f}', ' '], " ").trim() {
         "" | "m" | "s" | "m²" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
-        "kg" | "N" | "kg m²" => 1.0,
+        "kg" | "N" | "kg m²" | "N m" | "N/m²" | "N/m³" | "rad" | "1/s²" | "1/s⁴" => 1.0,
+        "kN/m³" => 1e3,
+        "MN/m³" => 1e6,
+        "mrad" => 1e-3,
         "t/m" | "kN/m" | "kPa" | "kN m/m" | "t m²/m" => 1e3,
         "t" | "kN" | "kN m" | "t m²" => 1e3,
         "°" => PI / 180.0,
@@ -436,6 +463,7 @@ impl Reader<'_> {
                     (_, Token::Value(x, _)) => {
                         let value = match name.as_str() {
                             "cos" => x.cos(),
+                            "tan" => x.tan(),
                             "sinh" => x.sinh(),
                             "cosh" => x.cosh(),
                             "tanh" => x.tanh(),

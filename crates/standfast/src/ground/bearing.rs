@@ -281,6 +281,14 @@ impl Ground {
         }
     }
 
+    /// The formula; `None` for an envelope.
+    pub fn law(&self) -> Option<GroundLaw> {
+        match self.0 {
+            Kind::Soil { law, .. } => Some(law),
+            Kind::Envelope { .. } => None,
+        }
+    }
+
     /// The angle of friction in degrees; `None` for an envelope.
     pub fn friction_angle_deg(&self) -> Option<f64> {
         match self.0 {

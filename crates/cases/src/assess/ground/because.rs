@@ -3,20 +3,34 @@
 use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::GroundPath;
 use standfast::relation::{Relation, Sign};
-use standfast::{Mode, Wrench};
+use standfast::{Corner, Mode, Motion, Slip};
 
 use super::super::Assessed;
 use crate::case::Limit;
+use crate::units::Extent;
+
+const fn holds(
+    equation: &'static str,
+    (quantity, left): (&'static str, f64),
+    sign: Sign,
+    (bound, right): (&'static str, f64),
+) -> Relation {
+    Relation { equation, quantity, left, sign, bound, right, holds: true }
+}
+
+const ZERO: (&str, f64) = ("0", 0.0);
 
 impl Assessed {
-    /// The conditions of what begins, with their numbers; of ground that fails, the one that does not hold.
+    /// The conditions of what begins, with their numbers; of ground that fails, the one that does not hold among them.
     pub(in super::super) fn because_of_ground(&self) -> Vec<Relation> {
         let (Some(ground), Some(verdict)) = (&self.ground, self.verdict()) else { return Vec::new() };
-        match (ground.limit, verdict) {
-            (Some(Limit::Strength(strength)), _) => self.crushing(strength, verdict),
-            (Some(Limit::Ground(soil)), _) => GroundPath::new(soil, &self.situation)
-                .map_or_else(|_| Vec::new(), |path| self.failing(&path, verdict)),
-            (None, _) => Vec::new(),
+        match ground.limit {
+            Some(Limit::Strength(strength)) => self.crushing(strength, verdict),
+            Some(Limit::Ground(soil)) => {
+                let path = GroundPath::new(soil, &self.situation);
+                path.map_or_else(|_| Vec::new(), |path| self.failing(&path, verdict))
+            }
+            None => Vec::new(),
         }
     }
 
@@ -24,124 +38,84 @@ impl Assessed {
     fn crushing(&self, strength: f64, verdict: GroundVerdict) -> Vec<Relation> {
         use Sign::{Greater, GreaterOrEqual, Less, LessOrEqual};
         let body = self.situation.body();
-        let Wrench { x, p, m } = self.outcome.full.wrench;
-        let long = body.plan().side(body.width());
-        let q = strength * long;
-        let relation = |equation, quantity, left, sign, bound, right| Relation {
-            equation,
-            quantity,
-            left,
-            sign,
-            bound,
-            right,
-            holds: true,
+        let omega = self.ground.as_ref().and_then(|ground| ground.omega).unwrap_or(0.0);
+        let GroundVerdict::Begins(mode) = verdict else {
+            return vec![Relation { holds: false, ..holds("bearing", ("ω", omega), Less, ("1", 1.0)) }];
         };
-        let carried = |sign, holds| Relation {
-            holds,
-            ..relation("bearing", "P", p, sign, "2B q_u", q * body.base_width())
+        let Some(motion) = self.motion() else { return Vec::new() };
+        let Motion { f_y, xi, .. } = *motion;
+        let half = f_y / (2.0 * strength * body.plan().side(body.width()));
+        let bounds = match self.extent {
+            Extent::PerMetre => ["−b_1 + f_y/(2 q_u)", "b_2 − f_y/(2 q_u)"],
+            Extent::Whole => ["−b_1 + f_y/(2 q_u L_b)", "b_2 − f_y/(2 q_u L_b)"],
         };
-        let GroundVerdict::Begins(mode) = verdict else { return vec![carried(Less, false)] };
-        let (mu_s, mu_k) = (self.situation.static_friction(), self.situation.kinetic_friction());
-        let crushed = p * p / (2.0 * q);
-        let [o, toe] = [crushed - body.heel_distance() * p, body.toe_distance() * p - crushed];
-        let borne = |quantity, moment| {
-            [
-                relation("crushing", quantity, moment, GreaterOrEqual, "−b_1 P + P^2/(2 q)", o),
-                relation("crushing", quantity, moment, LessOrEqual, "b_2 P − P^2/(2 q)", toe),
-            ]
-        };
-        let d = body.centroid_height();
-        let zero = |equation, quantity, left, sign| relation(equation, quantity, left, sign, "0", 0.0);
-        let motion = self.motion();
-        let Some(motion) = motion else { return Vec::new() };
+        let on_base = [
+            holds("crushing", ("ξ", xi), GreaterOrEqual, (bounds[0], half - body.heel_distance())),
+            holds("crushing", ("ξ", xi), LessOrEqual, (bounds[1], body.toe_distance() - half)),
+        ];
         match (mode, mode.corner(), mode.slip()) {
             (Mode::Flight, ..) => vec![
-                zero("separation", "ÿ_O", motion.lift_o, GreaterOrEqual),
-                zero("separation", "ÿ_O'", motion.lift_o_prime, GreaterOrEqual),
+                holds("separation", ("ÿ_O", motion.lift_o), GreaterOrEqual, ZERO),
+                holds("separation", ("ÿ_O'", motion.lift_o_prime), GreaterOrEqual, ZERO),
             ],
-            (_, None, None) => {
-                let mut all = vec![relation("friction", "|X|", x.abs(), LessOrEqual, "μ_s P", mu_s * p)];
-                all.extend(borne("X d − M", x * d - m));
-                all
-            }
-            (_, None, Some(slip)) => {
-                let mut all = vec![relation("slip", "|X|", x.abs(), Greater, "μ_s P", mu_s * p)];
-                // Slipping with μ_k it may be that μ_s would hold the body upright, were it not to tip.
-                if x.abs() <= mu_s * p {
-                    all = vec![relation("slip", "|X|", x.abs(), Greater, "μ_k P", mu_k * p)];
-                }
-                let (name, sign) =
-                    if slip.sign() < 0.0 { ("−μ_k d P − M", -1.0) } else { ("μ_k d P − M", 1.0) };
-                all.extend(borne(name, sign * mu_k * d * p - m));
-                all
-            }
-            (_, Some(_), slip) => {
-                let α = motion.theta_ddot;
-                let mut all = vec![zero("rotation", "θ̈", α, if α > 0.0 { Greater } else { Less })];
-                all.push(match slip {
-                    None => relation(
-                        "friction",
-                        "|f_x|",
-                        motion.f_x.abs(),
-                        LessOrEqual,
-                        "μ_s f_y",
-                        mu_s * motion.f_y,
-                    ),
-                    Some(slip) => {
-                        zero("slip", "ẍ_O", motion.slip, if slip.sign() < 0.0 { Less } else { Greater })
-                    }
-                });
-                all
+            (_, None, None) => self.friction(motion).into_iter().chain(on_base).collect(),
+            (_, None, Some(slip)) => [slipping(motion, slip)].into_iter().chain(on_base).collect(),
+            (_, Some(corner), slip) => {
+                let sign = if corner == Corner::O { Greater } else { Less };
+                let turns = holds("rotation", ("θ̈", motion.theta_ddot), sign, ZERO);
+                let friction = match slip {
+                    None => self.friction(motion),
+                    Some(slip) => Some(slipping(motion, slip)),
+                };
+                [turns].into_iter().chain(friction).collect()
             }
         }
     }
 
+    /// That friction holds the body; nothing of a base that is not pressed.
+    fn friction(&self, motion: &Motion) -> Option<Relation> {
+        let share = ("|f_x|/f_y", motion.f_x.abs() / motion.f_y);
+        let friction = ("μ", self.situation.static_friction());
+        (motion.f_y > 0.0).then(|| holds("friction", share, Sign::LessOrEqual, friction))
+    }
+
     /// On ground that can fail: R ≥ P of the body that rests or slides.
     fn failing(&self, path: &GroundPath, verdict: GroundVerdict) -> Vec<Relation> {
-        use Sign::{Greater, GreaterOrEqual, LessOrEqual};
-        let body = self.situation.body();
-        let Wrench { x, p, .. } = self.outcome.full.wrench;
-        let (mu_s, mu_k) = (self.situation.static_friction(), self.situation.kinetic_friction());
-        let long = body.plan().side(body.width());
-        let holds = verdict != GroundVerdict::BearingFailure;
-        let rigid = self.outcome.full.mode;
-        let slip = rigid.and_then(|mode| mode.slip());
-        let slides = x.abs() > mu_s * p;
-        let friction = match slides {
-            false => Relation {
-                equation: "friction",
-                quantity: "|X|",
-                left: x.abs(),
-                sign: LessOrEqual,
-                bound: "μ_s P",
-                right: mu_s * p,
-                holds: true,
-            },
-            true => Relation {
-                equation: "slip",
-                quantity: "|X|",
-                left: x.abs(),
-                sign: Greater,
-                bound: "μ_s P",
-                right: mu_s * p,
-                holds: true,
-            },
+        let full = &self.outcome.full;
+        let (x, p) = (full.wrench.x, full.wrench.p);
+        if verdict == GroundVerdict::Begins(Mode::Flight) {
+            return full
+                .motion
+                .iter()
+                .map(|motion| holds("separation", ("f_y", motion.f_y), Sign::LessOrEqual, ZERO))
+                .collect();
+        }
+        let friction = self.situation.static_friction();
+        let slides = x.abs() > friction * p;
+        let sign = if slides { Sign::Greater } else { Sign::LessOrEqual };
+        let equation = if slides { "slip" } else { "friction" };
+        let mut all: Vec<_> = (p > 0.0)
+            .then(|| holds(equation, ("|X|/P", x.abs() / p), sign, ("μ", friction)))
+            .into_iter()
+            .collect();
+        let towards = if x < 0.0 { Slip::Left } else { Slip::Right };
+        let reaction = match slides {
+            true => path.sliding_reaction(1.0, towards, self.situation.kinetic_friction()),
+            false => path.reaction(1.0),
         };
-        let towards = slip.unwrap_or(if x < 0.0 { standfast::Slip::Left } else { standfast::Slip::Right });
-        let reaction = if slides { path.sliding_reaction(1.0, towards, mu_k) } else { path.reaction(1.0) };
-        let Some(reaction) = reaction else { return Vec::new() };
-        let resistance = path.ground().resistance(&reaction) * long;
-        vec![
-            friction,
-            Relation {
-                equation: "bearing",
-                quantity: "R",
-                left: resistance,
-                sign: GreaterOrEqual,
-                bound: "P",
-                right: p,
-                holds,
-            },
-        ]
+        let factor = reaction.map_or(0.0, |reaction| path.ground().factor(&reaction));
+        let bears = holds(
+            "bearing",
+            (if slides { "R_s/P" } else { "R/P" }, factor),
+            Sign::GreaterOrEqual,
+            ("1", 1.0),
+        );
+        all.push(Relation { holds: verdict != GroundVerdict::BearingFailure, ..bears });
+        all
     }
+}
+
+fn slipping(motion: &Motion, slip: Slip) -> Relation {
+    let sign = if slip == Slip::Left { Sign::Less } else { Sign::Greater };
+    holds("slip", ("ẍ_O", motion.slip), sign, ZERO)
 }
