@@ -1,6 +1,6 @@
 //! Points, inequalities and motions in words and aligned columns.
 
-use standfast::initiation::Crossing;
+use standfast::initiation::{Crossing, Margins};
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{Mode, Motion, Point};
@@ -153,49 +153,95 @@ pub fn motion(motion: &Motion) -> String {
     columns(&rows, 2, &[2])
 }
 
+/// Where the mode changes along both axes of the plane.
+pub struct Changes<'a> {
+    /// Where the body leaves rest as the force grows.
+    pub leaves_rest: Option<Crossing>,
+    /// All changes as the force grows.
+    pub along_k: &'a [Crossing],
+    /// All changes as the friction grows.
+    pub along_mu: &'a [Crossing],
+    /// The point's force.
+    pub k: f64,
+    /// The point's friction.
+    pub mu: f64,
+    /// Whether the force points right, so that modes are to be mirrored.
+    pub mirrored: bool,
+}
+
 /// Where the mode changes as the force grows, and where the body leaves rest.
 pub fn along_k(reduced: &Reduced) -> String {
-    let point = &reduced.point;
-    let margins = point.margins();
-    let leaves_rest = match margins.leaves_rest() {
-        Some(crossing) => {
-            let to = reduced.orient(crossing.to);
-            format!("The body leaves rest at k = {}: beyond, it {} ({to}).", digits(crossing.at), to.words())
-        }
-        None => "No force up to k = 1e50 moves the body.".to_owned(),
-    };
-    let mut text = paragraph(&leaves_rest, 2);
-    if !margins.along_k.is_empty() {
-        text += &format!("  as the force grows, at μ = {}:\n", digits(point.mu()));
-        text += &crossings(reduced, "k", &margins.along_k, 4);
-    }
-    text
+    let margins = reduced.point.margins();
+    Changes::of(reduced, &margins).as_k_grows()
 }
 
 /// Where the mode changes as the friction grows.
 pub fn along_mu(reduced: &Reduced, indent: usize) -> String {
     let margins = reduced.point.margins();
-    if margins.along_mu.is_empty() {
-        return paragraph("Friction makes no difference.", indent);
-    }
-    let mut text = crossings(reduced, "μ", &margins.along_mu, indent);
-    if margins.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
-        text += &paragraph("No friction keeps the body at rest under this load.", indent);
-    }
-    text
+    Changes::of(reduced, &margins).as_mu_grows(indent)
 }
 
-fn crossings(reduced: &Reduced, symbol: &str, crossings: &[Crossing], indent: usize) -> String {
-    let values: Vec<f64> = crossings.iter().map(|crossing| crossing.at).collect();
-    let rows: Vec<_> = apart(&values)
-        .into_iter()
-        .zip(crossings)
-        .map(|(value, crossing)| {
-            let change = format!("{} → {}", reduced.orient(crossing.from), reduced.orient(crossing.to));
-            row![format!("{symbol} = {value}"), change]
-        })
-        .collect();
-    columns(&rows, indent, &[])
+impl<'a> Changes<'a> {
+    fn of(reduced: &Reduced, margins: &'a Margins) -> Changes<'a> {
+        Changes {
+            leaves_rest: margins.leaves_rest(),
+            along_k: &margins.along_k,
+            along_mu: &margins.along_mu,
+            k: reduced.point.k(),
+            mu: reduced.point.mu(),
+            mirrored: reduced.mirrored,
+        }
+    }
+
+    fn orient(&self, mode: Mode) -> Mode {
+        if self.mirrored { mode.mirrored() } else { mode }
+    }
+
+    /// As the force grows, and where the body leaves rest.
+    pub fn as_k_grows(&self) -> String {
+        let leaves_rest = match self.leaves_rest {
+            Some(crossing) => {
+                let to = self.orient(crossing.to);
+                format!(
+                    "The body leaves rest at k = {}: beyond, it {} ({to}).",
+                    digits(crossing.at),
+                    to.words()
+                )
+            }
+            None => "No force up to k = 1e50 moves the body.".to_owned(),
+        };
+        let mut text = paragraph(&leaves_rest, 2);
+        if !self.along_k.is_empty() {
+            text += &format!("  as the force grows, at μ = {}:\n", digits(self.mu));
+            text += &self.crossings("k", self.along_k, 4);
+        }
+        text
+    }
+
+    /// As the friction grows.
+    pub fn as_mu_grows(&self, indent: usize) -> String {
+        if self.along_mu.is_empty() {
+            return paragraph("Friction makes no difference.", indent);
+        }
+        let mut text = self.crossings("μ", self.along_mu, indent);
+        if self.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
+            text += &paragraph("No friction keeps the body at rest under this load.", indent);
+        }
+        text
+    }
+
+    fn crossings(&self, symbol: &str, crossings: &[Crossing], indent: usize) -> String {
+        let values: Vec<f64> = crossings.iter().map(|crossing| crossing.at).collect();
+        let rows: Vec<_> = apart(&values)
+            .into_iter()
+            .zip(crossings)
+            .map(|(value, crossing)| {
+                let change = format!("{} → {}", self.orient(crossing.from), self.orient(crossing.to));
+                row![format!("{symbol} = {value}"), change]
+            })
+            .collect();
+        columns(&rows, indent, &[])
+    }
 }
 
 /// What the accelerations at onset are of a body whose base is shaken.

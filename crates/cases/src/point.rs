@@ -1,5 +1,7 @@
 //! The answer to one point of the k–μ plane: as text, and as a JSON document that stands alone or in the answer to a case.
 
+mod crush;
+
 use std::fmt::Write;
 
 use serde::Serialize;
@@ -12,6 +14,8 @@ use crate::assess::SCHEMA;
 use crate::describe;
 use crate::layout::{digits, paragraph};
 use crate::results::number_or_word;
+
+pub use crush::{Crushing, json as crush_json, text as crush_text};
 
 /// The answer as one line of text, or with `explain` every step of the decision, the motion, and where the mode changes.
 pub fn text(reduced: &Reduced, explain: bool) -> String {

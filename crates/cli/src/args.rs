@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
+use standfast::ground::strength::CrushPoint;
 use standfast::{InputError, Point};
 
 use standfast_cases::check_up_to;
@@ -343,6 +345,9 @@ pub struct ClassifyArgs {
     /// Friction μ
     #[arg(long, value_name = "MU", allow_hyphen_values = true, value_parser = friction)]
     pub mu: f64,
+    /// Share ω = P/(2B q_u) of a base that crushes: what the weight alone needs of it; from 1 on the ground fails (BF) [default: 0, a rigid base]
+    #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = omega)]
+    pub omega: Option<f64>,
     /// Show every step of the decision, the motion, and where the mode changes
     #[arg(long)]
     pub explain: bool,
@@ -360,6 +365,15 @@ pub struct DiagramArgs {
     /// Elevation k' of the force above the centre of mass, in half-heights; negative below
     #[arg(long, value_name = "KP", allow_hyphen_values = true, value_parser = k_prime)]
     pub k_prime: f64,
+    /// Share ω = P/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn in grey behind
+    #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = omega, conflicts_with = "law")]
+    pub omega: Option<f64>,
+    /// The plane of ground that fails, by this law of its bearing resistance
+    #[arg(long, value_enum, value_name = "LAW", requires = "share")]
+    pub law: Option<GroundBy>,
+    /// Share u = P/V0 of the vertical resistance of the ground, centric and upright, that the weight takes
+    #[arg(long, value_name = "U", allow_hyphen_values = true, value_parser = share, requires = "law")]
+    pub share: Option<f64>,
     /// A point to mark; may be given again
     #[arg(long = "point", value_name = "K,MU", allow_hyphen_values = true, value_parser = point)]
     pub points: Vec<KMu>,
@@ -369,6 +383,29 @@ pub struct DiagramArgs {
     /// Pixels of a png per unit of the svg
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true, value_parser = scale)]
     pub scale: f32,
+}
+
+/// A law of bearing resistance; of ground without surcharge and cohesion, so that u says all of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum GroundBy {
+    /// EN 1997-1 Annex D
+    Ec7,
+    /// API RP 2GEO, after Brinch Hansen
+    Hansen,
+    /// Butterfield & Gottardi's envelope
+    Envelope,
+}
+
+impl GroundBy {
+    /// Some ground of this law; its size is set by u.
+    pub fn ground(self) -> Ground {
+        let ground = match self {
+            GroundBy::Ec7 => Ground::new(GroundLaw::Ec7, 35.0, 1.0),
+            GroundBy::Hansen => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
+            GroundBy::Envelope => Ground::envelope(1.0),
+        };
+        ground.expect("these are numbers of a ground")
+    }
 }
 
 /// Arguments of `figures`.
@@ -446,6 +483,20 @@ fn force(text: &str) -> Result<f64, String> {
 
 fn friction(text: &str) -> Result<f64, String> {
     number(text, |x| Point::new(1.0, 0.0, 1.0, x))
+}
+
+/// ω of a base that crushes.
+fn omega(text: &str) -> Result<f64, String> {
+    let value: f64 = text.trim().parse().map_err(|_| "expected a number".to_owned())?;
+    let point = CrushPoint::new(1.0, 0.0, 1.0, 1.0, value);
+    point.map(|_| value).map_err(|error| format!("expected {}", error.expected))
+}
+
+/// u of ground that fails.
+fn share(text: &str) -> Result<f64, String> {
+    let value: f64 = text.trim().parse().map_err(|_| "expected a number".to_owned())?;
+    let plane = BearingPlane::of_share(GroundBy::Ec7.ground(), 1.0, 0.0, value);
+    plane.map(|_| value).map_err(|error| format!("expected {}", error.expected))
 }
 
 fn point(text: &str) -> Result<KMu, String> {

@@ -6,12 +6,17 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 use miette::Diagnostic;
-use standfast::Diagram;
+use standfast::ground::bearing::BearingPlane;
+use standfast::ground::strength::CrushMap;
+use standfast::{Diagram, InputError};
 #[cfg(feature = "pictures")]
 use standfast_figures::RenderError;
-use standfast_figures::{DesignPoint, Figure, FigureId, diagram, report_figure};
+use standfast_figures::{
+    DesignPoint, DiagramContent, Figure, FigureId, GroundPlane, diagram_with, ground_diagram, report_figure,
+};
 use thiserror::Error;
 
+use crate::args::DiagramArgs;
 use crate::features::{Feature, LeftOut};
 use crate::write::{self, ExtensionError, WriteError};
 
@@ -136,16 +141,39 @@ fn rendered(_: &Figure, path: &Path, picture: Picture, _: f32) -> Result<Vec<u8>
     Ok(Vec::new())
 }
 
+/// A k–μ plane.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Plane {
+    /// On a rigid base.
+    Rigid(Diagram),
+    /// On a base that crushes.
+    Crushing(CrushMap),
+    /// On ground that fails.
+    Failing(BearingPlane),
+}
+
+impl Plane {
+    /// The plane that the command line asks for.
+    ///
+    /// # Errors
+    /// If there can be none.
+    pub fn of(args: &DiagramArgs) -> Result<Plane, InputError> {
+        let (gamma, k_prime) = (args.gamma, args.k_prime);
+        match (args.law, args.share, args.omega) {
+            (Some(law), Some(share), _) => {
+                BearingPlane::of_share(law.ground(), gamma, k_prime, share).map(Plane::Failing)
+            }
+            (.., Some(omega)) if omega > 0.0 => CrushMap::new(gamma, k_prime, omega).map(Plane::Crushing),
+            _ => Diagram::new(gamma, k_prime).map(Plane::Rigid),
+        }
+    }
+}
+
 /// Draws the k–μ plane with points on it.
 ///
 /// # Errors
 /// If the picture cannot be made or written.
-pub fn draw_diagram(
-    plane: &Diagram,
-    points: &[KMu],
-    file: &PictureFile,
-    scale: f32,
-) -> Result<(), DrawError> {
+pub fn draw_diagram(plane: &Plane, points: &[KMu], file: &PictureFile, scale: f32) -> Result<(), DrawError> {
     // The caption gives the coordinates.
     let label = |i: usize| if points.len() == 1 { String::new() } else { (i + 1).to_string() };
     let points: Vec<_> = points
@@ -153,7 +181,13 @@ pub fn draw_diagram(
         .enumerate()
         .map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i), mirrored: false })
         .collect();
-    file.save(&diagram(plane, &points), scale)
+    let content = DiagramContent { points: &points, ..DiagramContent::default() };
+    let figure = match plane {
+        Plane::Rigid(diagram) => diagram_with(diagram, &content),
+        Plane::Crushing(map) => ground_diagram(GroundPlane::Crushing(map), &content),
+        Plane::Failing(plane) => ground_diagram(GroundPlane::Failing(plane), &content),
+    };
+    file.save(&figure, scale)
 }
 
 /// Draws figures of the report into a directory, which is made if it is not there; gives the files written.

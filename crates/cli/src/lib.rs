@@ -33,8 +33,10 @@ use std::num::NonZeroUsize;
 
 use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
+use standfast::Point;
+use standfast::ground::strength::CrushPoint;
 use standfast::loads::Reduced;
-use standfast::{Diagram, Point};
+use standfast_cases::point::Crushing;
 use standfast_cases::{View, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
@@ -69,6 +71,16 @@ pub fn run(cli: Cli) -> Result<Ended> {
         Command::Simulate(args) => print(&simulate::simulate(&args)?),
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
+            let omega = args.omega.unwrap_or_default();
+            if omega > 0.0 {
+                let point = CrushPoint::of(point, omega).into_diagnostic()?;
+                let point = Crushing { point, mirrored: false };
+                return print(&match args.format {
+                    Format::Text => point::crush_text(&point, args.explain),
+                    Format::Json => point::crush_json(&point),
+                })
+                .map(|()| Ended::Done);
+            }
             let point = Reduced { point, mirrored: false };
             print(&match args.format {
                 Format::Text => point::text(&point, args.explain),
@@ -76,7 +88,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             })
         }
         Command::Diagram(args) => {
-            let plane = Diagram::new(args.gamma, args.k_prime).into_diagnostic()?;
+            let plane = draw::Plane::of(&args).into_diagnostic()?;
             draw::draw_diagram(&plane, &args.points, &args.output, args.scale)?;
             print(&format!("Diagram written to {}\n", args.output))
         }

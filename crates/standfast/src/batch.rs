@@ -21,6 +21,7 @@
 //! ```
 
 use crate::error::InputError;
+use crate::ground::strength::CrushPoint;
 use crate::initiation::Point;
 use crate::mode::Mode;
 use crate::motion::Motion;
@@ -100,6 +101,11 @@ impl<'a> Columns<'a> {
         Point::new(self.gamma[index], self.k_prime[index], self.k[index], self.mu[index])
     }
 
+    /// The point at `index` on a base of its ω.
+    fn on_base(&self, omega: &[f64], index: usize) -> Result<CrushPoint, InputError> {
+        CrushPoint::of(self.point(index)?, omega[index])
+    }
+
     /// The columns from `start`, `length` points long.
     fn slice(&self, start: usize, length: usize) -> Columns<'a> {
         let cut = |column: &'a [f64]| &column[start..start + length];
@@ -126,6 +132,49 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
         }
     }
     Ok(())
+}
+
+/// The same on bases that crush, each of its share ω: the [codes](crate::ground::GroundVerdict::code) of verdicts, BF among them. Points on a rigid
+/// base, ω = 0, are those of [`classify`], at its speed.
+///
+/// ```
+/// use standfast::batch::{Columns, classify_on_base};
+/// use standfast::ground::GroundVerdict;
+///
+/// let columns = Columns { gamma: &[0.8; 3], k_prime: &[0.9167; 3], k: &[0.61; 3], mu: &[0.6; 3] };
+/// let mut codes = [0; 3];
+/// classify_on_base(columns, &[0.0, 0.08, 1.0], &mut codes)?;
+/// let symbols = codes.map(|code| GroundVerdict::from_code(code).unwrap().symbol());
+/// assert_eq!(symbols, ["SL", "RO", "BF"]);
+/// # Ok::<(), standfast::batch::BatchError>(())
+/// ```
+///
+/// # Errors
+/// As [`classify`]; or at an ω that is negative or not finite.
+pub fn classify_on_base(columns: Columns<'_>, omega: &[f64], codes: &mut [u8]) -> Result<(), BatchError> {
+    columns.check_lengths(codes.len())?;
+    check_omega(omega, codes.len())?;
+    for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
+        let start = block * BLOCK;
+        let (columns, omega) = (columns.slice(start, codes.len()), &omega[start..start + codes.len()]);
+        if omega.iter().all(|&omega| omega == 0.0) {
+            classify(columns, codes).map_err(|error| error.after(start))?;
+            continue;
+        }
+        for (index, code) in codes.iter_mut().enumerate() {
+            *code = columns
+                .on_base(omega, index)
+                .map_err(|source| BatchError::Value { index: start + index, source })?
+                .verdict()
+                .code();
+        }
+    }
+    Ok(())
+}
+
+fn check_omega(omega: &[f64], expected: usize) -> Result<(), BatchError> {
+    let found = omega.len();
+    if found == expected { Ok(()) } else { Err(BatchError::Length { column: "omega", found, expected }) }
 }
 
 /// Replaces the [codes](crate::Mode::code) of modes by those of their [mirror images](Mode::mirrored): the modes under a force that
@@ -234,6 +283,75 @@ pub fn onset(columns: Columns<'_>, out: OnsetColumns<'_>) -> Result<(), BatchErr
     Ok(())
 }
 
+/// The same on bases that crush, each of its share ω; see [`classify_on_base`]. Of BF there is no motion: its numbers are NaN, and no
+/// other mode is consistent.
+///
+/// # Errors
+/// As [`onset`]; or at an ω that is negative or not finite.
+pub fn onset_on_base(columns: Columns<'_>, omega: &[f64], out: OnsetColumns<'_>) -> Result<(), BatchError> {
+    let length = columns.gamma.len();
+    columns.check_lengths(length)?;
+    check_omega(omega, length)?;
+    out.check_lengths(length)?;
+    let mut rest = out;
+    for start in (0..length).step_by(BLOCK) {
+        let (block, omega) =
+            (columns.slice(start, BLOCK.min(length - start)), &omega[start..length.min(start + BLOCK)]);
+        let (out, tail) = rest.split_at(omega.len());
+        rest = tail;
+        if omega.iter().all(|&omega| omega == 0.0) {
+            onset(block, out).map_err(|error| error.after(start))?;
+        } else {
+            onset_of_base(block, omega, out)
+                .map_err(|(index, source)| BatchError::Value { index: start + index, source })?;
+        }
+    }
+    Ok(())
+}
+
+/// What `out` asks of points on bases that crush, one by one.
+fn onset_of_base(
+    columns: Columns<'_>,
+    omega: &[f64],
+    out: OnsetColumns<'_>,
+) -> Result<(), (usize, InputError)> {
+    let OnsetColumns { mut mode, mut unique, mut others, mut motion, mirrored } = out;
+    let moves = motion.iter().any(Option::is_some);
+    for index in 0..omega.len() {
+        let point = columns.on_base(omega, index).map_err(|error| (index, error))?;
+        if let Some(mode) = &mut mode {
+            let verdict = point.verdict();
+            mode[index] = if mirrored { verdict.mirrored() } else { verdict }.code();
+        }
+        if unique.is_some() || others.is_some() {
+            let found = point.others();
+            if let Some(unique) = &mut unique {
+                unique[index] = found.is_empty();
+            }
+            if let Some(others) = &mut others {
+                others[index] = if mirrored { found.mirrored() } else { found }.bits();
+            }
+        }
+        if moves {
+            let begun = point.motion().map(|begun| begun.motion);
+            let begun = if mirrored { begun.map(|motion| motion.mirrored()) } else { begun };
+            let values = begun.map_or([f64::NAN; 9], numbers);
+            for (column, value) in motion.iter_mut().zip(values) {
+                if let Some(column) = column {
+                    column[index] = value;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The numbers of a motion, in the order of [`MOTION`].
+fn numbers(motion: Motion) -> [f64; 9] {
+    let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = motion;
+    [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime]
+}
+
 /// What `out` asks of valid points whose modes are known.
 fn onset_of(columns: Columns<'_>, codes: &[u8], out: OnsetColumns<'_>) {
     let modes = || codes.iter().map(|&code| Mode::from_code(code).expect("a point has a mode")).enumerate();
@@ -263,9 +381,7 @@ fn onset_of(columns: Columns<'_>, codes: &[u8], out: OnsetColumns<'_>) {
         for (index, mode) in modes() {
             let motion_of = point(index).motion_of(mode);
             let motion_of = if mirrored { motion_of.mirrored() } else { motion_of };
-            let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime } = motion_of;
-            let values = [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime];
-            for (column, value) in motion.iter_mut().zip(values) {
+            for (column, value) in motion.iter_mut().zip(numbers(motion_of)) {
                 if let Some(column) = column {
                     column[index] = value;
                 }

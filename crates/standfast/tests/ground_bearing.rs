@@ -218,6 +218,60 @@ fn ground_under_uplift() {
     assert_eq!((found.verdict.unwrap().symbol(), found.modes.len()), ("FL", 1));
 }
 
+/// No failure is passed over: the load factor is the first of a fine walk at which R < P, though uplift takes all of P off soon after, or
+/// a permanent force points the other way.
+#[test]
+fn the_ground_s_load_factor_is_the_first() {
+    let mut random = Random(811);
+    let mut found = [0; 3];
+    for i in 0..tries(150) {
+        let [width, height] = [random.uniform(5.0, 20.0), random.uniform(3.0, 15.0)];
+        let body = Body::new(width, height, width * height * 2000.0).unwrap();
+        let weight = body.mass() * 9.81;
+        let push = |share: f64, elevation: f64| Action::horizontal(share * weight, elevation * height);
+        let load = |permanent: bool, action| match permanent {
+            true => Load::permanent(LoadSource::Force, LoadKind::Horizontal, action),
+            false => Load::variable(LoadSource::Force, LoadKind::Horizontal, action),
+        };
+        let back = push(random.uniform(0.0, 0.15), random.uniform(0.0, 1.0));
+        let forth = push(-random.log(0.03, 3.0), random.uniform(0.0, 1.2));
+        let mut situation = Situation::new(body, 0.6, 9.81).unwrap().with_weight();
+        situation = situation.with(load(true, back)).with(load(false, forth));
+        if random.coin() {
+            let uplift = random.uniform(0.0, 3.0) * weight / width;
+            situation = situation.with(Uplift::new(0.3 * uplift, uplift, true).unwrap().load(&body));
+        }
+        let angle = random.uniform(25.0, 45.0);
+        let soil = |law| Ground::new(law, angle, 10e3).unwrap();
+        let share = random.uniform(0.1, 0.6);
+        let ground = match i % 4 {
+            0 => soil(GroundLaw::Ec7),
+            1 => soil(GroundLaw::Hansen).with_surcharge(random.uniform(0.0, 50e3)).unwrap(),
+            2 => soil(GroundLaw::Ec7).with_cohesion(random.uniform(0.0, 20e3)).unwrap(),
+            _ => Ground::envelope(weight / share).unwrap(),
+        };
+        let path = GroundPath::new(ground, &situation).unwrap();
+        let factor = path.load_factors().given;
+        let fails = |λ: f64| path.factor(λ).is_some_and(|factor| factor < 1.0);
+        let walk = (0..4000).map(|i| 0.0025 * f64::from(i)).find(|λ| fails(*λ));
+        match walk {
+            Some(0.0) => assert_eq!(factor, 0.0),
+            Some(first) => {
+                assert!(factor <= first && factor > first - 0.0025 * 1.001, "{factor} {first}: {path:?}");
+                assert!((path.factor(factor).unwrap() - 1.0).abs() < 1e-6, "{factor}: {path:?}");
+            }
+            // The walk may step over what the search finds.
+            None => assert!(factor >= 9.99 || path.factor(factor).is_some_and(|r| (r - 1.0).abs() < 1e-6)),
+        }
+        found[match walk {
+            Some(0.0) => 0,
+            Some(_) => 1,
+            None => 2,
+        }] += 1;
+    }
+    assert!(found[1] > 50, "{found:?}");
+}
+
 #[test]
 fn wrong_numbers_are_shown() {
     let message = |angle, weight| Ground::new(GroundLaw::Ec7, angle, weight).unwrap_err().to_string();

@@ -5,6 +5,7 @@ mod common;
 
 use common::{Random, tries};
 use dashu_ratio::RBig as Rational;
+use standfast::batch::{Columns, OnsetColumns, classify_on_base, onset_on_base};
 use standfast::contact::{self, Block};
 use standfast::ground::GroundDeparture;
 use standfast::ground::GroundVerdict::{self, BearingFailure, Begins};
@@ -672,4 +673,125 @@ fn the_base_s_own_load_factor() {
         finite += usize::from(one.is_finite() && one > 0.0);
     }
     assert!(finite > 20, "{finite}");
+}
+
+/// The steps are those of the decision, each inequality holds as its numbers say where they differ, and the changes of mode are where
+/// the decision changes.
+#[test]
+fn an_explanation_is_the_decision() {
+    let mut random = Random(807);
+    for _ in 0..tries(4_000) {
+        let [γ, h] = [random.uniform(0.3, 5.0), random.uniform(-1.8, 1.5)];
+        let [k, mu] = [random.uniform(0.0, 4.0), random.uniform(0.0, 3.0)];
+        let ω = if random.coin() { random.uniform(0.0, 0.99) } else { random.log(1e-12, 1.0) };
+        let point = CrushPoint::new(γ, h, k, mu, ω).unwrap();
+        let Some(trace) = point.explain() else {
+            assert_eq!(point.verdict(), BearingFailure);
+            continue;
+        };
+        let (last, tried) = trace.steps.split_last().unwrap();
+        assert_eq!(GroundVerdict::Begins(last.mode), point.verdict(), "{point:?}");
+        assert!(last.holds && tried.iter().all(|step| !step.holds));
+        for step in &trace.steps {
+            let all = step.relations.iter().all(|relation| relation.holds);
+            assert_eq!(all, step.holds, "{point:?}: {step:?}");
+            for relation in &step.relations {
+                let clear = (relation.left - relation.right).abs()
+                    > 1e-9 * (relation.left.abs() + relation.right.abs());
+                assert!(!clear || relation.holds == (relation.margin() > 0.0), "{point:?}: {relation}");
+            }
+        }
+        let mode = |k: f64, mu: f64| CrushPoint::new(γ, h, k, mu, ω).unwrap().verdict().mode();
+        let margins = point.margins();
+        for crossing in &margins.along_k {
+            let [before, after] = [1.0 - 1e-9, 1.0 + 1e-9].map(|by| mode(crossing.at * by, mu));
+            assert_eq!((before, after), (Some(crossing.from), Some(crossing.to)), "{point:?}: {crossing:?}");
+        }
+        for crossing in &margins.along_mu {
+            let [before, after] = [1.0 - 1e-9, 1.0 + 1e-9].map(|by| mode(k, crossing.at * by));
+            assert_eq!((before, after), (Some(crossing.from), Some(crossing.to)), "{point:?}: {crossing:?}");
+        }
+        // Nothing changes in between.
+        for (along, at) in [(&margins.along_k, true), (&margins.along_mu, false)] {
+            let value = random.uniform(0.0, 3.0);
+            let mut found = along.first().map_or(point.verdict().mode(), |first| Some(first.from));
+            found = along
+                .iter()
+                .take_while(|crossing| crossing.at < value)
+                .last()
+                .map_or(found, |last| Some(last.to));
+            assert_eq!(
+                if at { mode(value, mu) } else { mode(k, value) },
+                found,
+                "{point:?}: {value} {along:?}"
+            );
+        }
+    }
+}
+
+/// Columns of mixed ω give what points give one by one, motion and mirror included; a wrong ω is told with its place.
+#[test]
+fn columns_are_points() {
+    let mut random = Random(808);
+    let count = 10_000;
+    let mut columns: [Vec<f64>; 5] = Default::default();
+    for _ in 0..count {
+        let [gamma, k_prime, k, mu] = random.point();
+        // A third rigid, some that fail.
+        let omega = match random.bits() % 6 {
+            0 | 1 => 0.0,
+            2 => random.uniform(0.9, 1.2),
+            _ => random_omega(&mut random),
+        };
+        for (column, value) in columns.iter_mut().zip([gamma, k_prime, k, mu, omega]) {
+            column.push(value);
+        }
+    }
+    let [gamma, k_prime, k, mu, omega] = &columns;
+    let given = Columns { gamma, k_prime, k, mu };
+    let mut codes = vec![0; count];
+    classify_on_base(given, omega, &mut codes).unwrap();
+    for mirrored in [false, true] {
+        let (mut modes, mut unique, mut others) = (vec![0; count], vec![false; count], vec![0; count]);
+        let mut numbers: [Vec<f64>; 9] = std::array::from_fn(|_| vec![0.0; count]);
+        let out = OnsetColumns {
+            mode: Some(&mut modes),
+            unique: Some(&mut unique),
+            others: Some(&mut others),
+            motion: numbers.each_mut().map(|column| Some(&mut column[..])),
+            mirrored,
+        };
+        onset_on_base(given, omega, out).unwrap();
+        let mut failed = 0;
+        for i in 0..count {
+            let point = CrushPoint::new(gamma[i], k_prime[i], k[i], mu[i], omega[i]).unwrap();
+            let verdict = point.verdict();
+            assert_eq!(codes[i], verdict.code());
+            assert_eq!(modes[i], if mirrored { verdict.mirrored() } else { verdict }.code());
+            assert_eq!(unique[i], point.is_unique());
+            let beside = if mirrored { point.others().mirrored() } else { point.others() };
+            assert_eq!(others[i], beside.bits());
+            let motion = point.motion().map(|begun| begun.motion);
+            match if mirrored { motion.map(|motion| motion.mirrored()) } else { motion } {
+                Some(motion) => {
+                    assert_eq!([numbers[0][i], numbers[5][i]], [motion.x_ddot, motion.xi], "{point:?}");
+                    assert_eq!([numbers[2][i], numbers[8][i]], [motion.theta_ddot, motion.lift_o_prime]);
+                }
+                None => {
+                    assert!(numbers.iter().all(|column| column[i].is_nan()) && verdict == BearingFailure);
+                    failed += 1;
+                }
+            }
+        }
+        assert!(failed > 500);
+    }
+    let mut wrong = omega.clone();
+    wrong[7_000] = -0.1;
+    let error = classify_on_base(given, &wrong, &mut codes).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "point 7000: share ω of the base is -0.1; expected a number from 0 to 1e50"
+    );
+    let error = classify_on_base(given, &wrong[1..], &mut codes).unwrap_err();
+    assert_eq!(error.to_string(), "column omega has 9999 values; expected 10000, as many as the output");
 }

@@ -1,7 +1,8 @@
 //! Columns of numbers to columns of results.
 
-use standfast::batch::{Columns, classify};
-use standfast::{InputError, Mode};
+use standfast::InputError;
+use standfast::batch::{Columns, classify, classify_on_base};
+use standfast::ground::GroundVerdict;
 
 use crate::problem::{Answer, MOST};
 use crate::results::{NO_WORD, SYMBOLS, Values};
@@ -58,9 +59,14 @@ impl Points {
             let start = block * BLOCK;
             let rows = start..start + codes.len();
             let [gamma, k_prime, k, mu] = std::array::from_fn(|column| &columns[column][rows.clone()]);
+            let omega = columns.get(4).map(|omega| &omega[rows.clone()]);
             let whole = !skip.get(rows.clone()).is_some_and(|skip| skip.contains(&true));
             let block = Columns { gamma, k_prime, k, mu };
-            if !whole || classify(block, codes).is_err() {
+            let known = match omega {
+                None => whole && classify(block, codes).is_ok(),
+                Some(omega) => whole && classify_on_base(block, omega, codes).is_ok(),
+            };
+            if !known {
                 for (code_, row) in codes.iter_mut().zip(rows) {
                     *code_ = code(self.row(columns, skip, row, faults).as_ref());
                 }
@@ -86,5 +92,5 @@ impl Points {
 }
 
 fn code(answer: Option<&Answer>) -> u8 {
-    answer.and_then(Answer::mode).map_or(NO_WORD, Mode::code)
+    answer.and_then(Answer::verdict).map_or(NO_WORD, GroundVerdict::code)
 }

@@ -36,11 +36,13 @@ impl TableOptions {
         }
     }
 
-    /// Where in a table with the columns `found` those of the problem are, in the problem's order.
+    /// Where in a table with the columns `found` those of the problem are, in the problem's order; behind them those that it has
+    /// of the optional ones.
     pub(crate) fn places(&self, found: &[String]) -> Result<Vec<usize>, TableError> {
         let name = || self.name.clone();
         let columns = self.problem.columns();
-        let ours = || columns.iter().map(|column| column.name);
+        let optional = self.problem.optional();
+        let ours = || columns.iter().chain(optional).map(|column| column.name);
         for (i, Mapping { ours: our, .. }) in self.map.iter().enumerate() {
             if !ours().any(|name| name == our) {
                 let suggestion = closest(our, ours()).map(str::to_owned);
@@ -75,7 +77,12 @@ impl TableOptions {
                 }
             }
         };
-        columns.iter().map(place).collect()
+        // The optional ones are in the order of their places, and there is one at most.
+        let is_there = |column: &&Column| {
+            let is_mapped = self.map.iter().any(|mapping| mapping.ours == column.name);
+            is_mapped || found.iter().any(|found| found == column.name)
+        };
+        columns.iter().chain(optional.iter().filter(is_there)).map(place).collect()
     }
 
     /// What is computed: the columns asked for, or all of the problem.

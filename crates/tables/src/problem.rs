@@ -1,7 +1,9 @@
 //! What a table asks: the report's problem, or the general contact problem.
 
 use standfast::contact::{self, INPUTS};
-use standfast::{InputError, Mode, Modes, Motion, Point, Quantity};
+use standfast::ground::GroundVerdict;
+use standfast::ground::strength::CrushPoint;
+use standfast::{InputError, Modes, Motion, Point, Quantity};
 
 use crate::results::{FieldKind, SYMBOLS};
 use ResultColumn::{
@@ -12,7 +14,7 @@ use ResultColumn::{
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum TableProblem {
-    /// The report's: gamma, k_prime, k and mu
+    /// The report's: gamma, k_prime, k and mu; with a column omega, on bases that crush, each of its share ω
     #[default]
     Force,
     /// Any wrench on any block: b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s and mu_k
@@ -36,6 +38,9 @@ const FORCE: [Column; 4] = [
     column("k", Quantity::K),
     column("mu", Quantity::Friction),
 ];
+
+/// What a table may have: the share of a base that crushes, which is rigid without.
+const FORCE_OPTIONAL: [Column; 1] = [column("omega", Quantity::Omega)];
 
 const WRENCH: [Column; INPUTS.len()] = {
     let mut columns = [const { column("", Quantity::B1) }; INPUTS.len()];
@@ -128,6 +133,7 @@ impl ResultColumn {
 /// The answer to a row.
 pub(crate) enum Answer {
     Force(Point),
+    Crushing(CrushPoint),
     Wrench(contact::Solution),
 }
 
@@ -137,6 +143,14 @@ impl TableProblem {
         match self {
             TableProblem::Force => &FORCE,
             TableProblem::Wrench => &WRENCH,
+        }
+    }
+
+    /// The columns taken where a table has them; they stand behind those needed.
+    pub(crate) fn optional(self) -> &'static [Column] {
+        match self {
+            TableProblem::Force => &FORCE_OPTIONAL,
+            TableProblem::Wrench => &[],
         }
     }
 
@@ -153,12 +167,16 @@ impl TableProblem {
         in_words(self.columns().iter().map(|column| column.name))
     }
 
-    /// The answer to the values of the columns; those that the problem does not have are ignored.
+    /// The answer to the values of the columns; what the problem does not have is ignored, and what a table does not have is zero.
     pub(crate) fn solve(self, values: [f64; MOST]) -> Result<Answer, InputError> {
         match self {
             TableProblem::Force => {
-                let [gamma, k_prime, k, mu, ..] = values;
-                Point::new(gamma, k_prime, k, mu).map(Answer::Force)
+                let [gamma, k_prime, k, mu, omega, ..] = values;
+                let point = Point::new(gamma, k_prime, k, mu)?;
+                if omega == 0.0 {
+                    return Ok(Answer::Force(point));
+                }
+                CrushPoint::of(point, omega).map(Answer::Crushing)
             }
             TableProblem::Wrench => contact::solve_row(values).map(Answer::Wrench),
         }
@@ -166,16 +184,19 @@ impl TableProblem {
 
     /// The place among the columns of the one at fault.
     pub(crate) fn blame(self, error: &InputError) -> usize {
-        let culprit = self.columns().iter().position(|column| column.quantity == error.quantity);
+        let culprit =
+            self.columns().iter().chain(self.optional()).position(|column| column.quantity == error.quantity);
         culprit.unwrap_or_default()
     }
 }
 
 impl Answer {
-    pub(crate) fn mode(&self) -> Option<Mode> {
+    /// What begins, if anything is known to.
+    pub(crate) fn verdict(&self) -> Option<GroundVerdict> {
         match self {
-            Answer::Force(point) => Some(point.mode()),
-            Answer::Wrench(answer) => answer.mode(),
+            Answer::Force(point) => Some(GroundVerdict::Begins(point.mode())),
+            Answer::Crushing(point) => Some(point.verdict()),
+            Answer::Wrench(answer) => answer.mode().map(GroundVerdict::Begins),
         }
     }
 
@@ -183,6 +204,7 @@ impl Answer {
     pub(crate) fn modes(&self) -> Modes {
         match self {
             Answer::Force(point) => point.others(),
+            Answer::Crushing(point) => point.others(),
             Answer::Wrench(answer) => answer.modes,
         }
     }
@@ -190,6 +212,7 @@ impl Answer {
     pub(crate) fn motion(&self) -> Option<Motion> {
         match self {
             Answer::Force(point) => Some(point.motion()),
+            Answer::Crushing(point) => point.motion().map(|begun| begun.motion),
             Answer::Wrench(answer) => answer.mode().and_then(|mode| answer.motion(mode)),
         }
     }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use standfast::ground::GroundVerdict;
 use standfast::{Mode, Modes};
 
 /// A column of results.
@@ -40,11 +41,11 @@ pub(crate) enum FieldKind {
     Problem,
 }
 
-/// The symbols of all modes, in the order of their codes.
-pub(crate) const SYMBOLS: [&str; Mode::ALL.len()] = {
-    let mut symbols = [""; Mode::ALL.len()];
+/// The symbols of all modes, in the order of their codes, and that of ground that fails.
+pub(crate) const SYMBOLS: [&str; Mode::ALL.len() + 1] = {
+    let mut symbols = [GroundVerdict::BearingFailure.symbol(); Mode::ALL.len() + 1];
     let mut place = 0;
-    while place < symbols.len() {
+    while place < Mode::ALL.len() {
         symbols[place] = Mode::ALL[place].symbol();
         place += 1;
     }

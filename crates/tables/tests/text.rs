@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use standfast::Point;
 use standfast::Wrench;
 use standfast::contact::{Block, solve};
-use standfast_tables::{OnError, Place, TableError, TableOptions, TableProblem, run};
+use standfast::ground::strength::CrushPoint;
+use standfast_tables::{OnError, Place, ResultColumn, TableError, TableOptions, TableProblem, run};
 
 const TABLE: &str = include_str!("../../../examples/points.csv");
 
@@ -15,6 +16,62 @@ fn random() -> impl FnMut() -> f64 {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 53) as f64
     }
+}
+
+/// A column omega makes bases that crush; without it, and where it is zero, the base is rigid.
+#[test]
+fn a_column_omega_is_the_share_of_a_base_that_crushes() {
+    let mut random = random();
+    let mut table = String::from("omega,gamma,k_prime,k,mu\n");
+    let mut points = Vec::new();
+    for i in 0..600 {
+        let [gamma, k_prime] = [0.3 + 3.0 * random(), 3.0 * random() - 1.8];
+        let [k, mu] = [4.0 * random(), 3.0 * random()];
+        let omega = if i % 3 == 0 { 0.0 } else { 1.2 * random() };
+        table += &format!("{omega},{gamma},{k_prime},{k},{mu}\n");
+        points.push(CrushPoint::new(gamma, k_prime, k, mu, omega).expect("a point"));
+    }
+    let answered = |options: &TableOptions| {
+        let mut answer = Vec::new();
+        run(table.as_bytes(), &mut answer, options).expect("a table");
+        let mut reader = csv::Reader::from_reader(&answer[..]);
+        reader.records().map(|record| record.expect("a row")).collect::<Vec<_>>()
+    };
+    let all = answered(&TableOptions::new("table"));
+    let modes = answered(&TableOptions { columns: vec![ResultColumn::Mode], ..TableOptions::new("table") });
+    let mut failed = 0;
+    for ((record, only), point) in all.iter().zip(&modes).zip(&points) {
+        let verdict = point.verdict();
+        assert_eq!([&record[5], &only[5]], [verdict.symbol(); 2], "{point:?}");
+        assert_eq!([&record[6], &record[7]], [point.is_unique().to_string(), point.others().to_string()]);
+        let found: Vec<&str> = record.iter().skip(8).collect();
+        match point.motion() {
+            Some(begun) => {
+                let found: Vec<f64> = found.iter().map(|field| field.parse().expect("a number")).collect();
+                let motion = begun.motion;
+                assert_eq!((found[2], found[5]), (motion.theta_ddot, motion.xi));
+            }
+            None => {
+                assert!(found.iter().all(|field| field.is_empty()));
+                failed += 1;
+            }
+        }
+    }
+    assert!(failed > 30, "{failed} of them fail");
+
+    let mapped = "gamma,k_prime,k,mu,share\n0.8,0.9167,0.61,0.6,0.08\n";
+    let options =
+        TableOptions { map: vec!["omega=share".parse().expect("a mapping")], ..TableOptions::new("table") };
+    for (options, mode) in [(options, "RO"), (TableOptions::new("table"), "SL")] {
+        let mut answer = Vec::new();
+        run(mapped.as_bytes(), &mut answer, &options).expect("a table");
+        let answer = String::from_utf8(answer).expect("text");
+        assert!(answer.lines().nth(1).expect("a row").contains(&format!(",{mode},true,")), "{answer}");
+    }
+    let wrong = "omega,gamma,k_prime,k,mu\n-0.2,1,0.4,0.5,0.6\n";
+    let error = run(wrong.as_bytes(), &mut Vec::new(), &TableOptions::new("table")).expect_err("an error");
+    let text = error.to_string();
+    assert!(text.contains("omega") && text.contains("-0.2") && text.contains("from 0 to 1e50"), "{text}");
 }
 
 #[test]

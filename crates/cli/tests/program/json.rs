@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use serde_json::{Value, json};
+use standfast::ground::strength::CrushPoint;
 use standfast::loads::HorizontalForce;
 use standfast::{Body, Point, Slip};
 
@@ -16,6 +17,47 @@ fn standfast(arguments: &[&str], directory: &Path) -> Value {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(output.stderr.is_empty());
     serde_json::from_slice(&output.stdout).expect("one JSON document")
+}
+
+/// On a base that crushes too, BF included; ω = 0 is the rigid base, to the byte.
+#[test]
+fn classify_on_a_base_is_the_library() {
+    let here = Path::new(".");
+    for [gamma, k_prime, k, mu, omega] in [
+        [0.8, 0.9167, 0.61, 0.6, 0.08],
+        [1.0, 0.4, 0.3, 0.6, 0.5],
+        [4.0, -0.55, 6.0, 3.45, 0.2],
+        [1.0, -2.0, 2.0, 0.5, 0.3],
+        [1.0, 0.4, 0.3, 0.6, 1.0],
+    ] {
+        let point = CrushPoint::new(gamma, k_prime, k, mu, omega).expect("a point");
+        let numbers = [gamma, k_prime, k, mu, omega].map(|number| number.to_string());
+        let [g, kp, kk, m, w] = numbers.each_ref().map(String::as_str);
+        let rigid = ["classify", "--gamma", g, "--k-prime", kp, "--k", kk, "--mu", m, "--format", "json"];
+        let document = standfast(&[&rigid[..], &["--omega", w]].concat(), here);
+        assert_eq!(document["mode"], json!(point.verdict().symbol()));
+        assert_eq!(document["mode_words"], json!(point.verdict().words()));
+        assert_eq!(document["unique"], json!(point.is_unique()));
+        let others: Vec<_> = point.others().iter().map(|mode| mode.symbol()).collect();
+        assert_eq!(document["also"], json!(others));
+        assert_eq!(document["ground"]["omega"], json!(omega));
+        let begun = point.motion();
+        let neutral = begun.and_then(|begun| begun.neutral.map(|neutral| 1.0 - neutral.abs()));
+        match (document["ground"]["neutral"].as_f64(), neutral) {
+            (Some(found), Some(expected)) => assert!((found - expected).abs() < 1e-12),
+            (found, expected) => assert_eq!(found, expected),
+        }
+        match begun {
+            Some(begun) => {
+                assert_eq!(document["motion"]["theta_ddot"], json!(begun.motion.theta_ddot));
+                assert_eq!(document["motion"]["xi"], json!(begun.motion.xi));
+                let width = document["ground"]["effective_width"].as_f64().expect("a width");
+                assert!((width - 2.0 * (1.0 - begun.motion.xi.abs())).abs() < 1e-12);
+            }
+            None => assert!(document["motion"].is_null() && document["ground"]["pivot"].is_null()),
+        }
+        assert_eq!(standfast(&rigid, here), standfast(&[&rigid[..], &["--omega", "0"]].concat(), here));
+    }
 }
 
 #[test]

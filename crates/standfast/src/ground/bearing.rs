@@ -341,6 +341,38 @@ impl Ground {
         }
     }
 
+    /// No more than R of any reaction between two, whose P and X are between theirs and whose e and inclination are so too.
+    fn least_resistance(&self, one: &Reaction, other: &Reaction) -> f64 {
+        let half_width = one.half_width;
+        let e = one.e.abs().max(other.e.abs());
+        match self.0 {
+            // R falls with the eccentricity and the inclination, and under one inclination with P where there is cohesion.
+            Kind::Soil { .. } => {
+                let p = one.p.max(other.p);
+                let x = one.inclination().max(other.inclination()) * p;
+                self.resistance(&Reaction { half_width, p, x, e })
+            }
+            Kind::Envelope { centric, horizontal, moment, coupling } => {
+                // η and ε on the side that X pushes to, each with its least and largest value.
+                let inclinations = [one, other].map(|at| at.x / at.p);
+                let shares = [one, other].map(|at| at.e / half_width);
+                let turns = inclinations[0].is_sign_negative() != inclinations[1].is_sign_negative();
+                let η = inclinations.map(f64::abs);
+                let η = [if turns { 0.0 } else { η[0].min(η[1]) }, η[0].max(η[1])];
+                let ε = if turns {
+                    [-e / half_width, e / half_width]
+                } else {
+                    shares.map(|share| share * inclinations[0].signum())
+                };
+                let coupled = η.iter().flat_map(|η| ε.map(|ε| -coupling * η * ε)).fold(f64::MIN, f64::max);
+                let radius = (η[1] / horizontal).powi(2)
+                    + (e / half_width / (2.0 * moment)).powi(2)
+                    + coupled / (horizontal * moment);
+                if e >= half_width { 0.0 } else { centric * (1.0 - radius.max(0.0).sqrt()).max(0.0) }
+            }
+        }
+    }
+
     /// The eccentricity, as a share of B and on the side that X pushes to, at which the ground bears most under the inclination η.
     fn best_eccentricity(&self, inclination: f64) -> f64 {
         match self.0 {

@@ -64,12 +64,14 @@ mod conditions;
 mod path;
 mod point;
 mod situated;
+mod trace;
 mod turning;
 
 pub use chart::{CrushChart, CrushEdge, CrushMap, CrushRegion, CrushStrip, RockEdgePoint};
 pub use path::{CrushStage, LoadRange, bearing_range, rest_range, stages};
 pub use point::CrushPoint;
 pub use situated::{CrushOutcome, outcome};
+pub use trace::CrushMargins;
 
 use self::conditions::{Found, enumerate};
 use self::turning::{Rate, Turn, orientation};

@@ -24,6 +24,12 @@ pub struct LoadFactors {
     pub more: Option<f64>,
 }
 
+/// The largest load factor looked at.
+const FARTHEST: f64 = 1e6;
+
+/// The width of a stretch in which a dip of R/P below 1 may be missed, as a share of its load factor.
+const NARROWEST: f64 = 1e-9;
+
 /// What a situation puts on the ground along its loads that rise: geometry of the base, and wrenches of one metre of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Footing {
@@ -135,20 +141,52 @@ impl GroundPath {
 
     /// The least load factor above zero at which R/P falls to 1.
     fn load_factor(&self, ground: &Ground) -> f64 {
-        // Where nothing presses nothing fails.
-        let excess = |λ: f64| self.reaction(λ).map_or(1.0, |reaction| ground.factor(&reaction) - 1.0);
-        if excess(0.0) < 0.0 {
+        if self.excess_on(ground, 0.0) < 0.0 {
             return 0.0;
         }
-        // Uplift makes P fall and R/P no line of λ: look along the way, closer where the load is of the size that was given.
+        // Uplift makes P fall and R/P no line of λ: stretch by stretch, each until it is certain that the ground bears all of it.
+        let ends = (-6..=20).map(|power| f64::from(power).exp2());
         let mut low = 0.0;
-        for high in steps() {
-            if excess(high) < 0.0 {
-                return between(excess, low, high).unwrap_or(high);
+        for high in ends {
+            let high = high.min(FARTHEST);
+            if let Some(factor) = self.first_failure(ground, low, high, high * NARROWEST) {
+                return factor;
             }
             low = high;
         }
         f64::INFINITY
+    }
+
+    /// R/P less 1 of a body at rest on a ground; where nothing presses nothing fails.
+    fn excess_on(&self, ground: &Ground, factor: f64) -> f64 {
+        self.reaction(factor).map_or(1.0, |reaction| ground.factor(&reaction) - 1.0)
+    }
+
+    /// Where the ground first fails between two load factors, at the lower of which it does not; stretches are halved, the lower half
+    /// first, until one is certain to be borne, or so narrow that rounding decides.
+    fn first_failure(&self, ground: &Ground, low: f64, high: f64, narrowest: f64) -> Option<f64> {
+        if self.is_borne(ground, low, high) {
+            return None;
+        }
+        let excess = |factor: f64| self.excess_on(ground, factor);
+        if high - low <= narrowest {
+            return (excess(high) < 0.0).then(|| between(excess, low, high).unwrap_or(high));
+        }
+        let middle = low + (high - low) / 2.0;
+        if let Some(factor) = self.first_failure(ground, low, middle, narrowest) {
+            return Some(factor);
+        }
+        if excess(middle) < 0.0 {
+            return Some(middle);
+        }
+        self.first_failure(ground, middle, high, narrowest)
+    }
+
+    /// Whether the ground is certain to bear every reaction between two load factors: P and X are lines of λ, and e and η rise or fall all
+    /// the way as long as P presses, so that the least R there is no less than that of the worst of both ends taken together.
+    fn is_borne(&self, ground: &Ground, low: f64, high: f64) -> bool {
+        let (Some(one), Some(other)) = (self.reaction(low), self.reaction(high)) else { return false };
+        ground.least_resistance(&one, &other) >= one.p.max(other.p)
     }
 
     /// Where the ground fails as the variable loads rise.

@@ -44,8 +44,8 @@ use std::cmp::Ordering::{Greater, Less};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrushPoint {
-    point: Point,
-    omega: f64,
+    pub(super) point: Point,
+    pub(super) omega: f64,
 }
 
 /// The report's block with all its inertia trebled, so that ρ² = 1 + γ² is one of its numbers; accelerations are a third.
