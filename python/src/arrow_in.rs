@@ -25,12 +25,9 @@ use standfast_cases::suggest::{closest, similar};
 
 use crate::arrow_out::{ArrowArray, ArrowTable, dictionary_of_symbols};
 use crate::grid::{Grid, Halt, Kind, Labour, Operand, floats, is_number};
-use crate::invalid;
 use crate::onset::{Choice, Column as Answers, Onset};
 use crate::run::{Monitor, Run};
-
-/// The names of the operands.
-const NAMES: [&str; 4] = ["gamma", "k_prime", "k", "mu"];
+use crate::{NAMES, expect_numbers, invalid};
 
 /// One operand for a stretch of rows.
 enum Column {
@@ -82,7 +79,7 @@ fn operand(array: &ArrayRef) -> Result<Operand, DataType> {
 /// Lets `work` answer four columns of one length, as a grid and flags for rows without answer; returns which rows have one, if
 /// some have none.
 fn on_grid(
-    columns: &[Column; 4],
+    columns: &[Column],
     run: &Run,
     monitor: &mut Monitor<'_>,
     work: impl FnOnce(&Grid, &mut [bool], Labour<'_, '_>) -> Result<(), Halt>,
@@ -99,7 +96,8 @@ fn on_grid(
     }
     // SAFETY: the memory belongs to arrays that `kept` keeps alive during this call.
     #[expect(unsafe_code, reason = "the grid trusts pointers and strides")]
-    let grid = unsafe { Grid::new(operands) }.unwrap_or_else(|_| unreachable!("columns of one length"));
+    let grid = unsafe { Grid::new(operands, columns.len()) }
+        .unwrap_or_else(|_| unreachable!("columns of one length"));
     let mut missing = grid.gaps(run.gaps());
     match work(&grid, &mut missing, run.labour(&mut |done| monitor.step(done))) {
         Ok(()) => {
@@ -124,7 +122,7 @@ struct Codes {
 impl Codes {
     fn append(
         &mut self,
-        columns: &[Column; 4],
+        columns: &[Column],
         rows: usize,
         run: &Run,
         monitor: &mut Monitor<'_>,
@@ -160,7 +158,7 @@ fn onset_schema(choice: &Choice) -> SchemaRef {
 }
 
 fn onset_batch(
-    columns: &[Column; 4],
+    columns: &[Column],
     rows: usize,
     choice: &Choice,
     run: &Run,
@@ -201,14 +199,16 @@ impl<'py> FromPyObject<'_, 'py> for Given {
 }
 
 /// Rows in which every operand is one array or one number, and how many they are.
-type Stretch = ([Column; 4], usize);
+type Stretch = (Vec<Column>, usize);
 
 /// Cuts columns into stretches of rows; and how many rows they have together.
-fn stretches(given: [Given; 4]) -> PyResult<(Vec<Stretch>, usize)> {
-    let lengths = given.each_ref().map(|given| match given {
+fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
+    expect_numbers(given.len())?;
+    let length = |given: &Given| match given {
         Given::Number(_) => None,
         Given::Chunks(chunks) => Some(chunks.iter().map(|chunk| chunk.len()).sum::<usize>()),
-    });
+    };
+    let lengths: Vec<Option<usize>> = given.iter().map(length).collect();
     let mut known = lengths.iter().flatten();
     let rows = *known.next().expect("one operand at least is an Arrow column");
     if known.any(|&length| length != rows) {
@@ -219,20 +219,21 @@ fn stretches(given: [Given; 4]) -> PyResult<(Vec<Stretch>, usize)> {
             named.collect::<Vec<_>>().join(", ")
         )));
     }
-    let mut rest = given.map(|given| match given {
+    let apart = |given| match given {
         Given::Number(value) => (value, None),
         Given::Chunks(chunks) => {
             let mut chunks: Vec<_> = chunks.into_iter().filter(|chunk| !chunk.is_empty()).collect();
             chunks.reverse();
             (0.0, Some(chunks))
         }
-    });
+    };
+    let mut rest: Vec<(f64, Option<Vec<ArrayRef>>)> = given.into_iter().map(apart).collect();
     let mut found = Vec::new();
     let mut done = 0;
     while done < rows {
         let chunks = rest.iter().filter_map(|(_, chunks)| chunks.as_ref()?.last());
         let length = chunks.map(|chunk| chunk.len()).min().expect("rows are left");
-        let columns = rest.each_mut().map(|(value, chunks)| match chunks {
+        let columns = rest.iter_mut().map(|(value, chunks)| match chunks {
             None => Column::Constant(*value),
             Some(chunks) => {
                 let chunk = chunks.pop().expect("rows are left");
@@ -242,7 +243,7 @@ fn stretches(given: [Given; 4]) -> PyResult<(Vec<Stretch>, usize)> {
                 Column::Array(chunk.slice(0, length))
             }
         });
-        found.push((columns, length));
+        found.push((columns.collect(), length));
         done += length;
     }
     Ok((found, rows))
@@ -299,27 +300,29 @@ pub(crate) fn place(schema: &Schema, column: &str, name: &str, names: &[&str]) -
 /// A table's batches with the columns of the operands picked out.
 fn batches(
     table: AnyRecordBatch,
-    places: [Place; 4],
+    places: Vec<Place>,
 ) -> PyResult<impl Iterator<Item = PyResult<Stretch>> + Send> {
     let reader = table.into_reader()?;
     let schema = reader.schema();
-    let mut picks = [Err(0.0); 4];
-    for ((pick, at), name) in picks.iter_mut().zip(places).zip(NAMES) {
-        *pick = match at {
+    expect_numbers(places.len())?;
+    let names = &NAMES[..places.len()];
+    let mut picks = Vec::new();
+    for (at, name) in places.into_iter().zip(names) {
+        picks.push(match at {
             Place::Number(value) => Err(value),
-            Place::Column(column) => Ok(place(&schema, &column, name, &NAMES)?),
-        };
+            Place::Column(column) => Ok(place(&schema, &column, name, names)?),
+        });
     }
     if picks.iter().all(Result::is_err) {
         return Err(PyValueError::new_err("map names no column of the table, only numbers"));
     }
     Ok(reader.map(move |batch| {
         let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
-        let columns = picks.map(|pick| match pick {
+        let columns = picks.iter().map(|pick| match *pick {
             Ok(column) => Column::Array(batch.column(column).clone()),
             Err(value) => Column::Constant(value),
         });
-        Ok((columns, batch.num_rows()))
+        Ok((columns.collect(), batch.num_rows()))
     }))
 }
 
@@ -329,7 +332,7 @@ fn each(
     stretches: impl Iterator<Item = PyResult<Stretch>> + Send,
     run: &Run,
     total: Option<usize>,
-    mut work: impl FnMut(&[Column; 4], usize, &mut Monitor<'_>) -> Result<(), Failure> + Send,
+    mut work: impl FnMut(&[Column], usize, &mut Monitor<'_>) -> Result<(), Failure> + Send,
 ) -> PyResult<()> {
     let mut monitor = run.monitor(total);
     py.detach(|| {
@@ -383,7 +386,7 @@ fn onset(
 #[pyfunction]
 pub(crate) fn classify_columns(
     py: Python<'_>,
-    columns: [Given; 4],
+    columns: Vec<Given>,
     names: bool,
     run: Run,
 ) -> PyResult<ArrowArray> {
@@ -396,7 +399,7 @@ pub(crate) fn classify_columns(
 pub(crate) fn classify_table(
     py: Python<'_>,
     table: AnyRecordBatch,
-    places: [Place; 4],
+    places: Vec<Place>,
     names: bool,
     run: Run,
 ) -> PyResult<ArrowArray> {
@@ -407,7 +410,7 @@ pub(crate) fn classify_table(
 #[pyfunction]
 pub(crate) fn onset_columns(
     py: Python<'_>,
-    columns: [Given; 4],
+    columns: Vec<Given>,
     choice: Choice,
     run: Run,
 ) -> PyResult<ArrowTable> {
@@ -420,7 +423,7 @@ pub(crate) fn onset_columns(
 pub(crate) fn onset_table(
     py: Python<'_>,
     table: AnyRecordBatch,
-    places: [Place; 4],
+    places: Vec<Place>,
     choice: Choice,
     run: Run,
 ) -> PyResult<ArrowTable> {

@@ -5,9 +5,14 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use standfast::diagram::Window;
+use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
+use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError, Point};
-use standfast_figures::outlines::{Polyline, Tick};
-use standfast_figures::{DesignPoint, DiagramContent, axis_numbers, diagram_with, outlines};
+use standfast_figures::outlines::{Outlines, Polyline, Tick};
+use standfast_figures::{
+    DesignPoint, DiagramContent, Figure, GroundPlane, axis_numbers, diagram_with, ground_diagram,
+    ground_outlines, outlines,
+};
 
 use crate::invalid;
 
@@ -18,9 +23,88 @@ fn error(error: InputError) -> PyErr {
     invalid(error, &[])
 }
 
+/// What the body stands on: the share ω of a base that crushes, or the law of ground that fails with its share u. Both none: rigid.
+#[derive(FromPyObject)]
+pub(crate) struct Base {
+    #[pyo3(item)]
+    omega: Option<f64>,
+    #[pyo3(item)]
+    law: Option<String>,
+    #[pyo3(item)]
+    share: f64,
+}
+
+/// The plane of the body on its base.
+enum Plane {
+    Rigid(Diagram),
+    Crushing(CrushMap),
+    Failing(BearingPlane),
+}
+
+impl Plane {
+    fn new(gamma: f64, k_prime: f64, base: &Base) -> PyResult<Plane> {
+        if let Some(law) = &base.law {
+            return failing(gamma, k_prime, law, base.share).map(Plane::Failing);
+        }
+        match base.omega {
+            Some(omega) if omega != 0.0 => {
+                CrushMap::new(gamma, k_prime, omega).map(Plane::Crushing).map_err(error)
+            }
+            _ => Diagram::new(gamma, k_prime).map(Plane::Rigid).map_err(error),
+        }
+    }
+
+    fn outlines(&self, content: &DiagramContent<'_>) -> Outlines {
+        match self {
+            Plane::Rigid(diagram) => outlines(diagram, content),
+            Plane::Crushing(map) => ground_outlines(GroundPlane::Crushing(map), content),
+            Plane::Failing(plane) => ground_outlines(GroundPlane::Failing(plane), content),
+        }
+    }
+
+    fn figure(&self, content: &DiagramContent<'_>) -> Figure {
+        match self {
+            Plane::Rigid(diagram) => diagram_with(diagram, content),
+            Plane::Crushing(map) => ground_diagram(GroundPlane::Crushing(map), content),
+            Plane::Failing(plane) => ground_diagram(GroundPlane::Failing(plane), content),
+        }
+    }
+}
+
+/// The plane of ground that fails by a law of this name.
+fn failing(gamma: f64, k_prime: f64, law: &str, share: f64) -> PyResult<BearingPlane> {
+    let ground = match law {
+        "ec7" => Ground::new(GroundLaw::Ec7, 35.0, 1.0),
+        "hansen" => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
+        "envelope" => Ground::envelope(1.0),
+        _ => {
+            return Err(PyValueError::new_err(format!("law is {law:?}; expected ec7, hansen or envelope")));
+        }
+    };
+    BearingPlane::of_share(ground.map_err(error)?, gamma, k_prime, share).map_err(error)
+}
+
+/// The codes at rows of (k, μ) on ground that fails.
+#[pyfunction]
+pub(crate) fn failing_modes(
+    gamma: f64,
+    k_prime: f64,
+    law: &str,
+    share: f64,
+    places: PyReadonlyArray2<f64>,
+) -> PyResult<Vec<u8>> {
+    let plane = failing(gamma, k_prime, law, share)?;
+    let rows = places.as_array();
+    let code = |(i, row): (usize, numpy::ndarray::ArrayView1<'_, f64>)| {
+        let point = plane.at(row[0], row[1]).map_err(|error| invalid(error, &[i]))?;
+        Ok(point.verdict.code())
+    };
+    rows.rows().into_iter().enumerate().map(code).collect()
+}
+
 /// A body with its points: rows of (k, μ), of which the first have names and the others are a cloud.
 struct Marked {
-    diagram: Diagram,
+    plane: Plane,
     window: Option<Window>,
     named: Vec<DesignPoint>,
     cloud: Vec<(f64, f64)>,
@@ -31,11 +115,12 @@ impl Marked {
     fn new(
         gamma: f64,
         k_prime: f64,
+        base: &Base,
         window: Option<(f64, f64)>,
         places: &PyReadonlyArray2<f64>,
         names: Vec<String>,
     ) -> PyResult<Marked> {
-        let diagram = Diagram::new(gamma, k_prime).map_err(error)?;
+        let plane = Plane::new(gamma, k_prime, base)?;
         let count = names.len();
         if places.shape()[1] != 2 || places.shape()[0] < count {
             return Err(PyValueError::new_err("expected rows of (k, μ), at least one for each name"));
@@ -52,7 +137,7 @@ impl Marked {
         let cloud = rows.split_off(count);
         let named = names.into_iter().zip(rows);
         let named = named.map(|(label, (k, mu))| DesignPoint { k, mu, label, mirrored: false }).collect();
-        Ok(Marked { diagram, window: window.map(|(k, mu)| Window { k, mu }), named, cloud })
+        Ok(Marked { plane, window: window.map(|(k, mu)| Window { k, mu }), named, cloud })
     }
 
     fn content(&self) -> DiagramContent<'_> {
@@ -66,12 +151,13 @@ pub(crate) fn diagram_outlines<'py>(
     py: Python<'py>,
     gamma: f64,
     k_prime: f64,
+    base: Base,
     window: Option<(f64, f64)>,
     places: PyReadonlyArray2<'py, f64>,
     names: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let marked = Marked::new(gamma, k_prime, window, &places, names)?;
-    let shown = outlines(&marked.diagram, &marked.content());
+    let marked = Marked::new(gamma, k_prime, &base, window, &places, names)?;
+    let shown = marked.plane.outlines(&marked.content());
     let areas: Vec<(u8, &str, &str, Vec<Polyline>)> = shown
         .areas
         .into_iter()
@@ -97,6 +183,7 @@ pub(crate) fn diagram_outlines<'py>(
     found.set_item("areas", areas)?;
     found.set_item("unresolved", unresolved)?;
     found.set_item("lines", lines)?;
+    found.set_item("rigid", shown.rigid)?;
     found.set_item("points", points)?;
     found.set_item("k_marks", ticks(shown.k_marks))?;
     found.set_item("mu_marks", ticks(shown.mu_marks))?;
@@ -108,12 +195,13 @@ pub(crate) fn diagram_outlines<'py>(
 pub(crate) fn diagram_svg(
     gamma: f64,
     k_prime: f64,
+    base: Base,
     window: Option<(f64, f64)>,
     places: PyReadonlyArray2<f64>,
     names: Vec<String>,
 ) -> PyResult<String> {
-    let marked = Marked::new(gamma, k_prime, window, &places, names)?;
-    Ok(diagram_with(&marked.diagram, &marked.content()).svg().to_owned())
+    let marked = Marked::new(gamma, k_prime, &base, window, &places, names)?;
+    Ok(marked.plane.figure(&marked.content()).svg().to_owned())
 }
 
 /// The round numbers along an axis with their markup, and the places of smaller ticks; see `standfast_figures::axis_numbers`.

@@ -2,14 +2,16 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use standfast::ground::strength::CrushPoint;
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{Mode, Point, contact};
-use standfast_cases::point;
+use standfast_cases::point::{self, Crushing};
 
 use crate::invalid;
 
-/// What `standfast classify --explain` prints, and its JSON document; `right` says where the force points.
+/// What `standfast classify --explain` prints, and its JSON document; `right` says where the force points, and ω is 0 on a
+/// rigid base.
 #[pyfunction]
 pub(crate) fn explain(
     py: Python<'_>,
@@ -17,9 +19,15 @@ pub(crate) fn explain(
     k_prime: f64,
     k: f64,
     mu: f64,
+    omega: f64,
     right: bool,
 ) -> PyResult<(String, String)> {
     let point = Point::new(gamma, k_prime, k, mu).map_err(|error| invalid(error, &[]))?;
+    if omega != 0.0 {
+        let point = CrushPoint::of(point, omega).map_err(|error| invalid(error, &[]))?;
+        let given = Crushing { point, mirrored: right };
+        return py.detach(|| Ok((point::crush_text(&given, true), point::crush_json(&given))));
+    }
     let reduced = Reduced { point, mirrored: right };
     py.detach(|| Ok((point::text(&reduced, true), point::json(&reduced))))
 }

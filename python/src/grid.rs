@@ -19,6 +19,7 @@ use arrow_schema::DataType;
 use half::f16;
 use standfast::InputError;
 use standfast::batch::{self, Columns, OnsetColumns};
+use standfast::ground::strength::CrushPoint;
 
 /// The type of the numbers of an operand.
 #[derive(Debug, Clone)]
@@ -50,12 +51,56 @@ pub(crate) struct Operand {
     pub(crate) nulls: Option<NullBuffer>,
 }
 
-/// Four operands of one shape, and a mask of it if there is one.
+/// The operands of points, of one shape, and a mask of it if there is one.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
     pub(crate) shape: Vec<usize>,
-    /// γ, k', k and μ; then, where there is one, the mask, which is not zero where a point has no answer.
+    /// γ, k', k and μ; ω where bases crush; then, where there is one, the mask, which is not zero where a point has no answer.
     operands: Vec<Operand>,
+    /// How many of them are numbers of points: four, or five with ω.
+    numbers: usize,
+}
+
+/// Points, on bases that crush if there is an ω.
+#[derive(Clone, Copy)]
+struct Points<'a> {
+    columns: Columns<'a>,
+    omega: Option<&'a [f64]>,
+}
+
+impl<'a> Points<'a> {
+    fn of(columns: &'a [Vec<f64>; 5], crushes: bool) -> Points<'a> {
+        let [gamma, k_prime, k, mu, omega] = columns.each_ref().map(Vec::as_slice);
+        Points { columns: Columns { gamma, k_prime, k, mu }, omega: crushes.then_some(omega) }
+    }
+
+    /// That the point at `index` can be.
+    fn check(&self, index: usize) -> Result<(), InputError> {
+        let point = self.columns.point(index)?;
+        self.omega.map_or(Ok(()), |omega| CrushPoint::of(point, omega[index]).map(drop))
+    }
+
+    fn has_nan(&self, index: usize) -> bool {
+        let Columns { gamma, k_prime, k, mu } = self.columns;
+        [gamma, k_prime, k, mu].into_iter().chain(self.omega).any(|column| column[index].is_nan())
+    }
+
+    /// Writes the codes; false at a value that no point can have.
+    fn classify(&self, codes: &mut [u8]) -> bool {
+        match self.omega {
+            None => batch::classify(self.columns, codes),
+            Some(omega) => batch::classify_on_base(self.columns, omega, codes),
+        }
+        .is_ok()
+    }
+
+    fn onset(&self, out: OnsetColumns<'_>) -> bool {
+        match self.omega {
+            None => batch::onset(self.columns, out),
+            Some(omega) => batch::onset_on_base(self.columns, omega, out),
+        }
+        .is_ok()
+    }
 }
 
 /// What is no error, and leaves a point without answer.
@@ -108,14 +153,15 @@ const PIECE: usize = 16 * BLOCK;
 pub(crate) struct ShapeMismatch;
 
 impl Grid {
-    /// Operands broadcast to their common shape by numpy's rules: four, and a mask if there is one.
+    /// Operands broadcast to their common shape by numpy's rules: the `numbers` of points, four or with ω five, and a mask if there
+    /// is one.
     ///
     /// # Safety
     /// For as long as the grid or a copy of it is read, every index within an operand's shape has to lead, by its
     /// strides, to a readable number of its kind.
     #[expect(unsafe_code, reason = "the grid trusts pointers and strides")]
-    pub(crate) unsafe fn new(operands: Vec<Operand>) -> Result<Grid, ShapeMismatch> {
-        debug_assert!(matches!(operands.len(), 4 | 5));
+    pub(crate) unsafe fn new(operands: Vec<Operand>, numbers: usize) -> Result<Grid, ShapeMismatch> {
+        debug_assert!(matches!(numbers, 4 | 5) && operands.len() >= numbers);
         let dimensions = operands.iter().map(|operand| operand.shape.len()).max().unwrap_or(0);
         let mut shape = vec![1; dimensions];
         for operand in &operands {
@@ -139,7 +185,7 @@ impl Grid {
             Operand { strides, shape: shape.clone(), ..operand }
         };
         let operands = operands.into_iter().map(broadcast).collect();
-        Ok(Grid { shape, operands })
+        Ok(Grid { shape, operands, numbers })
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -155,7 +201,7 @@ impl Grid {
 
     /// Whether values may be missing, NaN apart.
     fn has_gaps(&self) -> bool {
-        self.operands.len() > 4 || self.operands.iter().any(Operand::has_nulls)
+        self.operands.len() > self.numbers || self.operands.iter().any(Operand::has_nulls)
     }
 
     /// The axes from the one with the longest strides to that with the shortest, so that reading in this order runs
@@ -196,7 +242,7 @@ impl Grid {
             ..operand.clone()
         };
         let operands = self.operands.iter().zip(strides).map(along).collect();
-        Grid { shape, operands }
+        Grid { shape, operands, numbers: self.numbers }
     }
 
     /// Writes the mode codes in the order of the grid, and marks the points without answer in what [`gaps`](Grid::gaps) gave.
@@ -220,8 +266,8 @@ impl Grid {
                 codes.chunks_mut(reach).enumerate().all(|(i, codes)| {
                     let missing = missing.next().unwrap_or_default();
                     let length = codes.len();
-                    reader.answer(start + i * reach, length, missing, gaps, |columns| {
-                        let done = batch::classify(columns, codes).is_ok();
+                    reader.answer(start + i * reach, length, missing, gaps, |points| {
+                        let done = points.classify(codes);
                         if done && right {
                             batch::mirror(codes);
                         }
@@ -249,9 +295,8 @@ impl Grid {
             || Reader::new(self, true),
             |reader, start, (mut out, missing): (OnsetColumns<'_>, &mut [bool]), pace| {
                 let length = BLOCK.min(last - start);
-                reader.answer(start, length, missing, gaps, |columns| {
-                    batch::onset(columns, out.reborrow()).is_ok()
-                }) && pace.step(length)
+                reader.answer(start, length, missing, gaps, |points| points.onset(out.reborrow()))
+                    && pace.step(length)
             },
         )
     }
@@ -304,8 +349,8 @@ impl Grid {
             let length = BLOCK.min(self.len() - start);
             missing.fill(false);
             let block = reader.read(start, length, &mut missing);
-            let excused = |i: usize| missing.get(i) == Some(&true) || gaps.nan && has_nan(&block, i);
-            let wrong = (0..length).find_map(|i| Some((i, block.point(i).err().filter(|_| !excused(i))?)));
+            let excused = |i: usize| missing.get(i) == Some(&true) || gaps.nan && block.has_nan(i);
+            let wrong = (0..length).find_map(|i| Some((i, block.check(i).err().filter(|_| !excused(i))?)));
             match wrong {
                 Some((i, error)) => return Some((start + i, error)),
                 None if watch(start + length) => {}
@@ -351,11 +396,6 @@ fn pieces<T>(
         start += length;
         Some((start - length, (head, gaps)))
     })
-}
-
-fn has_nan(columns: &Columns<'_>, index: usize) -> bool {
-    let Columns { gamma, k_prime, k, mu } = columns;
-    [gamma, k_prime, k, mu].iter().any(|column| column[index].is_nan())
 }
 
 /// How far all threads are, as one of them sees it.
@@ -423,8 +463,9 @@ impl<'a> Reader<'a> {
     }
 
     /// The points from `start`. Those with a value that is missing are marked; in its place is some number that points can have.
-    fn read(&mut self, start: usize, length: usize, missing: &mut [bool]) -> Columns<'_> {
-        let mut columns = [&[][..]; 4];
+    fn read(&mut self, start: usize, length: usize, missing: &mut [bool]) -> Points<'_> {
+        let count = self.grid.numbers;
+        let mut columns = [&[][..]; 5];
         for (place, ((source, buffer), operand)) in
             self.sources.iter_mut().zip(&self.grid.operands).enumerate()
         {
@@ -436,15 +477,15 @@ impl<'a> Reader<'a> {
                     &buffer[..length]
                 }
             };
-            match columns.get_mut(place) {
+            match columns[..count].get_mut(place) {
                 Some(column) => *column = values,
                 None => {
                     missing.iter_mut().zip(values).for_each(|(missing, &masked)| *missing |= masked != 0.0)
                 }
             }
         }
-        let [gamma, k_prime, k, mu] = columns;
-        Columns { gamma, k_prime, k, mu }
+        let [gamma, k_prime, k, mu, omega] = columns;
+        Points { columns: Columns { gamma, k_prime, k, mu }, omega: (count == 5).then_some(omega) }
     }
 
     /// Lets `work`, which fails at values that no point can have, answer the points from `start`. Those without answer are marked
@@ -455,32 +496,32 @@ impl<'a> Reader<'a> {
         length: usize,
         missing: &mut [bool],
         gaps: Gaps,
-        mut work: impl FnMut(Columns<'_>) -> bool,
+        mut work: impl FnMut(Points<'_>) -> bool,
     ) -> bool {
-        let columns = self.read(start, length, missing);
-        if work(columns) {
+        let points = self.read(start, length, missing);
+        if work(points) {
             return true;
         }
         // Only here are points looked at one by one, in copies: what is looked at is what is answered.
-        let Columns { gamma, k_prime, k, mu } = columns;
-        let mut valid = [gamma, k_prime, k, mu].map(<[f64]>::to_vec);
+        let Columns { gamma, k_prime, k, mu } = points.columns;
+        let omega = points.omega;
+        let mut valid = [gamma, k_prime, k, mu, omega.unwrap_or_default()].map(<[f64]>::to_vec);
+        let crushes = omega.is_some();
         for (i, missing) in missing.iter_mut().enumerate() {
-            let [gamma, k_prime, k, mu] = &valid;
-            let columns = Columns { gamma, k_prime, k, mu };
-            if *missing || columns.point(i).is_err() {
-                *missing |= gaps.errors || gaps.nan && has_nan(&columns, i);
+            let points = Points::of(&valid, crushes);
+            if *missing || points.check(i).is_err() {
+                *missing |= gaps.errors || gaps.nan && points.has_nan(i);
                 if !*missing {
                     return false;
                 }
-                valid.iter_mut().for_each(|column| column[i] = VALID);
+                valid.iter_mut().filter(|column| !column.is_empty()).for_each(|column| column[i] = VALID);
             }
         }
-        let [gamma, k_prime, k, mu] = &valid;
-        work(Columns { gamma, k_prime, k, mu })
+        work(Points::of(&valid, crushes))
     }
 }
 
-/// A slenderness, elevation, force and friction that a point can have.
+/// A slenderness, elevation, force, friction and ω that a point can have.
 const VALID: f64 = 1.0;
 
 impl Operand {

@@ -21,12 +21,26 @@ mod table;
 use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use standfast::ground::GroundVerdict;
 use standfast::{InputError, Mode};
 
-/// All modes in the order of their codes, as (name, symbol, words).
+/// All modes in the order of their codes and ground that fails, as (name, symbol, words).
 #[pyfunction]
 fn modes() -> Vec<(String, &'static str, &'static str)> {
-    Mode::ALL.into_iter().map(|mode| (format!("{mode:?}"), mode.symbol(), mode.words())).collect()
+    let modes = Mode::ALL.into_iter().map(|mode| (format!("{mode:?}"), mode.symbol(), mode.words()));
+    let failure = GroundVerdict::BearingFailure;
+    modes.chain([(format!("{failure:?}"), failure.symbol(), failure.words())]).collect()
+}
+
+/// The names of the operands; of ω the points may have none.
+const NAMES: [&str; 5] = ["gamma", "k_prime", "k", "mu", "omega"];
+
+/// That there are as many operands as points have.
+fn expect_numbers(found: usize) -> PyResult<()> {
+    match found {
+        4 | 5 => Ok(()),
+        _ => Err(PyValueError::new_err(format!("{found} operands; expected 4, or 5 with omega"))),
+    }
 }
 
 /// An invalid value as an exception, with its index if it has one.
@@ -54,7 +68,7 @@ mod _standfast {
     #[pymodule_export]
     use super::design::{boundary, design};
     #[pymodule_export]
-    use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg};
+    use super::diagram::{diagram_numbers, diagram_outlines, diagram_svg, failing_modes};
     #[pymodule_export]
     use super::explain::{contact_conditions, explain};
     #[pymodule_export]

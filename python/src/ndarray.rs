@@ -10,9 +10,10 @@ use pyo3::types::PyTuple;
 use crate::grid::{Grid, Halt, Kind, Operand};
 use crate::onset::{Choice, Column, NO_MODE, Onset};
 use crate::run::{Monitor, Run};
-use crate::{Codes, invalid};
+use crate::{Codes, NAMES, expect_numbers, invalid};
 
-type Arrays<'py> = [Bound<'py, PyUntypedArray>; 4];
+/// γ, k', k and μ; with ω of bases that crush.
+type Arrays<'py> = Vec<Bound<'py, PyUntypedArray>>;
 type Mask<'py> = Bound<'py, PyArrayDyn<bool>>;
 
 /// The memory of an array.
@@ -42,14 +43,15 @@ fn operand(array: &Bound<'_, PyUntypedArray>) -> PyResult<Operand> {
 }
 
 /// The arrays broadcast to each other, and to the mask if there is one; to be used only while they are alive.
-fn broadcast(arrays: &Arrays<'_>, mask: Option<&Mask<'_>>) -> PyResult<Grid> {
+fn broadcast(arrays: &[Bound<'_, PyUntypedArray>], mask: Option<&Mask<'_>>) -> PyResult<Grid> {
     let mask = mask.map(|mask| mask.as_untyped());
+    expect_numbers(arrays.len())?;
     let operands = arrays.iter().chain(mask).map(operand).collect::<PyResult<_>>()?;
     // SAFETY: numpy vouches for pointer, type, shape and strides for as long as the array is alive.
     #[expect(unsafe_code, reason = "the grid trusts pointers and strides")]
-    let grid = unsafe { Grid::new(operands) };
+    let grid = unsafe { Grid::new(operands, arrays.len()) };
     grid.map_err(|_| {
-        let names = ["gamma", "k_prime", "k", "mu", "mask"];
+        let names = NAMES.into_iter().take(arrays.len()).chain(["mask"]);
         let shapes = arrays.iter().chain(mask).zip(names).map(|(array, name)| {
             let shape = PyTuple::new(array.py(), array.shape())?;
             Ok(format!("{name} {}", shape.repr()?))

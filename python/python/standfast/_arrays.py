@@ -98,66 +98,67 @@ class OnsetArrays(Fields[NDArray[Any]]):
 
 @overload
 def classify(
-    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["raise"] = "raise", names: Literal[False] = False, **options: Unpack[Options]
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number | None = None, on_error: Literal["raise"] = "raise", names: Literal[False] = False, **options: Unpack[Options]
 ) -> Mode: ...
 @overload
 def classify(
-    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number | None = None, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
 ) -> str: ...
 @overload
 def classify(
-    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number | None = None, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
 ) -> Mode | None: ...
 @overload
 def classify(
-    gamma: Number, k_prime: Number, k: Number, mu: Number, *, on_error: Literal["null"], names: Literal[True], **options: Unpack[Options]
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number | None = None, on_error: Literal["null"], names: Literal[True], **options: Unpack[Options]
 ) -> str | None: ...
 @overload
 def classify(
-    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["raise"] = "raise", names: Literal[False] = False, out: NDArray[np.uint8] | None = None, **options: Unpack[Options]
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["raise"] = "raise", names: Literal[False] = False, out: NDArray[np.uint8] | None = None, **options: Unpack[Options]
 ) -> NDArray[np.uint8]: ...
 @overload
 def classify(
-    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["raise"] = "raise", names: Literal[True], **options: Unpack[Options]
 ) -> NDArray[np.str_]: ...
 @overload
 def classify(
-    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["null"], names: Literal[False] = False, **options: Unpack[Options]
 ) -> np.ma.MaskedArray[tuple[Any, ...], np.dtype[np.uint8]]: ...
 @overload
 def classify(
-    gamma: Array, k_prime: Array, k: Array, mu: Array, *, on_error: Literal["null"], names: Literal[True], **options: Unpack[Options]
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, on_error: Literal["null"], names: Literal[True], **options: Unpack[Options]
 ) -> np.ma.MaskedArray[tuple[Any, ...], np.dtype[np.str_]]: ...
 @overload
 def classify(
-    gamma: PandasSeries | Array, k_prime: PandasSeries | Array, k: PandasSeries | Array, mu: PandasSeries | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+    gamma: PandasSeries | Array, k_prime: PandasSeries | Array, k: PandasSeries | Array, mu: PandasSeries | Array, *, omega: PandasSeries | Array | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
 ) -> pd.Series[Any]: ...
 @overload
 def classify(
-    gamma: PolarsSeries | Array, k_prime: PolarsSeries | Array, k: PolarsSeries | Array, mu: PolarsSeries | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+    gamma: PolarsSeries | Array, k_prime: PolarsSeries | Array, k: PolarsSeries | Array, mu: PolarsSeries | Array, *, omega: PolarsSeries | Array | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
 ) -> pl.Series: ...
 @overload
 def classify(
-    gamma: PyarrowArray | Array, k_prime: PyarrowArray | Array, k: PyarrowArray | Array, mu: PyarrowArray | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+    gamma: PyarrowArray | Array, k_prime: PyarrowArray | Array, k: PyarrowArray | Array, mu: PyarrowArray | Array, *, omega: PyarrowArray | Array | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
 ) -> pa.Array: ...
 @overload
 def classify(
-    gamma: ArrowLike | Array, k_prime: ArrowLike | Array, k: ArrowLike | Array, mu: ArrowLike | Array, *, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
+    gamma: ArrowLike | Array, k_prime: ArrowLike | Array, k: ArrowLike | Array, mu: ArrowLike | Array, *, omega: ArrowLike | Array | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]
 ) -> ArrowArray: ...
 @overload
-def classify(gamma: PandasFrame, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pd.Series[Any]: ...
+def classify(gamma: PandasFrame, *, omega: Number | None = None, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pd.Series[Any]: ...
 @overload
-def classify(gamma: PolarsFrame, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pl.Series: ...
+def classify(gamma: PolarsFrame, *, omega: Number | None = None, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pl.Series: ...
 @overload
-def classify(gamma: PyarrowTable, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pa.Array: ...
+def classify(gamma: PyarrowTable, *, omega: Number | None = None, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> pa.Array: ...
 @overload
-def classify(gamma: ArrowLike, *, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> ArrowArray: ...
+def classify(gamma: ArrowLike, *, omega: Number | None = None, map: Map | None = None, on_error: OnError = "raise", names: bool = False, **options: Unpack[Options]) -> ArrowArray: ...
 def classify(
     gamma: Any,
     k_prime: Any = None,
     k: Any = None,
     mu: Any = None,
     *,
+    omega: Any = None,
     map: Map | None = None,
     out: NDArray[np.uint8] | None = None,
     names: bool = False,
@@ -179,6 +180,9 @@ def classify(
         k_prime: height of the force above the centre of mass in H; below it, negative.
         k: force over weight, F/(m g), not negative.
         mu: Coulomb friction between body and base, not negative.
+        omega: share ω = P/(2B q_u) of a base that crushes at the pressure q_u, which the weight alone needs of it; 0, a rigid base,
+            if it is left out. From 1 on the ground fails, ``BF``. Beside a table a number, or a column of it: the one ``map``
+            names, or one that is called ``omega``.
         map: for a table, which column holds what, as ``{"mu": "friction"}``, or a number that holds for all rows, as
             ``{"k_prime": 0.4}``. What is not named here is in the column of its own name. Where pandas labels columns by
             numbers, ``{"k": 2}`` is the column 2 and ``{"k": 2.0}`` the number.
@@ -226,6 +230,8 @@ def classify(
            [1, 3, 4]], dtype=uint8)
     >>> classify(3, 0.8, [0.1, 0.5, 3], 0.1, names=True)
     array(['RE', 'SRO-', 'SRO+'], dtype='<U5')
+    >>> classify(0.8, 0.9167, 0.61, 0.6, omega=[0, 0.08, 1], names=True)
+    array(['SL', 'RO', 'BF'], dtype='<U5')
     >>> classify(1, 0.4, [0.5, 0.7], [0.6, -0.5])
     Traceback (most recent call last):
     ...
@@ -233,7 +239,7 @@ def classify(
     """
     if columns is not None:
         raise TypeError("columns is what onset computes; which column of a table holds what is said by map={...}")
-    operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map)
+    operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map, optional=("omega", omega))
     with shown(progress, "points") as told:
         how = run(threads, on_error, told, to)
         form = operands.form.with_errors(how.null_errors)
@@ -250,46 +256,47 @@ def classify(
 
 @overload
 def onset(
-    gamma: Number, k_prime: Number, k: Number, mu: Number, *, columns: Sequence[str] | None = None, on_error: Literal["raise"] = "raise", **options: Unpack[Options]
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number | None = None, columns: Sequence[str] | None = None, on_error: Literal["raise"] = "raise", **options: Unpack[Options]
 ) -> Onset: ...
 @overload
 def onset(
-    gamma: Number, k_prime: Number, k: Number, mu: Number, *, columns: Sequence[str] | None = None, on_error: Literal["null"], **options: Unpack[Options]
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number | None = None, columns: Sequence[str] | None = None, on_error: Literal["null"], **options: Unpack[Options]
 ) -> Onset | None: ...
 @overload
 def onset(
-    gamma: Array, k_prime: Array, k: Array, mu: Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+    gamma: Array, k_prime: Array, k: Array, mu: Array, *, omega: Array | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
 ) -> OnsetArrays: ...
 @overload
 def onset(
-    gamma: PandasSeries | Array, k_prime: PandasSeries | Array, k: PandasSeries | Array, mu: PandasSeries | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+    gamma: PandasSeries | Array, k_prime: PandasSeries | Array, k: PandasSeries | Array, mu: PandasSeries | Array, *, omega: PandasSeries | Array | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
 ) -> pd.DataFrame: ...
 @overload
 def onset(
-    gamma: PolarsSeries | Array, k_prime: PolarsSeries | Array, k: PolarsSeries | Array, mu: PolarsSeries | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+    gamma: PolarsSeries | Array, k_prime: PolarsSeries | Array, k: PolarsSeries | Array, mu: PolarsSeries | Array, *, omega: PolarsSeries | Array | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
 ) -> pl.DataFrame: ...
 @overload
 def onset(
-    gamma: PyarrowArray | Array, k_prime: PyarrowArray | Array, k: PyarrowArray | Array, mu: PyarrowArray | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+    gamma: PyarrowArray | Array, k_prime: PyarrowArray | Array, k: PyarrowArray | Array, mu: PyarrowArray | Array, *, omega: PyarrowArray | Array | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
 ) -> pa.Table: ...
 @overload
 def onset(
-    gamma: ArrowLike | Array, k_prime: ArrowLike | Array, k: ArrowLike | Array, mu: ArrowLike | Array, *, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
+    gamma: ArrowLike | Array, k_prime: ArrowLike | Array, k: ArrowLike | Array, mu: ArrowLike | Array, *, omega: ArrowLike | Array | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]
 ) -> ArrowTable: ...
 @overload
-def onset(gamma: PandasFrame, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pd.DataFrame: ...
+def onset(gamma: PandasFrame, *, omega: Number | None = None, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pd.DataFrame: ...
 @overload
-def onset(gamma: PolarsFrame, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pl.DataFrame: ...
+def onset(gamma: PolarsFrame, *, omega: Number | None = None, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pl.DataFrame: ...
 @overload
-def onset(gamma: PyarrowTable, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pa.Table: ...
+def onset(gamma: PyarrowTable, *, omega: Number | None = None, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> pa.Table: ...
 @overload
-def onset(gamma: ArrowLike, *, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> ArrowTable: ...
+def onset(gamma: ArrowLike, *, omega: Number | None = None, map: Map | None = None, columns: Sequence[str] | None = None, on_error: OnError = "raise", **options: Unpack[Options]) -> ArrowTable: ...
 def onset(
     gamma: Any,
     k_prime: Any = None,
     k: Any = None,
     mu: Any = None,
     *,
+    omega: Any = None,
     columns: Sequence[str] | None = None,
     map: Map | None = None,
     on_error: OnError = "raise",
@@ -299,7 +306,7 @@ def onset(
 ) -> Any:
     """The mode that begins, with its motion and reactions, and whether it is the only one.
 
-    The operands, ``map``, ``on_error``, ``threads``, ``progress`` and ``to`` are those of :func:`classify`.
+    The operands, ``omega``, ``map``, ``on_error``, ``threads``, ``progress`` and ``to`` are those of :func:`classify`.
 
     Args:
         columns: which fields of :class:`Onset` to compute, in this order; all if it is left out.
@@ -311,7 +318,9 @@ def onset(
 
     The motion is that of the report's equations (3.3-3.8, 3.14-3.16, 3.30, 3.37, 3.43, 3.45; 4.36-4.39, 4.64, 4.76,
     4.89, 4.95). Where several modes satisfy every law (force below the centre of mass, friction above 4/3: Painlevé's
-    indeterminacy) the report's choice is the mode, and ``others`` holds the rest.
+    indeterminacy) the report's choice is the mode, and ``others`` holds the rest. Of bearing failure there is no motion: its
+    numbers are NaN. On a base that crushes the body turns about a neutral point inside of it, and ``xi`` is where the crushed part
+    bears (docs/theory/5-base.md).
 
     Raises:
         ValueError, TypeError, KeyError: as :func:`classify`.
@@ -326,7 +335,7 @@ def onset(
     (<Mode.ROCK_O: 2>,)
     """
     fields = chosen(columns, Onset._fields)
-    operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map, result="theta_ddot")
+    operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map, result="theta_ddot", optional=("omega", omega))
     with shown(progress, "points") as told:
         how = run(threads, on_error, told, to)
         form = operands.form.with_errors(how.null_errors)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._arrays import classify
 from ._arrow import ArrowArray
+from ._inputs import read
 from ._modes import Mode, Modes
 from ._points import Marks, Points, marks
 from ._types import Array, Number, PandasSeries, PolarsSeries, PyarrowArray
@@ -26,12 +27,13 @@ if TYPE_CHECKING:
     import pyarrow as pa  # type: ignore[import-untyped,unused-ignore]
     from matplotlib.axes import Axes
 
-    from ._standfast import _Outlines, _Polyline
+    from ._standfast import _Base, _Outlines, _Polyline
 
 Polyline = NDArray[np.float64]
 
 _INK = "#16202b"
 _FAINT = "#5d6873"
+_BEHIND = "#7d8791"
 _MARK = "#a3123f"
 
 
@@ -102,6 +104,9 @@ class Diagram:
     Args:
         gamma: slenderness H/B, above zero.
         k_prime: height of the force above the centre of mass in H.
+        omega: share ω = P/(2B q_u) of a base that crushes, below 1; the map of a rigid base is drawn in grey behind.
+        law: the plane of ground that fails, by ``"ec7"``, ``"hansen"`` or ``"envelope"``, in place of ``omega``; it needs ``share``.
+        share: share u = P/V₀ that the weight takes of what the ground bears centric and upright.
         window: largest k and μ to show, by :meth:`plot`, :meth:`svg` and the notebook alike; if it is not given, those that
             show the named points and all points to be marked.
 
@@ -117,11 +122,33 @@ class Diagram:
     <Mode.SLIDE_ROCK_O_RIGHT: 4>
     >>> round(diagram.points["E"].k, 4)
     1.0465
+    >>> Diagram(0.8, 0.9167, omega=0.08).mode_at(0.61, 0.6)
+    <Mode.ROCK_O: 2>
+    >>> [region.mode.symbol for region in Diagram(0.8, 0.9167, law="ec7", share=0.3).regions]
+    ['RE', 'SL', 'BF']
     """
 
-    def __init__(self, gamma: float, k_prime: float, *, window: tuple[float, float] | None = None) -> None:
+    def __init__(
+        self,
+        gamma: float,
+        k_prime: float,
+        *,
+        omega: float | None = None,
+        law: str | None = None,
+        share: float | None = None,
+        window: tuple[float, float] | None = None,
+    ) -> None:
         self._gamma = float(gamma)
         self._k_prime = float(k_prime)
+        if (law is None) != (share is None):
+            raise TypeError("law and share say together what the ground is; expected both, or neither")
+        if law is not None and omega is not None:
+            raise TypeError("omega is of a base that crushes, law of ground that fails; expected one of them")
+        self._base: _Base = {
+            "omega": None if omega is None else float(omega),
+            "law": law,
+            "share": 0.0 if share is None else float(share),
+        }
         if window is not None:
             k, mu = map(float, window)
             if not (0 < k <= 1e50 and 0 < mu <= 1e50):
@@ -131,7 +158,7 @@ class Diagram:
         self._shown = self._outlines(marks(None))
 
     def _outlines(self, marked: Marks) -> _Outlines:
-        return _standfast.diagram_outlines(self._gamma, self._k_prime, self._asked, *marked)
+        return _standfast.diagram_outlines(self._gamma, self._k_prime, self._base, self._asked, *marked)
 
     def _holding(self, marked: Marks) -> Diagram:
         """The same in a window that holds points, unless one was asked for."""
@@ -148,6 +175,11 @@ class Diagram:
     def k_prime(self) -> float:
         """Height of the force above the centre of mass in H."""
         return self._k_prime
+
+    @property
+    def omega(self) -> float:
+        """Share of a base that crushes; 0 on a rigid base."""
+        return self._base["omega"] or 0.0
 
     @property
     def window(self) -> tuple[float, float]:
@@ -198,7 +230,14 @@ class Diagram:
     def mode_at(self, k: ArrowLike | Array, mu: ArrowLike | Array) -> ArrowArray: ...
     def mode_at(self, k: Any, mu: Any) -> Any:
         """The mode at (k, μ), exactly, boundaries included; arrays give arrays, as in :func:`classify`."""
-        return classify(self._gamma, self._k_prime, k, mu)
+        law = self._base["law"]
+        if law is None:
+            return classify(self._gamma, self._k_prime, k, mu, omega=self._base["omega"])
+        operands = read("classify", ("k", "mu"), (k, mu))
+        arrays, missing = operands.arrays()
+        places = np.stack([np.ravel(array) for array in np.broadcast_arrays(*arrays)], axis=1).astype(np.float64)
+        codes = _standfast.failing_modes(self._gamma, self._k_prime, law, self._base["share"], places)
+        return operands.form.column("mode", np.frombuffer(codes, dtype=np.uint8).copy().reshape(operands.shape), missing, symbols=False)
 
     def svg(self, points: Points | None = None) -> str:
         """The diagram as an SVG document, with points marked as in :meth:`plot`.
@@ -206,13 +245,14 @@ class Diagram:
         >>> Diagram(1, 0.4).svg({"storm": (0.5, 0.6)})[:4]
         '<svg'
         """
-        return _standfast.diagram_svg(self._gamma, self._k_prime, self._asked, *marks(points))
+        return _standfast.diagram_svg(self._gamma, self._k_prime, self._base, self._asked, *marks(points))
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
     def __repr__(self) -> str:
-        return f"Diagram(gamma={self._gamma:g}, k_prime={self._k_prime:g})"
+        of = "".join(f", {name}={value!r}" for name, value in self._base.items() if value)
+        return f"Diagram(gamma={self._gamma:g}, k_prime={self._k_prime:g}{of})"
 
     def plot(
         self,

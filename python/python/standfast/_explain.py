@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 
 from . import _standfast
-from ._answer import with_infinity
+from ._answer import part, with_infinity
 from ._rows import point
 from ._run import is_right
 from ._types import Number, Side
-from .answers import Point
+from .answers import Motion, Point
 
 
 class Explanation(Point):
@@ -45,6 +45,25 @@ class Explanation(Point):
         factor: float = self["SF_overturning"]
         return factor
 
+    @property
+    def case(self) -> str | None:  # type: ignore[override]
+        """The report's case, by the elevation of the force; ``None`` on a base that crushes."""
+        case: str | None = self["case"]
+        return case
+
+    @property
+    def motion(self) -> Motion | None:  # type: ignore[override]
+        """The motion in that mode, in g, g/B, m g and B; ``None`` where the ground fails."""
+        return None if self["motion"] is None else part(Motion, self["motion"])
+
+    @property
+    def ground(self) -> dict[str, float | None] | None:
+        """Where a base that crushes bears, in B: ``omega``; ``pivot``, the least distance of the reaction from an edge of a body at
+        rest; ``neutral``, the distance of the neutral point from the edge about which the body turns; ``effective_width``. ``None``
+        on a rigid base."""
+        base: dict[str, float | None] | None = self["ground"] if "ground" in self else None
+        return None if base is None else dict(base)
+
     def to_json(self) -> str:
         """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
         return self._json
@@ -53,18 +72,23 @@ class Explanation(Point):
         return self._text
 
     def __repr__(self) -> str:
-        deciding = ", ".join(f"({relation.equation}) {relation.statement}" for relation in self.trace[-1].relations)
+        steps = self.trace
+        deciding = ", ".join(f"({relation.equation}) {relation.statement}" for relation in steps[-1].relations) if steps else "ω ≥ 1"
         return f"<Explanation {self.mode.symbol}: {deciding}>"
 
     def __reduce__(self) -> tuple[type[Explanation], tuple[str, str]]:
         return Explanation, (self._text, self._json)
 
 
-def explain(gamma: Number, k_prime: Number, k: Number, mu: Number, *, to: Side = "left") -> Explanation:
+def explain(
+    gamma: Number, k_prime: Number, k: Number, mu: Number, *, omega: Number = 0, to: Side = "left"
+) -> Explanation:
     """Why does this mode begin, with what motion, and at which force and friction would it be another?
 
     Args:
         gamma, k_prime, k, mu: as in :func:`classify`, four numbers.
+        omega: share of a base that crushes, as in :func:`classify`; ``ground`` says where it bears, and ``motion`` is ``None`` where
+            it fails.
         to: where the force points. For one to the right, the inequalities are those of the same force to the left; modes and
             motions are mirrored.
 
@@ -85,5 +109,6 @@ def explain(gamma: Number, k_prime: Number, k: Number, mu: Number, *, to: Side =
     >>> str(why).splitlines()[0]
     'The body slides and rocks about O, the bottom left corner, which moves to the left'
     """
-    g, height, force, friction = point("explain", ("gamma", "k_prime", "k", "mu"), (gamma, k_prime, k, mu))
-    return Explanation(*_standfast.explain(g, height, force, friction, is_right(to)))
+    names = ("gamma", "k_prime", "k", "mu", "omega")
+    g, height, force, friction, share = point("explain", names, (gamma, k_prime, k, mu, omega))
+    return Explanation(*_standfast.explain(g, height, force, friction, share, is_right(to)))

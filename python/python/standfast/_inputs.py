@@ -142,6 +142,7 @@ def read(
     map: Map | None = None,
     *,
     result: str | None = None,
+    optional: tuple[str, object] | None = None,
 ) -> Operands:
     """Tells apart what a function was given.
 
@@ -151,6 +152,7 @@ def read(
         given: as many operands, or a table and ``None`` for the others.
         map: which column of the table holds what.
         result: one of the columns of its answer, if that has several, for advice.
+        optional: an operand more, which may be ``None``: its name and what was given. A table may have it in a column of its name.
 
     Raises:
         TypeError: for what is no real number, or comes from a library whose objects have to be unwrapped by the caller;
@@ -158,6 +160,8 @@ def read(
         ValueError: for lengths or indexes that differ, and for a wrong ``map``.
         KeyError: if a table lacks a column.
     """
+    if optional is not None and (optional[1] is not None or any(value is None for value in given)):
+        names, given, map = _with(names, given, map, Advice(function, result), *optional)
     if all(type(value) is float or type(value) is int for value in given) and map is None:
         operands = Operands(names, Point())
         operands.numbers = [_number(value, name) for value, name in zip(given, names)]
@@ -173,6 +177,32 @@ def read(
         said = f"; unpack a dict: standfast.{function}(**columns)" if isinstance(first, Mapping) else ""
         raise TypeError(f"{', '.join(missing)} missing; expected {', '.join(names)}, or one table with these columns{said}")
     return _columns(names, given, advice)
+
+
+def _with(
+    names: Sequence[str], given: Sequence[object], map: Map | None, advice: Advice, name: str, value: object
+) -> tuple[Sequence[str], Sequence[object], Map | None]:
+    """Operands with one more, if it is given, by itself, by ``map`` or by a table's column of its name."""
+    first, *others = given
+    if not all(other is None for other in others) or (kind := table_kind(first, advice)) is None:
+        return (names, given, map) if value is None else ([*names, name], [*given, value], map)
+    if value is None and not (isinstance(map, Mapping) and name in map) and name not in _columns_of(first, kind):
+        return names, given, map
+    if value is not None:
+        if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Real, Decimal)):
+            raise TypeError(f"{name} is {shown(value)} beside a table; expected a number, or a column of it by map={{'{name}': …}}")
+        if isinstance(map, Mapping) and name in map:
+            raise TypeError(f"{name} is given twice, by itself and by map")
+        map = {**(map or {}), name: value}  # type: ignore[dict-item]
+    return [*names, name], [*given, None], map
+
+
+def _columns_of(table: Any, kind: str) -> Sequence[object]:
+    """The names of a table's columns, where it tells them without being read."""
+    if kind in ("pandas", "polars"):
+        return list(table.columns)
+    schema = getattr(table, "schema", None)
+    return list(getattr(schema, "names", None) or getattr(table, "columns", None) or ())
 
 
 def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:

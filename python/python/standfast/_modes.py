@@ -38,6 +38,8 @@ class Mode(enum.IntEnum):
     SLIDE_RIGHT = 7
     SLIDE_ROCK_O_PRIME_RIGHT = 8
     FLIGHT = 9
+    #: BF: the ground fails. No mode of a rigid body: it has no motion, and is in no set of :class:`Modes`.
+    BEARING_FAILURE = 10
 
     if TYPE_CHECKING:
 
@@ -80,13 +82,15 @@ class Mode(enum.IntEnum):
 BY_SYMBOL = {mode.symbol: mode for mode in Mode}
 
 #: Above all sets of modes.
-_BITS = 1 << len(Mode)
+_BITS = 1 << Mode.BEARING_FAILURE
 
 
 class _SetType(enum.EnumMeta):
     """What makes sets: the code of a mode is not taken for the bits of a set."""
 
     def __call__(cls, value: Any, *args: Any, **options: Any) -> Any:
+        if value is Mode.BEARING_FAILURE:
+            raise ValueError("bearing failure is in no set of modes; compare with the mode itself")
         bits = 1 << value if isinstance(value, Mode) else value
         return super().__call__(bits, *args, **options)
 
@@ -171,7 +175,7 @@ class Modes(enum.IntFlag, metaclass=_SetType):
         >>> Modes(6).modes
         (<Mode.SLIDE_LEFT: 1>, <Mode.ROCK_O: 2>)
         """
-        return tuple(mode for mode in Mode if self & (1 << mode))
+        return tuple(mode for mode in Mode if int(self) & 1 << mode)
 
 
 def _bits(other: int) -> int:

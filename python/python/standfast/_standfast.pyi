@@ -25,6 +25,7 @@ __all__ = [
     "diagram_numbers",
     "diagram_outlines",
     "diagram_svg",
+    "failing_modes",
     "explain",
     "limit_state_names",
     "limit_states",
@@ -125,7 +126,7 @@ def contact_rows(
     run: _Run,
 ) -> _Wrong: ...
 def contact_conditions(row: Sequence[float], code: int | None) -> list[_Relation]: ...
-def explain(gamma: float, k_prime: float, k: float, mu: float, right: bool) -> tuple[str, str]: ...
+def explain(gamma: float, k_prime: float, k: float, mu: float, omega: float, right: bool) -> tuple[str, str]: ...
 def design(
     file: tuple[str, str], vary: str, target: str, greatest: bool, ends: _Ends
 ) -> tuple[str, str]: ...
@@ -153,6 +154,13 @@ def onset_table(
     table: Any, places: Sequence[str | float], choice: Sequence[str], run: _Run
 ) -> ArrowTable: ...
 
+class _Base(TypedDict):
+    """What a body stands on: a base that crushes or ground that fails; rigid if it is neither."""
+
+    omega: float | None
+    law: str | None
+    share: float
+
 class _Outlines(TypedDict):
     """What a diagram shows; strings are markup, but for names, letters and colours."""
 
@@ -163,6 +171,8 @@ class _Outlines(TypedDict):
     unresolved: list[tuple[str, int, int, list[_Polyline]]]
     #: Name, formula, shorter name, whether it is dashed, and parts.
     lines: list[tuple[str, str, str, bool, list[_Polyline]]]
+    #: The boundaries on rigid ground, to be drawn behind.
+    rigid: list[_Polyline]
     #: Letter, its markup, k and μ.
     points: list[tuple[str, str, float, float]]
     #: Value, name with formula, and the point whose coordinate it is.
@@ -173,10 +183,13 @@ def diagram_numbers(
     from_: float, to: float, length: float, upright: bool
 ) -> tuple[list[tuple[float, str]], list[float]]: ...
 def diagram_outlines(
-    gamma: float, k_prime: float, window: tuple[float, float] | None, places: NDArray[np.float64], names: list[str]
+    gamma: float, k_prime: float, base: _Base, window: tuple[float, float] | None, places: NDArray[np.float64], names: list[str]
 ) -> _Outlines: ...
+def failing_modes(
+    gamma: float, k_prime: float, law: str, share: float, places: NDArray[np.float64]
+) -> bytes: ...
 def diagram_svg(
-    gamma: float, k_prime: float, window: tuple[float, float] | None, places: NDArray[np.float64], names: list[str]
+    gamma: float, k_prime: float, base: _Base, window: tuple[float, float] | None, places: NDArray[np.float64], names: list[str]
 ) -> str: ...
 
 @final
