@@ -69,7 +69,7 @@ fn a_column_omega_is_the_share_of_a_base_that_crushes() {
         assert!(answer.lines().nth(1).expect("a row").contains(&format!(",{mode},true,")), "{answer}");
     }
     let wrong = "omega,gamma,k_prime,k,mu\n-0.2,1,0.4,0.5,0.6\n";
-    let error = run(wrong.as_bytes(), &mut Vec::new(), &TableOptions::new("table")).expect_err("an error");
+    let error = run(wrong.as_bytes(), Vec::new(), &TableOptions::new("table")).expect_err("an error");
     let text = error.to_string();
     assert!(text.contains("omega") && text.contains("-0.2") && text.contains("from 0 to 1e50"), "{text}");
 }
