@@ -58,8 +58,8 @@ class Explanation(Point):
 
     @property
     def ground(self) -> dict[str, float | None] | None:
-        """Where a base that crushes bears, in B: ``omega``; ``pivot``, the least distance of the reaction from an edge of a body at
-        rest; ``neutral``, the distance of the neutral point from the edge about which the body turns; ``effective_width``. ``None``
+        """Where a base that crushes bears, in B: ``omega``; ``pivot``, how far inside its edge the reaction of a body acts that turns, or is
+        about to; ``neutral``, the distance of the neutral point from the edge about which the body turns; ``effective_width``. ``None``
         on a rigid base."""
         base: dict[str, float | None] | None = self["ground"] if "ground" in self else None
         return None if base is None else dict(base)

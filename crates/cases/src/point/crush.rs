@@ -46,10 +46,12 @@ impl Crushing {
     fn base(&self) -> Base {
         let omega = self.point.omega();
         let motion = self.motion();
+        let neutral = motion.and_then(|motion| motion.neutral.map(|_| motion.pressed.width()));
         Base {
             omega,
-            pivot: motion.map(|_| omega),
-            neutral: motion.and_then(|motion| motion.neutral.map(|_| motion.pressed.width())),
+            // N = P as a turn begins.
+            pivot: motion.map(|_| neutral.map_or(omega, |neutral| neutral / 2.0)),
+            neutral,
             effective_width: motion.map(|motion| 2.0 * (1.0 - motion.motion.xi.abs())),
         }
     }
@@ -59,7 +61,7 @@ impl Crushing {
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Base {
     omega: f64,
-    /// The least distance of the reaction of a body at rest from an edge.
+    /// From the edge, the reaction of a body that turns, or is about to.
     pivot: Option<f64>,
     /// From the edge about which the body turns.
     neutral: Option<f64>,
