@@ -33,6 +33,11 @@ impl Approx {
         Approx { value, error: error + f64::EPSILON * value.abs() + f64::MIN_POSITIVE }
     }
 
+    /// The value.
+    pub(crate) fn value(self) -> f64 {
+        self.value
+    }
+
     /// The value, if 40 of its bits are certain.
     pub(crate) fn precise(self) -> Option<f64> {
         (self.value.abs() > self.error * (1u64 << 40) as f64).then_some(self.value)

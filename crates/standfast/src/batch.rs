@@ -1,8 +1,8 @@
 //! The decision over columns of numbers, at the speed of memory, with the same exact answer as [`Point::mode`].
 //!
-//! Per point the kernel evaluates the [polynomials](crate::sign) and one error bound, without branches; the
-//! compiler vectorises it for the instruction set found at run time (AVX-512, AVX2, or what every x86-64 and
-//! every other processor has). Points it is not sure of are decided afterwards, one by one, in exact arithmetic.
+//! The kernel evaluates [two polynomials and one error bound](crate::sign) a point, without branches, in 32-bit floating point; blocks
+//! with points it is not sure of once more in 64-bit. The compiler vectorises it for the instruction set found at run time (AVX-512, AVX2,
+//! or what every x86-64 and every other processor has). Points that are not sure then are decided one by one, in exact arithmetic.
 //!
 //! ```
 //! use standfast::batch::{Columns, classify};
@@ -20,14 +20,19 @@
 //! # Ok::<(), standfast::batch::BatchError>(())
 //! ```
 
+mod kernel;
+
 use crate::error::InputError;
 use crate::ground::strength::CrushPoint;
 use crate::initiation::Point;
 use crate::mode::Mode;
 use crate::motion::Motion;
-use crate::sign::{Fused, Rounded, UNSURE, screen};
+use kernel::UNSURE;
 
-/// Points that are looked at twice in a row: small enough that the second look finds them in the first-level cache.
+#[doc(hidden)]
+pub use kernel::{InstructionSet, exactly, screen_with};
+
+/// Points whose motions are computed, or whose codes are looked at again, after their modes are known: few enough to be in the cache still.
 const BLOCK: usize = 4096;
 
 /// Four columns of equal length: γ, k', k and μ.
@@ -120,8 +125,7 @@ impl<'a> Columns<'a> {
 /// the modes of the points before it.
 pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError> {
     columns.check_lengths(codes.len())?;
-    let set = InstructionSet::ALL.into_iter().find(|set| set.is_available());
-    let set = set.expect("every processor has the baseline");
+    let set = InstructionSet::best();
     for (block, codes) in codes.chunks_mut(BLOCK).enumerate() {
         let start = block * BLOCK;
         let columns = columns.slice(start, codes.len());
@@ -397,88 +401,4 @@ fn settle(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), (usize, InputErr
         *code = columns.point(index).map_err(|error| (index, error))?.mode().code();
     }
     Ok(())
-}
-
-/// The kernel's loop, to be compiled once for every instruction set.
-#[inline(always)]
-fn screen_all<T: Rounded>(columns: Columns<'_>, codes: &mut [u8]) {
-    let Columns { gamma, k_prime, k, mu } = columns;
-    let points = gamma.iter().zip(k_prime).zip(k).zip(mu);
-    for (code, (((&gamma, &k_prime), &k), &mu)) in codes.iter_mut().zip(points) {
-        *code = screen::<T>(gamma, k_prime, k, mu);
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-mod x86 {
-    use super::{Columns, screen_all};
-    use crate::sign::Fused;
-
-    pub(super) fn has_avx512() -> bool {
-        is_x86_feature_detected!("avx512f")
-            && is_x86_feature_detected!("avx512bw")
-            && is_x86_feature_detected!("avx512dq")
-            && is_x86_feature_detected!("avx512vl")
-            && is_x86_feature_detected!("fma")
-    }
-
-    pub(super) fn has_avx2() -> bool {
-        is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
-    }
-
-    #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,fma")]
-    pub(super) fn screen_avx512(columns: Columns<'_>, codes: &mut [u8]) {
-        screen_all::<Fused>(columns, codes);
-    }
-
-    #[target_feature(enable = "avx2,fma")]
-    pub(super) fn screen_avx2(columns: Columns<'_>, codes: &mut [u8]) {
-        screen_all::<Fused>(columns, codes);
-    }
-}
-
-/// An instruction set the kernel is compiled for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[doc(hidden)]
-pub enum InstructionSet {
-    Avx512,
-    Avx2,
-    Baseline,
-}
-
-impl InstructionSet {
-    /// All, the best first.
-    pub const ALL: [InstructionSet; 3] =
-        [InstructionSet::Avx512, InstructionSet::Avx2, InstructionSet::Baseline];
-
-    /// Whether this processor has it.
-    pub fn is_available(self) -> bool {
-        match self {
-            InstructionSet::Baseline => true,
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => x86::has_avx512(),
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => x86::has_avx2(),
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
-        }
-    }
-}
-
-/// The kernel alone, without the exact second look, on one instruction set; public for tests and benchmarks, which
-/// compare them. On a processor that lacks the set, the baseline.
-#[doc(hidden)]
-pub fn screen_with(set: InstructionSet, columns: Columns<'_>, codes: &mut [u8]) {
-    match set {
-        // SAFETY: in both, the processor has the instructions the function is compiled for.
-        #[cfg(target_arch = "x86_64")]
-        #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
-        InstructionSet::Avx512 if set.is_available() => unsafe { x86::screen_avx512(columns, codes) },
-        #[cfg(target_arch = "x86_64")]
-        #[expect(unsafe_code, reason = "the only way to call code compiled for a detected instruction set")]
-        InstructionSet::Avx2 if set.is_available() => unsafe { x86::screen_avx2(columns, codes) },
-        // Every 64-bit ARM processor has a fused multiply-add.
-        _ if cfg!(target_arch = "aarch64") => screen_all::<Fused>(columns, codes),
-        _ => screen_all::<f64>(columns, codes),
-    }
 }

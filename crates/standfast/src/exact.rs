@@ -9,18 +9,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use num_bigint::{BigInt, Sign};
 
-/// The arithmetic that the formulas of this library are written in: f64 where rounding is accounted for,
+/// The arithmetic that the formulas of this library are written in: f64 and f32 where rounding is accounted for,
 /// [`Exact`] where it is not allowed, [`Approx`](crate::approx::Approx) where it is tracked.
 pub(crate) trait Real:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// The number `x`, unrounded.
     fn of(x: f64) -> Self;
-
-    /// `self·b + c`, in one rounding if this arithmetic has one.
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        self * b + c
-    }
 }
 
 impl Real for f64 {
@@ -28,11 +23,13 @@ impl Real for f64 {
     fn of(x: f64) -> f64 {
         x
     }
+}
 
-    // Not `f64::mul_add`: without the hardware instruction that is a slow library call.
+impl Real for f32 {
+    /// The number `x`, rounded.
     #[inline(always)]
-    fn mul_add(self, b: f64, c: f64) -> f64 {
-        self * b + c
+    fn of(x: f64) -> f32 {
+        x as f32
     }
 }
 

@@ -160,7 +160,30 @@ fn boundaries_moved_through_any_point_agree_with_rational_arithmetic() {
     }
 }
 
-/// Every compiled kernel says what the single call says, or that it is not sure; and it is rarely not sure.
+/// The four columns of points.
+fn columns_of(points: &[[f64; 4]]) -> [Vec<f64>; 4] {
+    [0, 1, 2, 3].map(|i| points.iter().map(|point| point[i]).collect())
+}
+
+fn lent(columns: &[Vec<f64>; 4]) -> Columns<'_> {
+    let [gamma, k_prime, k, mu] = columns;
+    Columns { gamma, k_prime, k, mu }
+}
+
+/// What the single call says of points.
+fn one_by_one(points: &[[f64; 4]]) -> Vec<u8> {
+    points.iter().map(|&[g, h, k, m]| standfast::classify(g, h, k, m).unwrap().code()).collect()
+}
+
+/// A point that is as far from a boundary as f32 or f64 can just tell, or just not.
+fn near_a_boundary(random: &mut Random) -> [f64; 4] {
+    let mut point = random.pick(&Boundary::ALL).point(random);
+    let distance = 2f64.powi(-14 - (random.bits() % 36) as i32);
+    point[2 + random.bits() as usize % 2] *= 1.0 + distance * random.uniform(-1.0, 1.0);
+    point
+}
+
+/// Every compiled kernel says what the single call says, or that it is not sure, all of them alike; and it is rarely not sure.
 #[test]
 fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
     let mut random = Random(11);
@@ -169,16 +192,28 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
     for boundary in Boundary::ALL {
         points.extend((0..tries(2_000)).map(|_| boundary.point(&mut random)));
     }
-    let column = |i: usize| points.iter().map(|point| point[i]).collect::<Vec<f64>>();
-    let [slenderness, elevation, force, friction] = [0, 1, 2, 3].map(column);
-    let columns = Columns { gamma: &slenderness, k_prime: &elevation, k: &force, mu: &friction };
-    let expected: Vec<u8> =
-        points.iter().map(|&[g, h, k, m]| standfast::classify(g, h, k, m).unwrap().code()).collect();
+    let on_boundaries = points.len();
+    points.extend((0..tries(100_000)).map(|_| near_a_boundary(&mut random)));
+    let near = points.len();
+    // Numbers that f32 has not, or only as zero, infinite or with few digits.
+    points.extend((0..tries(20_000)).map(|_| {
+        let mut size = || random.log(1e-60, 1e50);
+        let [gamma, k_prime, k, mu] = [size(), size(), size(), size()];
+        [
+            gamma.max(1e-50),
+            k_prime * random.pick(&[-1.0, 1.0]),
+            k,
+            random.pick(&[mu, k.next_up(), k, k.next_down()]),
+        ]
+    }));
+    let columns = columns_of(&points);
+    let expected = one_by_one(&points);
 
     let mut codes = vec![0; points.len()];
-    batch::classify(columns, &mut codes).unwrap();
+    batch::classify(lent(&columns), &mut codes).unwrap();
     assert_eq!(codes, expected);
 
+    let mut first = None;
     for set in InstructionSet::ALL {
         codes.fill(0);
         if !set.is_available() {
@@ -187,13 +222,61 @@ fn kernels_of_all_instruction_sets_agree_with_the_single_call() {
             eprintln!("skipped: this processor has no {set:?}");
             continue;
         }
-        batch::screen_with(set, columns, &mut codes);
+        batch::screen_with(set, lent(&columns), &mut codes);
         let wrong =
             codes.iter().zip(&expected).filter(|(code, expected)| **code != u8::MAX && code != expected);
         assert_eq!(wrong.count(), 0, "{set:?}");
         // A third of the ordinary points are small fractions, which meet boundaries exactly.
-        let unsure = codes[..ordinary].iter().filter(|code| **code == u8::MAX).count();
-        assert!(unsure < ordinary / 50, "{set:?}: {unsure} of {ordinary}");
+        let unsure = |codes: &[u8]| codes.iter().filter(|code| **code == u8::MAX).count();
+        assert!(
+            unsure(&codes[..ordinary]) < ordinary / 50,
+            "{set:?}: {} of {ordinary}",
+            unsure(&codes[..ordinary])
+        );
+        // f64 tells most of what f32 does not.
+        assert!(unsure(&codes[on_boundaries..near]) < (near - on_boundaries) / 5, "{set:?}");
+        assert_eq!(first.get_or_insert_with(|| codes.clone()), &codes, "{set:?}");
+    }
+}
+
+/// The kernel takes points in blocks, of which f64 takes those that f32 cannot tell, and some that follow: every length, and every
+/// order of such blocks, gives what the single call gives.
+#[test]
+fn batches_of_every_length_agree_with_the_single_call() {
+    let mut random = Random(12);
+    let points: Vec<[f64; 4]> = (0..20_000)
+        .map(|index| if index / 700 % 3 == 1 { near_a_boundary(&mut random) } else { random.point() })
+        .collect();
+    let expected = one_by_one(&points);
+    for length in (0..200).chain([700, 4095, 4096, 4097, 19_999, 20_000]) {
+        let start = (length * 97) % (points.len() - length + 1);
+        let columns = columns_of(&points[start..start + length]);
+        let mut codes = vec![0; length];
+        batch::classify(lent(&columns), &mut codes).unwrap();
+        assert_eq!(codes, expected[start..start + length], "{length} points");
+    }
+}
+
+/// What f32 makes zero of decides in f64: a friction below the force by less than f32 has numbers for, and zeros of either sign.
+#[test]
+fn differences_too_small_for_f32_decide() {
+    let cases = [
+        ([1.0, 0.5, 2e-60, 1e-60], Mode::SlideLeft),
+        ([1.0, 0.5, 1e-60, 2e-60], Mode::Rest),
+        ([1.0, 0.5, 1e-60, 1e-60], Mode::Rest),
+        ([1.0, -1.5, 5e-324, 0.0], Mode::SlideLeft),
+        ([1.0, -1.5, 0.0, 0.0], Mode::Rest),
+        ([1.0, 0.5, -0.0, -0.0], Mode::Rest),
+        ([1.0, 0.5, 0.0, -0.0], Mode::Rest),
+        ([1e-40, 0.5, 1.0, 0.5], Mode::SlideLeft),
+        ([1.0, 1e40, 1e-45, 1.0], Mode::Rest),
+    ];
+    for (point, mode) in cases {
+        let columns = columns_of(&[point; 70]);
+        let mut codes = vec![0; 70];
+        batch::classify(lent(&columns), &mut codes).unwrap();
+        assert_eq!(codes, [mode.code(); 70], "{point:?}");
+        assert_eq!(one_by_one(&[point]), [mode.code()], "{point:?}");
     }
 }
 
@@ -224,20 +307,22 @@ fn no_bad_value_gets_a_mode() {
         for bad in
             [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.1e50, -1.1e50, 1e-60, -1e-300, -1.0, 0.0, -0.0]
         {
-            let mut point = [1.0, 0.5, 0.25, 0.75];
-            point[column] = bad;
-            let [gamma, k_prime, k, mu] = point;
-            let scalar = Point::new(gamma, k_prime, k, mu).map(|point| point.mode().code());
-            let columns = [&[gamma; 9], &[k_prime; 9], &[k; 9], &[mu; 9]];
-            let [slenderness, elevation, force, friction] = columns.map(|column| column.as_slice());
-            let mut codes = [0; 9];
-            let batch = batch::classify(
-                Columns { gamma: slenderness, k_prime: elevation, k: force, mu: friction },
-                &mut codes,
-            );
-            assert_eq!(batch.is_ok(), scalar.is_ok(), "column {column}, {bad}");
-            if let Ok(code) = scalar {
-                assert_eq!(codes, [code; 9]);
+            for others in [[1.0, 0.5, 0.25, 0.75], [1.0, 0.5, 1e-40, 0.75], [1.0, 0.5, 0.0, 0.0]] {
+                let mut point = others;
+                point[column] = bad;
+                let [gamma, k_prime, k, mu] = point;
+                let scalar = Point::new(gamma, k_prime, k, mu).map(|point| point.mode().code());
+                let columns = [&[gamma; 9], &[k_prime; 9], &[k; 9], &[mu; 9]];
+                let [slenderness, elevation, force, friction] = columns.map(|column| column.as_slice());
+                let mut codes = [0; 9];
+                let batch = batch::classify(
+                    Columns { gamma: slenderness, k_prime: elevation, k: force, mu: friction },
+                    &mut codes,
+                );
+                assert_eq!(batch.is_ok(), scalar.is_ok(), "column {column}, {bad}, {others:?}");
+                if let Ok(code) = scalar {
+                    assert_eq!(codes, [code; 9]);
+                }
             }
         }
     }

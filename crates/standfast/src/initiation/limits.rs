@@ -17,7 +17,7 @@
 //! Of a force that points right, [`mirrored`](LimitStates::mirrored), the same holds with left and right, O and O' exchanged.
 
 use super::Point;
-use crate::sign::{Need, Polynomials};
+use super::polynomials::{Need, Polynomials};
 
 /// The limit states of a [`Point`]: negative where what they are named for happens.
 ///

@@ -51,6 +51,7 @@ mod chart;
 mod limits;
 mod margins;
 mod onset;
+mod polynomials;
 mod trace;
 
 pub use chart::{Chart, ChartCase, NamedPoint, PointName};
@@ -65,7 +66,8 @@ use crate::exact::{Exact, Real};
 use crate::mode::{Mode, Modes};
 use crate::motion::Motion;
 use crate::quantity::Quantity;
-use crate::sign::{self, Need, Polynomials, signed_slenderness};
+use crate::sign;
+use polynomials::{Need, Polynomials, signed_slenderness};
 
 /// A body and a force, reduced to the report's four numbers: a point of the k–μ plane for (γ, k').
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -122,7 +124,7 @@ impl Point {
 
     /// The mode that begins: the report's choice where several are consistent (its section IV.7).
     pub fn mode(&self) -> Mode {
-        let code = sign::code(self.gamma, self.k_prime, self.k, self.mu);
+        let code = sign::code([self.gamma, self.k_prime, self.k, self.mu]);
         Mode::from_code(code).expect("a valid point has a mode")
     }
 
@@ -204,7 +206,7 @@ impl Point {
     fn polynomials<const N: usize>(
         &self,
         need: Need,
-        needed: impl Fn(&Polynomials<f64>) -> [f64; N],
+        needed: impl Fn(&Polynomials<Approx>) -> [Approx; N],
     ) -> Polynomials<f64> {
         self.polynomials_about(signed_slenderness(self.gamma, self.k_prime), need, needed)
     }
@@ -214,7 +216,7 @@ impl Point {
         &self,
         g: f64,
         need: Need,
-        needed: impl Fn(&Polynomials<f64>) -> [f64; N],
+        needed: impl Fn(&Polynomials<Approx>) -> [Approx; N],
     ) -> Polynomials<f64> {
         Polynomials::known(g, [self.gamma, self.k_prime, self.k, self.mu], need, needed)
     }

@@ -5,9 +5,9 @@
 //! corner where it sticks), it is computed without cancellation, so its sign is right next to the boundary too.
 
 use super::Point;
+use super::polynomials::{Need, signed_slenderness};
 use crate::mode::Mode;
 use crate::motion::Motion;
-use crate::sign::{Need, signed_slenderness};
 
 /// The motion of `mode`, which has to be consistent at `point`.
 pub(super) fn motion(point: &Point, mode: Mode) -> Motion {

@@ -1,9 +1,9 @@
 //! A verdict explained: each mode's inequalities in the order they are tried, with the report's equation numbers.
 
+use super::polynomials::{Need, Polynomials};
 use super::{Chart, Point};
 use crate::mode::{Mode, Modes};
 use crate::relation::{Relation, Sign};
-use crate::sign::{Need, Polynomials};
 
 /// The modes tried in turn, up to the one that holds.
 ///
