@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::{Child, Command, ExitCode};
 
 use crate::tally::{Tally, cargo};
-use crate::{built, explorer, manifests, programs, python, target};
+use crate::{arm, built, explorer, manifests, programs, python, target};
 
 /// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what
 /// they need of them: a dependency whose features differ from step to step would be compiled again and again.
@@ -42,6 +42,7 @@ pub fn run() -> ExitCode {
     let mut tests = cargo(&["test", "--no-fail-fast"]);
     tests.args(EVERYTHING);
     tally.count("unit, integration and documentation tests", &mut tests, result_line);
+    arm::check(&mut tally);
     python.end(&mut tally);
     explorer::check(&mut tally);
     ended(&tally)
@@ -126,7 +127,7 @@ fn programs_and_tests(tally: &mut Tally) {
 }
 
 /// Ends with the count.
-fn ended(tally: &Tally) -> ExitCode {
+pub fn ended(tally: &Tally) -> ExitCode {
     println!("\ntotal: {} passed, {} failed, {} skipped", tally.passed, tally.failed, tally.skipped);
     if tally.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
@@ -142,7 +143,7 @@ fn pdf_programs(tally: &mut Tally) {
 }
 
 /// Passed, failed and ignored in cargo's line for the tests of a target.
-fn result_line(line: &str) -> Option<[usize; 3]> {
+pub fn result_line(line: &str) -> Option<[usize; 3]> {
     let counts = line.strip_prefix("test result: ")?;
     Some(["passed", "failed", "ignored"].map(|what| count(counts, what)))
 }

@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod arm;
 mod checks;
 mod explorer;
 mod gallery;
@@ -24,6 +25,7 @@ Usage: cargo xtask COMMAND
   test      format, lints, documentation, all tests: everything CI does; `test python` and `test explorer` run
             these parts alone
   deny      licences, advisories, sources and duplicates of all dependencies, by cargo-deny
+  arm       the tests of exact signs on an emulated 64-bit ARM, and the library checked for Windows and macOS
   gallery   write docs/gallery.md with its figures and the example of a calculation sheet
   python-versions  all tests of the Python package with every Python it promises to run under, as far as they are found
   explorer  build the explorer, one HTML file, and serve it on this machine; --open opens it in the browser
@@ -38,6 +40,7 @@ fn main() -> ExitCode {
         ["test", "python"] => checks::Part::Python.run(),
         ["test", "explorer"] => checks::Part::Explorer.run(),
         ["python-versions"] => checks::Part::PythonVersions.run(),
+        ["arm"] => arm::run(),
         ["deny"] => ended(manifests::deny()),
         ["gallery"] => match gallery::write(&root()) {
             Ok(count) => {

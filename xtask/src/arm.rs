@@ -1,0 +1,76 @@
+//! Other processors and systems: the tests of exact signs on a 64-bit ARM, emulated, and the library compiled for Windows and macOS.
+
+use std::fs;
+use std::process::{Command, ExitCode};
+
+use crate::checks::{ended, result_line};
+use crate::programs::{found, needed};
+use crate::root;
+use crate::tally::{Tally, cargo, in_ci};
+
+const ARM: &str = "aarch64-unknown-linux-gnu";
+
+/// Where the library is checked without a linker or a system to run it on.
+const ELSEWHERE: [&str; 3] = ["x86_64-pc-windows-msvc", "x86_64-apple-darwin", "aarch64-apple-darwin"];
+
+/// The part of the gate by itself.
+pub fn run() -> ExitCode {
+    let mut tally = Tally::default();
+    check(&mut tally);
+    ended(&tally)
+}
+
+/// Tests the kernel and the single call on ARM, at a share of their random points, and checks the library for other systems.
+pub fn check(tally: &mut Tally) {
+    const NAME: &str = "exact signs on ARM";
+    let programs =
+        needed("an emulator and linker for 64-bit ARM", &["qemu-user", "gcc-aarch64-linux-gnu"], || {
+            found("qemu-aarch64").and(found("aarch64-linux-gnu-gcc"))
+        });
+    match (programs, target(ARM)) {
+        (Err(missing), _) => tally.missing(NAME, missing),
+        (_, Err(missing)) => tally.missing(NAME, missing),
+        _ => {
+            let mut tests =
+                cargo(&["test", "--package", "standfast", "--test", "exactness", "--target", ARM]);
+            tests
+                .env("CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER", "aarch64-linux-gnu-gcc")
+                .env(
+                    "CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER",
+                    "qemu-aarch64 -L /usr/aarch64-linux-gnu",
+                )
+                .env("STANDFAST_TRIES", "0.02");
+            tally.count(NAME, &mut tests, result_line);
+        }
+    }
+    for system in ELSEWHERE {
+        let name = format!("the library for {system}");
+        match target(system) {
+            Ok(()) => {
+                let check = ["check", "--quiet", "--package", "standfast", "--target", system];
+                tally.record(&name, &mut cargo(&check));
+            }
+            Err(missing) => tally.missing(&name, missing),
+        }
+    }
+}
+
+/// Sees that Rust can compile for a target; in CI it is added.
+fn target(name: &str) -> Result<(), String> {
+    let is_there = || {
+        let rustc = Command::new("rustc")
+            .args(["--print", "target-libdir", "--target", name])
+            .current_dir(root())
+            .output();
+        rustc.is_ok_and(|output| {
+            let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+            fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
+        })
+    };
+    let add = || Command::new("rustup").args(["target", "add", name]).current_dir(root()).status();
+    if is_there() || in_ci() && add().is_ok_and(|status| status.success()) && is_there() {
+        Ok(())
+    } else {
+        Err(format!("there is no compiler for {name}; `rustup target add {name}` adds it"))
+    }
+}
