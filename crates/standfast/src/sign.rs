@@ -23,7 +23,7 @@
 //! | else, sticks ≥ 0 | rock about the corner of g |
 //! | else | slide-rock about it: of O to the right where Q < 0, to the left elsewhere |
 //!
-//! That it is the same, with the report's inequalities in the form of [`Polynomials`](crate::sign::Polynomials):
+//! That it is the same, with the report's inequalities as polynomials (`initiation/polynomials.rs`):
 //!
 //! * D ≥ 0: x = u, and −`stays` = `tip`. D < 0: x − 1 = `turn` for either sign of g, and for g > 0 x + 1 = `toe`, so that
 //!   `stays` ≥ 0 says `turn` ≤ 0 and `toe` ≥ 0. For g < 0 both parts of x are positive: x < 0 never occurs, as it must not.
