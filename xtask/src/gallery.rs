@@ -3,9 +3,11 @@
 use std::path::Path;
 use std::{fs, io};
 
+use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
+use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request, Spelling};
 use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
-use standfast_figures::{FigureId, report_figure};
+use standfast_figures::{DiagramContent, Figure, FigureId, GroundPlane, ground_diagram, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
 use crate::keys;
@@ -29,6 +31,14 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
         page.push_str(&format!("\n## Fig. {id}\n\n![{}]({path})\n", figure.title()));
         files.push((path, figure.svg().to_owned()));
     }
+    page.push_str(
+        "\n## A base that gives way\n\nThe k–μ plane on a base that crushes and on ground that fails, the rigid map in grey behind; see\n\
+         [theory](theory/5-base.md): `standfast diagram --gamma 2 --k-prime 0.8 --omega 0.2 -o crush.svg`, and `--law ec7 --share 0.3`.\n",
+    );
+    for (path, figure) in bases() {
+        page.push_str(&format!("\n![{}]({path})\n", figure.title()));
+        files.push((path.to_owned(), figure.svg().to_owned()));
+    }
     for (name, figures) in cases(root)? {
         page.push_str(&format!("\n## Case {name}\n\n[The case file](../examples/{name}.toml)\n"));
         for (path, svg) in figures {
@@ -50,6 +60,22 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     files.push(("gallery.md".to_owned(), page));
     files.push(("case-file.md".to_owned(), keys::page()));
     Ok(files)
+}
+
+/// Planes where the base gives way.
+fn bases() -> [(&'static str, Figure); 3] {
+    let content = DiagramContent::default();
+    let crush = |gamma, k_prime, omega| {
+        let map = CrushMap::new(gamma, k_prime, omega).expect("a base");
+        ground_diagram(GroundPlane::Crushing(&map), &content)
+    };
+    let sand = Ground::new(GroundLaw::Ec7, 35.0, 10e3).expect("sand");
+    let plane = BearingPlane::of_share(sand, 0.7, 0.4, 0.3).expect("a plane");
+    [
+        ("gallery/base-crush.svg", crush(2.0, 0.8, 0.2)),
+        ("gallery/base-crush-below.svg", crush(4.0, -0.55, 0.2)),
+        ("gallery/base-soil.svg", ground_diagram(GroundPlane::Failing(&plane), &content)),
+    ]
 }
 
 /// The diagrams of every example, by its name.

@@ -27,6 +27,8 @@ use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
 
 const BOUNDARY: Pen = Pen::solid(INK, 1.5);
 const DASHED: Pen = Pen { colour: INK, width: 0.9, dashes: "5 3.4" };
+/// The shortest line that carries its equation, in pixels.
+const SHORTEST: f64 = 20.0;
 const RIGID: Pen = Pen::solid(BEHIND, 1.1);
 
 /// The k–μ plane of a base that gives way.
@@ -272,6 +274,14 @@ impl Draft {
         let frame = self.canvas.board.frame;
         let longest = line.parts.iter().max_by(|one, other| length(one).total_cmp(&length(other)));
         let Some(part) = longest else { return };
+        // What is too short to be seen is not to be named.
+        let seen = part.first().zip(part.last()).map(|(one, other)| {
+            let ((x0, y0), (x1, y1)) = (frame.at(one.0, one.1), frame.at(other.0, other.1));
+            (x1 - x0).hypot(y1 - y0)
+        });
+        if seen.is_none_or(|length| length < SHORTEST) {
+            return;
+        }
         // From a little beyond the middle of the line outwards.
         let mut arcs = arcs(part);
         let (from, to) = (part[0].0, part[part.len() - 1].0);
