@@ -19,8 +19,8 @@ import xarray as xr
 from distributed import Client, LocalCluster
 from numpy.typing import NDArray
 
-#: Rows in all, rows a chunk: a chunk of four columns is 16 MB, the data set 1.28 GB.
-ROWS, CHUNK = 40_000_000, 500_000
+#: Rows in all, rows a chunk: a chunk of four columns is 16 MB, the data set 0.83 GB.
+ROWS, CHUNK = 26_000_000, 500_000
 LIMIT = 400_000_000
 
 

@@ -4,6 +4,7 @@
 mod common;
 
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 use common::{Step, cases, document, select, si, steps};
 use scraper::ElementRef;
@@ -63,7 +64,12 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
         let json: Value = serde_json::from_str(&assessment.json(&View::default(), &[])).unwrap();
         let html = document(&name, &text);
         let all = |selector: &str| select(&html, selector).into_iter().map(in_si).collect::<Vec<_>>();
-        let shown = |scope: &str, key: &str| all(&format!("{scope} data[data-quantity=\"{key}\"]")).pop();
+        // Of several with one name, the last.
+        let by_name = |scope: &str| -> BTreeMap<_, _> {
+            let data = select(&html, &format!("{scope} data[data-quantity]"));
+            data.into_iter().map(|data| (data.attr("data-quantity").unwrap().to_owned(), data)).collect()
+        };
+        let whole = by_name("");
         let compare = |shown: Option<f64>, json: &Value, what: &str| match (shown, number(json)) {
             (None, None) => {}
             (Some(shown), Some(json)) => {
@@ -73,10 +79,12 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
             other => panic!("{name}: {what} on the sheet and in JSON: {other:?}"),
         };
         for key in SEA.into_iter().filter(|_| !json["wave"].is_null()) {
-            compare(shown("", key), &json["wave"][key], key);
+            compare(whole.get(key).copied().map(in_si), &json["wave"][key], key);
         }
         for (i, situation) in json["situations"].as_array().unwrap().iter().enumerate() {
             let scope = format!("[data-load=\"{i}\"]");
+            let of_situation = by_name(&scope);
+            let shown = |key: &str| of_situation.get(key).copied().map(in_si);
             for result in ResultName::ALL {
                 if matches!(result.info().kind, ResultKind::Number(_)) {
                     let json = match result.in_ground() {
@@ -86,13 +94,13 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
                         }
                         Some(name) => &situation["ground"][name],
                     };
-                    compare(shown(&scope, result.name()), json, result.name());
+                    compare(shown(result.name()), json, result.name());
                 }
             }
             // Of a motion what is zero is left out.
             let motion = situation["motion"].as_object().into_iter().flatten();
             for (key, value) in motion.filter(|(_, value)| number(value) != Some(0.0)) {
-                compare(shown(&scope, &format!("motion.{key}")), value, key);
+                compare(shown(&format!("motion.{key}")), value, key);
             }
             let path = situation["path"].as_array().unwrap();
             let ends: Vec<_> = path

@@ -1,8 +1,10 @@
 //! Cases, the sheet as a tree, and an evaluator of its formulas that shares nothing with the library.
 #![allow(dead_code)]
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::path::Path;
+use std::sync::Mutex;
 
 use scraper::node::Node;
 use scraper::{ElementRef, Html, Selector};
@@ -176,9 +178,17 @@ fn more() -> Vec<(String, String)> {
     list.into_iter().map(|(name, text)| (format!("{name}.toml"), text)).collect()
 }
 
+/// The sheet of a case; made once for all tests of a program.
 pub fn html(name: &str, text: &str) -> String {
+    static MADE: Mutex<BTreeMap<(String, String), String>> = Mutex::new(BTreeMap::new());
+    let case = (name.to_owned(), text.to_owned());
+    if let Some(made) = MADE.lock().unwrap().get(&case) {
+        return made.clone();
+    }
     let sheet = Sheet::of(name, text, &SheetOptions::default());
-    sheet.unwrap_or_else(|error| panic!("{name}: {error}")).html().to_owned()
+    let sheet = sheet.unwrap_or_else(|error| panic!("{name}: {error}")).html().to_owned();
+    MADE.lock().unwrap().insert(case, sheet.clone());
+    sheet
 }
 
 pub fn document(name: &str, text: &str) -> Html {
