@@ -6,41 +6,31 @@ use std::path::PathBuf;
 use std::process::{Child, Command, ExitCode};
 
 use crate::tally::{Tally, cargo};
-use crate::{arm, built, explorer, manifests, programs, python, target};
+use crate::{arm, built, explorer, lints, manifests, programs, python, target};
 
-/// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what
-/// they need of them: a dependency whose features differ from step to step would be compiled again and again.
-const EVERYTHING: [&str; 3] = ["--workspace", "--features", "standfast-cli/full"];
+/// All crates of the workspace. The steps select the same crates with the same features, and only by their kind what they need
+/// of them: a dependency whose features differ from step to step would be compiled again and again.
+const ALL: [&str; 3] = ["--workspace", "--features", "standfast-python/gate"];
+
+/// All crates with all they can do.
+const EVERYTHING: [&str; 3] = ["--workspace", "--features", "standfast-python/gate,standfast-cli/full"];
 
 /// Runs all steps, also after one has failed, and ends with the count.
 pub fn run() -> ExitCode {
     let mut tally = Tally::default();
     tally.record("format", &mut cargo(&["fmt", "--all", "--check"]));
     manifests::check(&mut tally);
-    let mut clippy = cargo(&["clippy", "--all-targets", "--quiet"]);
-    tally.record("lints", clippy.args(EVERYTHING).args(["--", "--deny", "warnings"]));
-    // What a first command compiles, and what it says of all that it leaves out.
-    let small = ["test", "--quiet", "--workspace", "--test", "program", "transcripts"];
-    tally.count("program without features", &mut cargo(&small), result_line);
-    let mut doc = cargo(&["doc", "--no-deps", "--quiet"]);
-    tally.record("documentation", doc.args(EVERYTHING).env("RUSTDOCFLAGS", "--deny warnings"));
-    // Without libFuzzer itself, which wants a C++ compiler: the targets are to keep compiling.
-    let fuzz = [
-        "check",
-        "--manifest-path",
-        "fuzz/Cargo.toml",
-        "--no-default-features",
-        "--target-dir",
-        "target/fuzz",
-        "--quiet",
-    ];
-    tally.record("fuzz targets", &mut cargo(&fuzz));
+    left_out(&mut tally);
     pdf_programs(&mut tally);
-    programs_and_tests(&mut tally);
+    // What the program says of all that a build leaves out. Its libraries have here what they have in all steps.
+    let mut small = cargo(&["test", "--quiet", "--test", "program"]);
+    lints::beside(small.args(ALL).arg("transcripts"));
+    tally.count("what the program says without its features", &mut small, result_line);
+    lints::record(&mut tally, "programs and tests", &mut programs_and_tests());
     // Python's tests keep one core busy; those of a browser want both, because a page waits for nobody.
     let python = Beside::start(Part::Python);
     let mut tests = cargo(&["test", "--no-fail-fast"]);
-    tests.args(EVERYTHING);
+    lints::beside(tests.args(EVERYTHING));
     tally.count("unit, integration and documentation tests", &mut tests, result_line);
     arm::check(&mut tally);
     python.end(&mut tally);
@@ -69,7 +59,7 @@ impl Part {
     /// Builds what the part needs and runs its steps.
     pub fn run(self) -> ExitCode {
         let mut tally = Tally::default();
-        programs_and_tests(&mut tally);
+        tally.record("programs and tests", &mut programs_and_tests());
         match self {
             Part::Python => python::run(&mut tally),
             Part::PythonVersions => python::all_versions(&mut tally),
@@ -93,7 +83,7 @@ impl Beside {
             let output = File::create(&path)?;
             let mut xtask = Command::new(built("xtask"));
             xtask.args(["test", part.name()]).stderr(output.try_clone()?).stdout(output);
-            Ok((xtask.spawn()?, path))
+            Ok((lints::beside(&mut xtask).spawn()?, path))
         };
         Beside { part, running: start() }
     }
@@ -120,10 +110,30 @@ impl Beside {
     }
 }
 
-/// Compiles all that the tests run. The extension module has its tests in Python.
-fn programs_and_tests(tally: &mut Tally) {
-    let mut build = cargo(&["build", "--quiet", "--tests", "--bins"]);
-    tally.record("programs and tests", build.args(EVERYTHING));
+/// What is compiled by other commands: the program as a first command compiles it, without libraries' features that nobody has
+/// asked for, and what is fuzzed, without libFuzzer itself, which wants a C++ compiler. That these compile is all there is to see;
+/// what they do is seen of the same sources where all is compiled.
+fn left_out(tally: &mut Tally) {
+    let check = ["check", "--quiet", "--target-dir"];
+    let mut small = cargo(&check);
+    tally.record("program without features", small.arg(target()).args(["--package", "standfast-cli"]));
+    let mut fuzz = cargo(&check);
+    fuzz.arg(target()).args([
+        "--manifest-path",
+        "fuzz/Cargo.toml",
+        "--no-default-features",
+        "--features",
+        "gate",
+    ]);
+    tally.record("fuzz targets", &mut fuzz);
+}
+
+/// Compiles all that the tests run, and lints and documents it. The extension module is compiled by the step of its wheel, and has
+/// its tests in Python.
+fn programs_and_tests() -> Command {
+    let mut build = cargo(&["build", "--quiet", "--bins", "--tests", "--benches"]);
+    lints::beside(build.args(EVERYTHING));
+    build
 }
 
 /// Ends with the count.

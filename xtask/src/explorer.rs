@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{fs, thread};
 
 use crate::tally::{Tally, cargo, in_ci, timed};
-use crate::{built, programs, root, target};
+use crate::{built, programs, ran, root, target};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -20,14 +20,14 @@ fn build(mut bundler: Command) -> Result<PathBuf, String> {
     let wasm = target().join("wasm");
     let arguments =
         ["build", "--quiet", "--package", "standfast-web", "--lib", "--profile", "wasm", "--target", TARGET];
-    run(cargo(&arguments).envs(toolchain).env("CARGO_TARGET_DIR", &wasm))?;
+    ran(cargo(&arguments).envs(toolchain).env("CARGO_TARGET_DIR", &wasm))?;
 
     let folder = target().join("explorer");
     let site = folder.join("site");
     fs::create_dir_all(&site).map_err(|error| format!("{}: {error}", site.display()))?;
     let page = folder.join("standfast-explorer.html");
     let library = wasm.join(TARGET).join("wasm").join("standfast_web.wasm");
-    run(bundler.arg(library).arg(root().join("web").join("page")).arg(&page))?;
+    ran(bundler.arg(library).arg(root().join("web").join("page")).arg(&page))?;
     fs::copy(&page, site.join("index.html")).map_err(|error| format!("{}: {error}", site.display()))?;
     Ok(page)
 }
@@ -45,7 +45,7 @@ fn toolchain() -> Result<Vec<(String, OsString)>, String> {
     let folder = target().join("wasm-toolchain");
     println!("── rustup has none: a toolchain from Debian's packages, in {}", folder.display());
     let script = root().join("xtask").join("wasm-toolchain.sh");
-    run(Command::new("bash").arg(script).arg(&folder)).map_err(|error| {
+    ran(Command::new("bash").arg(script).arg(&folder)).map_err(|error| {
         format!("no compiler for {TARGET}: `rustup target add {TARGET}` failed, and so did Debian's packages: {error}")
     })?;
     let listed = Command::new("bash")
@@ -73,15 +73,6 @@ fn has_target() -> bool {
         let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
         fs::read_dir(folder).is_ok_and(|mut files| files.next().is_some())
     })
-}
-
-/// Runs a command to its end.
-fn run(command: &mut Command) -> Result<(), String> {
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{command:?}: {status}")),
-        Err(error) => Err(format!("{command:?}: {error}")),
-    }
 }
 
 /// Builds the explorer and serves it on this machine until interrupted; opens it in the browser if asked.
@@ -170,7 +161,7 @@ fn prerequisites() -> Result<PathBuf, String> {
     })
     .map_err(|missing| missing.to_string())?;
     let tests = root().join("web").join("tests");
-    run(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))?;
+    ran(Command::new("npm").args(["ci", "--no-audit", "--no-fund", "--silent"]).current_dir(tests))?;
     Ok(chromium)
 }
 

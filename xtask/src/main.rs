@@ -5,19 +5,16 @@
 mod arm;
 mod checks;
 mod explorer;
-mod gallery;
-mod keys;
+mod lints;
 mod manifests;
 mod programs;
 mod python;
 mod pythons;
 mod sea_states;
 mod tally;
-#[cfg(test)]
-mod traceability;
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 
 const HELP: &str = "\
 Usage: cargo xtask COMMAND
@@ -34,6 +31,9 @@ Usage: cargo xtask COMMAND
 ";
 
 fn main() -> ExitCode {
+    if let Some(ended) = lints::wrapper(std::env::args_os().skip(1)) {
+        return ended;
+    }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => checks::run(),
@@ -42,16 +42,7 @@ fn main() -> ExitCode {
         ["python-versions"] => checks::Part::PythonVersions.run(),
         ["arm"] => arm::run(),
         ["deny"] => ended(manifests::deny()),
-        ["gallery"] => match gallery::write(&root()) {
-            Ok(count) => {
-                println!("{count} files written");
-                ExitCode::SUCCESS
-            }
-            Err(error) => {
-                eprintln!("{error}");
-                ExitCode::FAILURE
-            }
-        },
+        ["gallery"] => ended(ran(&mut tally::cargo(&["run", "--quiet", "--package", "xtask-docs"]))),
         ["explorer"] => ended(explorer::serve(false)),
         ["explorer", "--open"] => ended(explorer::serve(true)),
         ["sea-states", count] => ended(
@@ -78,6 +69,15 @@ fn ended(result: Result<(), String>) -> ExitCode {
             eprintln!("{error}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Runs a command to its end.
+fn ran(command: &mut Command) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{command:?}: {status}")),
+        Err(error) => Err(format!("{command:?}: {error}")),
     }
 }
 

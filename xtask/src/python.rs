@@ -1,13 +1,14 @@
 //! The Python package: its wheel built in a clean environment, installed, its types checked, its tests run.
 
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
 
 use crate::pythons::{self, OLDEST, Python};
-use crate::tally::Tally;
-use crate::{built, root, target};
+use crate::tally::{Tally, cargo, line, timed};
+use crate::{built, lints, root, target};
 
 /// What of pip's output is not wanted.
 const PIP: [&str; 4] = ["-m", "pip", "--quiet", "--disable-pip-version-check"];
@@ -140,8 +141,8 @@ fn made(tally: &mut Tally, python: &Python, folder: &Path, arguments: &[OsString
     made.then_some(own)
 }
 
-/// Builds the wheel as `pip install ./python` does, in an environment that pip makes for it, but with the profile whose
-/// crates the other steps have already built.
+/// Builds the wheel as `pip install ./python` does, in an environment that pip makes for it, but with the profile and the features
+/// whose crates the other steps have already built.
 fn wheel(tally: &mut Tally, python: &Path, place: &Path) -> Option<PathBuf> {
     let wheels = place.join("wheels");
     // An older wheel is not to be taken for the new one.
@@ -152,13 +153,60 @@ fn wheel(tally: &mut Tally, python: &Path, place: &Path) -> Option<PathBuf> {
         _ => {}
     }
     let mut build = Command::new(python);
-    build.args(PIP).args(["wheel", "--no-deps", "--wheel-dir"]).arg(&wheels).arg(root().join("python"));
-    build.env("CARGO_TARGET_DIR", target()).env("MATURIN_PEP517_ARGS", "--profile dev");
-    if !tally.record("wheel", &mut build) {
-        return None;
-    }
+    // With what cargo says.
+    build.args(PIP.iter().filter(|argument| **argument != "--quiet"));
+    build.args(["--verbose", "wheel", "--no-deps", "--wheel-dir"]).arg(&wheels).arg(root().join("python"));
+    build.env("CARGO_TARGET_DIR", target()).env("MATURIN_PEP517_ARGS", "--profile dev --features gate");
+    build.env("CARGO_TERM_COLOR", "never");
+    println!("── wheel: {}", line(&build));
+    let said = match timed("wheel", || lints::beside(&mut build).output()) {
+        Ok(output) if output.status.success() => {
+            tally.passed += 1;
+            [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat()
+        }
+        Ok(output) => {
+            print!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+            tally.fail("wheel", output.status);
+            return None;
+        }
+        Err(error) => {
+            tally.fail("wheel", error);
+            return None;
+        }
+    };
+    tally.outcome("lints of the extension module", no_warnings(&said));
+    tally.outcome("nothing compiled again for the wheel", compiled_once(&said));
     let built = fs::read_dir(&wheels).ok()?.filter_map(Result::ok).map(|entry| entry.path());
     built.into_iter().find(|path| path.extension().is_some_and(|extension| extension == "whl"))
+}
+
+/// Fails with what cargo `said` if it warned of a crate.
+fn no_warnings(said: &str) -> Result<(), String> {
+    let warns = said.lines().any(|line| line.trim_start().starts_with("warning: `standfast"));
+    if warns { Err(format!("\n{said}")) } else { Ok(()) }
+}
+
+/// Fails if cargo `said` that it compiles what it has compiled for the tests: a dependency has other features there.
+fn compiled_once(said: &str) -> Result<(), String> {
+    let mut tree = cargo(&["tree", "--prefix", "none", "--edges", "normal,build,dev", "--format", "{p}"]);
+    tree.args(["--workspace", "--exclude", "standfast-python", "--features", "standfast-cli/full"]);
+    let output = tree.output().map_err(|error| format!("cargo tree: {error}"))?;
+    let again = twice(&String::from_utf8_lossy(&output.stdout), said);
+    if again.is_empty() {
+        return Ok(());
+    }
+    Err(format!(
+        "{}: the feature `gate` in python/Cargo.toml is to give them the features they have",
+        again.join(", ")
+    ))
+}
+
+/// The crates of a registry in cargo's `tree` that it `said` it compiles.
+fn twice<'a>(tree: &str, said: &'a str) -> Vec<&'a str> {
+    let crates: BTreeSet<&str> =
+        tree.lines().map(|line| line.trim_end_matches(" (*)").trim_end_matches(" (proc-macro)")).collect();
+    let compiles = said.lines().filter_map(|line| line.trim_start().strip_prefix("Compiling "));
+    compiles.map(str::trim_end).filter(|name| !name.contains('(') && crates.contains(name)).collect()
 }
 
 /// Passed, failed and skipped in pytest's last line, such as `2 failed, 71 passed, 1 skipped in 3.21s`.
@@ -182,7 +230,22 @@ fn counts(line: &str) -> Option<[usize; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use super::counts;
+    use super::{counts, no_warnings, twice};
+
+    #[test]
+    fn what_the_wheel_compiles_again_is_named() {
+        let tree = "standfast v0.1.0 (/s)\nserde v1.0.2 (*)\nsyn v2.0.1 (proc-macro) (*)\nmemchr v2.8.3\n";
+        let said = "  Compiling syn v2.0.1\n   Compiling pyo3 v0.30.0\n Compiling serde v1.0.20\n Compiling memchr v2.8.3\n\
+                    \x20  Compiling standfast v0.1.0 (/s)\n";
+        assert_eq!(twice(tree, said), ["syn v2.0.1", "memchr v2.8.3"]);
+        assert!(twice(tree, "Compiling pyo3 v0.30.0").is_empty());
+    }
+
+    #[test]
+    fn a_warning_of_the_extension_module_is_seen() {
+        assert!(no_warnings("  warning: `standfast-python` (lib) generated 1 warning\n").is_err());
+        assert_eq!(no_warnings("  Compiling standfast-python v0.1.0\n  Finished `dev` profile\n"), Ok(()));
+    }
 
     #[test]
     fn counts_are_read_from_pytests_last_line() {

@@ -47,7 +47,7 @@ pub fn timed<T>(name: &str, work: impl FnOnce() -> T) -> T {
 }
 
 /// A command as one would type it.
-fn line(command: &Command) -> String {
+pub fn line(command: &Command) -> String {
     let program = Path::new(command.get_program()).file_name().unwrap_or(command.get_program());
     let words = std::iter::once(program).chain(command.get_args());
     words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
