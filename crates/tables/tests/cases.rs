@@ -221,7 +221,9 @@ fn every_row_is_the_assessment_of_its_case() {
                 let summary = answer(&folder, &input, &output, &options).unwrap();
                 assert_eq!((summary.rows, summary.bad), (40, 0), "{output}");
                 let read = |column: &str| read(&folder.path().join(&output), column);
-                for result in ResultName::ALL {
+                // Those of the ground are there if the case has some.
+                let has_ground = file.case().unwrap().ground.is_some();
+                for result in ResultName::ALL.iter().filter(|result| has_ground || !result.is_of_ground()) {
                     let of_all = expected.iter().map(|answer| words(result.of(answer.governing())));
                     assert_eq!(read(result.name()), of_all.collect::<Vec<_>>(), "{output} {}", result.name());
                 }
