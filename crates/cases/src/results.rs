@@ -249,7 +249,7 @@ impl ResultName {
         (self.info().of)(assessed)
     }
 
-    /// Whether only a case with a [ground] has it.
+    /// Whether only a case with a `[ground]` has it.
     pub fn is_of_ground(self) -> bool {
         (ResultName::Omega..=ResultName::FirstEventTime).contains(&self)
     }
