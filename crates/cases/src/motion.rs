@@ -14,6 +14,7 @@
 //! ```
 
 mod block;
+mod body;
 mod error;
 mod history;
 mod json;
@@ -22,7 +23,9 @@ mod table;
 mod text;
 
 pub use block::{BlockCase, has_block};
+pub use body::{BodyCaseError, body_cases};
 pub use error::MotionCaseError;
+pub use json::all_json;
 pub use series::series_csv;
 
 use standfast_motion::{Keep, Outcome, sensitivity, simulate};
@@ -59,6 +62,21 @@ pub struct MotionWarning {
     pub name: &'static str,
     /// What is so, with its number.
     pub words: String,
+}
+
+/// Follows the motion in every situation of a case; the worst first: overturned, past balance, by the largest slide.
+///
+/// # Errors
+/// If a problem is refused.
+pub fn follow_all(cases: Vec<BlockCase>, follow: &Follow) -> Result<Vec<(BlockCase, Followed)>, MotionError> {
+    let follow = |case: BlockCase| case.follow(follow).map(|followed| (case, followed));
+    let mut answers = cases.into_iter().map(follow).collect::<Result<Vec<_>, _>>()?;
+    let rank = |outcome: &Outcome| (!outcome.overturned(), !outcome.past_balance);
+    answers.sort_by(|(_, one), (_, two)| {
+        let (one, two) = (&one.outcome, &two.outcome);
+        rank(one).cmp(&rank(two)).then(two.max_slide.total_cmp(&one.max_slide))
+    });
+    Ok(answers)
 }
 
 impl BlockCase {

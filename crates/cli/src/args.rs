@@ -133,7 +133,7 @@ pub enum Command {
         Example:\n  standfast sheet examples/goda-2000.toml --date 2026-11-21 -o goda-2000.html")]
     Sheet(SheetArgs),
 
-    /// Follow the motion of a block in time, from event to event to its end
+    /// Follow the motion of a body in time, from event to event to its end
     ///
     /// Prints what becomes of the body, its slide and rotation, each change of state with its time and reason, and where the energy
     /// went: rest, slide, rock, slide-rock, impacts, flight, overturning. Events are found as roots, and no step of time is to be
@@ -160,7 +160,10 @@ pub enum Command {
         half-sine (peak, duration), sine (peak, angular_frequency or period, phase, duration), church-roof (peak,\n\
         rise, impact_duration, tail, duration), points (times, values, peak), file (file, column of a CSV, dt where\n\
         it has no times, factor or target_peak, baseline = \"mean\" or \"linear\").\n\n\
-        Example:\n  standfast simulate examples/motion/block-base-pulse.toml --series motion.csv --dt 0.01"
+        In place of [block], a case as `assess` has it: [body], [[load]], [wave] and so on, with [motion]; each load\n\
+        that varies, and [wave], has a history, whose peak is a factor (1 if left out); quantities take units.\n\
+        Loads that act alone, and combinations, are followed one by one, the worst first.\n\n\
+        Example:\n  standfast simulate examples/motion/caisson-breaking-wave.toml --series motion.csv --dt 0.01"
     )]
     Simulate(SimulateArgs),
 
@@ -243,7 +246,7 @@ pub struct AssessArgs {
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArgs {
-    /// The case file (TOML) with a [block]; - reads standard input
+    /// The case file (TOML) with a [block] or a [body]; - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
     /// Write the motion at even steps of time to a CSV file; - writes to standard output in place of the answer

@@ -1,10 +1,13 @@
-//! `standfast simulate`: the motion of a block in time.
+//! `standfast simulate`: the motion of a body or a block in time.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
-use standfast_cases::motion::{BlockCase, Follow, MotionCaseError, has_block, series_csv};
+use standfast_cases::motion::{
+    BlockCase, BodyCaseError, Follow, MotionCaseError, all_json, body_cases, follow_all, has_block,
+    series_csv,
+};
 use thiserror::Error;
 
 use crate::args::SimulateArgs;
@@ -23,15 +26,10 @@ pub enum SimulateError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] MotionCaseError),
-    /// There is no block.
-    #[error("{name} has no [block]")]
-    #[diagnostic(help(
-        "`standfast simulate --help` shows a case; `standfast assess` takes those with a [body]"
-    ))]
-    NoBlock {
-        /// The case file.
-        name: String,
-    },
+    /// The case with a body makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Body(#[from] BodyCaseError),
     /// The motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] standfast_cases::motion::MotionError),
@@ -53,24 +51,31 @@ pub enum SimulateError {
 pub fn simulate(args: &SimulateArgs) -> Result<String, SimulateError> {
     let name = case_file::name(&args.case);
     let text = case_file::read(&args.case)?;
-    if !has_block(&text) && text.contains("[body]") {
-        return Err(SimulateError::NoBlock { name });
-    }
     let directory = args.case.parent().unwrap_or(Path::new(""));
     let read = |file: &str| {
         let bytes = fs::read(directory.join(file)).map_err(|cause| cause.to_string())?;
         // Old records have letters of other alphabets in their headers, and no meaning in them.
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     };
-    let case = BlockCase::parse(&name, &text, &read)?;
+    let cases = if has_block(&text) {
+        vec![BlockCase::parse(&name, &text, &read)?]
+    } else {
+        body_cases(&name, &text, &read)?
+    };
     let follow = Follow { sensitivity: args.sensitivity, series: args.series.is_some() };
-    let followed = case.follow(&follow)?;
+    let answers = follow_all(cases, &follow)?;
     let mut answer = match args.format {
-        Format::Text => case.text(&followed, args.all),
-        Format::Json => case.json(&followed),
+        Format::Text => answers
+            .iter()
+            .map(|(case, followed)| case.text(followed, args.all))
+            .collect::<Vec<_>>()
+            .join("\n"),
+        Format::Json => all_json(&answers),
     };
     if let (Some(series), Some(dt)) = (&args.series, args.dt) {
-        let table = series_csv(&followed.outcome, dt);
+        // That of the situation that is the worst.
+        let table =
+            answers.first().map_or_else(String::new, |(_, followed)| series_csv(&followed.outcome, dt));
         if series.as_os_str() == "-" {
             return Ok(table);
         }

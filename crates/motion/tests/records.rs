@@ -101,3 +101,38 @@ fn baselines_and_drift() {
     let [v, x] = record(&|t| t).drift();
     assert!((v - 1.99f64.powi(2) / 2.0).abs() < 1e-12 && (x - 1.99f64.powi(3) / 6.0).abs() < 1e-12);
 }
+
+/// Bodies of many sizes under a real record at many strengths, both components: thousands of impacts near rest, and each motion comes to an
+/// end with its energy accounted for.
+#[test]
+fn bodies_under_a_real_record() {
+    use standfast::contact::Block;
+    use standfast_motion::{End, Impact, Keep, Problem, simulate};
+    let read = |text| Record::parse("a.smc", text, None, None).unwrap();
+    let horizontal = read(include_str!("../../../examples/records/np01002p_4225c_a.smc"));
+    let vertical = read(include_str!("../../../examples/records/np01002p_4225b_a.smc"));
+    let (mut impacts, mut ends) = (0, [0; 5]);
+    for (b, γ) in [(0.05, 1.0_f64), (0.2, 4.0), (1.0, 2.0), (0.1, 8.0)] {
+        for μ in [0.1, 0.4, 1.0] {
+            for scale in [0.5, 1.5, 4.0] {
+                for law in [Impact::Inelastic, Impact::Ratio(0.97)] {
+                    let mut block = Block::uniform(γ, μ);
+                    (block.b1, block.b2, block.d) = (b, b, γ * b);
+                    block.rho2 *= b * b;
+                    let mut problem = Problem::new(block, 9.81);
+                    problem.impact = law;
+                    problem.base.horizontal = Some(horizontal.history(0.01 * scale).unwrap());
+                    problem.base.vertical = Some(vertical.history(0.01 * scale).unwrap());
+                    let outcome = simulate(&problem, Keep::default()).unwrap();
+                    let largest =
+                        outcome.work.abs().max(outcome.impact_loss).max(outcome.potential.abs()).max(1e-9);
+                    assert!(outcome.energy_residual().abs() < 1e-10 * largest, "{b} {γ} {μ} {scale} {law:?}");
+                    ends[outcome.end as usize] += 1;
+                    impacts += outcome.impacts;
+                }
+            }
+        }
+    }
+    assert_eq!(ends[End::AtRest as usize] + ends[End::Overturned as usize], 72, "{ends:?}");
+    assert!(impacts > 5000 && ends[End::Overturned as usize] > 5, "{impacts} {ends:?}");
+}

@@ -10,13 +10,17 @@ use super::history::{self, KEYS};
 use super::table::Section;
 use super::{MotionWarning, ReadFile};
 
-/// A block with what acts on it in time.
+/// A block with what acts on it in time; that of a body is in SI units, per its mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlockCase {
     /// Its title.
     pub title: Option<String>,
+    /// Which of the alternative loads or combinations acts, where there are several.
+    pub situation: Option<String>,
     /// The problem.
     pub problem: Problem,
+    /// Whether it is in SI units.
+    pub si: bool,
     /// What may be a slip.
     pub warnings: Vec<MotionWarning>,
 }
@@ -25,7 +29,7 @@ const TOP: [&str; 4] = ["title", "note", "block", "motion"];
 const BLOCK: [&str; 11] =
     ["b1", "b2", "d", "rho2", "m_x", "m_y", "mu_s", "mu_k", "mu_impact", "gravity", "load"];
 const LOAD: [&str; 4] = ["at", "direction", "follows", "history"];
-const MOTION: [&str; 4] = ["impact", "t_max", "initial", "base"];
+pub(super) const MOTION: [&str; 4] = ["impact", "t_max", "initial", "base"];
 
 /// Whether a case file has a `[block]`.
 pub fn has_block(text: &str) -> bool {
@@ -70,9 +74,7 @@ fn read(text: &str, file: &ReadFile<'_>) -> Result<BlockCase, Wrong> {
         });
     }
     if let Some(motion) = &motion {
-        problem.t_max = motion.number("t_max")?;
-        problem.impact = impact(motion)?;
-        problem.initial = initial(motion)?;
+        settings(motion, &mut problem)?;
         if let Some(base) = motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])? {
             let mut direction = |key: &str| {
                 let section = base.section(key, format!("`{key}` of [motion.base]"), &KEYS)?;
@@ -109,7 +111,15 @@ fn read(text: &str, file: &ReadFile<'_>) -> Result<BlockCase, Wrong> {
     }
     let title = top.words("title")?.map(str::to_owned);
     top.words("note")?;
-    Ok(BlockCase { title, problem, warnings })
+    Ok(BlockCase { title, situation: None, problem, si: false, warnings })
+}
+
+/// What [motion] says beside the base.
+pub(super) fn settings(motion: &Section<'_>, problem: &mut Problem) -> Result<(), Wrong> {
+    problem.t_max = motion.number("t_max")?;
+    problem.impact = impact(motion)?;
+    problem.initial = initial(motion)?;
+    Ok(())
 }
 
 fn body(section: &Section<'_>) -> Result<Block, Wrong> {

@@ -1,7 +1,7 @@
 //! Histories: the shapes of a case file.
 
 use standfast::number::exact;
-use standfast_motion::record::{Baseline, Record};
+use standfast_motion::record::{Baseline, Record, RecordUnit};
 use standfast_motion::{History, MotionError, Problematic};
 
 use super::error::Wrong;
@@ -137,7 +137,10 @@ fn cut(values: &[f64], what: &str) -> Option<MotionWarning> {
     let last = values.last().copied().unwrap_or(0.0);
     (last.abs() > 0.01 * peak).then(|| MotionWarning {
         name: "record-ends-abruptly",
-        words: format!("{what} end at {:.1} % of the peak, and drop to 0 there", 100.0 * last.abs() / peak),
+        words: format!(
+            "the last value of {what} is {:.1} % of the peak, and drops to 0 there",
+            100.0 * last.abs() / peak
+        ),
     })
 }
 
@@ -148,19 +151,39 @@ fn recorded(section: &Section<'_>, file: &ReadFile<'_>, start: f64) -> Result<Re
     let text = file(name).map_err(|why| Wrong::new(format!("cannot read {name}: {why}"), place()))?;
     let record = Record::parse(name, &text, section.words("column")?, section.number("dt")?);
     let record = record.map_err(|error| Wrong::new(error.to_string(), place()))?;
+    let unit = match () {
+        () if section.is_of_load() && record.unit != RecordUnit::Unnamed => {
+            let message =
+                format!("{name} has a unit, and the load has a force of its own that the record multiplies");
+            return Err(Wrong::new(message, place()).help("name the column without a unit, as share"));
+        }
+        () if !section.is_measured() || section.is_of_load() => 1.0,
+        () => {
+            let unit = record.known_unit(name, section.words("column")?);
+            let unit = unit.map_err(|error| Wrong::new(error.to_string(), place()))?;
+            if !unit.is_acceleration() {
+                return Err(Wrong::new(
+                    format!("{name} is a record of a force; expected one of an acceleration"),
+                    place(),
+                ));
+            }
+            unit.si()
+        }
+    };
     let baseline = section.choice("baseline", &[("mean", Baseline::Mean), ("linear", Baseline::Linear)])?;
     let record = match baseline {
         Some(baseline) => record.corrected(baseline),
         None => record,
     };
-    let factor = match (section.number("factor")?, section.number("target_peak")?) {
-        (Some(_), Some(_)) => {
-            let message = format!("{} has both `factor` and `target_peak`", section.name);
-            return Err(Wrong::new(message, section.place("target_peak")));
-        }
-        (None, Some(peak)) => peak / record.peak(),
-        (factor, None) => factor.unwrap_or(1.0),
-    };
+    let factor = unit
+        * match (section.number("factor")?, section.number("target_peak")?) {
+            (Some(_), Some(_)) => {
+                let message = format!("{} has both `factor` and `target_peak`", section.name);
+                return Err(Wrong::new(message, section.place("target_peak")));
+            }
+            (None, Some(peak)) => peak / (record.peak() * unit),
+            (factor, None) => factor.unwrap_or(1.0),
+        };
     let [velocity, displacement] = record.drift().map(|drift| drift * factor);
     let mut warnings: Vec<MotionWarning> = cut(&record.values, name).into_iter().collect();
     warnings.push(MotionWarning {

@@ -10,6 +10,8 @@ use super::{BlockCase, Followed};
 struct Document<'a> {
     schema: u32,
     title: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    situation: Option<&'a str>,
     end: &'static str,
     slide: f64,
     max_slide: f64,
@@ -36,6 +38,8 @@ struct Document<'a> {
     sensitivity: Option<f64>,
     events: Vec<EventEntry>,
     warnings: Vec<WarningEntry<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    others: Vec<Document<'a>>,
 }
 
 #[derive(Serialize)]
@@ -73,6 +77,10 @@ pub(super) fn of_balance(case: &BlockCase, outcome: &Outcome) -> f64 {
 impl BlockCase {
     /// The answer as a JSON document, in the units of the case.
     pub fn json(&self, followed: &Followed) -> String {
+        crate::json(&self.document(followed))
+    }
+
+    fn document<'a>(&'a self, followed: &'a Followed) -> Document<'a> {
         let outcome = &followed.outcome;
         let events = outcome.events.iter().map(|event| EventEntry {
             t: event.t,
@@ -81,9 +89,10 @@ impl BlockCase {
             also: event.consistent.without(Some(event.state)).iter().map(Mode::symbol).collect(),
         });
         let warnings = followed.warnings.iter();
-        crate::json(&Document {
+        Document {
             schema: 1,
             title: self.title.as_deref(),
+            situation: self.situation.as_deref(),
             end: end_word(outcome.end),
             slide: outcome.slide,
             max_slide: outcome.max_slide,
@@ -109,6 +118,15 @@ impl BlockCase {
             sensitivity: followed.sensitivity,
             events: events.collect(),
             warnings: warnings.map(|w| WarningEntry { name: w.name, words: &w.words }).collect(),
-        })
+            others: Vec::new(),
+        }
     }
+}
+
+/// The answers to a case's situations as one JSON document: that of the first, with the `others` in it.
+pub fn all_json(answers: &[(BlockCase, Followed)]) -> String {
+    let mut documents = answers.iter().map(|(case, followed)| case.document(followed));
+    let Some(mut first) = documents.next() else { return crate::json(&Vec::<()>::new()) };
+    first.others = documents.collect();
+    crate::json(&first)
 }

@@ -5,9 +5,12 @@ use std::ops::Range as Span;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use standfast_motion::record::STANDARD_GRAVITY;
+
 use super::error::Wrong;
 use crate::layout::shortened;
 use crate::suggest::closest;
+use crate::units::{Dimension, in_gravity};
 
 /// A table with its name, as errors call it, and its place.
 pub(crate) struct Section<'a> {
@@ -15,6 +18,18 @@ pub(crate) struct Section<'a> {
     table: &'a DeTable<'a>,
     pub span: Span<usize>,
     text: &'a str,
+    units: Units,
+}
+
+/// Whether texts with units are numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Units {
+    /// Lengths, times and accelerations as they come.
+    None,
+    /// SI.
+    Si,
+    /// SI, and the peak a factor on a load's own force.
+    SiOfLoad,
 }
 
 pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
@@ -59,7 +74,41 @@ impl<'a> Section<'a> {
                 Wrong::new(format!("{name} has no key `{}`", shortened(found)), key.span()).help(help)
             );
         }
-        Ok(Section { name, table, span, text })
+        Ok(Section { name, table, span, text, units: Units::None })
+    }
+
+    /// The same where quantities may have units.
+    pub(crate) fn measured(self) -> Section<'a> {
+        Section { units: Units::Si, ..self }
+    }
+
+    /// The same of the history of a load.
+    pub(crate) fn of_load(self) -> Section<'a> {
+        Section { units: Units::SiOfLoad, ..self }
+    }
+
+    /// Whether numbers are in SI units.
+    pub(crate) fn is_measured(&self) -> bool {
+        self.units != Units::None
+    }
+
+    /// Whether it is the history of a load that has a force of its own.
+    pub(crate) fn is_of_load(&self) -> bool {
+        self.units == Units::SiOfLoad
+    }
+
+    /// What the number under a key measures, where it may have a unit.
+    fn dimension(&self, key: &str) -> Option<Dimension> {
+        match key {
+            _ if self.units == Units::None => None,
+            "start" | "duration" | "rise" | "period" | "impact_duration" | "times" | "dt" | "t_max" => {
+                Some(Dimension::Time)
+            }
+            "peak" | "tail" | "target_peak" if self.units == Units::Si => Some(Dimension::Acceleration),
+            "gap" => Some(Dimension::Length),
+            "theta" | "phase" => Some(Dimension::Angle),
+            _ => None,
+        }
     }
 
     pub(crate) fn get(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
@@ -80,6 +129,16 @@ impl<'a> Section<'a> {
     }
 
     fn finite(&self, key: &str, value: &Spanned<DeValue<'_>>, expected: &str) -> Result<f64, Wrong> {
+        if let (Some(dimension), Some(written)) = (self.dimension(key), value.get_ref().as_str()) {
+            if let (Dimension::Acceleration, Some(share)) = (dimension, in_gravity(written)) {
+                return Ok(share * STANDARD_GRAVITY);
+            }
+            return dimension.parse(written).map_err(|error| {
+                let (what, units) = (dimension.words(), dimension.understood());
+                let message = format!("`{key}` is \"{}\", and {error}; expected {what}", shortened(written));
+                Wrong::new(message, value.span()).help(format!("the units understood: {units}"))
+            });
+        }
         let number = number_of(value.get_ref()).ok_or_else(|| self.wrong_type(key, value, expected))?;
         if number.is_finite() {
             return Ok(number + 0.0);
@@ -153,7 +212,8 @@ impl<'a> Section<'a> {
     ) -> Result<Option<Section<'a>>, Wrong> {
         let Some(value) = self.get(key) else { return Ok(None) };
         let table = value.get_ref().as_table().ok_or_else(|| self.wrong_type(key, value, "a table"))?;
-        Section::new(name, table, value.span(), self.text, keys).map(Some)
+        let section = Section::new(name, table, value.span(), self.text, keys)?;
+        Ok(Some(Section { units: self.units, ..section }))
     }
 
     /// Tables of a list within this one.

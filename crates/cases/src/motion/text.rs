@@ -20,10 +20,18 @@ impl BlockCase {
         if let Some(title) = &self.title {
             let _ = writeln!(text, "{title}\n");
         }
-        let _ = writeln!(text, "{}\n", verdict(outcome));
+        if let Some(situation) = &self.situation {
+            let _ = writeln!(text, "Under {situation}:\n");
+        }
+        let _ = writeln!(text, "{}\n", verdict(outcome, self.seconds()));
         text += &columns(&numbers(self, followed), 2, &[1]);
-        let _ = write!(text, "\nEvents\n{}", events(outcome, all));
-        let _ = write!(text, "\nEnergy per mass\n{}", columns(&energy(outcome), 2, &[1]));
+        let _ = write!(text, "\nEvents\n{}", events(outcome, all, self.seconds()));
+        let _ = write!(
+            text,
+            "\nEnergy per mass{}\n{}",
+            if self.si { ", J/kg" } else { "" },
+            columns(&energy(outcome), 2, &[1])
+        );
         let _ = writeln!(text, "\n{}", uniqueness(outcome));
         if let Some(sensitivity) = followed.sensitivity {
             let _ = writeln!(text, "{}", predictable(sensitivity));
@@ -35,23 +43,30 @@ impl BlockCase {
     }
 }
 
+impl BlockCase {
+    /// The unit of times, with a space before it, if they have one.
+    fn seconds(&self) -> &'static str {
+        if self.si { " s" } else { "" }
+    }
+}
+
 fn number(x: f64) -> String {
     significant(x, 7)
 }
 
 /// What becomes of the body, in a sentence.
-fn verdict(outcome: &Outcome) -> String {
-    let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t));
+fn verdict(outcome: &Outcome, s: &str) -> String {
+    let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
     let Some(first) = moves else { return "The body stays at rest.".to_owned() };
     let begins = match first.why {
         Why::Start => "From the start the body".to_owned(),
-        _ => format!("At t = {} the body leaves rest: it", number(first.t)),
+        _ => format!("At t = {}{s} the body leaves rest: it", number(first.t)),
     };
     let last = outcome.events.last();
     let ends = match outcome.end {
         End::AtRest => {
-            format!("It comes to rest at t = {}.", number(outcome.t_rest.unwrap_or(outcome.t_final)))
+            format!("It comes to rest at t = {}{s}.", number(outcome.t_rest.unwrap_or(outcome.t_final)))
         }
         End::Overturned => format!("It overturns at t = {}.", at(last)),
         End::Time => format!("It still moves at t = {}, when the time is up.", at(last)),
@@ -84,33 +99,39 @@ fn when(number: f64, words: impl Fn() -> String) -> String {
 
 fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
     let outcome = &followed.outcome;
-    let row = |words: &str, value: f64, more: String| vec![words.to_owned(), number(value), more];
+    let s = case.seconds();
+    let [m, rad] = if case.si { [" m", " rad"] } else { ["", ""] };
+    let row = |words: &str, value: f64, unit: &str, more: String| {
+        vec![words.to_owned(), number(value) + unit, more]
+    };
     vec![
-        row("slide, to the right", outcome.slide, String::new()),
+        row("slide, to the right", outcome.slide, m, String::new()),
         row(
             "largest slide",
             outcome.max_slide,
-            when(outcome.max_slide, || format!("at t = {}", number(outcome.t_max_slide))),
+            m,
+            when(outcome.max_slide, || format!("at t = {}{s}", number(outcome.t_max_slide))),
         ),
         row(
             "largest |θ|",
             outcome.max_theta,
+            rad,
             when(outcome.max_theta, || {
                 let share = significant(of_balance(case, outcome), 4);
-                format!("at t = {}, {share} of that of balance", number(outcome.t_max_theta))
+                format!("at t = {}{s}, {share} of that of balance", number(outcome.t_max_theta))
             }),
         ),
-        row("θ at the end", outcome.theta, String::new()),
+        row("θ at the end", outcome.theta, rad, String::new()),
         vec!["impacts".to_owned(), outcome.impacts.to_string(), String::new()],
     ]
 }
 
-fn events(outcome: &Outcome, all: bool) -> String {
+fn events(outcome: &Outcome, all: bool, s: &str) -> String {
     let row = |event: &Event| {
         let others = event.consistent.without(Some(event.state));
         let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
         vec![
-            format!("t = {}", number(event.t)),
+            format!("t = {}{s}", number(event.t)),
             event.why.words().to_owned(),
             format!("{}{also}", event.state.symbol()),
         ]

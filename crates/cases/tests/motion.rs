@@ -1,0 +1,195 @@
+//! Cases in time: what a file says becomes the problem it says.
+
+use std::path::Path;
+
+use standfast_cases::motion::{BlockCase, Follow, Followed, body_cases, follow_all, has_block};
+use standfast_cases::{Acting, CaseFile};
+use standfast_motion::End;
+
+fn no_file(file: &str) -> Result<String, String> {
+    Err(format!("no file {file}"))
+}
+
+fn follow(text: &str) -> Vec<(BlockCase, Followed)> {
+    let cases = if has_block(text) {
+        vec![BlockCase::parse("case.toml", text, &no_file).unwrap()]
+    } else {
+        body_cases("case.toml", text, &no_file).unwrap()
+    };
+    follow_all(cases, &Follow::default()).unwrap()
+}
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} {expected}");
+}
+
+/// Goda's caisson: a triangle of thrust and uplift moves it by S = (¼ + √2/6)(s − 1)³/s² Rτ²/m, s = F_S/R, F_S = P + μU, R = μW', with
+/// P and U as `assess` has them, times 1.5, and m with the added mass.
+#[test]
+fn breaking_wave_slides_a_caisson() {
+    let text = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
+    let answers = follow(text);
+    let [(case, followed)] = &answers[..] else { panic!("{}", answers.len()) };
+    assert_eq!(case.situation.as_deref(), Some("wave times 1.5"));
+    let lines = text.lines().filter(|line| !line.starts_with("history"));
+    let still: String = lines.map(|line| format!("{line}\n")).collect();
+    let still = CaseFile::parse("case.toml", &still).unwrap().case().unwrap();
+    let situation = still.situation(Acting::Combination(0), None).unwrap();
+    let wrenches = |permanent: bool| {
+        situation
+            .loads()
+            .iter()
+            .filter(|load| load.permanent == permanent)
+            .map(|load| situation.wrench_of(load))
+            .sum()
+    };
+    let (weight, wave): (standfast::Wrench, standfast::Wrench) = (wrenches(true), wrenches(false));
+    let (μ, τ, m) = (0.6, 1.557, (346.05 + 56.4) * 1e3);
+    let (thrust, uplift) = (-wave.x, -wave.p);
+    assert!(thrust > 1.4e6 && uplift > 0.3e6, "{thrust} {uplift}");
+    let r = μ * weight.p;
+    let s = (thrust + μ * uplift) / r;
+    let root = 2f64.sqrt();
+    assert!(s > 1.0 && s < 1.0 + 1.0 / root, "{s}");
+    let expected = (0.25 + root / 6.0) * (s - 1.0).powi(3) / (s * s) * r * τ * τ / m;
+    close(-followed.outcome.slide, expected, 1e-12);
+    close(-followed.outcome.slide, 0.085, 0.01);
+    assert_eq!(followed.outcome.end, End::AtRest);
+}
+
+/// A body in metres and kilonewtons is the block of its numbers.
+#[test]
+fn body_and_block_agree() {
+    let body = r#"
+        [body]
+        width = "60 cm"
+        height = "2 m"
+        density = "2.6 t/m3"
+        friction = 0.5
+        kinetic_friction = 0.4
+        [[load]]
+        force = "8 kN/m"
+        elevation = "1.6 m"
+        history = { shape = "triangle", rise = "0.1 s", duration = "0.5 s", start = "0.2 s" }
+        [[load]]
+        force = "1 kN/m"
+        direction = "down"
+        distance = "0.2 m"
+        elevation = "2 m"
+        permanent = true
+        [motion]
+        impact = { law = "housner" }
+        t_max = "9 s"
+        [motion.base]
+        horizontal = { shape = "sine", peak = "0.1 g", period = "0.7 s", duration = "2 s" }
+    "#;
+    // Of mass 0.6 · 2 · 2600 kg/m.
+    let block = r#"
+        [block]
+        b1 = 0.3
+        b2 = 0.3
+        d = 1.0
+        rho2 = 0.36333333333333333
+        mu_s = 0.5
+        mu_k = 0.4
+        gravity = 9.81
+        [[block.load]]
+        at = [0.0, 0.6]
+        direction = [-1.0, 0.0]
+        history = { shape = "triangle", peak = 2.5641025641025643, rise = 0.1, duration = 0.5, start = 0.2 }
+        [[block.load]]
+        at = [-0.1, 1.0]
+        direction = [0.0, -1.0]
+        history = { shape = "constant", peak = 0.32051282051282054 }
+        [motion]
+        impact = { law = "housner" }
+        t_max = 9
+        [motion.base]
+        horizontal = { shape = "sine", peak = 0.980665, angular_frequency = 8.97597901025655, duration = 2 }
+    "#;
+    let (one, two) = (follow(body), follow(block));
+    let (one, two) = (&one[0].1.outcome, &two[0].1.outcome);
+    assert!(one.events.len() > 5);
+    let story = |outcome: &standfast_motion::Outcome| {
+        outcome.events.iter().map(|e| (e.why, e.state)).collect::<Vec<_>>()
+    };
+    assert_eq!(story(one), story(two));
+    close(one.max_theta, two.max_theta, 1e-9);
+    assert!((one.slide - two.slide).abs() < 1e-11, "{} {}", one.slide, two.slide);
+}
+
+/// Of alternatives each is followed, the worst first.
+#[test]
+fn alternatives_one_by_one() {
+    let load = |name: &str, force: f64| {
+        format!(
+            "[[load]]\nname = \"{name}\"\nforce = {force}\nelevation = 5\n\
+             history = {{ shape = \"rect\", duration = 0.3 }}\n"
+        )
+    };
+    let body = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n";
+    let answers = follow(&format!("{body}{}{}{}", load("a", 2.4e6), load("b", 3e6), load("c", 1e6)));
+    let names: Vec<_> = answers.iter().map(|(case, _)| case.situation.clone().unwrap()).collect();
+    assert_eq!(names, ["b", "a", "c"]);
+    // (F − μmg) F T²/(2 m² μ g)
+    let (m, r) = (378e3, 0.6 * 378e3 * 9.81);
+    for ((_, followed), force) in answers.iter().zip([3e6, 2.4e6]) {
+        close(-followed.outcome.slide, (force - r) * force * 0.09 / (2.0 * m * r), 1e-10);
+    }
+    assert_eq!(answers[2].1.outcome.slide, 0.0);
+}
+
+/// What is wrong is said with its place.
+#[test]
+fn wrong_cases() {
+    let body = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n";
+    let load = "[[load]]\nforce = 3e6\nelevation = 5\n";
+    let history = "history = { shape = \"rect\", duration = 0.3 }\n";
+    let base = "[motion.base]\nhorizontal = { shape = \"rect\", peak = \"0.2 g\", duration = \"0.3 s\" }\n";
+    for (text, words) in [
+        (format!("{body}{load}"), "a load that varies has no history"),
+        (
+            format!("{body}{load}{history}[earthquake]\nhorizontal = 0.1\n{base}"),
+            "counts the same shaking twice",
+        ),
+        (
+            format!("{body}{load}{}", history.replace("0.3", "0")),
+            "duration is 0; expected a number above zero",
+        ),
+        (format!("{body}{load}{}", history.replace("rect", "ract")), "`shape` is \"ract\""),
+        (format!("{body}{load}{}", history.replace("0.3", "\"0.3 m\"")), "the unit `m` does not fit"),
+        (format!("{body}{load}{history}[motion]\nt_mix = 3\n"), "[motion] has no key `t_mix`"),
+        (format!("{body}{base}[motion.initial]\ntheta = 3\n"), "theta is 3"),
+    ] {
+        let error = body_cases("case.toml", &text, &no_file).unwrap_err();
+        assert!(error.to_string().contains(words), "{error}\n{text}");
+    }
+    let lift = "[[load]]\nforce = 5e6\ndirection = \"up\"\ndistance = 7.5\npermanent = true\n";
+    let cases = body_cases("case.toml", &format!("{body}{lift}{base}"), &no_file).unwrap();
+    let error = follow_all(cases, &Follow::default()).unwrap_err();
+    assert!(error.to_string().contains("floats"), "{error}");
+}
+
+/// The examples run to an end.
+#[test]
+fn examples_are_followed() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/motion");
+    let read = |file: &str| std::fs::read_to_string(folder.join(file)).map_err(|error| error.to_string());
+    let mut count = 0;
+    for entry in std::fs::read_dir(&folder).unwrap().map(Result::unwrap) {
+        let (name, text) = (
+            entry.file_name().to_string_lossy().into_owned(),
+            std::fs::read_to_string(entry.path()).unwrap(),
+        );
+        let cases = if has_block(&text) {
+            vec![BlockCase::parse(&name, &text, &read).unwrap()]
+        } else {
+            body_cases(&name, &text, &read).unwrap()
+        };
+        for (_, followed) in follow_all(cases, &Follow::default()).unwrap() {
+            assert!(matches!(followed.outcome.end, End::AtRest | End::Overturned), "{name}");
+        }
+        count += 1;
+    }
+    assert!(count >= 4);
+}
