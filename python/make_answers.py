@@ -78,7 +78,8 @@ def kind(schema: dict[str, Any]) -> tuple[str, str]:
         items = schema.get("items") or schema["prefixItems"][0]
         name, how = kind(items if items is not False else schema["prefixItems"][0])
         made = how.removeprefix("part(").split(",")[0]
-        return f"list[{name}]", f"parts({made}, {{}})" if how.startswith("part(") else "{}"
+        # A list is given as a copy.
+        return f"list[{name}]", f"parts({made}, {{}})" if how.startswith("part(") else "list({})"
     if types == ["object"]:
         name, _ = kind(schema["additionalProperties"])
         return f"dict[str, {name}]", "dict({})"
@@ -110,7 +111,7 @@ def signature(name: str, of: str) -> list[str]:
 def prop(key: str, schema: dict[str, Any], value: str | None = None) -> list[str]:
     name = f"{key}_" if keyword.iskeyword(key) else key
     of, how = kind(schema)
-    given = value or how.replace("{}", f"self[{json.dumps(key)}]")
+    given = value or how.replace("{}", f"self._document[{json.dumps(key)}]")
     return ["", "    @property", *signature(name, of), *docstring(sentence(schema["description"]), " " * 8), f"        return {given}"]
 
 

@@ -279,8 +279,8 @@ pub(crate) fn no_column(name: &str, column: &str, found: &[&str], names: &[&str]
         Some(meant) => format!("did you mean {meant}? Then say {}", Face::Python.map(name, meant)),
         None => format!("name yours with map={{\"{name}\": …}}"),
     };
-    let found = found.join(", ");
-    PyKeyError::new_err(format!("the table has no column {column} for {name}; it has {found}. {advice}"))
+    let has = if found.is_empty() { "no columns".to_owned() } else { found.join(", ") };
+    PyKeyError::new_err(format!("the table has no column {column} for {name}; it has {has}. {advice}"))
 }
 
 /// Where in a table the column of an operand is; `names` are those of all operands.

@@ -1,6 +1,7 @@
 //! Answers as arrays and tables of Arrow, given through the PyCapsule interface. What else they can do is the Python beside
 //! this, in `_arrow.py`.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use arrow_array::cast::AsArray;
@@ -34,6 +35,11 @@ pub(crate) fn dictionary_of_symbols(codes: UInt8Array) -> ArrayRef {
 impl ArrowArray {
     pub(crate) fn new(name: &str, array: ArrayRef) -> ArrowArray {
         ArrowArray { field: Arc::new(Field::new(name, array.data_type().clone(), true)), array }
+    }
+
+    /// The same with what is said of it.
+    pub(crate) fn with_metadata(self, metadata: HashMap<String, String>) -> ArrowArray {
+        ArrowArray { field: Arc::new(self.field.as_ref().clone().with_metadata(metadata)), ..self }
     }
 }
 
@@ -116,6 +122,12 @@ impl ArrowArray {
             DataType::Dictionary(..) => "dictionary of strings".to_owned(),
             other => other.to_string().to_lowercase(),
         }
+    }
+
+    /// What is said of the values: `unit` and `description`, of results of cases.
+    #[getter]
+    fn metadata(&self) -> HashMap<String, String> {
+        self.field.metadata().clone()
     }
 
     /// How many values are null.

@@ -21,6 +21,7 @@ mod table;
 use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use standfast::ground::GroundVerdict;
 use standfast::{InputError, Mode};
 
@@ -45,12 +46,27 @@ fn expect_numbers(found: usize) -> PyResult<()> {
 
 /// An invalid value as an exception, with its index if it has one.
 fn invalid(error: InputError, index: &[usize]) -> PyErr {
-    let at = match index {
-        [] => return PyValueError::new_err(error.to_string()),
+    if index.is_empty() {
+        return PyValueError::new_err(error.to_string());
+    }
+    let words = format!("{} at index {}; expected {}", error.given(), written(index), error.expected);
+    at_index(PyValueError::new_err(words), index)
+}
+
+/// An index as Python writes it.
+fn written(index: &[usize]) -> String {
+    match index {
         [index] => index.to_string(),
         index => format!("({})", index.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
-    };
-    PyValueError::new_err(format!("{} at index {at}; expected {}", error.given(), error.expected))
+    }
+}
+
+/// The exception with the attribute `index`, by which the Python beside this finds the label of a row.
+fn at_index(error: PyErr, index: &[usize]) -> PyErr {
+    Python::attach(|py| {
+        let known = PyTuple::new(py, index).and_then(|index| error.value(py).setattr("index", index));
+        known.err().unwrap_or(error)
+    })
 }
 
 type Codes<'py> = Bound<'py, PyArrayDyn<u8>>;
@@ -81,7 +97,7 @@ mod _standfast {
     #[pymodule_export]
     use super::modes;
     #[pymodule_export]
-    use super::ndarray::{classify, onset};
+    use super::ndarray::{classify, classify_point, onset};
     #[pymodule_export]
     use super::numbers::{closest, make_array, make_table, read_column, read_table, refuse_column};
     #[pymodule_export]

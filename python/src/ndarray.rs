@@ -7,6 +7,8 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
+use standfast::Point;
+
 use crate::grid::{Grid, Halt, Kind, Operand};
 use crate::onset::{Choice, Column, NO_MODE, Onset};
 use crate::run::{Monitor, Run};
@@ -120,6 +122,14 @@ fn mask_of<'py>(
 ) -> PyResult<Option<Mask<'py>>> {
     let some = missing.contains(&true);
     some.then(|| shaped(PyArray1::from_vec(py, missing), grid, axes)).transpose()
+}
+
+/// The mode code of one point; `right` says where the force points.
+#[pyfunction]
+pub(crate) fn classify_point(gamma: f64, k_prime: f64, k: f64, mu: f64, right: bool) -> PyResult<u8> {
+    let point = Point::new(gamma, k_prime, k, mu).map_err(|error| invalid(error, &[]))?;
+    let mode = point.mode();
+    Ok(if right { mode.mirrored() } else { mode }.code())
 }
 
 /// Mode codes of points, into `out` if it is given, and which points have none, if there are such.

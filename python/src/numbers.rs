@@ -1,5 +1,6 @@
 //! Columns of numbers between Arrow and numpy, for the parts of the package that work on numpy arrays.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use arrow_array::{
@@ -89,13 +90,15 @@ pub(crate) enum Values<'py> {
 }
 
 /// A computed column in Arrow; null where `missing` says so. With `words` the values are places in these, the dictionary of the
-/// column.
+/// column; `metadata` is what is said of it.
 #[pyfunction]
+#[pyo3(signature = (name, values, missing, words, metadata=None))]
 pub(crate) fn make_array(
     name: &str,
     values: Values<'_>,
     missing: Option<PyReadonlyArray1<'_, bool>>,
     words: Option<Vec<String>>,
+    metadata: Option<HashMap<String, String>>,
 ) -> PyResult<ArrowArray> {
     let nulls = missing.as_ref().map(|missing| {
         let valid: BooleanBuffer = missing.as_array().iter().map(|missing| !missing).collect();
@@ -132,7 +135,7 @@ pub(crate) fn make_array(
             Arc::new(words.collect::<StringArray>())
         }
     };
-    Ok(ArrowArray::new(name, array))
+    Ok(ArrowArray::new(name, array).with_metadata(metadata.unwrap_or_default()))
 }
 
 /// A table in Arrow, of columns of one length.

@@ -19,10 +19,11 @@ use standfast_cases::sweep::SweepResult;
 use standfast_cases::{CaseFile, report};
 use standfast_tables::{
     CaseTable, Face, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Place, Progress,
-    TableError, TableOptions, Values, VariedColumn,
+    RowWarning, Summary, TableError, TableOptions, Values, VariedColumn,
 };
 
 use crate::arrow_out::ArrowTable;
+use crate::{at_index, written};
 
 /// How often a caller that waits looks for Ctrl-C and tells the progress.
 const LOOK: Duration = Duration::from_millis(50);
@@ -83,6 +84,8 @@ impl Sweep {
             map: map.into_iter().map(|(ours, theirs)| Mapping { ours, theirs }).collect(),
             on_error: if null { OnError::Null } else { OnError::Stop },
             face: Face::Python,
+            // Of columns and dicts Python parts texts and numbers; a text of Arrow has its unit, as in a case.
+            plain_texts: matches!(given, Given::Names(_)),
             threads: threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
             ..TableOptions::new(NAME)
         };
@@ -135,14 +138,14 @@ impl Sweep {
     }
 
     /// The results of rows in these columns, of an array of this shape, as numpy arrays: each with its name and what belongs
-    /// to it; and the rows that have none.
+    /// to it; the rows that have none; and the warnings.
     fn answer<'py>(
         &self,
         py: Python<'py>,
         columns: Vec<Column<'py>>,
         shape: Vec<usize>,
         progress: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Vec<Bound<'py, PyTuple>>, Vec<u64>)> {
+    ) -> PyResult<Answered<'py>> {
         let arrays: Vec<ArrayRef> = columns.into_iter().map(Column::array).collect::<PyResult<_>>()?;
         let fields = arrays.iter().enumerate();
         let fields = fields.map(|(i, array)| Field::new(i.to_string(), array.data_type().clone(), true));
@@ -153,10 +156,11 @@ impl Sweep {
         let answer = watched(py, progress, Some(rows), |watch| {
             self.table.answer(&schema, std::iter::once(Ok(batch)), watch)
         })?;
-        let MemoryAnswer { fields, values, without, .. } = answer.map_err(|error| raised(error, &shape))?;
+        let MemoryAnswer { fields, values, without, summary, .. } =
+            answer.map_err(|error| raised(error, &shape))?;
         let columns = fields.iter().zip(values);
         let columns = columns.map(|(field, values)| in_numpy(py, field.name(), values));
-        Ok((columns.collect::<PyResult<_>>()?, without))
+        Ok((columns.collect::<PyResult<_>>()?, without, minded(&summary, &shape)))
     }
 
     /// The results of the table that was given, of `total` rows where that is known.
@@ -165,7 +169,7 @@ impl Sweep {
         py: Python<'_>,
         progress: Option<Bound<'_, PyAny>>,
         total: Option<u64>,
-    ) -> PyResult<ArrowTable> {
+    ) -> PyResult<(ArrowTable, Vec<Minded>)> {
         let reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner).take();
         let reader =
             reader.ok_or_else(|| PyTypeError::new_err("there is no table, or it has been answered"))?;
@@ -175,9 +179,23 @@ impl Sweep {
         let batches = reader.map(|batch| batch?.project(places));
         let answer = watched(py, progress, total, |watch| self.table.answer(&schema, batches, watch))?;
         let answer = answer.map_err(|error| raised(error, &[]))?;
+        let minded = minded(&answer.summary, &[]);
         let batch = answer.into_batch().map_err(unreadable)?;
-        Ok(ArrowTable::new(batch.schema(), vec![batch]))
+        Ok((ArrowTable::new(batch.schema(), vec![batch]), minded))
     }
+}
+
+/// A warning that rows have: its name, how many they are, the first of them by its index, and what is said of that one.
+type Minded = (&'static str, u64, Vec<usize>, String);
+
+/// Columns of results, the rows that have none, and the warnings.
+type Answered<'py> = (Vec<Bound<'py, PyTuple>>, Vec<u64>, Vec<Minded>);
+
+fn minded(summary: &Summary, shape: &[usize]) -> Vec<Minded> {
+    let of = |warning: &RowWarning| {
+        (warning.name, warning.rows, index(warning.first, shape), warning.words.clone())
+    };
+    summary.minded.iter().map(of).collect()
 }
 
 /// The result of a name.
@@ -231,8 +249,8 @@ fn in_numpy<'py>(py: Python<'py>, name: &str, values: Values) -> PyResult<Bound<
             let (places, known) = distinct(sets.into_iter().map(|set| set.map(|modes| modes.to_string())));
             words(places, known)
         }
-        Values::Problem(problems) => {
-            let (places, known) = distinct(problems.into_iter());
+        Values::Text(texts) => {
+            let (places, known) = distinct(texts.into_iter());
             words(places, known)
         }
         _ => Err(PyTypeError::new_err(format!("{name} has no form in numpy"))),
@@ -317,9 +335,11 @@ fn watched<T: Send>(
 fn raised(error: TableError, shape: &[usize]) -> PyErr {
     if let TableError::Row { place: Place::Row(row), problem, .. } = &error {
         let index = index(row - 1, shape);
-        return PyValueError::new_err(format!("at index {index}, {problem}"));
+        let words = format!("at index {}, {problem}", written(&index));
+        return at_index(PyValueError::new_err(words), &index);
     }
-    let help = miette::Diagnostic::help(&error).map_or(String::new(), |help| format!("; {help}"));
+    let help = miette::Diagnostic::help(&error).map(|help| help.to_string()).unwrap_or_default();
+    let help = if help.is_empty() { help } else { format!("; {help}") };
     let words = format!("{error}{help}");
     match error {
         TableError::Case(error) => PyValueError::new_err(report(&error)),
@@ -329,17 +349,17 @@ fn raised(error: TableError, shape: &[usize]) -> PyErr {
     }
 }
 
-/// An index as Python writes it, of a row in the order of C.
-fn index(mut row: u64, shape: &[usize]) -> String {
+/// The index of a row, in the order of C.
+fn index(row: u64, shape: &[usize]) -> Vec<usize> {
+    let mut rest = row as usize;
     if shape.len() <= 1 {
-        return row.to_string();
+        return vec![rest];
     }
     let mut places = Vec::new();
     for &length in shape.iter().rev() {
-        let length = (length as u64).max(1);
-        places.push((row % length).to_string());
-        row /= length;
+        places.push(rest % length.max(1));
+        rest /= length.max(1);
     }
     places.reverse();
-    format!("({})", places.join(", "))
+    places
 }

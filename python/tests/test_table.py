@@ -171,17 +171,41 @@ def test_units() -> None:
     plain = assess_table(BLOCK, {"load[1].force": [12e3, 34e3], "width": 1.2}, columns=["SF_sliding", "toe_pressure"])
     for given in (
         {"load[1].force [kN/m]": [12, 34], "width": 1.2},
-        {"load[1].force": ["12 kN/m", "34000"], "width": "120 cm"},
+        {"load[1].force": ["12 kN/m", "34000 N/m"], "width": "120 cm"},
         {"load[1].force": np.array(["12 kN/m", "34 kN/m"]), "width [cm]": 120},
-        {"load[1].force": np.array(["12 kN/m", 34e3], dtype=object), "width": "1.2"},
+        {"load[1].force": np.array(["12 kN/m", 34e3], dtype=object), "width": "1.2 m"},
     ):
         found = assess_table(BLOCK, given, columns=["SF_sliding", "toe_pressure"])
         for name, values in plain.items():
             assert found[name] == pytest.approx(values, rel=1e-14, nan_ok=True), given
-    shaken = assess_table(SHAKEN, {"earthquake.horizontal": [0.1]}, columns=["earthquake_horizontal"])
-    assert abs(shaken["earthquake_horizontal"][0]) == pytest.approx(0.981)
+    columns = ["earthquake_horizontal"]
+    counted = assess_table(SHAKEN, {"earthquake.horizontal": [0.1, "0.1 g", "0.981 m/s2"]}, columns=columns)[columns[0]]
+    assert abs(counted) == pytest.approx([0.981] * 3) and counted[0] == counted[1]
+    for share in ("2 m/s2", "1.9 m/s²", "0.3 g"):
+        block = {"body": BLOCK["body"], "earthquake": {"horizontal": 0.7}}
+        written = standfast.assess({**block, "earthquake": {"horizontal": share}})
+        cell = assess_table(block, {"earthquake.horizontal": share}, columns=["SF_sliding", *columns])
+        assert cell["SF_sliding"] == pytest.approx(written.SF_sliding, rel=1e-15)
+    # Which gravity would it be?
+    with pytest.raises(ValueError, match="the unit `m/s2` does not fit; expected .*, as gravity varies as well"):
+        assess_table(SHAKEN, {"earthquake.horizontal": ["2 m/s2"], "gravity": 9.8})
     with pytest.raises(ValueError, match="the unit does not fit"):
         assess_table(BLOCK, {"width [kN]": 3})
+
+
+def test_a_text_has_its_unit() -> None:
+    """As in a case: a number in quotes is as likely to lack its unit as to be a number."""
+    frame = pd.DataFrame({"width": ["1 m", "9"]}, index=["Ada", "Ben"])
+    with pytest.raises(TypeError, match="^width is '9' at row 1, labelled 'Ben', a text without a unit"):
+        assess_table(BLOCK, frame)
+    for given in ({"width": ["1 m", "9"]}, {"width": np.array([["1 m"], ["9"]])}, {"friction": "0.5"}):
+        with pytest.raises(TypeError, match="a text without a unit; expected a number, or a text with its unit"):
+            assess_table(BLOCK, given)
+    for table in (pl.DataFrame({"width": ["9"]}), pa.table({"friction": ["0.5"]})):
+        with pytest.raises(ValueError, match="at index 0, column (width|friction): .* a text without a unit; expected a number"):
+            assess_table(BLOCK, table)
+    with pytest.raises(TypeError, match="^upper is '9', a text without a unit"):
+        standfast.design(BLOCK, vary="width", target="rest", upper="9")
 
 
 def test_tables_come_back_as_what_they_were() -> None:
@@ -217,16 +241,16 @@ def test_tables_come_back_as_what_they_were() -> None:
 
 def test_columns_of_any_kind_of_number() -> None:
     table = pa.table({
-        "friction": pa.array(["0.5", "0.7"]).dictionary_encode(),
+        "width": pa.array(["10 m", "1200 cm"]).dictionary_encode(),
         "load[1].force": pa.array([1, 2], pa.decimal128(9, 2)),
         "height": pa.array([11, 12], pa.int16()),
     })
-    expected = assess_table(QUAY, {"friction": [0.5, 0.7], "load[1].force": [1, 2], "height": [11, 12]}, columns=["SF_sliding"])
+    expected = assess_table(QUAY, {"width": [10, 12], "load[1].force": [1, 2], "height": [11, 12]}, columns=["SF_sliding"])
     assert assess_table(QUAY, table, columns=["SF_sliding"])["SF_sliding"].to_pylist() == expected["SF_sliding"].tolist()
     frame = pd.DataFrame({
-        "friction": pd.Categorical(["0.5", "0.7"]),
+        "width": pd.Categorical(["10 m", "1200 cm"]),
         "load[1].force": pd.array([1, 2], dtype="Int8"),
-        "height": ["11 m", "12"],
+        "height": ["11 m", 12],
     })
     assert assess_table(QUAY, frame, columns=["SF_sliding"])["SF_sliding"].tolist() == expected["SF_sliding"].tolist()
     with pytest.raises(TypeError, match="column friction: holds true and false; expected numbers"):
@@ -415,16 +439,16 @@ def test_an_interrupt_is_obeyed_at_once() -> None:
 
 def test_texts_are_beside_numbers_and_nothing_else() -> None:
     for wrong in (True, np.bool_(True), 1j):
-        mixed = np.array(["0.5", wrong], object)
-        for given in ({"friction": mixed}, {"friction": mixed.tolist()}, pd.DataFrame({"friction": mixed})):
-            with pytest.raises(TypeError, match="friction is .* at index 1; expected real numbers"):
+        mixed = np.array(["1 m", wrong], object)
+        for given in ({"width": mixed}, {"width": mixed.tolist()}, pd.DataFrame({"width": mixed})):
+            with pytest.raises(TypeError, match="width is .* at index 1; expected real numbers"):
                 assess_table(BLOCK, given)
-    with pytest.raises(TypeError, match=r"friction is True, a bool at index \(1, 0\)"):
-        assess_table(BLOCK, {"friction": np.array([["0.5"], [True]], object)})
-    found = assess_table(BLOCK, {"friction": np.array(["0.5", np.float32(0.5), Decimal("0.5"), None], object)}, columns=["SF_sliding"])
-    assert found["SF_sliding"].tolist() == [assess_table(BLOCK, {"friction": 0.5})["SF_sliding"].item()] * 3 + [None]
-    masked = np.ma.masked_array(["0.5", "9"], [False, True])
-    assert assess_table(BLOCK, {"friction": masked}, columns=["SF_sliding"])["SF_sliding"].tolist() == found["SF_sliding"].tolist()[::3]
+    with pytest.raises(TypeError, match=r"width is True, a bool at index \(1, 0\)"):
+        assess_table(BLOCK, {"width": np.array([["1 m"], [True]], object)})
+    found = assess_table(BLOCK, {"width": np.array(["1.5 m", np.float32(1.5), Decimal("1.5"), None], object)}, columns=["SF_sliding"])
+    assert found["SF_sliding"].tolist() == [assess_table(BLOCK, {"width": 1.5})["SF_sliding"].item()] * 3 + [None]
+    masked = np.ma.masked_array(["1.5 m", "9 m"], [False, True])
+    assert assess_table(BLOCK, {"width": masked}, columns=["SF_sliding"])["SF_sliding"].tolist() == found["SF_sliding"].tolist()[::3]
 
 
 def test_numbers_may_lie_anywhere() -> None:

@@ -63,6 +63,8 @@ pub enum ResultKind {
     Truth,
     /// A set of modes.
     Modes,
+    /// Names with blanks between them.
+    Names,
 }
 
 /// Everything that is said of a result.

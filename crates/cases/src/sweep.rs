@@ -33,6 +33,7 @@ use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
 use crate::parse::CaseFile;
 use crate::results::{ResultKind, ResultName, ResultValue};
+use crate::warning::Warning;
 
 /// A case, and which of its numbers vary.
 #[derive(Debug, Clone)]
@@ -73,6 +74,8 @@ pub enum SweepResult {
     Utilisation,
     /// The governing criterion.
     Criterion,
+    /// The names of the warnings about the case; see [`Answer::warnings`].
+    Warnings,
     /// Of the governing situation.
     Of(ResultName),
 }
@@ -103,6 +106,9 @@ impl Sweep {
         [Key::Title, Key::Note].into_iter().for_each(|key| inputs.remove(key.into()));
         let variables: Vec<_> = factors.iter().map(Factor::variable).collect();
         let moved = moved(&inputs, &case, &variables).into_iter();
+        let gravity = factors.iter().any(|factor| factor.variable().id().key == Key::Gravity);
+        let factors =
+            if gravity { factors.into_iter().map(Factor::under_any_gravity).collect() } else { factors };
         let moved = moved.filter_map(|key| Some((key, inputs.get(key)?.clone()))).collect();
         Ok(Sweep { inputs, case, factors, moved })
     }
@@ -150,6 +156,7 @@ impl Sweep {
                 }
                 SweepResult::Met | SweepResult::Utilisation | SweepResult::Criterion => has_criteria,
                 SweepResult::Of(name) => !name.is_of_ground() || self.case.ground.is_some(),
+                SweepResult::Warnings => true,
             })
             .collect()
     }
@@ -201,6 +208,11 @@ impl Answer {
         &self.assessment
     }
 
+    /// What of the case with these values is unusual, and may be a slip.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.assessment.case.warnings()
+    }
+
     /// The situation that governs.
     pub fn governing(&self) -> &Assessed {
         &self.assessment.all[self.governing]
@@ -223,6 +235,8 @@ impl Answer {
                 let used = self.check.and_then(|(check, _)| check.utilisation);
                 used.map_or(ResultValue::Nothing, ResultValue::Number)
             }
+            // They are more than one value.
+            SweepResult::Warnings => ResultValue::Nothing,
             SweepResult::Criterion => {
                 let name = self.check.map(|(check, _)| check.criterion.name());
                 name.map_or(ResultValue::Nothing, ResultValue::Word)
@@ -242,6 +256,7 @@ impl SweepResult {
             SweepResult::Met,
             SweepResult::Utilisation,
             SweepResult::Criterion,
+            SweepResult::Warnings,
         ];
         of_case.into_iter().chain(ResultName::ALL.iter().copied().map(SweepResult::Of))
     }
@@ -260,6 +275,7 @@ impl SweepResult {
             SweepResult::Met => "met",
             SweepResult::Utilisation => "utilisation",
             SweepResult::Criterion => "criterion",
+            SweepResult::Warnings => "warnings",
             SweepResult::Of(name) => name.name(),
         }
     }
@@ -275,6 +291,7 @@ impl SweepResult {
             }
             SweepResult::Met => ResultKind::Truth,
             SweepResult::Criterion => ResultKind::Word(&CRITERIA),
+            SweepResult::Warnings => ResultKind::Names,
             SweepResult::Of(name) => name.info().kind,
         }
     }
@@ -294,6 +311,7 @@ impl SweepResult {
                 "what is used of the governing criterion, met up to 1; none for `modes_not`"
             }
             SweepResult::Criterion => "the governing criterion",
+            SweepResult::Warnings => "the names of the warnings about the case, which may be slips",
             SweepResult::Of(name) => name.info().words,
         }
     }

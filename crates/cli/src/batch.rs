@@ -87,6 +87,9 @@ pub fn said(summary: &Summary) -> String {
             text += &paragraph(&format!("warning: {} ({})", warning, warning.name()), 0);
         }
     }
+    for warning in &summary.minded {
+        text += &paragraph(&format!("warning: {warning} ({})", warning.name), 0);
+    }
     if let Summary { bad, rows, first: Some(first), .. } = summary {
         text += &format!("warning: {bad} of {rows} rows without a result; the first: {first}\n");
     }

@@ -43,7 +43,7 @@ impl Points {
                         (Some(number), Some(motion)) => number(motion),
                         _ => f64::NAN,
                     }),
-                    Values::Name(..) | Values::Problem(_) => unreachable!("no result of a point"),
+                    Values::Name(..) | Values::Text(_) => unreachable!("no result of a point"),
                 }
             }
         }

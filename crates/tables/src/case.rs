@@ -1,12 +1,14 @@
 //! Rows that are cases: a case file, of which the columns of the table vary some numbers.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
+use standfast_cases::couple::Variable;
 use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult};
-use standfast_cases::{CaseError, CaseFile, Key};
+use standfast_cases::{CaseError, CaseFile, Id, Key, Warning};
 
 use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
 use crate::task::{Fault, Faults, Wrong};
@@ -66,6 +68,15 @@ pub enum TableWarning {
         column: String,
         /// The key.
         key: String,
+        /// The unit that the column has in round brackets, where it is one of the key.
+        unit: Option<String>,
+    },
+    /// A column that varies nothing has the name of a number that the case file does not have.
+    ColumnLikeAbsentKey {
+        /// The column.
+        column: String,
+        /// The key.
+        key: String,
     },
 }
 
@@ -73,20 +84,34 @@ impl TableWarning {
     /// Its name, to be told apart by programs.
     pub fn name(&self) -> &'static str {
         match self {
-            TableWarning::ColumnLikeKey { .. } => "column-like-key",
+            TableWarning::ColumnLikeKey { .. } | TableWarning::ColumnLikeAbsentKey { .. } => {
+                "column-like-key"
+            }
         }
     }
 
     /// What it says to who called by this face.
     pub fn words(&self, face: Face) -> String {
         match self {
-            TableWarning::ColumnLikeKey { column, key } => {
+            TableWarning::ColumnLikeKey { column, key, unit } => {
+                let how = how(column, key, unit.as_deref(), face);
+                format!("column {column} varies nothing; if it is meant to vary {key}, {how}")
+            }
+            TableWarning::ColumnLikeAbsentKey { column, key } => {
                 format!(
-                    "column {column} varies nothing; if it is meant to vary {key}, say {}",
-                    face.map(key, column)
+                    "column {column} varies nothing: the case file has no {key}; if it is meant to vary, put it in, with any value \
+                     it may have"
                 )
             }
         }
+    }
+}
+
+/// What makes a column vary a key: its name there, with the unit, or that it is said.
+fn how(column: &str, key: &str, unit: Option<&str>, face: Face) -> String {
+    match unit {
+        Some(unit) => format!("call it `{key} [{unit}]`"),
+        None => format!("say {}", face.map(key, column)),
     }
 }
 
@@ -103,13 +128,15 @@ pub(crate) struct CaseRows {
     results: Vec<SweepResult>,
     situations: Arc<[String]>,
     varied: Varied,
+    /// Whether a text may be a plain number.
+    plain_texts: bool,
 }
 
 impl ResultField {
     /// What is wrong with a row.
     pub(crate) const PROBLEM: ResultField = ResultField {
         name: "problem",
-        kind: FieldKind::Problem,
+        kind: FieldKind::Text,
         said: Some(Said { unit: None, words: "what is wrong with a row that has no results" }),
     };
 }
@@ -134,7 +161,7 @@ impl CaseRows {
         let warnings = warnings(&case.file, found, &places);
         let varied = Varied { columns: of_columns, notes: sweep.notes(), warnings };
         let situations = sweep.situations().into();
-        Ok((CaseRows { sweep, results, situations, varied }, places))
+        Ok((CaseRows { sweep, results, situations, varied, plain_texts: options.plain_texts }, places))
     }
 
     pub(crate) fn varied(&self) -> Varied {
@@ -162,6 +189,7 @@ impl CaseRows {
             ResultKind::Word(words) => (FieldKind::Word(words), None),
             ResultKind::Truth => (FieldKind::Flag, None),
             ResultKind::Modes => (FieldKind::Modes, None),
+            ResultKind::Names => (FieldKind::Text, None),
         };
         ResultField { name: result.name(), kind, said: Some(Said { unit, words: result.words() }) }
     }
@@ -169,6 +197,9 @@ impl CaseRows {
     /// The value that a text in a column says, or what is wrong with it.
     pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, String> {
         let factor = &self.sweep.factors()[place];
+        if !self.plain_texts && text.trim().parse::<f64>().is_ok() {
+            return Err(format!("it is a text without a unit; expected {}", factor.expected()));
+        }
         factor.parse(text).map_err(|error| format!("{error}; expected {}", factor.expected()))
     }
 
@@ -206,13 +237,31 @@ impl CaseRows {
                 };
                 answer.map_err(blame).ok()
             };
+            let warnings = answer.as_ref().map(standfast_cases::sweep::Answer::warnings).unwrap_or_default();
+            for (place, warning) in warnings.iter().enumerate() {
+                if warnings[..place].iter().all(|other| other.name() != warning.name()) {
+                    faults.minded.add(warning.name(), row, || warning.to_string());
+                }
+            }
             for (values, result) in values.iter_mut().zip(&self.results) {
+                if let Values::Text(texts) = values {
+                    texts.push(names(&warnings));
+                    continue;
+                }
                 let value = answer.as_ref().map_or(ResultValue::Nothing, |answer| answer.get(*result));
                 push(values, value);
             }
         }
         values
     }
+}
+
+/// The names of warnings, each once; `None` without any.
+fn names(warnings: &[Warning]) -> Option<String> {
+    let mut names: Vec<&str> = warnings.iter().map(Warning::name).collect();
+    let mut known = BTreeSet::new();
+    names.retain(|name| known.insert(*name));
+    (!names.is_empty()).then(|| names.join(" "))
 }
 
 /// Appends the value of a row.
@@ -232,7 +281,7 @@ fn push(values: &mut Values, value: ResultValue) {
         (Values::Flag(flags), _) => flags.push(None),
         (Values::Modes(sets), ResultValue::Modes(modes)) => sets.push(Some(modes)),
         (Values::Modes(sets), _) => sets.push(None),
-        (Values::Problem(_), _) => unreachable!("no result of a case"),
+        (Values::Text(_), _) => unreachable!("texts are made of the answer"),
     }
 }
 
@@ -304,17 +353,22 @@ impl Search<'_> {
     /// What to do where no column varies the case.
     fn help(&self) -> String {
         let near = warnings(&self.case.file, self.found, &[]).into_iter().next();
-        let keys = keys(&self.case.file).join(", ");
+        let keys = Factor::names(self.case.file.inputs()).join(", ");
         let meant = near.map_or_else(
             || {
                 let said = self.face().map("KEY", "COLUMN");
                 format!("a column varies the number whose key it is called by, or say {said}")
             },
-            |TableWarning::ColumnLikeKey { column, key }| {
-                format!("did you mean `{key}`? then say {}", self.face().map(&key, &column))
+            |warning| match warning {
+                TableWarning::ColumnLikeKey { column, key, unit } => {
+                    format!("did you mean `{key}`? then {}", how(&column, &key, unit.as_deref(), self.face()))
+                }
+                TableWarning::ColumnLikeAbsentKey { key, .. } => {
+                    format!("`{key}` is not in the case file: put it in, with any value it may have")
+                }
             },
         );
-        format!("{meant}; the numbers of the case are {keys}")
+        format!("{meant}; the numbers of the case that can vary are {keys}")
     }
 
     /// What a column varies, if anything.
@@ -396,25 +450,52 @@ fn begins_like_key(column: &str) -> bool {
     table.is_some_and(|table| Key::ALL.iter().any(|key| key.info().table.name() == table))
 }
 
-/// The numbers of a case that columns can vary.
-fn keys(file: &CaseFile) -> Vec<String> {
-    standfast_cases::couple::Variable::all(file.inputs()).map(|id| id.to_string()).collect()
-}
-
-/// Columns that vary nothing and have almost the name of a number of the case, or that of its last part.
+/// Columns that vary nothing and have almost the name of a number of the case, or that of its last part; or the name of one that the
+/// file does not have.
 fn warnings(file: &CaseFile, found: &[String], places: &[usize]) -> Vec<TableWarning> {
-    let keys = keys(file);
+    let inputs = file.inputs();
+    let ids: Vec<Id> = Variable::all(inputs).collect();
+    let keys: Vec<String> = ids.iter().map(ToString::to_string).collect();
+    let all = Factor::names(inputs);
+    let last = |key: &str| key.rsplit_once('.').map_or(key, |(_, last)| last).to_owned();
+    let lasts: Vec<String> = keys.iter().map(|key| last(key)).collect();
     let others = found.iter().enumerate().filter(|(place, _)| !places.contains(place));
     others
         .filter_map(|(_, column)| {
-            let (bare, _) = split(column);
-            let last = |key: &str| key.rsplit_once('.').map_or(key, |(_, last)| last).to_owned();
-            let lasts: Vec<String> = keys.iter().map(|key| last(key)).collect();
-            let of_last = closest(bare, lasts.iter().map(String::as_str));
-            let place = of_last.and_then(|found| lasts.iter().position(|last| last == found));
-            let near = || closest(bare, keys.iter().map(String::as_str));
-            let key = place.map(|place| keys[place].as_str()).or_else(near)?.to_owned();
-            Some(TableWarning::ColumnLikeKey { column: column.clone(), key })
+            let (bare, unit) = in_round_brackets(column).unwrap_or((split(column).0, None));
+            let bare = bare.trim();
+            // "hmax" is Hmax, not h.
+            let same =
+                |names: &[String]| names.iter().position(|name| name.to_lowercase() == bare.to_lowercase());
+            let place_in = |names: &[String]| {
+                let found = closest(bare, names.iter().map(String::as_str))?;
+                names.iter().position(|name| name == found)
+            };
+            let exact = same(&lasts).or_else(|| same(&keys));
+            if exact.is_none() {
+                // What a case file has no value of, and of which one is taken, varies all the same.
+                let silent = ids.len()..all.len();
+                if let Some(place) =
+                    silent.into_iter().find(|place| all[*place].to_lowercase() == bare.to_lowercase())
+                {
+                    let (column, key) = (column.clone(), all[place].clone());
+                    return Some(TableWarning::ColumnLikeKey { column, key, unit: None });
+                }
+                if let Some(key) = Factor::absent(bare, inputs) {
+                    return Some(TableWarning::ColumnLikeAbsentKey { column: column.clone(), key });
+                }
+            }
+            let place = exact.or_else(|| place_in(&lasts)).or_else(|| place_in(&keys))?;
+            let dimension = Variable::of(ids[place], inputs).dimension();
+            let unit = unit.filter(|unit| dimension.is_some_and(|dimension| dimension.unit(unit).is_some()));
+            let (column, key) = (column.clone(), keys[place].clone());
+            Some(TableWarning::ColumnLikeKey { column, key, unit: unit.map(str::to_owned) })
         })
         .collect()
+}
+
+/// A column's name, and what stands in round brackets behind it.
+fn in_round_brackets(column: &str) -> Option<(&str, Option<&str>)> {
+    let (name, unit) = column.trim_end().strip_suffix(')')?.rsplit_once('(')?;
+    Some((name.trim_end(), Some(unit.trim())))
 }

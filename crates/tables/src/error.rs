@@ -36,7 +36,7 @@ pub enum TableError {
         header: String,
     },
     /// One of the columns needed is not there.
-    #[error("{name} has no column {column}; its columns are {found}")]
+    #[error("{name} has no column {column}; {}", columns(found))]
     #[diagnostic(help("{help}"))]
     MissingColumn {
         /// The table.
@@ -99,7 +99,7 @@ pub enum TableError {
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// No column has the name of a number of the case.
-    #[error("{name} has no column that varies the case; its columns are {found}")]
+    #[error("{name} has no column that varies the case; {}", columns(found))]
     #[diagnostic(help("{help}"))]
     NothingVaries {
         /// The table.
@@ -351,6 +351,10 @@ pub enum RowProblem {
         /// The field with � for what cannot be read.
         value: String,
     },
+}
+
+fn columns(found: &str) -> String {
+    if found.is_empty() { "it has no columns".to_owned() } else { format!("its columns are {found}") }
 }
 
 fn meant_result(column: &str, results: &[&'static str]) -> String {

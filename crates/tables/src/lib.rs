@@ -41,6 +41,7 @@ mod format;
 mod guard;
 #[cfg(feature = "memory")]
 mod memory;
+mod minded;
 mod pieces;
 mod pipeline;
 mod problem;
@@ -56,6 +57,7 @@ pub use format::TableFormat;
 pub use guard::silence_caught_panics;
 #[cfg(feature = "memory")]
 pub use memory::{MemoryAnswer, MemoryTable};
+pub use minded::RowWarning;
 pub use pieces::Input;
 pub use problem::{ResultColumn, TableProblem};
 #[cfg(feature = "memory")]
@@ -119,6 +121,8 @@ pub struct TableOptions {
     pub on_error: OnError,
     /// Where the options come from, and so what errors call them.
     pub face: Face,
+    /// Whether a text may be a plain number, as every number of a text is; otherwise it has its unit, as in a case file.
+    pub plain_texts: bool,
     /// How many threads work; the result is the same for any number.
     pub threads: usize,
     /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
@@ -142,6 +146,7 @@ impl TableOptions {
             columns: Vec::new(),
             on_error: OnError::Stop,
             face: Face::Program,
+            plain_texts: true,
             threads: 1,
             known_modes: None,
         }
@@ -159,6 +164,8 @@ pub struct Summary {
     pub first: Option<TableError>,
     /// Which columns varied a case, and what went with them.
     pub varied: Option<Varied>,
+    /// What is unusual about cases of rows, and may be a slip.
+    pub minded: Vec<RowWarning>,
 }
 
 /// Answers every row of a table.

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::Read;
 
+use crate::minded::Minded;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, pipeline};
 
 /// Where a table comes from.
@@ -30,6 +31,8 @@ pub(crate) struct Done<Output> {
     pub(crate) first: Option<(usize, Option<u64>, RowProblem)>,
     /// What the piece is of the whole, in the unit of the [`Progress`].
     pub(crate) units: u64,
+    /// What is unusual about its rows.
+    pub(crate) minded: Minded,
     pub(crate) output: Output,
 }
 
@@ -43,7 +46,7 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
     work: impl Fn(Piece) -> Result<Done<Output>, TableError> + Sync,
     mut write: impl FnMut(Output) -> Result<(), TableError>,
 ) -> Result<Summary, TableError> {
-    let mut summary = Summary::default();
+    let (mut summary, mut minded) = (Summary::default(), Minded::default());
     let take = |done: Done<Output>| {
         let error = done.first.map(|(row, line, problem)| TableError::Row {
             name: options.name.clone(),
@@ -64,13 +67,14 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
             Some(error) => drop(summary.first.get_or_insert(error)),
             None => {}
         }
+        minded.append(done.minded, summary.rows);
         summary.rows += done.rows as u64;
         summary.bad += done.bad;
         progress.advance(done.rows as u64, done.units);
         Ok(())
     };
     pipeline::run(options.threads, next, work, take, |cause| options.damaged(cause))?;
-    Ok(summary)
+    Ok(Summary { minded: minded.into_warnings(), ..summary })
 }
 
 impl TableOptions {

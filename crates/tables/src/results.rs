@@ -37,8 +37,8 @@ pub(crate) enum FieldKind {
     Flag,
     /// Numbers.
     Number,
-    /// What is wrong with a row.
-    Problem,
+    /// Words of their own for each row.
+    Text,
 }
 
 /// The symbols of all modes, in the order of their codes, and that of ground that fails.
@@ -72,8 +72,8 @@ pub enum Values {
     Flag(Vec<Option<bool>>),
     /// Numbers.
     Number(Vec<f64>),
-    /// What is wrong with a row.
-    Problem(Vec<Option<String>>),
+    /// Words of their own: which warnings a row has, or what is wrong with it.
+    Text(Vec<Option<String>>),
 }
 
 impl Values {
@@ -84,7 +84,7 @@ impl Values {
             FieldKind::Modes => Values::Modes(Vec::with_capacity(rows)),
             FieldKind::Flag => Values::Flag(Vec::with_capacity(rows)),
             FieldKind::Number => Values::Number(Vec::with_capacity(rows)),
-            FieldKind::Problem => Values::Problem(vec![None; rows]),
+            FieldKind::Text => Values::Text(Vec::with_capacity(rows)),
         }
     }
 
@@ -97,7 +97,7 @@ impl Values {
             (Values::Modes(sets), Values::Modes(more)) => sets.extend(more),
             (Values::Flag(flags), Values::Flag(more)) => flags.extend(more),
             (Values::Number(numbers), Values::Number(more)) => numbers.extend(more),
-            (Values::Problem(problems), Values::Problem(more)) => problems.extend(more),
+            (Values::Text(texts), Values::Text(more)) => texts.extend(more),
             _ => unreachable!("a column of results keeps its kind"),
         }
     }
@@ -107,7 +107,7 @@ impl Values {
         let start = line.len();
         self.push_text(row, line);
         // Words of our own need no quotation marks.
-        let foreign = matches!(self, Values::Name(..) | Values::Problem(_));
+        let foreign = matches!(self, Values::Name(..) | Values::Text(_));
         if foreign && line[start..].iter().any(|byte| matches!(byte, b'"' | b',' | b'\n' | b'\r')) {
             let text = line.split_off(start);
             line.push(b'"');
@@ -145,8 +145,8 @@ impl Values {
             Values::Number(numbers) => {
                 text.extend_from_slice(ryu::Buffer::new().format(numbers[row]).as_bytes());
             }
-            Values::Problem(problems) => {
-                text.extend_from_slice(problems[row].as_deref().unwrap_or_default().as_bytes());
+            Values::Text(texts) => {
+                text.extend_from_slice(texts[row].as_deref().unwrap_or_default().as_bytes());
             }
         }
     }

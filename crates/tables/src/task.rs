@@ -5,6 +5,7 @@ use standfast_cases::units::Unit;
 
 use crate::answers::Points;
 use crate::case::CaseRows;
+use crate::minded::Minded;
 use crate::results::{ResultField, Values};
 use crate::text::number;
 use crate::{OnError, RowProblem, TableError, TableOptions, Varied};
@@ -58,13 +59,15 @@ impl Wrong {
     }
 }
 
-/// The rows without result.
+/// The rows without result, and what is to be minded of the others.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Faults {
     pub(crate) count: u64,
     pub(crate) first: Option<Fault>,
     /// All of them, where it is asked for.
     pub(crate) all: Option<Vec<Fault>>,
+    /// What is unusual about the rows that have a result.
+    pub(crate) minded: Minded,
 }
 
 impl Faults {
@@ -213,7 +216,7 @@ impl Task {
         for (row, problem) in problems {
             column[row].get_or_insert_with(|| problem.to_string());
         }
-        results.push(Values::Problem(column));
+        results.push(Values::Text(column));
     }
 
     /// Whether row groups whose columns can be copied are worked on as one, however long: the rows of a case take so long that

@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
+use crate::minded::Minded;
 use crate::pieces::Done;
 use crate::results::Values;
 use crate::task::{Fault, Faults, Task, Wrong};
@@ -189,7 +190,7 @@ impl Header {
         let found: Vec<_> = found.iter().map(|fault| (fault.row, parsed.problem(self, fault))).collect();
         let problems = std::mem::take(&mut parsed.wrong).into_iter().chain(found);
         self.task.say_problems(&mut results, parsed.len(), problems);
-        Answered { parsed, results, bad, first }
+        Answered { parsed, results, bad, first, minded: faults.minded }
     }
 
     /// Appends the numbers of a row to the columns.
@@ -229,6 +230,7 @@ pub(crate) struct Answered {
     bad: u64,
     /// The first row without result, its line, and what is wrong with it.
     first: Option<(usize, u64, RowProblem)>,
+    minded: Minded,
 }
 
 impl Answered {
@@ -237,9 +239,9 @@ impl Answered {
     }
 
     pub(crate) fn done<Output>(self, output: Output) -> Done<Output> {
-        let Answered { parsed, bad, first, .. } = self;
+        let Answered { parsed, bad, first, minded, .. } = self;
         let first = first.map(|(row, line, problem)| (row, Some(line), problem));
-        Done { rows: parsed.len(), bad, first, units: parsed.bytes.len() as u64, output }
+        Done { rows: parsed.len(), bad, first, units: parsed.bytes.len() as u64, minded, output }
     }
 }
 

@@ -27,8 +27,17 @@ def shown(value: object) -> str:
     return "None" if value is None else f"{short(repr(value))}, a {type(value).__name__}"
 
 
+def is_plain(text: str) -> bool:
+    """Whether a text is a number without unit, which a case does not take for a number."""
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
 #: Functions of one point.
-_OF_ONE = ("explain", "contact_conditions")
+OF_ONE = ("explain", "contact_conditions", "Diagram")
 #: Functions of a case and a table.
 _OF_CASES = ("assess_table", "varied")
 
@@ -75,7 +84,7 @@ class Advice(NamedTuple):
         if is_of(value, "polars", "LazyFrame"):
             raise TypeError(f"{name} is a polars LazyFrame, which holds no values yet. Call .collect()")
         if is_of(value, "polars", "Expr"):
-            how = f"Call {self._in_frame}, or give" if self.function not in (*_OF_ONE, *_OF_CASES) else "Give"
+            how = f"Call {self._in_frame}, or give" if self.function not in (*OF_ONE, *_OF_CASES) else "Give"
             raise TypeError(f"{name} is a polars expression, which holds no values. {how} columns of the DataFrame")
         if is_of(value, "pyarrow.dataset", "Dataset"):
             raise TypeError(
@@ -90,7 +99,7 @@ class Advice(NamedTuple):
 
     def _refuse_xarray(self, value: Any, name: str) -> NoReturn:
         kind = "an xarray Dataset; its variables go in one by one" if is_of(value, "xarray", "Dataset") else "an xarray object"
-        if self.function in _OF_ONE:
+        if self.function in OF_ONE:
             raise TypeError(f"{name} is {kind}; standfast.{self.function} takes one number for each, as float(...) of a value")
         lazy = ""
         if hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None:
@@ -105,7 +114,7 @@ class Advice(NamedTuple):
         """What to call on a lazy collection of dask."""
         if self.function in _OF_CASES and is_of(value, "dask.dataframe", "DataFrame"):
             return f"frame.map_partitions(lambda part: standfast.{self.function}(case, part))"
-        if self.function in (*_OF_ONE, *_OF_CASES):
+        if self.function in (*OF_ONE, *_OF_CASES):
             return ".compute() first"
         if is_of(value, "dask.array", "Array"):
             return f"dask.array.map_blocks({self.call}, ..., dtype={self.dtype})"
@@ -117,7 +126,7 @@ class Advice(NamedTuple):
 
     def refuse_table(self, value: object, name: str) -> NoReturn:
         """Refuses a table in place of a column."""
-        also = "" if self.function in (*_OF_ONE, *_OF_CASES, "symbols") else (
+        also = "" if self.function in (*OF_ONE, *_OF_CASES, "symbols") else (
             f". standfast.{self.function} takes a table alone, with map={{...}} where its columns have other names"
         )
         raise TypeError(f"{name} is a {called(value)}, a whole table; expected a column of it{also}")

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import copy
+import json
 import keyword
 import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from . import _standfast
 from ._modes import BY_SYMBOL, Mode, Modes
 
 #: The keys of what a user wrote, which may be any word.
 _WRITTEN = ("title", "note", "name")
-
+#: How many characters a representation takes.
+_LINE = 100
 
 
 def attribute(key: str) -> str:
@@ -26,21 +28,30 @@ def with_infinity(part: dict[str, Any]) -> dict[str, Any]:
 
 
 class Answer(Mapping[str, Any]):
-    """A part of an answer: its JSON object, with the keys as attributes too.
+    """A part of an answer: its JSON object, with the keys as attributes too. It cannot be changed.
 
     Items are as in the JSON document, but for numbers without bound, which are ``math.inf``; ``None`` says that there is
     no such thing. Attributes are the same, with modes as :class:`~standfast.Mode`, sets of modes as :class:`~standfast.Modes`, and
     objects as classes of :mod:`standfast.answers`. Where a key is a word of Python's, the attribute ends in an underscore:
-    ``lambda_``, ``from_``.
+    ``lambda_``, ``from_``. Lists and dicts are given as copies.
     """
 
     _what = "this answer"
+    _document: dict[str, Any]
 
     def __init__(self, document: dict[str, Any]) -> None:
-        self._document = document
+        vars(self)["_document"] = document
 
     def __getitem__(self, key: str) -> Any:
-        return self._document[key]
+        try:
+            return copied(self._document[key])
+        except KeyError:
+            near = _standfast.closest(str(key), list(self))
+            meant = f"did you mean {near!r}? Its keys are" if near is not None else "its keys are"
+            raise KeyError(f"{self._what} has no {key!r}; {meant} {', '.join(self)}") from None
+
+    def __contains__(self, key: object) -> bool:
+        return key in self._document
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._document)
@@ -48,20 +59,65 @@ class Answer(Mapping[str, Any]):
     def __len__(self) -> int:
         return len(self._document)
 
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"{self._what} cannot be changed; to_dict() is a copy that can", name=name, obj=self)
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"{self._what} cannot be changed; to_dict() is a copy that can", name=name, obj=self)
+
     if not TYPE_CHECKING:  # A type checker is to know the attributes there are, and no others.
 
         def __getattr__(self, name: str) -> Any:
             if name.startswith("_"):
                 raise AttributeError(name)
-            names = ", ".join(attribute(key) for key in self)
-            raise AttributeError(f"{self._what} has no {name!r}; it has {names}", name=name, obj=self)
+            names = [attribute(key) for key in self]
+            near = _standfast.closest(name, names)
+            meant = f"did you mean {near!r}? It" if near is not None else "it"
+            raise AttributeError(f"{self._what} has no {name!r}; {meant} has {', '.join(names)}", name=name, obj=self)
 
     def to_dict(self) -> dict[str, Any]:
         """The answer as plain dicts, lists, strings and numbers."""
-        return copy.deepcopy(self._document)
+        document: dict[str, Any] = copied(self._document)
+        return document
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({self._document!r})"
+        """All of a short one; of a long one what is plain, up to a line."""
+        said = [(attribute(key), value) for key, value in self._document.items()]
+        plain = [f"{name}={value!r}" for name, value in said if not isinstance(value, (dict, list))]
+        shown, length = 0, len(type(self).__name__)
+        while shown < len(plain) and length + len(plain[shown]) < _LINE:
+            length += len(plain[shown]) + 2
+            shown += 1
+        more = len(said) - shown
+        return f"{type(self).__name__}({', '.join(plain[:shown] + ([f'… {more} more'] if more else []))})"
+
+
+class Rendered(Answer):
+    """An answer that the program writes as text and as JSON: ``print`` shows the text."""
+
+    _text: str
+    _json: str
+
+    def __init__(self, text: str, document: str) -> None:
+        super().__init__(json.loads(document, object_hook=with_infinity))
+        vars(self).update(_text=text, _json=document)
+
+    def to_json(self) -> str:
+        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
+        return self._json
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._text, self._json)
+
+
+def copied(value: Any) -> Any:
+    """Plain JSON that a caller may change."""
+    if isinstance(value, dict):
+        return {key: copied(part) for key, part in value.items()}
+    return [copied(part) for part in value] if isinstance(value, list) else value
 
 
 _A = TypeVar("_A", bound=Answer)

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
 from ._frames import SYMBOLS, Arrays, Arrow, Fields, Point
-from ._inputs import Operands, chosen, read
+from ._inputs import Operands, are_plain, chosen, read
 from ._modes import Mode, Modes
 from ._progress import shown
-from ._run import run
+from ._run import Run, run
 from ._types import Array, Map, Number, OnError, Options, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
 from ._types import PyarrowArray, PyarrowTable, Side
@@ -29,70 +29,64 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 _NAMES = ("gamma", "k_prime", "k", "mu")
+#: By their codes.
+_MODES = tuple(Mode)
 
 
 class Onset(Fields["Mode | Modes | bool | float"]):
     """How a motion begins: :func:`onset`'s answer for four plain numbers.
 
     Lengths are in B (half the width), accelerations in g, the angular acceleration in g/B, forces in m g. Right and up
-    are positive, and counter-clockwise.
+    are positive, and counter-clockwise. Numbers in parentheses are the report's equations.
+
+    Attributes:
+        mode: the mode.
+        unique: whether no other mode satisfies every law.
+        others: the other modes that satisfy every law; none where ``unique``.
+        x_ddot: ẍ of the centre of mass, in g (3.6, 3.9, 3.12; 4.23).
+        y_ddot: ÿ of the centre of mass, in g (3.10, 3.13).
+        theta_ddot: θ̈, in g/B (3.14, 3.30, 3.43; 4.36, 4.64, 4.89); 0 where the body does not turn.
+        f_x: horizontal reaction of the ground on the body, in m g (3.9, 3.15).
+        f_y: vertical reaction on the body, in m g (3.10, 3.16).
+        xi: ξ, how far right of the centre of mass f_y acts, in B, from -1 under O to 1 under O' (3.11; at rest 4.8, sliding 4.17).
+        slip: ẍ of both corners, along the ground, in g (3.37, 3.45; 4.76, 4.95); 0 where the base does not slip.
+        lift_o: ÿ of the left corner O, in g (3.12, 3.13); 0 while it stays on the ground.
+        lift_o_prime: ÿ of the right corner O', in g (3.12, 3.13); 0 while it stays on the ground.
     """
 
-    #: The mode.
     mode: Mode
-    #: Whether no other mode satisfies every law.
     unique: bool
-    #: The other modes that satisfy every law; none where ``unique``.
     others: Modes
-    #: ẍ of the centre of mass.
     x_ddot: float
-    #: ÿ of the centre of mass.
     y_ddot: float
-    #: θ̈.
     theta_ddot: float
-    #: Horizontal reaction on the body.
     f_x: float
-    #: Vertical reaction on the body.
     f_y: float
-    #: ξ, where f_y acts, right of the centre of mass.
     xi: float
-    #: ẍ of the base along the ground.
     slip: float
-    #: ÿ of the left corner O.
     lift_o: float
-    #: ÿ of the right corner O'.
     lift_o_prime: float
 
 
-class OnsetArrays(Fields[NDArray[Any]]):
-    """How motions begin: :func:`onset`'s answer for arrays, with those of the fields of :class:`Onset` that were asked for.
+class OnsetArrays(Fields[NDArray[Any]], fields_of=Onset):
+    """How motions begin: :func:`onset`'s answer for arrays, with those of the fields that were asked for.
 
-    Arrays have the shape of the operands broadcast together, and units and signs as in :class:`Onset`.
+    Arrays have the shape of the operands broadcast together, and units and signs as in :class:`Onset`; ``mode`` has codes of
+    :class:`Mode`, ``others`` bits of :class:`Modes`. ``pandas.DataFrame(answer.to_dict())`` has the fields as columns; of the answer
+    itself, a tuple, pandas would make rows.
     """
 
-    #: The mode, as codes of :class:`Mode`.
     mode: NDArray[np.uint8]
-    #: Whether no other mode satisfies every law.
     unique: NDArray[np.bool_]
-    #: The other modes that satisfy every law, as bits of :class:`Modes`; zero where ``unique``.
     others: NDArray[np.uint16]
-    #: ẍ of the centre of mass.
     x_ddot: NDArray[np.float64]
-    #: ÿ of the centre of mass.
     y_ddot: NDArray[np.float64]
-    #: θ̈.
     theta_ddot: NDArray[np.float64]
-    #: Horizontal reaction on the body.
     f_x: NDArray[np.float64]
-    #: Vertical reaction on the body.
     f_y: NDArray[np.float64]
-    #: ξ, where f_y acts, right of the centre of mass.
     xi: NDArray[np.float64]
-    #: ẍ of the base along the ground.
     slip: NDArray[np.float64]
-    #: ÿ of the left corner O.
     lift_o: NDArray[np.float64]
-    #: ÿ of the right corner O'.
     lift_o_prime: NDArray[np.float64]
 
 
@@ -239,6 +233,9 @@ def classify(
     """
     if columns is not None:
         raise TypeError("columns is what onset computes; which column of a table holds what is said by map={...}")
+    plain = omega is None and threads == 1 and progress is None and map is None and out is None
+    if plain and are_plain(point := (gamma, k_prime, k, mu)):
+        return _classify_point(point, run(threads, on_error, None, to), names)
     operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map, optional=("omega", omega))
     with shown(progress, "points") as told:
         how = run(threads, on_error, told, to)
@@ -250,8 +247,26 @@ def classify(
         if isinstance(form, Arrow) and operands.columns is not None:
             return form.adopt(_standfast.classify_columns(operands.columns, names, how))
         arrays, missing, nan = operands.native()
-        codes, missing = _standfast.classify(arrays, missing, out, how._replace(nan_is_missing=nan))
+        try:
+            codes, missing = _standfast.classify(arrays, missing, out, how._replace(nan_is_missing=True) if nan else how)
+        except ValueError as error:
+            raise form.placed(error) from None
     return out if out is not None else form.column("mode", codes, missing, symbols=names)
+
+
+def _classify_point(point: tuple[float, float, float, float], how: Run, names: bool) -> Mode | str | None:
+    """One point, without the arrays and forms that many have."""
+    try:
+        mode = _MODES[_standfast.classify_point(*point, how.right)]
+    except OverflowError:
+        # Of integers beyond float64 `read` says which.
+        read("classify", _NAMES, point)
+        raise
+    except ValueError:
+        if how.null_errors:
+            return None
+        raise
+    return mode.symbol if names else mode
 
 
 @overload
@@ -344,7 +359,10 @@ def onset(
         if isinstance(form, Arrow) and operands.columns is not None:
             return form.adopt_table(_standfast.onset_columns(operands.columns, fields, how))
         arrays, missing, nan = operands.native()
-        values, missing = _standfast.onset(arrays, missing, fields, how._replace(nan_is_missing=nan))
+        try:
+            values, missing = _standfast.onset(arrays, missing, fields, how._replace(nan_is_missing=True) if nan else how)
+        except ValueError as error:
+            raise form.placed(error) from None
     return form.table(dict(zip(fields, values)), missing, point=Onset, arrays=OnsetArrays)
 
 

@@ -67,6 +67,11 @@ class ArrowArray:
         return self._native.type
 
     @property
+    def metadata(self) -> dict[str, str]:
+        """What is said of the column: of results of cases their ``description`` and, if they have one, their ``unit``."""
+        return self._native.metadata
+
+    @property
     def null_count(self) -> int:
         """How many items are null."""
         return self._native.null_count
@@ -158,7 +163,7 @@ class ArrowArray:
             raise TypeError(f"an ArrowArray is indexed by {index!r}; expected a place, a slice, or an array of places or flags")
         values, missing, words = self._native.parts()
         taken = None if missing is None else missing[places]
-        return _array(self.name, self.type, values[places], taken, words)
+        return _array(self.name, self.type, values[places], taken, words, self.metadata)
 
     def __iter__(self) -> Iterator[Value]:
         values, missing, words = self._native.parts()
@@ -201,7 +206,7 @@ class ArrowArray:
         return np.where(missing, if_null, np.broadcast_to(found, np.broadcast_shapes(found.shape, missing.shape)))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _array, (self.name, self.type, *self._native.parts())
+        return _array, (self.name, self.type, *self._native.parts(), self.metadata)
 
     def __copy__(self) -> ArrowArray:
         return self
@@ -233,7 +238,7 @@ class ArrowTable:
     """A table of answers, for any library that speaks the Arrow PyCapsule interface.
 
     polars, pyarrow, DuckDB and others take it over without a copy: ``pl.DataFrame(table)``, ``pa.table(table)``. Its
-    columns are :class:`ArrowArray`, by their names; its rows are dicts, by their numbers and by iteration; a slice is a
+    columns are :class:`ArrowArray`, by their names (``table["mode"]``, or ``table.mode``); its rows are dicts, by their numbers and by iteration; a slice is a
     table. It can be pickled.
     """
 
@@ -252,6 +257,14 @@ class ArrowTable:
     def shape(self) -> tuple[int, int]:
         """How many rows and columns."""
         return len(self), len(self.column_names)
+
+    def __getattr__(self, name: str) -> ArrowArray:
+        if name.startswith("_") or name not in self.column_names:
+            raise AttributeError(f"an ArrowTable has no {name!r}; its columns are {', '.join(self.column_names)}", name=name, obj=self)
+        return self[name]
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *filter(str.isidentifier, self.column_names)})
 
     def to_dict(self) -> dict[str, NDArray[Any]]:
         """The columns as numpy arrays by their names, with nulls as in :meth:`ArrowArray.to_numpy`."""
@@ -343,13 +356,18 @@ class ArrowTable:
 
 
 def _array(
-    name: str, kind: str, values: NDArray[Any], missing: NDArray[np.bool_] | None, words: list[str] | None
+    name: str,
+    kind: str,
+    values: NDArray[Any],
+    missing: NDArray[np.bool_] | None,
+    words: list[str] | None,
+    metadata: dict[str, str] | None = None,
 ) -> ArrowArray:
     """An array of what a native one is taken apart into."""
     if kind == "string":
         assert words is not None
-        return ArrowArray(_standfast.make_array(name, [words[place] for place in values], missing, None))
-    return ArrowArray(_standfast.make_array(name, values, missing, words))
+        return ArrowArray(_standfast.make_array(name, [words[place] for place in values], missing, None, metadata))
+    return ArrowArray(_standfast.make_array(name, values, missing, words, metadata))
 
 
 def _table(columns: list[ArrowArray]) -> ArrowTable:

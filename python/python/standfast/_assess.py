@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _standfast
-from ._answer import parts, with_infinity
+from ._answer import attribute, copied, parts, with_infinity
 from .answers import Document, OnlySituation, Situation
 
 #: How many modes a representation lists.
@@ -26,6 +26,9 @@ class Figure(NamedTuple):
     title: str
     #: The SVG document.
     svg: str
+
+    def __repr__(self) -> str:
+        return f"<Figure {self.title!r}: {len(self.svg) / 1e3:.0f} kB of SVG>"
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -44,14 +47,27 @@ class Assessment(Document, OnlySituation):
     """
 
     _what = "this assessment"
+    _case: tuple[str, str, float, bool]
+    _answer: _standfast.CaseAnswer
 
     def __init__(self, name: str, text: str, up_to: float, all: bool) -> None:
-        self._case = (name, text, up_to, all)
-        self._answer = _standfast.assess(name, text, up_to, all)
+        vars(self).update(_case=(name, text, up_to, all), _answer=_standfast.assess(name, text, up_to, all))
+
+    @functools.cached_property
+    def _own(self) -> dict[str, Any]:
+        """The document."""
+        document: dict[str, Any] = json.loads(self._answer.json(), object_hook=with_infinity)
+        return document
 
     @functools.cached_property
     def _document(self) -> dict[str, Any]:  # type: ignore[override]
-        document: dict[str, Any] = json.loads(self._answer.json(), object_hook=with_infinity)
+        """What there is under keys: the document and, of the only situation, its keys."""
+        situations = self._own["situations"]
+        return self._own if len(situations) > 1 else {**self._own, **{key: situations[0][key] for key in situations[0] if key not in self._own}}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The document, as plain dicts, lists, strings and numbers."""
+        document: dict[str, Any] = copied(self._own)
         return document
 
     @functools.cached_property
@@ -62,12 +78,12 @@ class Assessment(Document, OnlySituation):
     @functools.cached_property
     def situations(self) -> list[Situation]:
         """The answers to the combinations of the case, or to its forces that act alone; else one, to all loads."""
-        return parts(Situation, self["situations"])
+        return parts(Situation, self._document["situations"])
 
     @property
     def governing(self) -> Situation:
         """The worst situation; the item ``"governing"`` is its place among :attr:`situations`."""
-        place: int = self["governing"]
+        place: int = self._document["governing"]
         return self.situations[place]
 
     def _only(self) -> Situation:
@@ -75,17 +91,26 @@ class Assessment(Document, OnlySituation):
             raise AttributeError
         return self.situations[0]
 
+    def __getitem__(self, key: str) -> Any:
+        if key not in self._document and (several := self._several(attribute(str(key)))):
+            raise KeyError(several)
+        return super().__getitem__(key)
+
+    def _several(self, name: str) -> str | None:
+        """What to say of a key of the only situation where there are several; ``None`` of all others."""
+        if name.startswith("_") or not hasattr(OnlySituation, name):
+            return None
+        return (
+            f"the case has {len(self.situations)} situations; see situations[0].{name} and so on, or governing.{name}, that of the "
+            "worst one"
+        )
+
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
             # What a property of the only situation could not give comes here too.
-            if hasattr(OnlySituation, name) and not name.startswith("_"):
-                raise AttributeError(
-                    f"the case has {len(self.situations)} situations; see situations[0].{name} and so on, or governing.{name}, "
-                    "that of the worst one",
-                    name=name,
-                    obj=self,
-                )
+            if several := self._several(name):
+                raise AttributeError(several, name=name, obj=self)
             return super().__getattr__(name)
 
     def __dir__(self) -> list[str]:
@@ -104,11 +129,14 @@ class Assessment(Document, OnlySituation):
         return self._text
 
     def __repr__(self) -> str:
-        modes = [situation["mode"] or "none" for situation in self["situations"]]
+        modes = [situation["mode"] or "none" for situation in self._own["situations"]]
         shown = ", ".join(modes) if len(modes) <= _SHOWN else f"{len(modes)} situations"
-        not_met = [criterion["name"] for criterion in self["criteria"] if not criterion["met"]]
-        criteria = f"; not met: {', '.join(not_met)}" if not_met else "; criteria met" if self["met"] else ""
-        return f"<Assessment {self['title'] or 'of a case'}: {shown}{criteria}>"
+        not_met = [criterion["name"] for criterion in self._own["criteria"] if not criterion["met"]]
+        criteria = f"; not met: {', '.join(not_met)}" if not_met else "; criteria met" if self._own["met"] else ""
+        # The same may be said of several numbers.
+        slips = dict.fromkeys(warning["name"] for warning in self._own["warnings"])
+        minded = f"; warnings: {', '.join(slips)}" if slips else ""
+        return f"<Assessment {self._own['title'] or 'of a case'}: {shown}{criteria}{minded}>"
 
     def _repr_svg_(self) -> str | None:
         return self.figures[0].svg if self.figures else None
@@ -144,7 +172,9 @@ def assess(case: str | os.PathLike[str] | Mapping[str, object], *, up_to: float 
     >>> found["situations"][0]["mode"], str(found).splitlines()[0]
     ('RO', 'Block')
     """
-    return Assessment(*case_text(case), up_to, all)
+    if not isinstance(all, (bool, np.bool_)):
+        raise TypeError(f"all is {all!r}; expected True or False")
+    return Assessment(*case_text(case), up_to, bool(all))
 
 
 def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str, str]:

@@ -41,60 +41,52 @@ class Contact(Fields["Mode | Modes | float | None"]):
     """How a block begins to move under a wrench: :func:`contact`'s answer for plain numbers.
 
     Units are those of the operands: lengths in the length chosen, accelerations in g, angular ones in g over that length, forces
-    in m g. Right and up are positive, and counter-clockwise.
+    in m g. Right and up are positive, and counter-clockwise. Where no mode is consistent, mode and motion are ``None``.
+
+    Attributes:
+        mode: the mode reported.
+        modes: all modes that satisfy every law, the one reported among them.
+        x_ddot: ẍ of the centre of mass, in g.
+        y_ddot: ÿ of the centre of mass, in g.
+        theta_ddot: θ̈, in g over the length; 0 where the body does not turn.
+        f_x: horizontal reaction of the ground on the body, in m g.
+        f_y: vertical reaction on the body, in m g.
+        xi: ξ, how far right of the centre of mass f_y acts, in the length; 0 where there is no reaction.
+        slip: ẍ of both corners, along the ground, in g; 0 where the base does not slip.
+        lift_o: ÿ of the left corner O, in g; 0 while it stays on the ground.
+        lift_o_prime: ÿ of the right corner O', in g; 0 while it stays on the ground.
     """
 
-    #: The mode reported; ``None`` if no mode is consistent.
     mode: Mode | None
-    #: All modes that satisfy every law, the one reported among them.
     modes: Modes
-    #: ẍ of the centre of mass. ``None``, as the numbers below, if no mode is consistent.
     x_ddot: float | None
-    #: ÿ of the centre of mass.
     y_ddot: float | None
-    #: θ̈.
     theta_ddot: float | None
-    #: Horizontal reaction on the body.
     f_x: float | None
-    #: Vertical reaction on the body.
     f_y: float | None
-    #: ξ, where f_y acts, right of the centre of mass; 0 where there is no reaction.
     xi: float | None
-    #: ẍ of the base along the ground.
     slip: float | None
-    #: ÿ of the left corner O.
     lift_o: float | None
-    #: ÿ of the right corner O'.
     lift_o_prime: float | None
 
 
-class ContactArrays(Fields[NDArray[Any]]):
-    """:func:`contact`'s answer for arrays: those of the fields of :class:`Contact` that were asked for.
+class ContactArrays(Fields[NDArray[Any]], fields_of=Contact):
+    """:func:`contact`'s answer for arrays: those of the fields that were asked for.
 
-    Where no mode is consistent, ``mode`` and motion are masked arrays, masked there.
+    ``mode`` has codes of :class:`Mode`, ``modes`` bits of :class:`Modes`. Where no mode is consistent, ``mode`` and motion are masked
+    arrays, masked there. ``pandas.DataFrame(answer.to_dict())`` has the fields as columns.
     """
 
-    #: The mode reported, as codes of :class:`Mode`.
     mode: NDArray[np.uint8]
-    #: All consistent modes, as bits of :class:`Modes`.
     modes: NDArray[np.uint16]
-    #: ẍ of the centre of mass.
     x_ddot: NDArray[np.float64]
-    #: ÿ of the centre of mass.
     y_ddot: NDArray[np.float64]
-    #: θ̈.
     theta_ddot: NDArray[np.float64]
-    #: Horizontal reaction on the body.
     f_x: NDArray[np.float64]
-    #: Vertical reaction on the body.
     f_y: NDArray[np.float64]
-    #: ξ, where f_y acts, right of the centre of mass.
     xi: NDArray[np.float64]
-    #: ẍ of the base along the ground.
     slip: NDArray[np.float64]
-    #: ÿ of the left corner O.
     lift_o: NDArray[np.float64]
-    #: ÿ of the right corner O'.
     lift_o_prime: NDArray[np.float64]
 
 

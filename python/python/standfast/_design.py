@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from typing import Any, Literal, overload
@@ -11,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._answer import with_infinity
+from ._advice import is_plain
+from ._answer import Rendered
 from ._assess import case_text
 from .designs import BoundaryDocument, DesignDocument
 
 
-class Design(DesignDocument):
+class Design(DesignDocument, Rendered):
     """The least or greatest value that meets a target: :func:`design`'s answer.
 
     ``print`` shows the text of ``standfast design``; the keys of its JSON document, which ``docs/design.schema.json`` describes,
@@ -25,31 +25,16 @@ class Design(DesignDocument):
 
     _what = "this design"
 
-    def __init__(self, text: str, document: str) -> None:
-        super().__init__(json.loads(document, object_hook=with_infinity))
-        self._text = text
-        self._json = document
-
     @property
     def value(self) -> float:
         """The value found, in :attr:`unit`: rounded to the safe side, and assessed so."""
-        return self.found.rounded
-
-    def to_json(self) -> str:
-        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
-        return self._json
-
-    def __str__(self) -> str:
-        return self._text
+        return self.found.value
 
     def __repr__(self) -> str:
         return f"<Design {self.wanted} {self.vary} for {self.target}: {self.found.printed}>"
 
-    def __reduce__(self) -> tuple[type[Design], tuple[str, str]]:
-        return Design, (self._text, self._json)
 
-
-class Boundary(BoundaryDocument):
+class Boundary(BoundaryDocument, Rendered):
     """The boundary of what meets a target with two quantities: :func:`design`'s answer with ``and_``.
 
     ``print`` shows the text of ``standfast design --and``; the keys of its JSON document, which ``docs/boundary.schema.json``
@@ -57,15 +42,22 @@ class Boundary(BoundaryDocument):
     """
 
     _what = "this boundary"
+    _csv: str
+    _svg: str | None
 
     def __init__(self, text: str, document: str, csv: str, svg: str | None) -> None:
-        super().__init__(json.loads(document, object_hook=with_infinity))
-        self._text = text
-        self._json = document
-        #: The boundary as a table in CSV: a row for each stretch of values that meets the target.
-        self.csv = csv
-        #: The boundary as an SVG document; ``None`` where the target is met, or not, throughout what was searched.
-        self.svg = svg
+        super().__init__(text, document)
+        vars(self).update(_csv=csv, _svg=svg)
+
+    @property
+    def csv(self) -> str:
+        """The boundary as a table in CSV: a row for each stretch of values that meets the target."""
+        return self._csv
+
+    @property
+    def svg(self) -> str | None:
+        """The boundary as an SVG document; ``None`` where the target is met, or not, throughout what was searched."""
+        return self._svg
 
     @property
     def at(self) -> NDArray[np.float64]:
@@ -78,15 +70,8 @@ class Boundary(BoundaryDocument):
         assessed so. NaN where no value does; ``columns`` has all stretches of values."""
         greatest = self.wanted == "greatest"
         ends = (column.met[-1].to if greatest else column.met[0].from_ for column in self.columns if column.met)
-        rounded = iter([end.rounded for end in ends])
+        rounded = iter([end.value for end in ends])
         return np.array([next(rounded) if column.met else np.nan for column in self.columns], dtype=np.float64)
-
-    def to_json(self) -> str:
-        """The JSON document as the program writes it."""
-        return self._json
-
-    def __str__(self) -> str:
-        return self._text
 
     def __repr__(self) -> str:
         return f"<Boundary {self.wanted} {self.vary.name} over {self.and_.name} for {self.target}: {len(self.columns)} columns>"
@@ -94,7 +79,7 @@ class Boundary(BoundaryDocument):
     def _repr_svg_(self) -> str | None:
         return self.svg
 
-    def __reduce__(self) -> tuple[type[Boundary], tuple[str, str, str, str | None]]:
+    def __reduce__(self) -> tuple[Any, ...]:
         return Boundary, (self._text, self._json, self.csv, self.svg)
 
 
@@ -174,6 +159,8 @@ def design(
     for name, text in (("vary", vary), ("target", target), ("and_", and_)):
         if not isinstance(text, str) and not (text is None and name == "and_"):
             raise TypeError(f"{name} is {text!r}; expected a text")
+    if not isinstance(greatest, (bool, np.bool_)):
+        raise TypeError(f"greatest is {greatest!r}; expected True or False")
     file = case_text(case)
     ends = _end(lower, "lower"), _end(upper, "upper")
     and_ends = _end(and_lower, "and_lower"), _end(and_upper, "and_upper")
@@ -186,6 +173,8 @@ def design(
 
 def _end(value: Any, name: str) -> str | None:
     """An end of a range as the case file would have it."""
+    if isinstance(value, str) and is_plain(value):
+        raise TypeError(f"{name} is {value!r}, a text without a unit; expected a number in SI units, or a text with its unit")
     if value is None or isinstance(value, str):
         return value
     if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):

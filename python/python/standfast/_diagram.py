@@ -13,11 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
+from ._advice import shown
 from ._arrays import classify
 from ._arrow import ArrowArray
 from ._inputs import read
 from ._modes import Mode, Modes
 from ._points import Marks, Points, marks
+from ._rows import point
 from ._types import Array, Number, PandasSeries, PolarsSeries, PyarrowArray
 from ._types import Arrow as ArrowLike
 
@@ -98,6 +100,16 @@ def _polylines(parts: Iterable[_Polyline]) -> list[Polyline]:
     return [np.array(part, dtype=np.float64) for part in parts]
 
 
+def _window(window: Any) -> tuple[float, float]:
+    expected = "expected the largest k and the largest μ to show, as (2, 1)"
+    if isinstance(window, (str, bytes, Mapping)) or not isinstance(window, Iterable) or len(pair := list(window)) != 2:
+        raise TypeError(f"window is {shown(window)}; {expected}")
+    k, mu = point("Diagram", ("the largest k of window", "the largest μ of window"), pair)
+    if not (0 < k <= 1e50 and 0 < mu <= 1e50):
+        raise ValueError(f"window is {(k, mu)}; {expected}, above zero and 1e50 at most")
+    return k, mu
+
+
 class Diagram:
     """Which mode begins where in the plane of force k and friction μ, for one body and one elevation of the force.
 
@@ -130,31 +142,27 @@ class Diagram:
 
     def __init__(
         self,
-        gamma: float,
-        k_prime: float,
+        gamma: Number,
+        k_prime: Number,
         *,
-        omega: float | None = None,
+        omega: Number | None = None,
         law: str | None = None,
-        share: float | None = None,
-        window: tuple[float, float] | None = None,
+        share: Number | None = None,
+        window: tuple[Number, Number] | None = None,
     ) -> None:
-        self._gamma = float(gamma)
-        self._k_prime = float(k_prime)
+        self._gamma, self._k_prime = point("Diagram", ("gamma", "k_prime"), (gamma, k_prime))
         if (law is None) != (share is None):
             raise TypeError("law and share say together what the ground is; expected both, or neither")
         if law is not None and omega is not None:
             raise TypeError("omega is of a base that crushes, law of ground that fails; expected one of them")
+        if law is not None and not isinstance(law, str):
+            raise TypeError(f"law is {shown(law)}; expected a text")
         self._base: _Base = {
-            "omega": None if omega is None else float(omega),
+            "omega": None if omega is None else point("Diagram", ("omega",), (omega,))[0],
             "law": law,
-            "share": 0.0 if share is None else float(share),
+            "share": 0.0 if share is None else point("Diagram", ("share",), (share,))[0],
         }
-        if window is not None:
-            k, mu = map(float, window)
-            if not (0 < k <= 1e50 and 0 < mu <= 1e50):
-                raise ValueError(f"window is {(k, mu)}; expected the largest k and the largest μ to show, above zero")
-            window = (k, mu)
-        self._asked = window
+        self._asked = None if window is None else _window(window)
         self._shown = self._outlines(marks(None))
 
     def _outlines(self, marked: Marks) -> _Outlines:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import json
-
 from . import _standfast
-from ._answer import part, with_infinity
+from ._answer import Rendered, part
 from ._rows import point
 from ._run import is_right
 from ._types import Number, Side
 from .answers import Motion, Point
 
 
-class Explanation(Point):
+class Explanation(Point, Rendered):
     """Why a mode begins: :func:`explain`'s answer.
 
     ``print`` shows the text of ``standfast classify --explain``; the keys of its JSON document, which
@@ -21,11 +19,6 @@ class Explanation(Point):
     """
 
     _what = "this explanation"
-
-    def __init__(self, text: str, document: str) -> None:
-        super().__init__(json.loads(document, object_hook=with_infinity))
-        self._text = text
-        self._json = document
 
     @property
     def schema(self) -> int:
@@ -64,20 +57,10 @@ class Explanation(Point):
         base: dict[str, float | None] | None = self["ground"] if "ground" in self else None
         return None if base is None else dict(base)
 
-    def to_json(self) -> str:
-        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
-        return self._json
-
-    def __str__(self) -> str:
-        return self._text
-
     def __repr__(self) -> str:
         steps = self.trace
         deciding = ", ".join(f"({relation.equation}) {relation.statement}" for relation in steps[-1].relations) if steps else "ω ≥ 1"
         return f"<Explanation {self.mode.symbol}: {deciding}>"
-
-    def __reduce__(self) -> tuple[type[Explanation], tuple[str, str]]:
-        return Explanation, (self._text, self._json)
 
 
 def explain(

@@ -46,14 +46,18 @@ SYMBOLS: NDArray[np.str_] = np.array([mode.symbol for mode in Mode])
 class Fields(tuple[_T, ...]):
     """A tuple whose items have names: those that were asked for, in that order.
 
-    A class of answers names its fields, with their types, by annotations; an instance has all or some of them. As with
-    a ``NamedTuple`` there are ``_fields`` and ``_asdict()``.
+    A class of answers names its fields, with their types, by annotations, and says in its docstring what they are; an instance
+    has all or some of them. As with a ``NamedTuple`` there are ``_fields`` and ``_asdict()``.
     """
 
     _fields: tuple[str, ...] = ()
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, fields_of: type[Fields[Any]] | None = None) -> None:
+        """``fields_of`` names a class of which the docstring says what the fields are."""
         cls._fields = tuple(cls.__annotations__)
+        if fields_of is not None and cls.__doc__ and fields_of.__doc__:
+            heading = "Attributes:"
+            cls.__doc__ = f"{cls.__doc__.rstrip()}\n\n    {heading}{fields_of.__doc__.partition(heading)[2]}"
 
     def __new__(cls, values: Mapping[str, _T]) -> Self:
         self = super().__new__(cls, values.values())
@@ -76,9 +80,16 @@ class Fields(tuple[_T, ...]):
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._asdict().items())})"
 
-    def _asdict(self) -> dict[str, _T]:
-        """The fields as a dict."""
+    def to_dict(self) -> dict[str, _T]:
+        """The fields by their names: ``pandas.DataFrame(answer.to_dict())`` has them as columns, where of the answer itself, a
+        tuple, pandas would make rows."""
         return dict(zip(self._fields, self))
+
+    _asdict = to_dict
+
+    def __dir__(self) -> list[str]:
+        hidden = set(type(self)._fields) - set(self._fields)
+        return sorted(set(super().__dir__()) - hidden)
 
 
 class Form(ABC):
@@ -90,6 +101,19 @@ class Form(ABC):
     def with_errors(self, null: bool) -> Form:
         """The kind of answer of operands of this kind where, if ``null``, impossible values have none."""
         return self
+
+    def place(self, row: int) -> str:
+        """Where a row stands, as the operands have it."""
+        return f"index {row}"
+
+    def placed(self, error: ValueError) -> ValueError:
+        """An error of the native module about a point, which tells its ``index``, with its place as the operands have it."""
+        index: tuple[int, ...] | None = getattr(error, "index", None)
+        if index is None or len(index) != 1 or (place := self.place(index[0])) == f"index {index[0]}":
+            return error
+        told = ValueError(str(error).replace(f"at index {index[0]}", f"at {place}", 1))
+        vars(told)["index"] = index
+        return told
 
     @abstractmethod
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
@@ -173,6 +197,11 @@ class Pandas(Form):
     def __init__(self, index: Any) -> None:
         self.index = index
 
+    def place(self, row: int) -> str:
+        label = plain_label(self.index[row])
+        # Where rows are labelled by their numbers there is nothing to tell apart.
+        return super().place(row) if type(label) is int and label == row else f"row {row}, labelled {label!r}"
+
     def column(self, name: str, values: NDArray[Any], missing: Missing = None, *, symbols: bool = False) -> Any:
         pd = sys.modules["pandas"]
         return pd.Series(self._array(values, missing, symbols), index=self.index, name=name, copy=False)
@@ -199,6 +228,8 @@ class Pandas(Form):
         if values.dtype.kind in "ub":
             mask = np.zeros(values.shape, dtype=np.bool_) if missing is None else missing
             made = pd.arrays.BooleanArray if values.dtype.kind == "b" else pd.arrays.IntegerArray
+            if values.dtype == np.uint8:
+                from ._pandas import ModeArray as made  # pandas is there, but may not be imported before
             return made(np.ascontiguousarray(values), np.array(mask))
         if missing is None:
             return values
@@ -247,7 +278,11 @@ class Polars(Arrow):
         return series.cast(pl.Enum(SYMBOLS.tolist())) if series.dtype == pl.Categorical else series
 
     def adopt_table(self, table: _standfast.ArrowTable) -> Any:
-        return sys.modules["polars"].DataFrame(table)
+        pl = sys.modules["polars"]
+        frame = pl.DataFrame(table)
+        # One type for words, whichever function they come from.
+        kinds = {name: pl.Enum(list(dict.fromkeys(table.column(name).parts()[2] or ()))) for name, kind in frame.schema.items() if kind == pl.Categorical}
+        return frame.cast(kinds) if kinds else frame
 
 
 class Pyarrow(Arrow):
@@ -258,6 +293,13 @@ class Pyarrow(Arrow):
 
     def adopt_table(self, table: _standfast.ArrowTable) -> Any:
         return sys.modules["pyarrow"].table(table)
+
+
+def plain_label(label: Any) -> Any:
+    """A label of pandas as one writes it: 2, not np.int64(2)."""
+    if isinstance(label, tuple):
+        return tuple(map(plain_label, label))
+    return label.item() if isinstance(label, np.generic) else label
 
 
 def _parted(values: NDArray[Any], missing: Missing) -> tuple[NDArray[Any], Missing]:

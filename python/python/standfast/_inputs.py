@@ -26,8 +26,11 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._advice import Advice, called, is_of, short, shown
 from ._arrow import ArrowArray
-from ._frames import Arrays, Arrow, Form, Missing, Pandas, Point, Polars, Pyarrow
+from ._frames import Arrays, Arrow, Form, Missing, Pandas, Point, Polars, Pyarrow, plain_label
 from ._types import Map
+
+
+_FLOAT = np.dtype(np.float64)
 
 
 class Numbers(NamedTuple):
@@ -162,9 +165,14 @@ def read(
     """
     if optional is not None and (optional[1] is not None or any(value is None for value in given)):
         names, given, map = _with(names, given, map, Advice(function, result), *optional)
-    if all(type(value) is float or type(value) is int for value in given) and map is None:
+    if map is None and are_plain(given):
         operands = Operands(names, Point())
         operands.numbers = [_number(value, name) for value, name in zip(given, names)]
+        return operands
+    # What is looked at again and again in loops: columns of float64, read as they are.
+    if map is None and all(type(value) is np.ndarray and value.dtype == _FLOAT and value.ndim for value in given):
+        operands = Operands(names, Arrays())
+        operands.numbers = [Numbers(value) for value in given]  # type: ignore[arg-type]
         return operands
     advice = Advice(function, result)
     first, *others = given
@@ -203,6 +211,14 @@ def _columns_of(table: Any, kind: str) -> Sequence[object]:
         return list(table.columns)
     schema = getattr(table, "schema", None)
     return list(getattr(schema, "names", None) or getattr(table, "columns", None) or ())
+
+
+def are_plain(given: Iterable[object]) -> bool:
+    """Whether operands are Python's own numbers."""
+    for value in given:
+        if type(value) is not float and type(value) is not int:
+            return False
+    return True
 
 
 def chosen(columns: Sequence[str] | None, known: Sequence[str]) -> list[str]:
@@ -407,7 +423,7 @@ def _common_index(names: Sequence[str], columns: Sequence[_Column]) -> Any:
 
 
 def _label(label: object) -> str:
-    return repr(label.item() if isinstance(label, np.generic) else label)
+    return repr(plain_label(label))
 
 
 def _same(one: object, other: object) -> bool:

@@ -21,6 +21,10 @@ _WAYS = ((1, 1), (-1, 1), (1, -1), (-1, -1), (0, 1), (1, 0), (-1, 0), (0, -1))
 _SLANTS = ((1, 0.4), (-1, 0.4), (1, -0.4), (-1, -0.4), (0.4, 1), (-0.4, 1), (0.4, -1), (-0.4, -1))
 
 
+#: What a leader costs at most that is easily followed.
+_FAR = 14.0
+
+
 class Place(NamedTuple):
     """Where a label goes."""
 
@@ -79,10 +83,12 @@ class Board:
                 return Place(found)
         return None
 
-    def near(self, at: ArrayLike, size: ArrayLike, reach: float, *, rings: int = 10, away: ArrayLike = (1, 1)) -> Place | None:
+    def near(
+        self, at: ArrayLike, size: ArrayLike, reach: float, *, rings: int = 10, away: ArrayLike = (1, 1), clear: bool = False
+    ) -> Place | None:
         """Free paper near a point, joined to it by a leader that ends ``reach`` before it: the nearest, and the one that lies
         most in the direction ``away``. The leader runs over no label, and over other leaders, markers and lines only if it would
-        be long otherwise."""
+        be long otherwise. With ``clear``, one that is long or crosses much, or that ends under another marker, is none."""
         point, half, angles = np.asarray(at, dtype=np.float64), np.asarray(size) / 2, 24
         off = np.pi * np.arange(angles) * (-1) ** np.arange(angles) / angles
         turns = np.arctan2(*np.asarray(away, dtype=np.float64)[::-1]) + off
@@ -96,14 +102,19 @@ class Board:
         leaders = np.hstack([feet, point + (feet - point) / long * reach * self.unit])
         # Markers that cover the point cannot be gone around.
         others = self._markers[((point < self._markers[:, :2]) | (point > self._markers[:, 2:])).any(axis=1)]
+        # One that ends under the marker of another would name that.
+        hidden = _hold(others, leaders[:, 2:]).any(axis=0)
         cost = (
             long[:, 0] / (10 * self.unit)
             + np.abs(off)
             + 2.5 * _meet(others, leaders).sum(axis=0)
             + 4 * _cross(leaders, self._lines)
             + 12 * _cross(leaders, self._leaders)
+            + 4 * hidden
         )
         cost[_meet(self._labels, leaders).any(axis=0)] = np.inf
+        if clear:
+            cost[hidden | (cost > _FAR)] = np.inf
         if not np.isfinite(cost).any():
             return None
         best = int(np.argmin(cost))
@@ -207,6 +218,12 @@ def _meet(boxes: Rows, lines: Rows) -> NDArray[np.bool_]:
     apart |= np.min(sides, axis=0) > 0
     apart |= np.max(sides, axis=0) < 0
     return np.asarray(~apart)
+
+
+def _hold(boxes: Rows, points: Rows) -> NDArray[np.bool_]:
+    """Which boxes hold which points, as an array of (boxes, points)."""
+    low, high = boxes[:, None, :2], boxes[:, None, 2:]
+    return np.asarray(((points > low) & (points < high)).all(axis=2))
 
 
 def _cross(ones: Rows, others: Rows) -> NDArray[np.intp]:

@@ -36,61 +36,53 @@ class LimitStates(Fields[float]):
     """How far a point is from each inequality that decides its mode: :func:`limit_states`' answer for four plain numbers.
 
     Each is negative where what it is named for happens. Lengths are in B (half the width), forces in m g. O is the bottom left
-    corner, O' the bottom right one.
+    corner, O' the bottom right one. Numbers in parentheses are the report's equations.
+
+    Attributes:
+        slide: the body slides: μ - k, in m g (3.4, 4.7).
+        rock_O: at rest it overturns about O: 1 - γk(1+k'), the distance of the reaction from O in B (3.5, 4.10).
+        rock_O_prime: it overturns about O': 1 + γk(1+k'), the distance of the reaction from O' in B (4.10 about O').
+        turn_O: sliding, it turns about O: 1 - γ(μ + kk'), the distance of the reaction from O in B (after 3.8, 4.19).
+        turn_O_prime: sliding, it turns about O': 1 + γ(μ + kk'), the distance of the reaction from O' in B (4.18, 4.92).
+        slip_O_left: rocking about O, O slips to the left: μf_y - f_x, in m g (3.24, 3.40; 4.40, 4.77).
+        slip_O_right: rocking about O, O slips to the right: μf_y + f_x, in m g (3.24, 3.45).
+        slip_O_prime_left: rocking about O', O' slips to the left: μf_y - f_x, in m g (4.96).
+        slip_O_prime_right: rocking about O', O' slips to the right: μf_y + f_x, in m g; decides under a force to the right only.
+        load_factor: the multiple of the force at which the body leaves rest: the lesser of both factors; ``inf`` at k = 0.
+        SF_sliding: safety factor against sliding, μ/k; ``inf`` at k = 0.
+        SF_overturning: safety factor against overturning, 1/(γk|1+k'|); ``inf`` where the force has no moment about the corner.
     """
 
-    #: The body slides: μ - k, in m g (3.4, 4.7).
     slide: float
-    #: At rest it overturns about O: 1 - γk(1+k'), the distance of the reaction from O in B (3.5, 4.10).
     rock_O: float
-    #: It overturns about O': 1 + γk(1+k'), the distance of the reaction from O' in B (4.10 about O').
     rock_O_prime: float
-    #: Sliding, it turns about O: 1 - γ(μ + kk'), the distance of the reaction from O in B (after 3.8, 4.19).
     turn_O: float
-    #: Sliding, it turns about O': 1 + γ(μ + kk'), the distance of the reaction from O' in B (4.18, 4.92).
     turn_O_prime: float
-    #: Rocking about O, O slips to the left: μf_y - f_x, in m g (3.24, 3.40; 4.40, 4.77).
     slip_O_left: float
-    #: Rocking about O, O slips to the right: μf_y + f_x, in m g (3.24, 3.45).
     slip_O_right: float
-    #: Rocking about O', O' slips to the left: μf_y - f_x, in m g (4.96).
     slip_O_prime_left: float
-    #: Rocking about O', O' slips to the right: μf_y + f_x, in m g; decides under a force to the right only.
     slip_O_prime_right: float
-    #: The multiple of the force at which the body leaves rest: the lesser of both factors; ``inf`` at k = 0.
     load_factor: float
-    #: Safety factor against sliding, μ/k; ``inf`` at k = 0.
     SF_sliding: float
-    #: Safety factor against overturning, 1/(γk|1+k'|); ``inf`` where the force has no moment about the corner.
     SF_overturning: float
 
 
-class LimitStatesArrays(Fields[NDArray[np.float64]]):
-    """:func:`limit_states`' answer for arrays: those of the fields of :class:`LimitStates` that were asked for."""
+class LimitStatesArrays(Fields[NDArray[np.float64]], fields_of=LimitStates):
+    """:func:`limit_states`' answer for arrays: those of the fields that were asked for, in the shape of the operands broadcast
+    together. ``pandas.DataFrame(answer.to_dict())`` has them as columns.
+    """
 
-    #: The body slides.
     slide: NDArray[np.float64]
-    #: At rest it overturns about O.
     rock_O: NDArray[np.float64]
-    #: At rest it overturns about O'.
     rock_O_prime: NDArray[np.float64]
-    #: Sliding, it turns about O.
     turn_O: NDArray[np.float64]
-    #: Sliding, it turns about O'.
     turn_O_prime: NDArray[np.float64]
-    #: Rocking about O, O slips to the left.
     slip_O_left: NDArray[np.float64]
-    #: Rocking about O, O slips to the right.
     slip_O_right: NDArray[np.float64]
-    #: Rocking about O', O' slips to the left.
     slip_O_prime_left: NDArray[np.float64]
-    #: Rocking about O', O' slips to the right.
     slip_O_prime_right: NDArray[np.float64]
-    #: The multiple of the force at which the body leaves rest.
     load_factor: NDArray[np.float64]
-    #: Safety factor against sliding.
     SF_sliding: NDArray[np.float64]
-    #: Safety factor against overturning.
     SF_overturning: NDArray[np.float64]
 
 

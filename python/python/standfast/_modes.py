@@ -20,8 +20,8 @@ class Mode(enum.IntEnum):
 
     >>> Mode(2), Mode("SRO-")
     (<Mode.ROCK_O: 2>, <Mode.SLIDE_ROCK_O_LEFT: 3>)
-    >>> Mode.ROCK_O.symbol
-    'RO'
+    >>> Mode.ROCK_O.symbol, Mode.ROCK_O == "RO", Mode.ROCK_O == 2
+    ('RO', True, True)
     >>> print(Mode.ROCK_O, f"{Mode.REST:>4}")
     RO   RE
     >>> print("The body", Mode.ROCK_O.words)
@@ -53,6 +53,19 @@ class Mode(enum.IntEnum):
                 return mode
         expected = ", ".join(f"{mode.symbol} or {mode.value}" for mode in cls)
         raise ValueError(f"{value!r} is not a mode; expected {expected}")
+
+    def __eq__(self, other: object) -> bool:
+        """Whether it is the same mode, its code or its symbol."""
+        if isinstance(other, str):
+            return other == self.symbol
+        return int.__eq__(self, other) if isinstance(other, int) else NotImplemented
+
+    def __ne__(self, other: object) -> bool:
+        found = self.__eq__(other)
+        return found if found is NotImplemented else not found
+
+    # As of its code, which it stands for among the keys of dicts.
+    __hash__ = int.__hash__
 
     # The sum of two codes would be the code of another mode.
     def __or__(self, other: int) -> Modes:

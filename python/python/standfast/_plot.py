@@ -342,7 +342,10 @@ class _Drawing:
                 continue
             extent = self._extent(text, size)
             place = board.beside(places[i], extent, 5.5 * self.dot) if away is None else None
-            place = place or board.near(places[i], extent, 5 * self.dot, rings=20, away=(1, 1) if away is None else away)
+            # A name that would stand far off is better in the list, to which a number is nearer.
+            place = place or board.near(
+                places[i], extent, 5 * self.dot, rings=20, away=(1, 1) if away is None else away, clear=i not in numbered
+            )
             if place:
                 self._set(board, place, text, size, _MARK)
             elif i not in numbered:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import Any
 
 from ._run import Told
 from ._types import Progress
 
 
-@contextmanager
-def shown(progress: Progress, unit: str = "rows") -> Iterator[Told | None]:
+def shown(progress: Progress, unit: str = "rows") -> AbstractContextManager[Told | None]:
     """What the native module is to call with what is done and all there is; ``None`` for nothing.
 
     Raises:
@@ -19,17 +18,23 @@ def shown(progress: Progress, unit: str = "rows") -> Iterator[Told | None]:
         TypeError: for anything else than what :data:`._types.Progress` says.
     """
     if progress is None or progress is False:
-        yield None
-    elif progress is True:
-        bar = _bar(unit)
-        try:
-            yield lambda done, total: _advance(bar, done, total)
-        finally:
-            bar.close()
-    elif callable(progress):
-        yield progress
-    else:
-        raise TypeError(f"progress is {progress!r}; expected True for a bar, False, or a function of (done, total)")
+        return _NOBODY
+    if progress is True:
+        return _shown_by_bar(_bar(unit))
+    if callable(progress):
+        return nullcontext(progress)
+    raise TypeError(f"progress is {progress!r}; expected True for a bar, False, or a function of (done, total)")
+
+
+_NOBODY: AbstractContextManager[Told | None] = nullcontext()
+
+
+@contextmanager
+def _shown_by_bar(bar: Any) -> Iterator[Told]:
+    try:
+        yield lambda done, total: _advance(bar, done, total)
+    finally:
+        bar.close()
 
 
 def _bar(unit: str) -> Any:

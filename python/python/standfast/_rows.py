@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from time import monotonic
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._frames import Missing
+from ._frames import Form, Missing
 from ._inputs import Operands, read
 from ._run import Run
 
@@ -70,7 +70,7 @@ def answer(
         here = None if wrong is None else wrong.reshape(-1)[done:stop]
         fault = solve(list(block), {name: column[done:stop] for name, column in flat.items()}, here)
         if fault is not None:
-            _raise(fault, done, shape)
+            _raise(fault, done, shape, operands.form)
         done = stop
         if run.progress is not None and (done == total or monotonic() - told > _PAUSE):
             told = monotonic()
@@ -85,7 +85,8 @@ def point(function: str, names: Sequence[str], given: Sequence[object]) -> list[
     operands = read(function, names, given)
     arrays, missing = operands.arrays()
     if operands.shape != () or missing is not None:
-        raise TypeError(f"{function} takes one number for each of {', '.join(names)}; arrays and columns are for limit_states, onset and contact")
+        many = "" if function == "Diagram" else "; arrays and columns are for limit_states, onset and contact"
+        raise TypeError(f"{function} takes one number for each of {', '.join(names)}{many}")
     return [float(array) for array in arrays]
 
 
@@ -94,12 +95,14 @@ def numbers(columns: Columns, places: Mapping[str, int]) -> list[tuple[int, NDAr
     return [(places[name], column) for name, column in columns.items() if name in places]
 
 
-def _raise(fault: tuple[int, str, str], before: int, shape: tuple[int, ...]) -> None:
+def _raise(fault: tuple[int, str, str], before: int, shape: tuple[int, ...], form: Form) -> NoReturn:
     row, given, expected = fault
     if not shape:
         raise ValueError(f"{given}; expected {expected}")
     index = tuple(map(int, np.unravel_index(before + row, shape)))
-    raise ValueError(f"{given} at index {index[0] if len(index) == 1 else index}; expected {expected}")
+    error = ValueError(f"{given} at index {index[0] if len(index) == 1 else index}; expected {expected}")
+    vars(error)["index"] = index
+    raise form.placed(error)
 
 
 LIMIT_STATES = {name: place for place, name in enumerate(_standfast.limit_state_names())}

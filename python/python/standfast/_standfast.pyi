@@ -16,6 +16,7 @@ __all__ = [
     "boundary",
     "classify",
     "classify_columns",
+    "classify_point",
     "classify_table",
     "closest",
     "contact_conditions",
@@ -55,6 +56,10 @@ class ArrowArray:
     @property
     def name(self) -> str:
         """What the array is called in a table."""
+
+    @property
+    def metadata(self) -> dict[str, str]:
+        """What is said of the values."""
 
     @property
     def type(self) -> str:
@@ -101,7 +106,9 @@ class _Run(Protocol):
     @property
     def total(self) -> int | None: ...
 
-def make_array(name: str, values: _Values, missing: _Mask, words: list[str] | None) -> ArrowArray: ...
+def make_array(
+    name: str, values: _Values, missing: _Mask, words: list[str] | None, metadata: dict[str, str] | None = None
+) -> ArrowArray: ...
 def make_table(columns: Sequence[ArrowArray]) -> ArrowTable: ...
 def closest(word: str, known: Sequence[str]) -> str | None: ...
 def read_column(column: Any, name: str) -> _Read: ...
@@ -144,6 +151,7 @@ def modes() -> list[tuple[str, str, str]]: ...
 def classify(
     arrays: Sequence[NDArray[Any]], mask: _Mask, out: NDArray[np.uint8] | None, run: _Run
 ) -> tuple[NDArray[np.uint8], _Mask]: ...
+def classify_point(gamma: float, k_prime: float, k: float, mu: float, right: bool) -> int: ...
 def onset(
     arrays: Sequence[NDArray[Any]], mask: _Mask, columns: Sequence[str], run: _Run
 ) -> tuple[list[NDArray[Any]], _Mask]: ...
@@ -207,6 +215,8 @@ class CaseAnswer:
 
 def assess(name: str, text: str, up_to: float, all: bool) -> CaseAnswer: ...
 
+#: Name, how many rows have it, the index of the first, and what is said of that one.
+_Minded = tuple[str, int, list[int], str]
 _Numbers = tuple[NDArray[np.float64], NDArray[np.bool_] | None]
 
 @final
@@ -245,8 +255,8 @@ class Sweep:
 
     def answer(
         self, columns: Sequence[_Numbers | list[str | None]], shape: list[int], progress: Any | None
-    ) -> tuple[list[tuple[str, NDArray[Any], NDArray[np.bool_] | list[str] | None]], list[int]]:
-        """The results of arrays, and the rows that have none."""
+    ) -> tuple[list[tuple[str, NDArray[Any], NDArray[np.bool_] | list[str] | None]], list[int], list[_Minded]]:
+        """The results of arrays, the rows that have none, and the warnings."""
 
-    def answer_table(self, progress: Any | None, total: int | None) -> ArrowTable:
-        """The results of the table that was given."""
+    def answer_table(self, progress: Any | None, total: int | None) -> tuple[ArrowTable, list[_Minded]]:
+        """The results of the table that was given, and the warnings."""

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice, is_of
+from ._advice import Advice, is_of, is_plain
 from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
-from ._frames import Arrow, Missing
+from ._frames import Arrow, Form, Missing, Pandas
 from ._inputs import FORMS, broadcast, check_leaf, column_of, exported, listed, series_of, table_kind
 from ._progress import shown
 from ._run import run
@@ -40,7 +40,8 @@ class StandfastWarning(UserWarning):
     """Something possible that may be a slip.
 
     Attributes:
-        name: its name, by which programs tell it apart: ``"column-like-key"``.
+        name: its name, by which programs tell it apart: ``"column-like-key"``, or that of one of the ``warnings`` of an
+            :class:`Assessment`.
     """
 
     def __init__(self, name: str, words: str) -> None:
@@ -172,7 +173,9 @@ def assess_table(
         KeyError: if ``map`` names a column that the table lacks.
 
     Warns:
-        StandfastWarning: ``column-like-key``, for a column that varies nothing and has almost the name of a key.
+        StandfastWarning: ``column-like-key``, for a column that varies nothing and has almost the name of a key; and for each of the
+            warnings that cases of rows have, how many they are and what it says of the first. The column ``warnings`` has the
+            names of those of each row.
 
     >>> block = {
     ...     "body": {"width": 1, "height": 2, "mass": 4800, "friction": 0.7},
@@ -194,20 +197,29 @@ def assess_table(
         raise TypeError(f"table is a {type(table).__name__}; expected a DataFrame, an Arrow table, or a dict of arrays")
     with shown(progress) as report:
         if isinstance(table, Mapping):
-            sweep = _sweep(case, [str(name) for name in table], options)
+            sweep = _sweep(case, [str(name) for name in table], options, warn=False)
             _refuse_idle(table, sweep)
-            return _sweep_of(table, sweep, report)
+            arrays, minded = _sweep_of(table, sweep, report)
+            _mind(minded)
+            return arrays
         if kind == "pandas":
             sweep = _sweep(case, [str(name) for name in table.columns], options)
-            given = [_pandas_column(table.iloc[:, place], str(table.columns[place])) for place in sweep.places]
-            answer, _ = sweep.answer(given, [len(table)], report)
+            rows = Pandas(table.index)
+            given = [_pandas_column(table.iloc[:, place], str(table.columns[place]), rows) for place in sweep.places]
+            try:
+                answer, _, minded = sweep.answer(given, [len(table)], report)
+            except ValueError as error:
+                raise rows.placed(error) from None
+            _mind(minded, rows)
             return _pandas(answer, table.index)
         sweep = _sweep(case, exported(table) if kind == "polars" else table, options)
         # A relation of DuckDB would count by running its query.
-        rows = len(table) if kind in ("polars", "pyarrow") and hasattr(table, "__len__") else None
+        count = len(table) if kind in ("polars", "pyarrow") and hasattr(table, "__len__") else None
         form = FORMS[kind or "arrow"]()
         assert isinstance(form, Arrow)
-        return form.adopt_table(sweep.answer_table(report, rows))
+        found, minded = sweep.answer_table(report, count)
+        _mind(minded)
+        return form.adopt_table(found)
 
 
 def varied(case: _Case, table: Any, *, columns: Sequence[str] | None = None, map: Mapping[str, str] | None = None) -> Varied:
@@ -259,12 +271,21 @@ def _column_names(table: Any) -> list[str]:
     return names
 
 
-def _sweep(case: _Case, given: Any, options: _Options) -> _standfast.Sweep:
+def _sweep(case: _Case, given: Any, options: _Options, *, warn: bool = True) -> _standfast.Sweep:
     name, text = case_text(case)
     sweep = _standfast.Sweep(name, text, given, options.map, options.results, options.null, options.threads)
-    for slip, words in sweep.warnings:
+    for slip, words in sweep.warnings if warn else ():
         warnings.warn(StandfastWarning(slip, words), stacklevel=3)
     return sweep
+
+
+def _mind(minded: Sequence[_standfast._Minded], form: Form | None = None) -> None:
+    """Says what is unusual about rows, once of each kind."""
+    for name, rows, index, words in minded:
+        place = index[0] if len(index) == 1 else tuple(index)
+        at = f"index {place}" if form is None or len(index) != 1 else form.place(index[0])
+        of = f"at {at}" if rows == 1 else f"in {rows} rows, the first at {at}"
+        warnings.warn(StandfastWarning(name, f"{of}: {words}"), stacklevel=3)
 
 
 def _pairs(map: Mapping[str, str] | None) -> list[tuple[str, str]]:
@@ -285,11 +306,15 @@ def _refuse_idle(table: Mapping[str, object], sweep: _standfast.Sweep) -> None:
     """Who names an array means it to vary something."""
     for place, name in enumerate(table):
         if place not in sweep.places:
-            raise ValueError(f"{name!r} is no number of the case; the numbers that vary are given by their keys, or by map={{...}}")
+            meant = next((words for _, words in sweep.warnings if words.startswith(f"column {name} ")), None)
+            words = f"{name!r} is no number of the case" if meant is None else meant
+            raise ValueError(f"{words}; the numbers that vary are given by their keys, or by map={{...}}")
 
 
-def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any) -> dict[str, NDArray[Any]]:
-    """The results of a dict of arrays."""
+def _sweep_of(
+    table: Mapping[str, object], sweep: _standfast.Sweep, report: Any
+) -> tuple[dict[str, NDArray[Any]], list[_standfast._Minded]]:
+    """The results of a dict of arrays, and the warnings."""
     given = list(table.items())
     columns = [_array(given[place][1], str(given[place][0])) for place in sweep.places]
     shape = broadcast([str(given[place][0]) for place in sweep.places], [values for values, _ in columns])
@@ -301,18 +326,18 @@ def _sweep_of(table: Mapping[str, object], sweep: _standfast.Sweep, report: Any)
             flat.append((np.require(spread, np.float64, ["C", "A"]), mask))
         else:
             flat.append(spread.tolist())
-    answer, without = sweep.answer(flat, list(shape), report)
+    answer, without, minded = sweep.answer(flat, list(shape), report)
     mask = np.zeros(int(np.prod(shape)), dtype=np.bool_)
     mask[without] = True
     # What is wrong with a row is said where it has no results.
     masks = {column[0]: mask if len(without) and column[0] != "problem" else None for column in answer}
-    return {column[0]: _numpy(column, shape, masks[column[0]]) for column in answer}
+    return {column[0]: _numpy(column, shape, masks[column[0]]) for column in answer}, minded
 
 
 def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
     """The numbers of one entry as float64, or its texts as objects."""
     if isinstance(value, str):
-        return np.array(value, dtype=object), None
+        return np.array(_text(value, name, ()), dtype=object), None
     if is_of(value, "pint", "Quantity"):
         # Which unit a number is in is said once, by the name.
         raise TypeError(
@@ -334,15 +359,20 @@ def _has_text(values: NDArray[Any]) -> bool:
     return any(isinstance(part, str) for part in values.flat)
 
 
-def _text(value: Any, name: str, index: tuple[int, ...]) -> str | None:
+def _text(value: Any, name: str, index: tuple[int, ...], form: Form | None = None) -> str | None:
     """A text as it is, a number as text; ``None`` for what is missing."""
-    if isinstance(value, str) or value is None:
+    if isinstance(value, str):
+        if is_plain(value):
+            at = "" if not index else f" at {form.place(index[0])}" if form is not None else f" at index {index[0] if len(index) == 1 else index}"
+            raise TypeError(f"{name} is {value!r}{at}, a text without a unit; expected a number, or a text with its unit")
         return value
+    if value is None:
+        return None
     check_leaf(value, name, index)
     return repr(float(value))
 
 
-def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | list[str | None]:
+def _pandas_column(column: Any, name: str, form: Form) -> tuple[NDArray[Any], Missing] | list[str | None]:
     """The numbers or texts of a column of a DataFrame."""
     pd = sys.modules["pandas"]
     dtype = column.dtype
@@ -352,7 +382,7 @@ def _pandas_column(column: Any, name: str) -> tuple[NDArray[Any], Missing] | lis
         values = column.astype(object).to_numpy()
         if dtype != object or _has_text(values):
             missing = column.isna().to_numpy()
-            return [None if missing[row] else _text(part, name, (row,)) for row, part in enumerate(values)]
+            return [None if missing[row] else _text(part, name, (row,), form) for row, part in enumerate(values)]
     numbers = series_of(column, name)
     return np.require(numbers.values, np.float64, ["C", "A"]), numbers.missing()
 

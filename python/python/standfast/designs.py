@@ -34,53 +34,53 @@ class Present(Answer):
     @property
     def value(self) -> float:
         """The value, in ``unit``."""
-        return self["value"]
+        return self._document["value"]
 
     @property
     def SF_sliding(self) -> float | None:
         """Safety factor against sliding, μ(W' − U)/P."""
-        return self["SF_sliding"]
+        return self._document["SF_sliding"]
 
     @property
     def SF_overturning(self) -> float | None:
         """Safety factor against overturning, the lesser of both corners."""
-        return self["SF_overturning"]
+        return self._document["SF_overturning"]
 
     @property
     def bearing_max(self) -> float | None:
         """The larger of both, Pa."""
-        return self["bearing_max"]
+        return self._document["bearing_max"]
 
     @property
     def contact_share(self) -> float | None:
         """The share of the base's area that is pressed."""
-        return self["contact_share"]
+        return self._document["contact_share"]
 
     @property
     def eccentricity(self) -> float | None:
         """Distance of the resultant from the middle of the base, where it meets the base, m."""
-        return self["eccentricity"]
+        return self._document["eccentricity"]
 
     @property
     def mode(self) -> Mode | None:
-        """The mode under the full load, applied at once."""
-        return None if self["mode"] is None else mode(self["mode"])
+        """The mode under the full load, applied at once; BF where the ground fails."""
+        return None if self._document["mode"] is None else mode(self._document["mode"])
 
     @property
     def departure(self) -> Literal["never", "at-once", "at"]:
         """Whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at
         ``load_factor``."""
-        return self["departure"]
+        return self._document["departure"]
 
     @property
     def load_factor(self) -> float | None:
         """Where it leaves rest, as a multiple of the variable loads; only where ``departure`` is ``at``."""
-        return self["load_factor"]
+        return self._document["load_factor"]
 
     @property
     def departure_mode(self) -> Mode | None:
-        """The mode in which it leaves rest."""
-        return None if self["departure_mode"] is None else mode(self["departure_mode"])
+        """The mode in which it leaves rest; BF where the ground fails."""
+        return None if self._document["departure_mode"] is None else mode(self._document["departure_mode"])
 
 
 class Found(Answer):
@@ -88,64 +88,65 @@ class Found(Answer):
 
     @property
     def value(self) -> float:
-        """The outermost value that meets the target, in ``unit``."""
-        return self["value"]
+        """The value that is printed, in ``unit``: on the safe side of the boundary, and assessed so; the results beside it are
+        its own."""
+        return self._document["value"]
 
     @property
-    def rounded(self) -> float:
-        """The value that is printed: rounded to the safe side, and assessed so."""
-        return self["rounded"]
+    def boundary(self) -> float:
+        """The outermost value that meets the target, in ``unit``, to twelve digits."""
+        return self._document["boundary"]
 
     @property
     def printed(self) -> str:
         """How it is printed, with its unit."""
-        return self["printed"]
+        return self._document["printed"]
 
     @property
     def SF_sliding(self) -> float | None:
         """Safety factor against sliding, μ(W' − U)/P."""
-        return self["SF_sliding"]
+        return self._document["SF_sliding"]
 
     @property
     def SF_overturning(self) -> float | None:
         """Safety factor against overturning, the lesser of both corners."""
-        return self["SF_overturning"]
+        return self._document["SF_overturning"]
 
     @property
     def bearing_max(self) -> float | None:
         """The larger of both, Pa."""
-        return self["bearing_max"]
+        return self._document["bearing_max"]
 
     @property
     def contact_share(self) -> float | None:
         """The share of the base's area that is pressed."""
-        return self["contact_share"]
+        return self._document["contact_share"]
 
     @property
     def eccentricity(self) -> float | None:
         """Distance of the resultant from the middle of the base, where it meets the base, m."""
-        return self["eccentricity"]
+        return self._document["eccentricity"]
 
     @property
     def mode(self) -> Mode | None:
-        """The mode under the full load, applied at once."""
-        return None if self["mode"] is None else mode(self["mode"])
+        """The mode under the full load, applied at once; BF where the ground fails."""
+        return None if self._document["mode"] is None else mode(self._document["mode"])
 
     @property
     def departure(self) -> Literal["never", "at-once", "at"]:
         """Whether the body leaves rest as the variable loads rise: for no load factor above zero, at once, or at
         ``load_factor``."""
-        return self["departure"]
+        return self._document["departure"]
 
     @property
     def load_factor(self) -> float | None:
         """Where it leaves rest, as a multiple of the variable loads; only where ``departure`` is ``at``."""
-        return self["load_factor"]
+        return self._document["load_factor"]
 
     @property
     def departure_mode(self) -> Mode | None:
-        """The mode in which it leaves rest."""
-        return None if self["departure_mode"] is None else mode(self["departure_mode"])
+        """The mode in which it leaves rest; BF where the ground fails."""
+        return None if self._document["departure_mode"] is None else mode(self._document["departure_mode"])
 
 
 class End(Answer):
@@ -153,23 +154,23 @@ class End(Answer):
 
     @property
     def value(self) -> float:
-        """The outermost value that meets the target."""
-        return self["value"]
+        """The outermost value that meets the target, rounded into the stretch and assessed so."""
+        return self._document["value"]
 
     @property
-    def rounded(self) -> float:
-        """The same rounded into the stretch, and assessed so."""
-        return self["rounded"]
+    def boundary(self) -> float:
+        """The same before it is rounded, to twelve digits."""
+        return self._document["boundary"]
 
     @property
     def binds(self) -> str | None:
         """What fails beyond it, in a word; None where the bracket ends."""
-        return self["binds"]
+        return self._document["binds"]
 
     @property
     def binding(self) -> str | None:
         """The same in a sentence."""
-        return self["binding"]
+        return self._document["binding"]
 
 
 class Stretch(Answer):
@@ -178,12 +179,12 @@ class Stretch(Answer):
     @property
     def from_(self) -> End:
         """The least."""
-        return part(End, self["from"])
+        return part(End, self._document["from"])
 
     @property
     def to(self) -> End:
         """The greatest."""
-        return part(End, self["to"])
+        return part(End, self._document["to"])
 
 
 class Sensitivity(Answer):
@@ -193,12 +194,12 @@ class Sensitivity(Answer):
     @property
     def input(self) -> str:
         """The number."""
-        return self["input"]
+        return self._document["input"]
 
     @property
     def value(self) -> float:
         """Its present value, in ``unit``."""
-        return self["value"]
+        return self._document["value"]
 
     @property
     def unit(
@@ -207,22 +208,22 @@ class Sensitivity(Answer):
         "m", "kg/m", "kg/m3", "N/m", "m/s2", "kg m2/m", "Pa", "s", "N m/m", "kg", "N", "kg m2", "N m"
     ] | None:
         """Its unit; None for a plain number."""
-        return self["unit"]
+        return self._document["unit"]
 
     @property
     def SF_sliding(self) -> float | None:
         """Change of the least SF_sliding."""
-        return self["SF_sliding"]
+        return self._document["SF_sliding"]
 
     @property
     def SF_overturning(self) -> float | None:
         """Change of the least SF_overturning."""
-        return self["SF_overturning"]
+        return self._document["SF_overturning"]
 
     @property
     def load_factor(self) -> float | None:
         """Change of the least load factor."""
-        return self["load_factor"]
+        return self._document["load_factor"]
 
 
 class DesignDocument(Answer):
@@ -231,22 +232,22 @@ class DesignDocument(Answer):
     @property
     def schema(self) -> Literal[1]:
         """The version of the document."""
-        return self["schema"]
+        return self._document["schema"]
 
     @property
     def title(self) -> str | None:
         """As the case says."""
-        return self["title"]
+        return self._document["title"]
 
     @property
     def note(self) -> str | None:
         """As the case says."""
-        return self["note"]
+        return self._document["note"]
 
     @property
     def vary(self) -> str:
         """The quantity that is varied."""
-        return self["vary"]
+        return self._document["vary"]
 
     @property
     def unit(
@@ -255,58 +256,58 @@ class DesignDocument(Answer):
         "m", "kg/m", "kg/m3", "N/m", "m/s2", "kg m2/m", "Pa", "s", "N m/m", "kg", "N", "kg m2", "N m"
     ] | None:
         """Its unit; None for a plain number."""
-        return self["unit"]
+        return self._document["unit"]
 
     @property
     def target(self) -> str:
         """What has to be met."""
-        return self["target"]
+        return self._document["target"]
 
     @property
     def wanted(self) -> Literal["least", "greatest"]:
         """Which of the values that meet the target is found."""
-        return self["wanted"]
+        return self._document["wanted"]
 
     @property
     def bracket(self) -> list[float]:
         """Where the search began and ended, in ``unit``."""
-        return self["bracket"]
+        return list(self._document["bracket"])
 
     @property
     def present(self) -> Present:
         """The case as it is."""
-        return part(Present, self["present"])
+        return part(Present, self._document["present"])
 
     @property
     def found(self) -> Found:
         """The case with the least or greatest value that meets the target."""
-        return part(Found, self["found"])
+        return part(Found, self._document["found"])
 
     @property
     def binding(self) -> str:
         """What fails just beyond the value found."""
-        return self["binding"]
+        return self._document["binding"]
 
     @property
     def warnings(self) -> list[str]:
         """That the body moves though the target is met, that nothing rises where the target asks for a rise, and what is unusual
         with the value found and is not at present."""
-        return self["warnings"]
+        return list(self._document["warnings"])
 
     @property
     def met(self) -> list[Stretch]:
         """All values of the bracket that meet the target, as stretches that rise."""
-        return parts(Stretch, self["met"])
+        return parts(Stretch, self._document["met"])
 
     @property
     def notes(self) -> list[str]:
         """What goes with the quantity, and what does not."""
-        return self["notes"]
+        return list(self._document["notes"])
 
     @property
     def sensitivity_per_percent(self) -> list[Sensitivity]:
         """What 1 % more of each number of the case does to its safety."""
-        return parts(Sensitivity, self["sensitivity_per_percent"])
+        return parts(Sensitivity, self._document["sensitivity_per_percent"])
 
 
 class Quantity(Answer):
@@ -315,7 +316,7 @@ class Quantity(Answer):
     @property
     def name(self) -> str:
         """What it is called."""
-        return self["name"]
+        return self._document["name"]
 
     @property
     def unit(
@@ -324,17 +325,17 @@ class Quantity(Answer):
         "m", "kg/m", "kg/m3", "N/m", "m/s2", "kg m2/m", "Pa", "s", "N m/m", "kg", "N", "kg m2", "N m"
     ] | None:
         """Its unit; None for a plain number."""
-        return self["unit"]
+        return self._document["unit"]
 
     @property
     def present(self) -> float:
         """Its present value, in ``unit``."""
-        return self["present"]
+        return self._document["present"]
 
     @property
     def bracket(self) -> list[float]:
         """Where the search began and ended, in ``unit``."""
-        return self["bracket"]
+        return list(self._document["bracket"])
 
 
 class Column(Answer):
@@ -343,18 +344,18 @@ class Column(Answer):
     @property
     def value(self) -> float:
         """The value of ``and``."""
-        return self["value"]
+        return self._document["value"]
 
     @property
     def met(self) -> list[Stretch]:
         """The values of ``vary``, as stretches that rise."""
-        return parts(Stretch, self["met"])
+        return parts(Stretch, self._document["met"])
 
     @property
     def binds(self) -> str | None:
         """Where there are none, what fails where the target is nearest to be met, in a word; None where there are some, or no
         case is possible."""
-        return self["binds"]
+        return self._document["binds"]
 
 
 class BoundaryDocument(Answer):
@@ -363,49 +364,49 @@ class BoundaryDocument(Answer):
     @property
     def schema(self) -> Literal[1]:
         """The version of the document."""
-        return self["schema"]
+        return self._document["schema"]
 
     @property
     def title(self) -> str | None:
         """As the case says."""
-        return self["title"]
+        return self._document["title"]
 
     @property
     def note(self) -> str | None:
         """As the case says."""
-        return self["note"]
+        return self._document["note"]
 
     @property
     def target(self) -> str:
         """What has to be met."""
-        return self["target"]
+        return self._document["target"]
 
     @property
     def wanted(self) -> Literal["least", "greatest"]:
         """Which of the values that meet the target is found."""
-        return self["wanted"]
+        return self._document["wanted"]
 
     @property
     def vary(self) -> Quantity:
         """The quantity whose values that meet the target are found."""
-        return part(Quantity, self["vary"])
+        return part(Quantity, self._document["vary"])
 
     @property
     def and_(self) -> Quantity:
         """The quantity for values of which they are found."""
-        return part(Quantity, self["and"])
+        return part(Quantity, self._document["and"])
 
     @property
     def present_meets(self) -> bool:
         """Whether the target is met with the present values of both."""
-        return self["present_meets"]
+        return self._document["present_meets"]
 
     @property
     def columns(self) -> list[Column]:
         """By rising values of ``and``."""
-        return parts(Column, self["columns"])
+        return parts(Column, self._document["columns"])
 
     @property
     def notes(self) -> list[str]:
         """What goes with the quantities, and what does not."""
-        return self["notes"]
+        return list(self._document["notes"])

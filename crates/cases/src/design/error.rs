@@ -20,7 +20,7 @@ pub enum DesignError {
     #[diagnostic(help("{}", known(.0)))]
     UnknownVariable(Unknown),
     /// An end of a range that is no value of the quantity.
-    #[error("{option} is \"{written}\", and {fault}")]
+    #[error("{option} is \"{written}\": {fault}")]
     #[diagnostic(help("{expected}"))]
     Bracket {
         /// The option.

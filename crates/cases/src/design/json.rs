@@ -41,11 +41,11 @@ struct Present<'a> {
     results: Worst<'a>,
 }
 
-/// The value found, that which is printed, and what the printed one comes to.
+/// The value found as it is printed, on the safe side of the boundary, and what it comes to.
 #[derive(Serialize)]
 struct Found<'a> {
     value: f64,
-    rounded: f64,
+    boundary: f64,
     printed: &'a str,
     #[serde(flatten)]
     results: Worst<'a>,
@@ -62,7 +62,7 @@ pub(super) struct Met {
 #[derive(Serialize)]
 struct Bound {
     value: f64,
-    rounded: f64,
+    boundary: f64,
     binds: Option<&'static str>,
     binding: Option<String>,
 }
@@ -75,7 +75,7 @@ impl Met {
 
 impl Bound {
     fn of(end: &End) -> Bound {
-        Bound { value: end.value, rounded: end.rounded, binds: end.beyond.by(), binding: end.beyond.words() }
+        Bound { value: end.rounded, boundary: end.value, binds: end.beyond.by(), binding: end.beyond.words() }
     }
 }
 
@@ -143,8 +143,8 @@ pub(super) fn render(design: &Design<'_>) -> String {
         bracket: quantity.range,
         present: Present { value: quantity.present, results: Worst(present) },
         found: Found {
-            value: found.value,
-            rounded: found.rounded,
+            value: found.rounded,
+            boundary: found.value,
             printed: &found.text,
             results: Worst(&found.answer),
         },

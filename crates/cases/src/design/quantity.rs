@@ -103,8 +103,8 @@ fn read(
 pub(super) fn fault(problem: &Problem) -> String {
     match problem {
         Problem::Unit { error, .. } => error.to_string(),
-        Problem::WrongType { found, .. } => format!("it is {found}"),
-        Problem::OutOfRange { expected, .. } => format!("expected is {expected}"),
+        Problem::WrongType { found, expected, .. } => format!("it is {found}; expected {expected}"),
+        Problem::OutOfRange { expected, .. } => format!("expected {expected}"),
         other => other.to_string(),
     }
 }

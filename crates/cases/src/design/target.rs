@@ -13,7 +13,7 @@ use crate::assess::verdict::predicate;
 use crate::assess::{Assessed, Assessment, CaseCheck};
 use crate::criteria::Criterion;
 use crate::error::UNANSWERABLE;
-use crate::key::{Key, Table};
+use crate::key::{Key, Kind, Table};
 use crate::layout::{digits, plain};
 use crate::parse::read;
 use crate::suggest::closest;
@@ -64,7 +64,7 @@ pub enum TargetError {
         name: &'static str,
     },
     /// A value that the target cannot have.
-    #[error("{fault}; a case file has {name} = {example}")]
+    #[error("{fault}; for example {name}={example}")]
     WrongValue {
         /// The target.
         name: &'static str,
@@ -127,7 +127,7 @@ fn plain_number(name: &'static str, value: Option<&str>) -> Result<f64, TargetEr
         }
         _ => Err(TargetError::WrongValue {
             name,
-            fault: format!("expected is a number below {FAR}"),
+            fault: format!("expected a number below {FAR}"),
             example: "1.2".to_owned(),
         }),
     }
@@ -159,9 +159,17 @@ fn value_of(key: Key, name: &'static str, value: Option<&str>) -> Result<Target,
     let value = value.map_err(|problem| TargetError::WrongValue {
         name,
         fault: fault(&problem),
-        example: example.clone(),
+        example: symbols(info.kind, written).unwrap_or_else(|| example.trim_matches('"').to_owned()),
     })?;
     Criterion::of(key, &value).map(Target::Criterion).ok_or(TargetError::NoValue { name, example })
+}
+
+/// The symbols of modes in a text as the list that a case file has of them, where it is made of such.
+fn symbols(kind: Kind, written: &str) -> Option<String> {
+    let parts = written.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '[' | ']' | '"'));
+    let words: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    let are_modes = kind == Kind::ModeList && words.iter().all(|word| word.parse::<Mode>().is_ok());
+    (are_modes && !words.is_empty()).then(|| format!("{words:?}"))
 }
 
 impl fmt::Display for Target {

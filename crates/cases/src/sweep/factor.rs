@@ -24,8 +24,8 @@ enum Counted {
     Si,
     /// Another unit.
     Unit(Unit),
-    /// The acceleration of gravity.
-    Gravity,
+    /// The acceleration of gravity: this one, unless it varies as well.
+    Gravity(Option<f64>),
 }
 
 /// Why a name is no number that can vary.
@@ -79,22 +79,22 @@ impl Factor {
             Ok(variable) => variable,
             Err(unknown) => match silent(inputs).find(|id| id.to_string() == name) {
                 Some(id) => Variable::of(id, inputs),
-                None if is_key(name) => {
-                    return Err(NoFactor::Absent { name: name.to_owned(), names: unknown.names });
-                }
                 None => {
-                    let more = silent(inputs).map(|id| id.to_string());
-                    let names: Vec<String> = unknown.names.into_iter().chain(more).collect();
+                    let names = Factor::names(inputs);
                     let nearest = || closest(name, names.iter().map(String::as_str)).map(str::to_owned);
                     let suggestion = unknown.suggestion.or_else(nearest);
+                    // Of a name that is right but for its capitals, that in the file is meant.
+                    let is_meant = |other: &String| other.to_lowercase() == name.to_lowercase();
+                    if let Some(name) = known(name).filter(|_| !suggestion.as_ref().is_some_and(is_meant)) {
+                        return Err(NoFactor::Absent { name, names });
+                    }
                     return Err(NoFactor::Unknown(Unknown { suggestion, names, ..unknown }));
                 }
             },
         };
         let gravity = variable.id().key.info().kind == Kind::InGravity;
         let unit = match (unit, variable.dimension()) {
-            (None, _) if gravity => Counted::Gravity,
-            (Some("g"), _) if gravity => Counted::Gravity,
+            (None | Some("g"), _) if gravity => Counted::Gravity(Some(inputs.gravity())),
             (None, _) | (Some("-" | "1" | ""), None) => Counted::Si,
             (Some(unit), dimension) => {
                 let known = dimension.and_then(|dimension| dimension.unit(unit));
@@ -107,6 +107,36 @@ impl Factor {
         Ok(Factor { variable, unit })
     }
 
+    /// The numbers of a case that can vary: those that its file has, and those that it leaves to what is taken for them.
+    pub fn names(inputs: &Inputs) -> Vec<String> {
+        Variable::all(inputs).chain(silent(inputs)).map(|id| id.to_string()).collect()
+    }
+
+    /// The key that a name means which is right but for its table and its capitals, of a table that the case has, and which the case
+    /// file does not have: to be put into it.
+    pub fn absent(name: &str, inputs: &Inputs) -> Option<String> {
+        let is_it = |key: &&Key| {
+            let info = key.info();
+            let has_table = info.table == Table::Top || inputs.has(info.table);
+            let called = [info.name.to_lowercase(), Id::from(**key).to_string().to_lowercase()];
+            has_table && info.range().is_some() && called.contains(&name.to_lowercase())
+        };
+        let found = Key::ALL
+            .iter()
+            .copied()
+            .filter(|key| key.info().table != Table::Criteria)
+            .find(|key| is_it(&key))?;
+        inputs.get(found).is_none().then(|| Id::from(found).to_string())
+    }
+
+    /// The same where gravity varies as well: what counts it is then not said in other units.
+    pub(super) fn under_any_gravity(self) -> Factor {
+        match self.unit {
+            Counted::Gravity(_) => Factor { unit: Counted::Gravity(None), ..self },
+            _ => self,
+        }
+    }
+
     /// The number of the case.
     pub fn variable(&self) -> &Variable {
         &self.variable
@@ -114,14 +144,14 @@ impl Factor {
 
     /// Whether its values count the acceleration of gravity, and are not in SI units.
     pub fn counts_gravity(&self) -> bool {
-        matches!(self.unit, Counted::Gravity)
+        matches!(self.unit, Counted::Gravity(_))
     }
 
     /// The value that a plain number stands for: in SI units, or in multiples of the acceleration of gravity.
     pub fn value(&self, number: f64) -> f64 {
         // "-0.0" is zero, as it is in a file.
         0.0 + match self.unit {
-            Counted::Si | Counted::Gravity => number,
+            Counted::Si | Counted::Gravity(_) => number,
             Counted::Unit(unit) => unit.si(number),
         }
     }
@@ -129,7 +159,7 @@ impl Factor {
     /// The unit of plain numbers, where that is not the one of the values.
     pub fn unit(&self) -> Option<Unit> {
         match self.unit {
-            Counted::Si | Counted::Gravity => None,
+            Counted::Si | Counted::Gravity(_) => None,
             Counted::Unit(unit) => Some(unit),
         }
     }
@@ -141,11 +171,14 @@ impl Factor {
     pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
         match (text.trim().parse::<f64>(), self.unit, self.variable.dimension()) {
             (Ok(number), _, _) => Ok(self.value(number)),
-            (_, Counted::Gravity, Some(dimension)) => {
-                in_gravity(text).ok_or_else(|| match dimension.parse(text) {
-                    Ok(_) => UnitError::Unknown(dimension.si().to_owned()),
-                    Err(error) => error,
-                })
+            (_, Counted::Gravity(gravity), Some(dimension)) => {
+                match (in_gravity(text), dimension.parse(text)) {
+                    (Some(share), _) => Ok(0.0 + share),
+                    (None, Ok(acceleration)) => gravity
+                        .map(|gravity| share(acceleration, gravity))
+                        .ok_or_else(|| UnitError::Unknown(dimension.si().to_owned())),
+                    (None, Err(error)) => Err(error),
+                }
             }
             (_, _, Some(dimension)) => Ok(0.0 + dimension.parse(text)?),
             // Two numbers to the one, a decimal to the other.
@@ -157,7 +190,13 @@ impl Factor {
     /// What its values have to be, in words.
     pub fn expected(&self) -> String {
         match self.unit {
-            Counted::Gravity => "a number, which counts g, or one with that unit".to_owned(),
+            Counted::Gravity(None) => {
+                "a number, which counts g, or one with that unit, as gravity varies as well".to_owned()
+            }
+            Counted::Gravity(Some(_)) => {
+                let units = Dimension::Acceleration.understood();
+                format!("a number, which counts g, or one with its unit: g, {units}")
+            }
             _ => match self.variable.dimension() {
                 Some(dimension) => {
                     format!("a number, or {} in {}", dimension.words(), dimension.understood())
@@ -166,6 +205,13 @@ impl Factor {
             },
         }
     }
+}
+
+/// How many times the acceleration of gravity an acceleration is: the share that gives it back, where a float does.
+fn share(acceleration: f64, gravity: f64) -> f64 {
+    let share = acceleration / gravity;
+    let near = [share, share.next_up(), share.next_down()];
+    0.0 + near.into_iter().find(|near| near * gravity == acceleration).unwrap_or(share)
 }
 
 fn expected(dimension: Option<Dimension>, gravity: bool) -> String {
@@ -181,7 +227,8 @@ fn expected(dimension: Option<Dimension>, gravity: bool) -> String {
 fn silent(inputs: &Inputs) -> impl Iterator<Item = Id> {
     let open = |key: &&Key| {
         let info = key.info();
-        let taken = info.silent.is_some() && info.moves == Moves::Alone;
+        // What is said of a list stands with the first of its numbers.
+        let taken = (info.silent.is_some() || info.kind == Kind::OneOfThree) && info.moves == Moves::Alone;
         // Of parts, centre, inertia and base follow.
         let taken = taken && !(inputs.has(Table::Part) && OF_PARTS.contains(*key));
         info.range().is_some() && (taken || info.table == Table::Criteria)
@@ -197,10 +244,59 @@ fn silent(inputs: &Inputs) -> impl Iterator<Item = Id> {
     })
 }
 
-/// Whether some case has a number of this name.
-fn is_key(name: &str) -> bool {
+/// The name as some case has it: right but for capitals.
+fn known(name: &str) -> Option<String> {
     let (table, key) = name.rsplit_once('.').unwrap_or(("", name));
-    let table = table.split_once('[').map_or(table, |(table, _)| table);
-    let is_it = |candidate: &&Key| candidate.name() == key && candidate.info().table.name() == table;
-    Key::ALL.iter().any(|candidate| is_it(&candidate) && candidate.info().range().is_some())
+    let (bare, place) = table.split_once('[').map_or((table, ""), |(bare, _)| (bare, &table[bare.len()..]));
+    let is_it = |candidate: &&Key| {
+        let info = candidate.info();
+        info.range().is_some()
+            && info.name.to_lowercase() == key.to_lowercase()
+            && info.table.name() == bare.to_lowercase()
+    };
+    let found = Key::ALL.iter().find(|candidate| is_it(candidate))?.info();
+    Some(match found.table {
+        Table::Top => found.name.to_owned(),
+        table => format!("{}{place}.{}", table.name(), found.name),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Factor;
+    use crate::parse::CaseFile;
+    use crate::sweep::Sweep;
+
+    const SHAKEN: &str =
+        "[body]\nwidth = 1\nheight = 2\nmass = 4800\nfriction = 0.7\n[earthquake]\nhorizontal = 0.2\n";
+
+    /// A text in m/s² is the share of g whose product is that acceleration: as near as a float comes.
+    #[test]
+    fn accelerations_of_the_base_in_either_unit() {
+        let file = CaseFile::parse("case.toml", SHAKEN).unwrap();
+        let factor = Factor::find("earthquake.horizontal", None, file.inputs()).unwrap();
+        assert_eq!(factor.parse("0.25 g"), Ok(0.25));
+        assert_eq!(factor.parse("0.25"), Ok(0.25));
+        for hundredths in -300..300 {
+            let acceleration = f64::from(hundredths) / 100.0;
+            let share = factor.parse(&format!("{acceleration} m/s2")).unwrap();
+            assert!(
+                (share * 9.81 - acceleration).abs() <= f64::EPSILON * acceleration.abs(),
+                "{acceleration}"
+            );
+        }
+        let gravity = Factor::find("gravity", None, file.inputs()).unwrap();
+        let sweep = Sweep::of(&file, vec![factor, gravity]).unwrap();
+        assert!(sweep.factors()[0].parse("2 m/s2").is_err() && sweep.factors()[0].parse("0.2 g") == Ok(0.2));
+    }
+
+    #[test]
+    fn names_that_are_right_but_for_their_capitals() {
+        let file = CaseFile::parse("case.toml", SHAKEN).unwrap();
+        assert_eq!(Factor::absent("VERTICAL", file.inputs()).as_deref(), Some("earthquake.vertical"));
+        assert_eq!(Factor::absent("width", file.inputs()), None, "it is there");
+        assert_eq!(Factor::absent("Hmax", file.inputs()), None, "the case has no waves");
+        let names = Factor::names(file.inputs());
+        assert!(names.iter().any(|name| name == "gravity") && names.iter().any(|name| name == "body.width"));
+    }
 }

@@ -211,7 +211,7 @@ fn the_value_found_is_the_least() {
     let design = |name: &str, vary: &str, target: &str| {
         let document = run(&["design", name, "--vary", vary, "--target", target], &directory);
         assert!(!document["binding"].is_null());
-        number(&document["found"], "value")
+        number(&document["found"], "boundary")
     };
 
     // Friction: sliding is what binds.

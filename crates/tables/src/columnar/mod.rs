@@ -19,6 +19,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 
 use crate::guard::guarded;
 use crate::memory::inputs::{Inputs, Numbers};
+use crate::minded::Minded;
 use crate::pieces::{Done, Input, answer_pieces};
 use crate::results::{SYMBOLS, Values};
 use crate::text::{self as rows, Header};
@@ -176,6 +177,7 @@ impl Worker<'_> {
         if let (None, Some(fault)) = (&tally.first, &faults.first) {
             tally.first = Some((tally.rows + fault.row, inputs.problem(numbers, fault)));
         }
+        tally.minded.append(std::mem::take(&mut faults.minded), tally.rows as u64);
         tally.rows += rows;
         tally.bad += faults.count;
         let all = faults.all.iter().flatten().map(|fault| (fault.row, inputs.problem(numbers, fault)));
@@ -202,11 +204,13 @@ struct Tally {
     rows: usize,
     bad: u64,
     first: Option<(usize, RowProblem)>,
+    minded: Minded,
 }
 
 impl Tally {
     fn done(self, units: u64, output: Output) -> Done<Output> {
-        let Tally { rows, bad, first } = self;
-        Done { rows, bad, first: first.map(|(row, problem)| (row, None, problem)), units, output }
+        let Tally { rows, bad, first, minded } = self;
+        let first = first.map(|(row, problem)| (row, None, problem));
+        Done { rows, bad, first, units, minded, output }
     }
 }

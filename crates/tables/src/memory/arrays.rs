@@ -35,7 +35,7 @@ impl FieldKind {
             // One byte a row in memory, and three or four bits in Parquet.
             FieldKind::Word(_) => dictionary(DataType::Int8),
             FieldKind::Name(_) => dictionary(DataType::Int32),
-            FieldKind::Modes | FieldKind::Problem => DataType::Utf8,
+            FieldKind::Modes | FieldKind::Text => DataType::Utf8,
             FieldKind::Flag => DataType::Boolean,
             FieldKind::Number => DataType::Float64,
         }
@@ -63,7 +63,7 @@ impl Values {
                 Arc::new(texts.collect::<StringArray>())
             }
             Values::Flag(flags) => Arc::new(BooleanArray::from(flags)),
-            Values::Problem(problems) => Arc::new(StringArray::from(problems)),
+            Values::Text(texts) => Arc::new(StringArray::from(texts)),
             Values::Number(numbers) => {
                 let numbers = Float64Array::from(numbers);
                 if !numbers.values().iter().any(|number| number.is_nan()) {

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, Field, Schema};
 
+use crate::minded::Minded;
 use crate::pipeline;
 use crate::results::Values;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableOptions, Varied};
@@ -42,6 +43,7 @@ struct Answered {
     values: Vec<Values>,
     /// What is wrong with rows, in their order.
     problems: Vec<(usize, RowProblem)>,
+    minded: Minded,
 }
 
 impl MemoryTable {
@@ -100,9 +102,11 @@ impl MemoryTable {
         let mut values: Vec<Values> =
             self.inputs.task.fields.iter().map(|field| Values::empty(&field.kind, 0)).collect();
         let mut without = Vec::new();
+        let mut minded = Minded::default();
         let mut summary = Summary { varied: self.varied(), ..Summary::default() };
         let take = |answered: Answered| {
-            let Answered { rows, values: of_rows, problems } = answered;
+            let Answered { rows, values: of_rows, problems, minded: of_these } = answered;
+            minded.append(of_these, summary.rows);
             summary.bad += problems.len() as u64;
             without.extend(problems.iter().map(|(row, _)| summary.rows + *row as u64));
             let wrong = problems.into_iter().find(|(_, problem)| !matches!(problem, RowProblem::Null { .. }));
@@ -120,6 +124,7 @@ impl MemoryTable {
             Ok(())
         };
         pipeline::run(self.options.threads, next, work, take, |cause| self.options.damaged(cause))?;
+        summary.minded = minded.into_warnings();
         Ok(MemoryAnswer { fields: self.fields(), values, without, summary })
     }
 
@@ -135,7 +140,7 @@ impl MemoryTable {
             all.map(|fault| (fault.row, self.inputs.problem(&numbers, fault))).collect();
         problems.sort_by_key(|(row, _)| *row);
         task.say_problems(&mut values, rows, problems.iter().cloned());
-        Ok(Answered { rows, values, problems })
+        Ok(Answered { rows, values, problems, minded: faults.minded })
     }
 
     fn unread(&self, error: &ArrowError) -> TableError {
