@@ -184,8 +184,8 @@ class _Drawing:
                 self._line(np.array([[0, at], [of[0], at]]), **drop)
 
     def _lines(self) -> None:
-        for part in self.shown["rigid"]:
-            self._line(np.array(part), color=_BEHIND, zorder=2, lw=1.1 * self.line, ls="-")
+        for outline in self.shown["rigid"]:
+            self._line(np.array(outline), color=_BEHIND, zorder=2, lw=1.1 * self.line, ls="-")
         for curve in self.curves:
             style: dict[str, Any] = {"lw": 0.9, "dashes": (5, 3.4)} if curve.dashed else {"lw": 1.5, "ls": "-"}
             style["lw"] *= self.line
