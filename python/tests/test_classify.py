@@ -39,8 +39,8 @@ def test_modes_are_those_of_the_library() -> None:
     assert [mode.name for mode in Mode] == snake
     assert [int(mode) for mode in Mode] == list(range(len(native)))
     assert [(mode.symbol, mode.words) for mode in Mode] == [(symbol, words) for _, symbol, words in native]
-    assert [(m.name, int(m)) for m in Modes] == [(mode.name, 1 << mode) for mode in Mode]
-    assert Modes.of(*Mode).modes == tuple(Mode)
+    assert [(m.name, int(m)) for m in Modes] == [(mode.name, 1 << mode) for mode in Mode if mode != "BF"]
+    assert Modes.of(*list(Mode)[:-1]).modes == tuple(Mode)[:-1] and list(Mode)[-1] == "BF"
 
 
 def test_modes_pickle() -> None:
@@ -261,8 +261,8 @@ def test_names() -> None:
     assert standfast.classify(1, 0.4, 0.5, 0.6, names=True) == "RE"
     found = standfast.classify(3, 0.8, [[0.1, 0.5], [3, 3]], 0.1, names=True)
     assert found.tolist() == [["RE", "SRO-"], ["SRO+", "SRO+"]]
-    with pytest.raises(ValueError, match="10 is not the code of a mode; expected 0 to 9"):
-        standfast.symbols([3, 10])
+    with pytest.raises(ValueError, match="11 is not the code of a mode; expected 0 to 10"):
+        standfast.symbols([3, 11])
     with pytest.raises(ValueError, match="-1 is not"):
         standfast.symbols(-1)
 

@@ -386,9 +386,9 @@ def test_columns_to_compute() -> None:
 
 def test_modes_of_symbols() -> None:
     for mode in Mode:
-        assert Mode(mode.symbol) is mode is Mode(np.uint8(mode)) and Modes(mode.symbol) == Modes.of(mode)
+        assert Mode(mode.symbol) is mode is Mode(np.uint8(mode)) and (mode == "BF" or Modes(mode.symbol) == Modes.of(mode))
     assert Mode("SRO'-") is Mode.SLIDE_ROCK_O_PRIME_LEFT
-    for wrong in ("slide", "sl", "", 10, None, -1):
+    for wrong in ("slide", "sl", "", 11, None, -1):
         with pytest.raises(ValueError, match=r" is not a mode; expected RE or 0, SL or 1, RO or 2"):
             Mode(wrong)  # type: ignore[arg-type]
     for kind in (np.uint16, np.int64, int):
@@ -416,7 +416,7 @@ def test_symbols_of_columns() -> None:
     masked = standfast.symbols(np.ma.MaskedArray([0, 9], [False, True]))
     assert type(masked) is np.ma.MaskedArray and masked.tolist() == ["RE", None]
     assert standfast.symbols([[0, 1], [2, 3]]).tolist() == [SYMBOLS[:2], SYMBOLS[2:]]
-    with pytest.raises(ValueError, match="^0.5 is not the code of a mode; expected 0 to 9"):
+    with pytest.raises(ValueError, match="^0.5 is not the code of a mode; expected 0 to 10"):
         standfast.symbols(pd.Series([0.5]))
     with pytest.raises(TypeError, match="codes is 'SL', a str"):
         standfast.symbols("SL")

@@ -11,16 +11,20 @@ def test_a_mode_prints_as_its_symbol():
     assert f"{Mode.ROCK_O:>4}|{Modes.of(Mode.SLIDE_LEFT, Mode.ROCK_O)}" == "  RO|SL RO"
 
 
-@pytest.mark.parametrize("mode", Mode)
+#: Those of a body; ground that fails is in no set of them.
+OF_BODIES = [mode for mode in Mode if mode != "BF"]
+
+
+@pytest.mark.parametrize("mode", OF_BODIES)
 def test_a_mode_among_sets_is_the_set_of_it(mode):
     alone = Modes.of(mode)
     assert int(alone) == 2 ** int(mode)
     assert Modes(mode) == alone == Modes(str(alone))
-    everything = Modes(2 ** len(Mode) - 1)
+    everything = Modes(2 ** len(OF_BODIES) - 1)
     assert everything & mode == mode & everything == alone
     assert (everything ^ mode) | mode == mode | (everything ^ mode) == everything
     assert mode not in everything ^ mode
-    for other in Mode:
+    for other in OF_BODIES:
         assert (mode | other).modes == tuple(sorted({mode, other}))
         assert bool(mode & other) == (mode is other)
 
