@@ -163,6 +163,12 @@ fn read(case: &Case, in_time: &InTime<'_>, file: &ReadFile<'_>) -> Result<Vec<Bl
         return Err(Wrong::new("an [earthquake] beside [motion.base] counts the same shaking twice", place)
             .help("leave one of them out"));
     }
+    if case.ground.is_some() {
+        let words =
+            "the motion is that on a rigid base: what [ground] bears, and how it gives way, is left out"
+                .to_owned();
+        warnings.push(MotionWarning { name: "ground-left-out", words });
+    }
     let mut cases = Vec::new();
     for acts in &case.acting() {
         let situation = case.situation(*acts, None).map_err(|error| refused(in_time, &error.into()))?;
