@@ -86,7 +86,8 @@ def test_explain_says_where_the_base_bears() -> None:
     begun = sf.onset(*POINT, omega=0.08)
     assert why.ground is not None and why.ground["omega"] == 0.08
     assert [why.ground["pivot"], why.ground["neutral"]] == pytest.approx([0.08 * begun.f_y, 2 * 0.08 * begun.f_y])
-    assert sf.explain(0.8, 0.9167, 0.3, 0.6, omega=0.08).ground["pivot"] == 0.08
+    resting = sf.explain(0.8, 0.9167, 0.3, 0.6, omega=0.08).ground
+    assert resting is not None and resting["pivot"] == 0.08
     assert not errors(json.loads(why.to_json()), "point.schema.json")
     failed = sf.explain(*POINT, omega=1.2)
     assert failed.mode is sf.Mode.BEARING_FAILURE and failed.motion is None and failed.trace == []
