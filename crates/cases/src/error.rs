@@ -11,6 +11,7 @@ use thiserror::Error;
 use crate::excerpt::Excerpt;
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::{digits, plain, shortened};
+use crate::random::{RANDOM, RandomProblem};
 use crate::suggest::closest;
 use crate::units::{Dimension, Extent, UnitError};
 
@@ -24,6 +25,9 @@ pub enum Problem {
         /// The file.
         name: String,
     },
+    /// Wrong random numbers.
+    #[error(transparent)]
+    Random(#[from] RandomProblem),
     /// The text is not TOML.
     #[error("this is not valid TOML: {0}")]
     Syntax(String),
@@ -441,6 +445,7 @@ impl Problem {
     /// What to do.
     fn help(&self) -> Option<String> {
         let help = match self {
+            Problem::Random(_) => return None,
             Problem::Empty { .. } => SKELETON.to_owned(),
             Problem::NoTables { table } => format!("remove it, or add for example\n{}", table.example()),
             Problem::UnknownKey { table, name } => known(*table, name),
@@ -673,6 +678,7 @@ pub(crate) fn names(table: Table) -> Vec<&'static str> {
     names.dedup();
     if table == Table::Top {
         names.extend(Table::ALL.into_iter().map(Table::name).filter(|name| !name.is_empty()));
+        names.push(RANDOM);
     }
     names
 }

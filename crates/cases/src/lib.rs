@@ -14,6 +14,7 @@
 //! | What to change for a case to be safe? | [`design`]; what goes with a change: [`couple`] |
 //! | What is the answer for many values of some numbers? | [`sweep`] |
 //! | What becomes of a block in time? | [`motion`] |
+//! | How likely is each mode if some numbers are random? | [`random`] |
 //! | What is printed for one point? | [`point`] |
 //!
 //! ```
@@ -47,6 +48,7 @@ mod list;
 pub mod motion;
 mod parse;
 pub mod point;
+pub mod random;
 pub mod results;
 mod rounded;
 pub mod suggest;

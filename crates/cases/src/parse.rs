@@ -17,6 +17,7 @@ use crate::error::{CaseError, Fault, Place, Problem, UNANSWERABLE, expected_type
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
+use crate::random::{self, RANDOM, Random, RandomProblem};
 use crate::units::{Dimension, Extent, in_gravity};
 pub(crate) use option::read;
 
@@ -29,6 +30,7 @@ pub struct CaseFile {
     entries: Vec<Entry>,
     headers: BTreeMap<(Table, usize), Span<usize>>,
     extent: Extent,
+    random: Option<Random>,
 }
 
 /// An entry of a case file.
@@ -59,6 +61,7 @@ impl CaseFile {
             entries: Vec::new(),
             headers: BTreeMap::new(),
             extent: Extent::PerMetre,
+            random: None,
         };
         let read = if text.trim().is_empty() {
             Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 })
@@ -106,6 +109,16 @@ impl CaseFile {
     pub fn error(&self, Fault { problem, at, and }: Fault) -> CaseError {
         let spans = std::iter::once(at).chain(and).map(|place| self.span(place)).collect();
         CaseError::new(&self.name, &self.text, problem, spans)
+    }
+
+    /// Which of its numbers are random, where it says so.
+    pub fn random(&self) -> Option<&Random> {
+        self.random.as_ref()
+    }
+
+    /// What is wrong with its random numbers, shown in the text.
+    pub(crate) fn random_error(&self, problem: RandomProblem, span: Span<usize>) -> CaseError {
+        CaseError::new(&self.name, &self.text, problem.into(), vec![span])
     }
 
     /// Its entries in their order.
@@ -172,6 +185,10 @@ impl CaseFile {
                 only(inner, table)?;
                 self.read_table(text, inner, table, 0)?;
             }
+        }
+        if let Some(value) = top.get(RANDOM) {
+            let read = random::read(value, type_of);
+            self.random = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
         }
         Ok(())
     }
@@ -259,7 +276,7 @@ fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) 
     At { problem: Problem::NoTable { table, found: type_of(value), expected }, span: value.span() }
 }
 
-fn type_of(value: &Spanned<DeValue<'_>>) -> &'static str {
+pub(crate) fn type_of(value: &Spanned<DeValue<'_>>) -> &'static str {
     match value.get_ref() {
         DeValue::String(_) => "a text",
         DeValue::Integer(integer) if integer.radix() != 10 => "a number that is not decimal",
@@ -272,7 +289,7 @@ fn type_of(value: &Spanned<DeValue<'_>>) -> &'static str {
 }
 
 /// A plain TOML number; `None` for every other type, and for integers that are no decimals (hexadecimal etc.).
-fn plain_number(value: &Spanned<DeValue<'_>>) -> Option<f64> {
+pub(crate) fn plain_number(value: &Spanned<DeValue<'_>>) -> Option<f64> {
     match value.get_ref() {
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
         DeValue::Float(float) => float.as_str().parse().ok(),

@@ -78,11 +78,11 @@ struct Sum {
 }
 
 /// Relative to an integral, what a refinement may change it by.
-const PRECISION: f64 = 1e-11;
+const PRECISION: f64 = 1e-10;
 /// What is too little to look at, whatever the integral.
 const NEGLIGIBLE: f64 = 1e-22;
 /// Into how many steps |u| ≤ 12 is cut in search of kinks, and where only their list is asked for.
-const SCAN: usize = 160;
+const SCAN: usize = 128;
 const INNER_SCAN: usize = 64;
 /// How near a kink is found, and how near to tell what comes after it.
 const LAST_BIT: f64 = 2e-16;

@@ -139,6 +139,12 @@ pub trait Outcomes: Sync {
     /// The intervals of the line for these values of the inputs; that of the line itself is not to be read.
     fn along(&self, values: &[f64], pieces: &mut Pieces);
 
+    /// Whether the outcomes are quicker to find again for another value of this input alone.
+    fn is_quick(&self, input: usize) -> bool {
+        let _ = input;
+        false
+    }
+
     /// The outcomes that hold for these values of all inputs, a bit for each.
     fn at(&self, values: &[f64]) -> u64;
 }
@@ -206,7 +212,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let line = outcomes.line();
         let mut others: Vec<usize> =
             (0..inputs.laws.len()).filter(|i| *i != line && Some(*i) != held).collect();
-        others.sort_by_key(|i| last(*i));
+        others.sort_by_key(|i| (last(*i), outcomes.is_quick(*i)));
         let order: Vec<usize> = match held {
             Some(held) if held == line => std::iter::once(line).chain(others).collect(),
             held => held.into_iter().chain(others).chain([line]).collect(),

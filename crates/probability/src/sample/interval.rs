@@ -49,9 +49,9 @@ impl Estimate {
         Estimate { value: k / n, low, high }
     }
 
-    /// Whether half of the interval is within `precision` of the estimate, or the probability below the floor.
+    /// Whether half of the interval is within `precision` of the estimate, or the estimate not above the floor.
     pub(super) fn is_precise(&self, precision: f64, floor: f64) -> bool {
-        self.high <= floor || 0.5 * (self.high - self.low) <= precision * self.value
+        self.value <= floor || 0.5 * (self.high - self.low) <= precision * self.value
     }
 }
 

@@ -135,6 +135,11 @@ impl Verdict {
         for (sign, condition) in signs.iter_mut().zip(conditions) {
             *sign = condition.sign()?;
         }
+        Some(Verdict::of_signs(&signs))
+    }
+
+    /// Reads the signs in their order.
+    pub(super) fn of_signs(signs: &[Ordering; COUNT]) -> Verdict {
         let (rest_signs, signs) = signs.split_at(REST);
         let (slide_signs, signs) = signs.split_at(SLIDES);
         let (corner_signs, signs) = signs.split_at(2 * CORNER);
@@ -190,7 +195,7 @@ impl Verdict {
         let groups = [rest, slides, regular, rocks, painlevé, flight];
         let modes: Modes = groups.iter().flat_map(|group| group.iter()).collect();
         let mode = groups.iter().find_map(|group| group.iter().next());
-        Some(Verdict { modes, mode })
+        Verdict { modes, mode }
     }
 }
 

@@ -10,7 +10,9 @@
 //!
 //! Whoever knows the law of μ knows from these intervals the probability of each mode, and need not draw μ.
 
-use super::conditions::{COUNT, conditions};
+use std::cmp::Ordering;
+
+use super::conditions::{COUNT, Verdict, conditions};
 use super::{Block, check, numbers, solve, with_friction};
 use crate::error::InputError;
 use crate::mode::{Mode, Modes};
@@ -70,15 +72,41 @@ pub fn spans(block: &Block, wrench: &Wrench) -> Result<Vec<Span>, InputError> {
         let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
         // Beyond the last crossing any friction will do.
         let inside = if to.is_finite() { from + (to - from) / 2.0 } else { 2.0 * from + 1.0 };
-        let solution = solve(&with_friction(block, inside), wrench)?;
+        let (mode, modes) = match signs(&start, &end, inside) {
+            Some(signs) => {
+                let Verdict { mode, modes } = Verdict::of_signs(&signs);
+                (mode, modes)
+            }
+            None => {
+                let solution = solve(&with_friction(block, inside), wrench)?;
+                (solution.mode(), solution.modes)
+            }
+        };
         match spans.last_mut() {
-            Some(last) if (last.mode, last.modes) == (solution.mode(), solution.modes) => last.to = to,
-            _ => spans.push(Span { from, to, mode: solution.mode(), modes: solution.modes, condition }),
+            Some(last) if (last.mode, last.modes) == (mode, modes) => last.to = to,
+            _ => spans.push(Span { from, to, mode, modes, condition }),
         }
         begin = next.unwrap_or(begin);
     }
     Ok(spans)
 }
+
+/// The signs of the conditions at a friction between crossings, by what they are at 0 and 1; none where rounding could tell
+/// another sign, and exact arithmetic has to.
+fn signs(start: &[f64; COUNT], end: &[f64; COUNT], μ: f64) -> Option<[Ordering; COUNT]> {
+    let mut signs = [Ordering::Equal; COUNT];
+    for ((sign, start), end) in signs.iter_mut().zip(start).zip(end) {
+        let (value, size) = (start + (end - start) * μ, start.abs() + end.abs() * μ);
+        if value.abs() <= UNSURE * size && size > 0.0 {
+            return None;
+        }
+        *sign = value.partial_cmp(&0.0)?;
+    }
+    Some(signs)
+}
+
+/// Below this share of its terms a condition is not told from zero: its products have lost some ten bits at most.
+const UNSURE: f64 = 1e-9;
 
 /// Beyond this no friction is asked for: a condition whose share in μ is all rounding crosses there.
 const LARGEST: f64 = 1e9;

@@ -60,6 +60,9 @@ pub struct Goda {
     pub uplift: f64,
     /// M_U, N·m/m: its moment about the heel.
     pub uplift_moment: f64,
+    /// Which of the formulas that limit each other applied, as one number: how waves break, 2d/H_max in α₂, α_I or α₂, the crest
+    /// or η*, a base below all pressure. Where it changes the pressures have a kink.
+    pub formulas: u32,
     /// What leaves the range of the formulas.
     pub warnings: Vec<Warning>,
 }
@@ -134,6 +137,17 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     let p4 = α4 * p1;
     let pu = if choices.uplift { obliquity * λ3 * α1 * α3.max(0.0) * ρ * g * h_max } else { 0.0 };
     let uplift = 0.5 * pu * caisson_width;
+    let limits = [
+        α2 == 2.0 * d / h_max,
+        h_c_star == crest_height,
+        α3 < 0.0,
+        choices.impulsive && α_impulsive > α2,
+        choices.impulsive && impulsive.alpha_i0 == 2.0,
+        choices.impulsive && impulsive.delta_11 <= 0.0,
+        choices.impulsive && impulsive.delta_22 <= 0.0,
+    ];
+    let of_heights = computed.map_or(0, |heights| heights.formulas);
+    let formulas = limits.iter().fold(of_heights, |formulas, limit| 2 * formulas + u32::from(*limit));
     let mut goda = Goda {
         angle_deg,
         heights: computed,
@@ -161,6 +175,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
             + (p1 + 2.0 * p4) * h_c_star * h_c_star / 6.0,
         uplift,
         uplift_moment: 2.0 / 3.0 * uplift * caisson_width,
+        formulas,
         warnings: Vec::new(),
     };
     goda.warnings = Warning::all(sea, heights, section, &goda);

@@ -19,6 +19,8 @@ pub struct DesignHeights {
     pub significant_terms: BreakingTerms,
     /// The terms of H_max at h_b.
     pub maximum_terms: BreakingTerms,
+    /// Which of the formulas that limit each other applied; see [`Goda::formulas`](super::Goda::formulas).
+    pub formulas: u32,
 }
 
 /// The coefficients of a breaking height, min{β₀H₀' + β₁h, β_max H₀'}.
@@ -56,6 +58,16 @@ impl DesignHeights {
         let significant = limited(h, &significant_terms, k_s * height);
         let breaking_depth = breaking_depth(sea, significant);
         let maximum = limited(breaking_depth, &maximum_terms, 1.8 * k_s * height);
+        let which = |height_at_wall: f64, shoaled: f64, terms: &BreakingTerms, least: f64| {
+            let steep = u32::from(terms.beta_max == least);
+            if height_at_wall == shoaled {
+                0
+            } else {
+                1 + steep + 2 * u32::from(height_at_wall == terms.beta_max * height)
+            }
+        };
+        let formulas = which(significant, k_s * height, &significant_terms, 0.92)
+            + 8 * which(maximum, 1.8 * k_s * height, &maximum_terms, 1.65);
         DesignHeights {
             shoaling: k_s,
             significant,
@@ -64,6 +76,7 @@ impl DesignHeights {
             may_break,
             significant_terms,
             maximum_terms,
+            formulas,
         }
     }
 }

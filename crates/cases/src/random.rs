@@ -1,0 +1,26 @@
+//! Random numbers of a case: the `[random]` table, and what comes of it.
+//!
+//! ```text
+//! [random] ── read ──► Random ── Problem::of ──► Problem ── Probability::of ──► Probability ──► text, JSON
+//!                       names and laws   │  laws and correlations as `standfast-probability` takes them,
+//!                                        └─ and the modes as intervals of one of them
+//! ```
+//!
+//! No uncertainty is applied unless it is written. For given other numbers each mode is an interval of the friction between curves
+//! known in closed form, so that friction is not sampled; where it is certain, a number takes its place in which the loads are
+//! linear.
+
+mod answer;
+mod document;
+mod point;
+mod problem;
+mod read;
+mod text;
+
+pub use answer::{Chances, Happening, LifeChances, Method, Probability, ProbabilityError, Request};
+pub use problem::{Bias, Coordinate, Problem, Quantity};
+pub(crate) use read::read;
+pub use read::{Named, Random, RandomProblem, Rate};
+
+/// The name of the table.
+pub(crate) const RANDOM: &str = "random";

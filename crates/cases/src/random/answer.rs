@@ -1,0 +1,360 @@
+//! How likely each mode is: the method, the answer, and what matters.
+
+use std::fmt;
+use std::str::FromStr;
+
+use miette::Diagnostic;
+use standfast::Mode;
+use standfast_probability::form::{DesignPoint, design_point, generalized, local_design_points};
+use standfast_probability::integrate::{
+    Integrated, MOST_DIMENSIONS, integrate, integrate_known, integrate_life,
+};
+use standfast_probability::points::MOST_COORDINATES;
+use standfast_probability::sample::{Effort, Estimate, Sampled, importance, monte_carlo, sobol, sobol_known};
+use thiserror::Error;
+
+use super::point;
+use super::problem::{LIFTED, NO_MODE, NOT_A_BODY, NOT_UNIQUE, Problem, exclusive, not_rest};
+use super::read::{RandomProblem, Rate};
+use crate::error::CaseError;
+use crate::parse::CaseFile;
+
+/// How probabilities are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Integration between the kinks: all digits, three random numbers at most.
+    Integrate,
+    /// Scrambled Sobol' points.
+    Sobol,
+    /// The same about the design points.
+    Importance,
+    /// Everything drawn, nothing integrated.
+    MonteCarlo,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Method; 4] = [Method::Integrate, Method::Sobol, Method::Importance, Method::MonteCarlo];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Integrate => "integrate",
+            Method::Sobol => "sobol",
+            Method::Importance => "importance",
+            Method::MonteCarlo => "monte-carlo",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Method {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Method, String> {
+        let names = Method::ALL.map(Method::name).join(", ");
+        Method::ALL
+            .into_iter()
+            .find(|method| method.name() == text)
+            .ok_or_else(|| format!("no method is called `{text}`; expected one of {names}"))
+    }
+}
+
+/// What is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Request {
+    /// The method; chosen where none is given.
+    pub method: Option<Method>,
+    /// Seed, precision, floor, points and threads.
+    pub effort: Effort,
+    /// The years of a life, before those of the file.
+    pub years: Option<f64>,
+}
+
+/// Why there is no answer.
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum ProbabilityError {
+    /// The case is not one, or a law is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+    /// Nothing is random.
+    #[error("the case file has no [random] table, which says what is random and by which law")]
+    #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
+    NoRandom,
+    /// More numbers than the method takes.
+    #[error("{method} takes {most} random numbers at most, and the case has {numbers}")]
+    #[diagnostic(help("without a method one is chosen that does"))]
+    TooMany {
+        /// The method.
+        method: Method,
+        /// How many it takes.
+        most: usize,
+        /// How many there are.
+        numbers: usize,
+    },
+    /// A life of more numbers than are integrated.
+    #[error(
+        "the probability over a life is integrated, over {most} random numbers at most, and the case has {numbers}"
+    )]
+    #[diagnostic(help("leave `years` out for the probability under the loads of one event"))]
+    LifeOfMany {
+        /// How many it takes.
+        most: usize,
+        /// How many there are.
+        numbers: usize,
+    },
+    /// A life in which nothing is drawn each year.
+    #[error("a life of {years} years, and no random number is drawn yearly")]
+    #[diagnostic(help(
+        "say `every = \"year\"` of what is drawn anew each year, such as the sea's largest wave"
+    ))]
+    NothingYearly {
+        /// The years.
+        years: f64,
+    },
+}
+
+/// How likely each mode is under one set of loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chances {
+    /// The set of loads, in words; none where the case leaves no choice.
+    pub situation: Option<String>,
+    /// The method that was taken.
+    pub method: Method,
+    /// How many points were drawn; of an integration, how often the modes were asked for.
+    pub points: u64,
+    /// Whether every probability above the floor is as precise as asked.
+    pub precise: bool,
+    /// The modes and their probabilities, which add up to one.
+    pub modes: Vec<(Happening, Estimate)>,
+    /// That the body does not stay at rest.
+    pub not_rest: Estimate,
+    /// That more than one mode is consistent.
+    pub not_unique: Estimate,
+    /// That nothing presses the body on its base: part of the modes.
+    pub lifted: Estimate,
+    /// The nearest point at which the body does not rest; none within reach.
+    pub design_point: Option<DesignPoint>,
+    /// The probability of not resting if one number were known to have its median, for each.
+    pub known: Vec<Estimate>,
+    /// Over the years of a life.
+    pub life: Option<LifeChances>,
+}
+
+/// How likely it is over a life that something happens at least once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LifeChances {
+    /// The years.
+    pub years: f64,
+    /// That the body ever leaves rest.
+    pub not_rest: Estimate,
+    /// Each mode, at least once.
+    pub modes: Vec<(Happening, Estimate)>,
+}
+
+/// What may come of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Happening {
+    /// A mode.
+    Mode(Mode),
+    /// No mode is consistent.
+    NoMode,
+    /// The numbers drawn do not go together.
+    NotABody,
+}
+
+impl Happening {
+    /// A mode's symbol, or words.
+    pub fn name(self) -> String {
+        match self {
+            Happening::Mode(mode) => mode.to_string(),
+            Happening::NoMode => "no mode".to_owned(),
+            Happening::NotABody => "not a body".to_owned(),
+        }
+    }
+
+    fn of(outcome: usize) -> Happening {
+        match Mode::from_code(outcome as u8) {
+            _ if outcome == NOT_A_BODY => Happening::NotABody,
+            Some(mode) if outcome != NO_MODE => Happening::Mode(mode),
+            _ => Happening::NoMode,
+        }
+    }
+}
+
+/// The answer to a case with random numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Probability {
+    /// The file's name.
+    pub(super) case: String,
+    /// What was asked for.
+    pub request: Request,
+    /// What is random: names, and what was cut of each law because no body has such values.
+    pub random: Vec<(String, f64)>,
+    /// The number along which the modes are integrated, and whether in closed form.
+    pub line: (String, bool),
+    /// Under each set of loads that act together and each acceleration of the base, the least safe first.
+    pub situations: Vec<Chances>,
+}
+
+/// Above this index probabilities are looked for about the design points.
+const FAR: f64 = 2.5;
+
+impl Probability {
+    /// The answer to a case file with a `[random]` table.
+    ///
+    /// # Errors
+    /// If the case or its random numbers are wrong, or the method asked for does not take as many.
+    pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
+        let random = file.random().ok_or(ProbabilityError::NoRandom)?;
+        Probability::of_problems(file.name(), Problem::of(file, random, request.years)?, request)
+    }
+
+    /// The answer to a file: a case, or a `[point]` of the report's plane, with a `[random]` table.
+    ///
+    /// # Errors
+    /// As [`of`](Probability::of); or if the text is no such file.
+    pub fn of_text(name: &str, text: &str, request: Request) -> Result<Probability, ProbabilityError> {
+        match point::read_file(name, text)? {
+            Some((point, random)) => {
+                let wrong = |(problem, span): (RandomProblem, _)| {
+                    CaseError::new(name, text, problem.into(), vec![span])
+                };
+                let problem = Problem::of_point(point, &random, request.years).map_err(wrong)?;
+                Probability::of_problems(name, vec![problem], request)
+            }
+            None => Probability::of(&CaseFile::parse(name, text)?, request),
+        }
+    }
+
+    fn of_problems(
+        name: &str,
+        problems: Vec<Problem>,
+        request: Request,
+    ) -> Result<Probability, ProbabilityError> {
+        let mut situations: Vec<Chances> =
+            problems.iter().map(|problem| chances(problem, &request)).collect::<Result<_, _>>()?;
+        situations.sort_by(|a, b| b.not_rest.value.total_cmp(&a.not_rest.value));
+        let first = &problems[0];
+        let (line, exact) = first.line_name();
+        Ok(Probability {
+            case: name.to_owned(),
+            request,
+            random: first.random().iter().map(|input| (input.name.clone(), input.cut)).collect(),
+            line: (line.to_owned(), exact),
+            situations,
+        })
+    }
+}
+
+/// The sets asked for: what excludes each other, and then the others.
+fn sets() -> Vec<u64> {
+    exclusive().map(|outcome| 1 << outcome).chain([not_rest(), 1 << NOT_UNIQUE, 1 << LIFTED]).collect()
+}
+
+fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityError> {
+    let laws = problem.laws();
+    let numbers = laws.laws().len();
+    let few = numbers <= MOST_DIMENSIONS + 1;
+    let too_many = |method, most| Err(ProbabilityError::TooMany { method, most, numbers });
+    let points = local_design_points(laws, problem, not_rest());
+    let far = points.first().is_none_or(|point| point.beta > FAR);
+    let method = request.method.unwrap_or(match (few, far && !points.is_empty()) {
+        (true, _) => Method::Integrate,
+        (false, true) => Method::Importance,
+        (false, false) => Method::Sobol,
+    });
+    match method {
+        Method::Integrate if !few => return too_many(method, MOST_DIMENSIONS + 1),
+        Method::Sobol | Method::Importance if numbers > MOST_COORDINATES => {
+            return too_many(method, MOST_COORDINATES);
+        }
+        _ => {}
+    }
+    let sets = sets();
+    let effort = &request.effort;
+    let sampled = match method {
+        Method::Integrate => estimates(&integrate(laws, problem, &sets)),
+        Method::Sobol => sobol(laws, problem, &sets, effort),
+        Method::Importance => {
+            // About the nearest point of every mode, so that none of them is missed.
+            let moved = exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
+            let of_modes = moved.filter_map(|set| design_point(laws, problem, set));
+            let about: Vec<Vec<f64>> = points.iter().cloned().chain(of_modes).map(|point| point.u).collect();
+            importance(laws, problem, &sets, &about, effort)
+        }
+        Method::MonteCarlo => monte_carlo(laws, problem, &sets, effort),
+    };
+    let known = (0..numbers).map(|number| {
+        let set = [not_rest()];
+        let found = if few {
+            estimates(&integrate_known(laws, problem, &set, number))
+        } else {
+            sobol_known(laws, problem, &set, number, effort)
+        };
+        found.estimates[0]
+    });
+    let [modes @ .., not_rest, not_unique, lifted] = &sampled.estimates[..] else {
+        unreachable!("as many as sets")
+    };
+    Ok(Chances {
+        situation: problem.situation(),
+        method,
+        points: sampled.points,
+        precise: sampled.precise,
+        modes: exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
+        not_rest: *not_rest,
+        not_unique: *not_unique,
+        lifted: *lifted,
+        known: if numbers > 1 { known.collect() } else { Vec::new() },
+        design_point: points.into_iter().next(),
+        life: life(problem)?,
+    })
+}
+
+fn life(problem: &Problem) -> Result<Option<LifeChances>, ProbabilityError> {
+    let Some(life) = problem.life() else { return Ok(None) };
+    let numbers = problem.random().len();
+    if problem.random().iter().all(|input| input.every == Rate::Life) {
+        return Err(ProbabilityError::NothingYearly { years: life.years });
+    }
+    let most = MOST_DIMENSIONS + 1;
+    if numbers > most {
+        return Err(ProbabilityError::LifeOfMany { most, numbers });
+    }
+    let Some(problem) = problem.along_yearly() else {
+        return Err(ProbabilityError::NothingYearly { years: life.years });
+    };
+    let sets: Vec<u64> = exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
+    let found = estimates(&integrate_life(problem.laws(), &problem, &sets, &life));
+    let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };
+    let modes = exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
+    Ok(Some(LifeChances { years: life.years, not_rest: *not_rest, modes }))
+}
+
+/// Integrals with their errors as intervals.
+fn estimates(integrated: &Integrated) -> Sampled {
+    let with = |(value, error): (&f64, &f64)| {
+        let value = value.clamp(0.0, 1.0);
+        Estimate { value, low: (value - error).max(0.0), high: (value + error).min(1.0) }
+    };
+    Sampled {
+        estimates: integrated.probabilities.iter().zip(&integrated.errors).map(with).collect(),
+        points: integrated.evaluations,
+        precise: true,
+    }
+}
+
+impl Chances {
+    /// −Φ⁻¹ of the probability that the body does not rest; none where that is 0 or 1.
+    pub fn generalized(&self) -> Option<f64> {
+        Some(generalized(self.not_rest.value)).filter(|beta| beta.is_finite())
+    }
+}

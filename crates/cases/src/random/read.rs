@@ -1,0 +1,504 @@
+//! What a `[random]` table says.
+//!
+//! ```toml
+//! [random]
+//! years = 50
+//! friction = { normal = { mean = 0.6, sd = 0.1 } }
+//! wave.deep_water_height = { gumbel = { mean = "4.5 m", sd = "0.9 m" }, lower = "1 m", every = "year" }
+//! "load.push.force" = { lognormal = { cov = 0.2 } }      # mean: the case's value
+//!
+//! [[random.correlation]]
+//! between = ["friction", "load.push.force"]
+//! rank = 0.3             # Spearman; or linear, or normal
+//! ```
+
+use std::ops::Range as Span;
+
+use standfast_probability::copula::Measure;
+use thiserror::Error;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::suggest::closest;
+
+/// The random numbers of a case, as they are written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Random {
+    /// The years of a life, where they are given.
+    pub years: Option<f64>,
+    /// The numbers that are random, in the order in which they stand.
+    pub named: Vec<Named>,
+    /// What is known of two of them together: their places, and the correlation.
+    pub correlations: Vec<(usize, usize, Measure)>,
+    /// Where each correlation stands.
+    pub(super) correlation_spans: Vec<Span<usize>>,
+    /// Where the table stands.
+    pub(super) span: Span<usize>,
+}
+
+/// A random number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Named {
+    /// Its name: a key of the case file, or a bias.
+    pub name: String,
+    /// How often it is drawn.
+    pub every: Rate,
+    /// The name of its law.
+    pub(super) law: &'static str,
+    /// The law's parameters as written, and the law of one of which it is the largest.
+    pub(super) parameters: Vec<Parameter>,
+    pub(super) of: Option<Box<Named>>,
+    /// The bounds.
+    pub(super) lower: Option<Parameter>,
+    pub(super) upper: Option<Parameter>,
+    /// Where it stands.
+    pub(super) span: Span<usize>,
+}
+
+/// How often a number is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rate {
+    /// Once for a life.
+    #[default]
+    Life,
+    /// Each year.
+    Year,
+}
+
+/// A number under a name, as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Parameter {
+    pub(super) name: String,
+    pub(super) value: Written,
+    pub(super) span: Span<usize>,
+}
+
+/// A plain number, or a text with a unit.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Written {
+    Number(f64),
+    Text(String),
+}
+
+/// What is wrong with a `[random]` table.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RandomProblem {
+    /// Something of another type.
+    #[error("{what} is {found}; expected {expected}")]
+    Type {
+        /// What it is.
+        what: String,
+        /// The type found.
+        found: &'static str,
+        /// What is expected.
+        expected: String,
+    },
+    /// A name that is none of those allowed.
+    #[error("{what} has no `{name}`; expected {}{}", allowed.join(", "), suggested(name, allowed))]
+    Name {
+        /// What it stands in.
+        what: String,
+        /// The name.
+        name: String,
+        /// The names there may be.
+        allowed: Vec<String>,
+    },
+    /// A law that lacks what it needs.
+    #[error("the law {law} of `{name}` lacks {needed}")]
+    Lacks {
+        /// The law.
+        law: &'static str,
+        /// The random number.
+        name: String,
+        /// What it needs.
+        needed: &'static str,
+    },
+    /// More than one law, or none.
+    #[error("`{name}` has {found}; expected one law of {}", LAWS.join(", "))]
+    Laws {
+        /// The random number.
+        name: String,
+        /// What there is.
+        found: String,
+    },
+    /// A value that cannot be.
+    #[error("{what} is {written}; expected {expected}")]
+    Value {
+        /// What it is.
+        what: String,
+        /// The value as it is written.
+        written: String,
+        /// What is expected.
+        expected: String,
+    },
+    /// A number of the case that is no number, or not there.
+    #[error("`{name}` is no number of the case that can be random{}; {known}", suggestion.as_ref().map_or(String::new(), |s| format!(": did you mean `{s}`?")))]
+    NoNumber {
+        /// The name.
+        name: String,
+        /// The one it resembles.
+        suggestion: Option<String>,
+        /// The numbers there are.
+        known: String,
+    },
+    /// Twice the same number.
+    #[error("`{name}` is random twice, here and as `{other}`")]
+    Twice {
+        /// One name.
+        name: String,
+        /// The other.
+        other: String,
+    },
+    /// A law that reaches values that no body has, too often to be cut.
+    #[error(
+        "{share} of the law of `{name}` lies where {limit}; at most 0.001 can be cut: say by `lower` or `upper` what is meant"
+    )]
+    Unphysical {
+        /// The random number.
+        name: String,
+        /// The share of the law.
+        share: String,
+        /// What the limit is.
+        limit: String,
+    },
+    /// A correlation that cannot be.
+    #[error("the correlation {value} of `{first}` and `{second}` cannot be{}; expected more than {from} and less than {to}", if *beside_others { " beside the others" } else { "" })]
+    Correlation {
+        /// One number.
+        first: String,
+        /// The other.
+        second: String,
+        /// The correlation.
+        value: String,
+        /// More than this.
+        from: String,
+        /// Less than this.
+        to: String,
+        /// Whether other correlations are the reason.
+        beside_others: bool,
+    },
+    /// Anything else.
+    #[error("{0}")]
+    Other(String),
+    /// Nothing random.
+    #[error("[random] names no number that is random")]
+    Nothing,
+}
+
+fn suggested(name: &str, allowed: &[String]) -> String {
+    closest(name, allowed.iter().map(String::as_str))
+        .map_or(String::new(), |near| format!(": did you mean `{near}`?"))
+}
+
+/// The laws, by their names.
+pub(super) const LAWS: [&str; 8] =
+    ["normal", "lognormal", "gumbel", "weibull", "gev", "uniform", "triangular", "max_of"];
+
+/// A problem and where it is.
+pub(crate) type At<T> = Result<T, (RandomProblem, Span<usize>)>;
+
+type Item<'a> = Spanned<DeValue<'a>>;
+
+/// Reads a `[random]` table.
+pub(crate) fn read(item: &Item<'_>, kind_of: fn(&Item<'_>) -> &'static str) -> At<Random> {
+    let reader = Reader { kind_of };
+    let table = reader.table(item, "`random`", "a table")?;
+    let mut random = Random {
+        years: None,
+        named: Vec::new(),
+        correlations: Vec::new(),
+        correlation_spans: Vec::new(),
+        span: item.span(),
+    };
+    let mut correlations = None;
+    for (name, value) in in_order(table) {
+        match name {
+            "years" => random.years = Some(reader.positive(value, "`years`")?),
+            "correlation" => correlations = Some(value),
+            _ => reader.numbers(name.to_owned(), value, &mut random.named)?,
+        }
+    }
+    if random.named.is_empty() {
+        return Err((RandomProblem::Nothing, item.span()));
+    }
+    if let Some(list) = correlations {
+        reader.correlations(list, &mut random)?;
+    }
+    Ok(random)
+}
+
+/// The entries of a table in the order in which they stand.
+fn in_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Item<'a>)> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries.into_iter().map(|(name, value)| (name.get_ref().as_ref(), value)).collect()
+}
+
+struct Reader {
+    kind_of: fn(&Item<'_>) -> &'static str,
+}
+
+impl Reader {
+    fn wrong(
+        &self,
+        item: &Item<'_>,
+        what: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> (RandomProblem, Span<usize>) {
+        let found = (self.kind_of)(item);
+        (RandomProblem::Type { what: what.into(), found, expected: expected.into() }, item.span())
+    }
+
+    fn table<'a>(&self, item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
+        item.get_ref().as_table().ok_or_else(|| self.wrong(item, what, expected))
+    }
+
+    fn written(&self, item: &Item<'_>) -> Option<Written> {
+        Some(match item.get_ref() {
+            DeValue::Integer(integer) if integer.radix() == 10 => {
+                Written::Number(integer.as_str().parse().ok()?)
+            }
+            DeValue::Float(float) => Written::Number(float.as_str().parse().ok()?),
+            DeValue::String(text) => Written::Text(text.to_string()),
+            _ => return None,
+        })
+    }
+
+    fn number(&self, item: &Item<'_>, what: &str) -> At<f64> {
+        match self.written(item) {
+            Some(Written::Number(number)) if number.is_finite() => Ok(number),
+            _ => Err(self.wrong(item, what, "a number without unit or quotes")),
+        }
+    }
+
+    fn positive(&self, item: &Item<'_>, what: &str) -> At<f64> {
+        let number = self.number(item, what)?;
+        if number > 0.0 {
+            return Ok(number);
+        }
+        let (what, written) = (what.to_owned(), number.to_string());
+        Err((RandomProblem::Value { what, written, expected: "a number above zero".into() }, item.span()))
+    }
+
+    /// A random number, or a table of several whose names go on.
+    fn numbers(&self, name: String, item: &Item<'_>, found: &mut Vec<Named>) -> At<()> {
+        let table = self.table(
+            item,
+            &format!("`{name}`"),
+            "a law in braces, as { normal = { mean = 0.6, sd = 0.1 } }",
+        )?;
+        let entries = in_order(table);
+        let is_law = |key: &str| LAWS.contains(&key) || ["lower", "upper", "every"].contains(&key);
+        if entries.iter().any(|(key, _)| is_law(key)) || entries.is_empty() {
+            found.push(self.named(name, item)?);
+            return Ok(());
+        }
+        let parameters = ["mean", "sd", "cov", "from", "to", "mode", "scale", "shape", "location", "count"];
+        let is_misspelt = |value: &Item<'_>| match value.get_ref().as_table() {
+            None => true,
+            Some(table) => in_order(table).iter().any(|(key, _)| parameters.contains(key)),
+        };
+        for (key, value) in entries {
+            if is_misspelt(value) {
+                // A law misspelt rather than a name that goes on.
+                let what = format!("`{name}`");
+                let allowed = LAWS.map(str::to_owned).to_vec();
+                return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+            }
+            self.numbers(format!("{name}.{key}"), value, found)?;
+        }
+        Ok(())
+    }
+
+    fn named(&self, name: String, item: &Item<'_>) -> At<Named> {
+        let what = format!("`{name}`");
+        let table = self.table(item, &what, "a law in braces")?;
+        let mut named = Named {
+            name,
+            every: Rate::Life,
+            law: "",
+            parameters: Vec::new(),
+            of: None,
+            lower: None,
+            upper: None,
+            span: item.span(),
+        };
+        let mut laws = Vec::new();
+        for (key, value) in in_order(table) {
+            match key {
+                "lower" => named.lower = Some(self.parameter(key, value)?),
+                "upper" => named.upper = Some(self.parameter(key, value)?),
+                "every" => {
+                    named.every = match value.get_ref().as_str() {
+                        Some("life") => Rate::Life,
+                        Some("year") => Rate::Year,
+                        Some(other) => {
+                            let (what, written) = ("`every`".to_owned(), format!("\"{other}\""));
+                            let expected = "\"life\", drawn once, or \"year\", drawn each year".to_owned();
+                            return Err((RandomProblem::Value { what, written, expected }, value.span()));
+                        }
+                        None => return Err(self.wrong(value, "`every`", "\"life\" or \"year\"")),
+                    }
+                }
+                key => match LAWS.iter().find(|law| **law == key) {
+                    Some(law) => laws.push((*law, value)),
+                    None => {
+                        let more = ["lower", "upper", "every"];
+                        let allowed = LAWS.iter().chain(&more).map(|name| (*name).to_owned()).collect();
+                        return Err((
+                            RandomProblem::Name { what, name: key.to_owned(), allowed },
+                            value.span(),
+                        ));
+                    }
+                },
+            }
+        }
+        let [(law, value)] = laws[..] else {
+            let found = if laws.is_empty() { "no law" } else { "several laws" };
+            return Err((RandomProblem::Laws { name: named.name, found: found.into() }, item.span()));
+        };
+        named.law = law;
+        self.law(&mut named, value)?;
+        Ok(named)
+    }
+
+    /// The parameters of a law.
+    fn law(&self, named: &mut Named, item: &Item<'_>) -> At<()> {
+        let law = named.law;
+        let table =
+            self.table(item, &format!("the law {law} of `{}`", named.name), "its parameters in braces")?;
+        if law == "max_of" {
+            let mut of = Vec::new();
+            for (key, value) in in_order(table) {
+                if key == "count" {
+                    named.parameters.push(self.parameter(key, value)?);
+                } else {
+                    of.push(key);
+                }
+            }
+            let inner = self.inner(named, item, &of)?;
+            named.of = Some(Box::new(inner));
+            return Ok(());
+        }
+        let allowed: &[&str] = match law {
+            "normal" | "lognormal" => &["mean", "sd", "cov"],
+            "gumbel" => &["mean", "sd", "cov", "mode", "scale"],
+            "weibull" => &["scale", "shape", "location"],
+            "gev" => &["location", "scale", "shape"],
+            "uniform" => &["from", "to"],
+            _ => &["from", "mode", "to"],
+        };
+        for (key, value) in in_order(table) {
+            let returns = law == "gumbel" && years(key).is_some();
+            if !allowed.contains(&key) && !returns {
+                let what = format!("the law {law} of `{}`", named.name);
+                let mut allowed: Vec<String> = allowed.iter().map(|name| (*name).to_owned()).collect();
+                if law == "gumbel" {
+                    allowed.push("two return values such as \"10 years\" and \"100 years\"".to_owned());
+                }
+                return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+            }
+            named.parameters.push(self.parameter(key, value)?);
+        }
+        Ok(())
+    }
+
+    /// The law of which the largest of several is meant: everything in the table but the count.
+    fn inner(&self, named: &Named, item: &Item<'_>, keys: &[&str]) -> At<Named> {
+        let table = self.table(item, "`max_of`", "a table")?;
+        let laws: Vec<_> = in_order(table).into_iter().filter(|(key, _)| keys.contains(key)).collect();
+        let [(key, value)] = laws[..] else {
+            let found = if laws.is_empty() { "no law in `max_of`" } else { "several laws in `max_of`" };
+            return Err((RandomProblem::Laws { name: named.name.clone(), found: found.into() }, item.span()));
+        };
+        let Some(law) = LAWS.iter().find(|law| **law == key && key != "max_of") else {
+            let allowed = LAWS[..LAWS.len() - 1].iter().map(|law| (*law).to_owned()).collect();
+            let what = format!("`max_of` of `{}`", named.name);
+            return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+        };
+        let mut inner =
+            Named { law, parameters: Vec::new(), of: None, lower: None, upper: None, ..named.clone() };
+        self.law(&mut inner, value)?;
+        Ok(inner)
+    }
+
+    fn parameter(&self, name: &str, item: &Item<'_>) -> At<Parameter> {
+        let value = self.written(item);
+        let value = value.ok_or_else(|| {
+            self.wrong(item, format!("`{name}`"), "a number, or a text with a number and its unit")
+        })?;
+        Ok(Parameter { name: name.to_owned(), value, span: item.span() })
+    }
+
+    fn correlations(&self, item: &Item<'_>, random: &mut Random) -> At<()> {
+        const EXPECTED: &str = "one table for each pair, under [[random.correlation]]";
+        let list = item.get_ref().as_array().ok_or_else(|| self.wrong(item, "`correlation`", EXPECTED))?;
+        for entry in list.iter() {
+            let table = self.table(entry, "`correlation`", EXPECTED)?;
+            let (mut pair, mut measure) = (None, None);
+            for (key, value) in in_order(table) {
+                let number = || self.number(value, &format!("`{key}`"));
+                let measured = match key {
+                    "between" => {
+                        pair = Some(self.pair(value, random)?);
+                        continue;
+                    }
+                    "rank" => Measure::Rank(number()?),
+                    "linear" => Measure::Linear(number()?),
+                    "normal" => Measure::Normal(number()?),
+                    _ => {
+                        let allowed = ["between", "rank", "linear", "normal"].map(str::to_owned).to_vec();
+                        let what = "[[random.correlation]]".to_owned();
+                        return Err((
+                            RandomProblem::Name { what, name: key.to_owned(), allowed },
+                            value.span(),
+                        ));
+                    }
+                };
+                if measure.replace(measured).is_some() {
+                    let message = "[[random.correlation]] has two measures; expected one of `rank`, `linear` and `normal`";
+                    return Err((RandomProblem::Other(message.to_owned()), value.span()));
+                }
+            }
+            let (Some((first, second)), Some(measure)) = (pair, measure) else {
+                let lacks = if pair.is_none() {
+                    "`between`, two names"
+                } else {
+                    "`rank`, `linear` or `normal`, a number"
+                };
+                return Err((
+                    RandomProblem::Other(format!("[[random.correlation]] lacks {lacks}")),
+                    entry.span(),
+                ));
+            };
+            random.correlations.push((first, second, measure));
+            random.correlation_spans.push(entry.span());
+        }
+        Ok(())
+    }
+
+    /// The places of two random numbers by their names.
+    fn pair(&self, item: &Item<'_>, random: &Random) -> At<(usize, usize)> {
+        let wrong = || self.wrong(item, "`between`", "two names in a list");
+        let list = item.get_ref().as_array().filter(|list| list.len() == 2).ok_or_else(wrong)?;
+        let mut places = [0; 2];
+        for (place, value) in places.iter_mut().zip(list.iter()) {
+            let name = value.get_ref().as_str().ok_or_else(wrong)?;
+            *place = random.named.iter().position(|named| named.name == name).ok_or_else(|| {
+                let allowed = random.named.iter().map(|named| named.name.clone()).collect();
+                (
+                    RandomProblem::Name { what: "[random]".to_owned(), name: name.to_owned(), allowed },
+                    value.span(),
+                )
+            })?;
+        }
+        Ok((places[0], places[1]))
+    }
+}
+
+/// The years of a return value's name, "10 years".
+pub(super) fn years(name: &str) -> Option<f64> {
+    let number = name.strip_suffix("years").or_else(|| name.strip_suffix("year"))?;
+    number.trim().parse().ok()
+}
