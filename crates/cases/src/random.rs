@@ -18,6 +18,8 @@ mod read;
 mod text;
 
 pub use answer::{Chances, Happening, LifeChances, Method, Probability, ProbabilityError, Request};
+pub use standfast_probability::sample::{Effort, Estimate};
+
 pub use problem::{Bias, Coordinate, Problem, Quantity};
 pub(crate) use read::read;
 pub use read::{Named, Random, RandomProblem, Rate};

@@ -11,6 +11,7 @@ use standfast::{InputError, Point};
 
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
+use standfast_cases::random::Method;
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
 use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
@@ -167,6 +168,36 @@ pub enum Command {
     )]
     Simulate(SimulateArgs),
 
+    /// How likely each mode is if some numbers of a case are random
+    ///
+    /// Prints the probability of every mode under the loads of one event and, where years are given, of meeting it at least once in
+    /// a life; the reliability index beside it; and which number matters, and what knowing it would gain. For given other numbers
+    /// each mode is an interval of the friction between curves known in closed form, so that friction is not sampled; where it is
+    /// certain, a load takes its place.
+    #[command(
+        after_help = "The [random] table of a case (means left out are the case's own values; 1 of a bias):\n\
+        \u{20} [random]\n\
+        \u{20} years = 50                  # optional: over a life as well\n\
+        \u{20} friction               = { normal = { mean = 0.6, sd = 0.1 } }\n\
+        \u{20} wave.deep_water_height = { gumbel = { mean = \"4.5 m\", sd = \"0.9 m\" }, lower = \"1 m\", every = \"year\" }\n\
+        \u{20} mass                   = { normal = { cov = 0.02 } }\n\
+        \u{20} bias.P                 = { lognormal = { mean = 0.91, cov = 0.19 } }\n\
+        \u{20} \"load.push.force\"      = { uniform = { from = \"300 kN/m\", to = \"500 kN/m\" } }\n\n\
+        \u{20} [[random.correlation]]\n\
+        \u{20} between = [\"friction\", \"bias.P\"]\n\
+        \u{20} rank = 0.3                  # Spearman; or linear, of the values; or normal, of the normals behind\n\n\
+        Names are keys of the case file, with what goes with them when they vary; a load is named by its name. bias.P,\n\
+        bias.U: what the wave's thrust and uplift are multiplied by, their moments too unless bias.M_p, bias.M_U are\n\
+        given; bias.force: every [[load]].\n\
+        Laws: normal, lognormal (mean, sd or cov); gumbel of maxima (mean, sd; mode, scale; or \"10 years\" and\n\
+        \"100 years\" with their values); weibull (scale, shape, location); gev (location, scale, shape); uniform (from,\n\
+        to); triangular (from, mode, to); max_of (count and a law). lower and upper truncate. every = \"life\" is drawn\n\
+        once, \"year\" each year.\n\
+        In place of a case: [point] with gamma, k_prime, k and mu, of which any may be random.\n\n\
+        Example:\n  standfast probability examples/goda-2000-random.toml"
+    )]
+    Probability(ProbabilityArgs),
+
     /// Classify one point of the k–μ plane
     #[command(
         after_help = "Example:\n  standfast classify --gamma 0.8 --k-prime 0.333 --k 0.5 --mu 0.6 --explain"
@@ -238,6 +269,38 @@ pub struct AssessArgs {
     /// End with exit code 3 if a criterion of the case is not met
     #[arg(long)]
     pub check: bool,
+    /// How to print the answer
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Arguments of `probability`.
+#[derive(Debug, Args)]
+pub struct ProbabilityArgs {
+    /// The case file (TOML) with a [random] table; - reads standard input
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// How: integrate (three random numbers at most), sobol, importance or monte-carlo [default: the best that takes as many]
+    #[arg(long)]
+    pub method: Option<Method>,
+    /// The seed of all random numbers
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// How wide half of a 95 % interval may be, relative to its probability
+    #[arg(long, default_value = "0.05", value_parser = share)]
+    pub precision: f64,
+    /// Probabilities up to this need not be precise
+    #[arg(long, default_value = "1e-6", value_parser = share)]
+    pub floor: f64,
+    /// The most points that are taken
+    #[arg(long, default_value_t = 1 << 22)]
+    pub samples: u64,
+    /// The years of a life, before those of the file
+    #[arg(long, value_parser = time_step)]
+    pub years: Option<f64>,
+    /// How many threads work; the answer does not depend on it [default: as many as the machine has cores]
+    #[arg(long)]
+    pub threads: Option<NonZeroUsize>,
     /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -514,6 +577,11 @@ fn scale(text: &str) -> Result<f32, String> {
     let range = 0.1..=20.0;
     let value = text.parse().ok().filter(|value| range.contains(value));
     value.ok_or_else(|| format!("expected a number from {} to {}", range.start(), range.end()))
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let share = text.trim().parse().ok().filter(|share: &f64| *share > 0.0 && *share < 1.0);
+    share.ok_or_else(|| "expected a share, above zero and below 1".to_owned())
 }
 
 fn time_step(text: &str) -> Result<f64, String> {

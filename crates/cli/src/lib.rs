@@ -22,6 +22,7 @@ pub mod design;
 pub mod draw;
 pub mod features;
 pub mod format;
+pub mod probability;
 mod progress;
 pub mod sheet;
 pub mod simulate;
@@ -68,6 +69,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             sheet::sheet(&args.case, &args.output, &options, args.paper)?;
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
+        Command::Probability(args) => print(&probability::probability(&args)?),
         Command::Simulate(args) => print(&simulate::simulate(&args)?),
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;

@@ -88,6 +88,10 @@ pub enum ProbabilityError {
     #[error("the case file has no [random] table, which says what is random and by which law")]
     #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
     NoRandom,
+    /// A base that gives way.
+    #[error("the case has a [ground], and probabilities are those of a body on a rigid base")]
+    #[diagnostic(help("leave [ground] out"))]
+    Ground,
     /// More numbers than the method takes.
     #[error("{method} takes {most} random numbers at most, and the case has {numbers}")]
     #[diagnostic(help("without a method one is chosen that does"))]
@@ -214,6 +218,9 @@ impl Probability {
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
     pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
         let random = file.random().ok_or(ProbabilityError::NoRandom)?;
+        if file.case()?.ground.is_some() {
+            return Err(ProbabilityError::Ground);
+        }
         Probability::of_problems(file.name(), Problem::of(file, random, request.years)?, request)
     }
 
