@@ -287,10 +287,10 @@ pub struct ProbabilityArgs {
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// How wide half of a 95 % interval may be, relative to its probability
-    #[arg(long, default_value = "0.05", value_parser = share)]
+    #[arg(long, default_value = "0.05", value_parser = part)]
     pub precision: f64,
     /// Probabilities up to this need not be precise
-    #[arg(long, default_value = "1e-6", value_parser = share)]
+    #[arg(long, default_value = "1e-6", value_parser = part)]
     pub floor: f64,
     /// The most points that are taken
     #[arg(long, default_value_t = 1 << 22)]
@@ -579,7 +579,7 @@ fn scale(text: &str) -> Result<f32, String> {
     value.ok_or_else(|| format!("expected a number from {} to {}", range.start(), range.end()))
 }
 
-fn share(text: &str) -> Result<f64, String> {
+fn part(text: &str) -> Result<f64, String> {
     let share = text.trim().parse().ok().filter(|share: &f64| *share > 0.0 && *share < 1.0);
     share.ok_or_else(|| "expected a share, above zero and below 1".to_owned())
 }

@@ -16,7 +16,7 @@ impl Probability {
         text += &self.chances(worst);
         for chances in others {
             let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
-            text += &table(chances, &chances.modes, chances.not_rest, self.floor());
+            text += &event_table(chances, self.floor());
         }
         text
     }
@@ -43,9 +43,10 @@ impl Probability {
             if numbers == 1 { "1 random number".to_owned() } else { format!("{numbers} random numbers") };
         let mut text = paragraph(&format!("Probability ({how}, {numbers}, {counted})"), 0);
         if let Some(situation) = &chances.situation {
-            let _ = writeln!(text, "  under {situation}, the least safe");
+            let least = if self.situations.len() > 1 { ", the least safe" } else { "" };
+            let _ = writeln!(text, "  under {situation}{least}");
         }
-        text += &table(chances, &chances.modes, chances.not_rest, self.floor());
+        text += &event_table(chances, self.floor());
         text += &self.index(chances);
         if !chances.precise {
             let effort = &self.request.effort;
@@ -58,7 +59,8 @@ impl Probability {
                 2,
             );
         }
-        for (name, cut) in self.random.iter().filter(|(_, cut)| *cut > 0.0) {
+        // Less is in the JSON alone.
+        for (name, cut) in self.random.iter().filter(|(_, cut)| *cut >= 1e-12) {
             text += &paragraph(
                 &format!("{} of the law of {name} is cut away: no body has such values.", digits(*cut)),
                 2,
@@ -67,7 +69,10 @@ impl Probability {
         text += &self.matters(chances);
         if let Some(life) = &chances.life {
             let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
-            text += &table(chances, &life.modes, life.not_rest, self.floor());
+            // Rest is what a life begins with.
+            let moved: Vec<_> =
+                life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::Mode(Mode::Rest)).collect();
+            text += &modes_table(chances, &moved, life.not_rest, self.floor());
         }
         text
     }
@@ -109,20 +114,26 @@ impl Probability {
     }
 }
 
-/// The modes with their probabilities; those below the floor together.
-fn table(chances: &Chances, modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64) -> String {
+/// The modes under the loads of one event.
+fn event_table(chances: &Chances, floor: f64) -> String {
+    let mut text = modes_table(chances, &chances.modes, chances.not_rest, floor);
+    let parts = [
+        ("more than one consistent mode", chances.not_unique),
+        ("nothing that presses the body down", chances.lifted),
+    ];
+    for (words, e) in parts.into_iter().filter(|(_, e)| e.value >= floor) {
+        text += &paragraph(&format!("Of these with {words}: {}.", probability(e.value)), 2);
+    }
+    text
+}
+
+/// Modes with their probabilities; those below the floor together.
+fn modes_table(chances: &Chances, modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64) -> String {
     let mut shown: Vec<_> = modes.iter().filter(|(_, e)| e.value >= floor).collect();
     shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
     let mut rows: Vec<Vec<String>> =
         shown.iter().map(|(happening, e)| line(&words(*happening), *e, chances.method)).collect();
     rows.push(line("does not rest", not_rest, chances.method));
-    for (words, e) in
-        [("more than one mode", chances.not_unique), ("nothing presses it down", chances.lifted)]
-    {
-        if e.value >= floor {
-            rows.push(line(words, e, chances.method));
-        }
-    }
     let mut text = columns(&rows, 2, &[1]);
     let below: Vec<_> = modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
     if !below.is_empty() {
