@@ -27,7 +27,7 @@ pub enum Problem {
     },
     /// Wrong random numbers.
     #[error(transparent)]
-    Random(#[from] RandomProblem),
+    Random(Box<RandomProblem>),
     /// The text is not TOML.
     #[error("this is not valid TOML: {0}")]
     Syntax(String),
@@ -440,6 +440,12 @@ impl std::fmt::Display for Key {
 const SKELETON: &str = "a case file has a body and one or more loads, for example:\n\n\
     [body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6\n\n\
     [[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"";
+
+impl From<RandomProblem> for Problem {
+    fn from(problem: RandomProblem) -> Problem {
+        Problem::Random(Box::new(problem))
+    }
+}
 
 impl Problem {
     /// What to do.

@@ -15,6 +15,7 @@ mod document;
 mod point;
 mod problem;
 mod read;
+mod resolve;
 mod text;
 
 pub use answer::{Chances, Happening, LifeChances, Method, Probability, ProbabilityError, Request};

@@ -19,7 +19,7 @@ use toml::de::{DeTable, DeValue};
 use super::RANDOM;
 use super::problem::Coordinate;
 use super::read::{Random, RandomProblem, read};
-use crate::error::{CaseError, Problem};
+use crate::error::CaseError;
 use crate::parse::{plain_number, type_of};
 
 /// The four numbers and what is random of them, if the text is of a point; none if it is of a case, or is no TOML.
@@ -27,9 +27,7 @@ pub(super) fn read_file(name: &str, text: &str) -> Result<Option<([f64; 4], Rand
     let Ok(document) = DeTable::parse(text) else { return Ok(None) };
     let top = document.get_ref();
     let Some(point) = top.get("point") else { return Ok(None) };
-    let wrong = |(problem, span): (RandomProblem, _)| {
-        CaseError::new(name, text, Problem::Random(problem), vec![span])
-    };
+    let wrong = |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
     let allowed = ["title", "note", "point", RANDOM];
     if let Some((key, _)) = top.iter().find(|(key, _)| !allowed.contains(&key.get_ref().as_ref())) {
         let (what, name) = ("a file with a [point]".to_owned(), key.get_ref().to_string());

@@ -19,6 +19,7 @@ use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::layout::digits;
 use crate::suggest::closest;
 
 /// The random numbers of a case, as they are written.
@@ -163,18 +164,24 @@ pub enum RandomProblem {
         limit: String,
     },
     /// A correlation that cannot be.
-    #[error("the correlation {value} of `{first}` and `{second}` cannot be{}; expected more than {from} and less than {to}", if *beside_others { " beside the others" } else { "" })]
+    #[error(
+        "the correlation {} of `{first}` and `{second}` cannot be{}; expected more than {} and less than {}",
+        digits(*value),
+        if *beside_others { " beside the others" } else { "" },
+        digits(*from),
+        digits(*to)
+    )]
     Correlation {
         /// One number.
         first: String,
         /// The other.
         second: String,
         /// The correlation.
-        value: String,
+        value: f64,
         /// More than this.
-        from: String,
+        from: f64,
         /// Less than this.
-        to: String,
+        to: f64,
         /// Whether other correlations are the reason.
         beside_others: bool,
     },

@@ -1,0 +1,287 @@
+//! From the names and laws of a `[random]` table to what they are in a case.
+
+use standfast_probability::copula::{Copula, CopulaError, Correlation};
+use standfast_probability::law::{Distribution, Law, LawError};
+use standfast_probability::problem::Inputs as Laws;
+
+use super::problem::{Bias, Coordinate, Input, Quantity};
+use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
+use crate::case::Case;
+use crate::couple::Variable;
+use crate::key::Range;
+use crate::layout::digits;
+use crate::parse::CaseFile;
+use crate::suggest::closest;
+
+/// From names and laws as they are written to what they are.
+pub(super) struct Resolve<'a>(pub(super) Names<'a>);
+
+/// What names may stand for.
+#[derive(Clone, Copy)]
+pub(super) enum Names<'a> {
+    Case(&'a CaseFile, &'a Case),
+    Point([f64; 4]),
+}
+
+impl Resolve<'_> {
+    /// The random numbers, and their laws.
+    pub(super) fn all(&self, random: &Random) -> At<(Vec<Input>, Laws)> {
+        let mut inputs: Vec<Input> = Vec::new();
+        let mut laws = Vec::new();
+        for named in &random.named {
+            let quantity = self.quantity(named)?;
+            if let Some(other) = inputs.iter().find(|input| same(&input.quantity, &quantity)) {
+                let (name, other) = (named.name.clone(), other.name.clone());
+                return Err((RandomProblem::Twice { name, other }, named.span.clone()));
+            }
+            let (law, cut) = self.law(named, &quantity)?;
+            inputs.push(Input { name: named.name.clone(), quantity, every: named.every, cut });
+            laws.push(law);
+        }
+        let correlations: Vec<Correlation> = random
+            .correlations
+            .iter()
+            .map(|&(first, second, measure)| Correlation { first, second, measure })
+            .collect();
+        let copula = Copula::new(&laws, &correlations).map_err(|error| {
+            let at = |first: usize, second: usize| {
+                let place = random.correlations.iter().rposition(|(a, b, _)| (*a, *b) == (first, second));
+                place.map_or(random.span.clone(), |place| random.correlation_spans[place].clone())
+            };
+            match error {
+                CopulaError::Unattainable { first, second, value, from, to, beside_others } => {
+                    let name = |place: usize| inputs[place].name.clone();
+                    let problem = RandomProblem::Correlation {
+                        first: name(first),
+                        second: name(second),
+                        value,
+                        from,
+                        to,
+                        beside_others,
+                    };
+                    (problem, at(first, second))
+                }
+                CopulaError::Twice { first, second } => {
+                    let names = format!("`{}` and `{}`", inputs[first].name, inputs[second].name);
+                    let message = format!("the correlation of {names} is given twice");
+                    (RandomProblem::Other(message), at(first, second))
+                }
+                CopulaError::Pair { first, .. } => {
+                    let message = format!("`{}` is correlated with itself", inputs[first].name);
+                    (RandomProblem::Other(message), at(first, first))
+                }
+                other => (RandomProblem::Other(other.to_string()), random.span.clone()),
+            }
+        })?;
+        Ok((inputs, Laws::new(laws, copula)))
+    }
+
+    /// What a name stands for.
+    fn quantity(&self, named: &Named) -> At<Quantity> {
+        let (file, case) = match self.0 {
+            Names::Case(file, case) => (file, case),
+            Names::Point(_) => {
+                let found = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == named.name);
+                return found.map(Quantity::Point).ok_or_else(|| {
+                    let (what, name) = ("[random] of a [point]".to_owned(), named.name.clone());
+                    let allowed = Coordinate::ALL.map(|coordinate| coordinate.name().to_owned()).to_vec();
+                    (RandomProblem::Name { what, name, allowed }, named.span.clone())
+                });
+            }
+        };
+        if let Some(bias) = Bias::ALL.into_iter().find(|bias| bias.name() == named.name) {
+            let waves = case.wave.is_some();
+            let there = if bias == Bias::Force { !case.forces.is_empty() } else { waves };
+            if there {
+                return Ok(Quantity::Bias(bias));
+            }
+            let known =
+                if bias == Bias::Force { "the case has no [[load]]" } else { "the case has no waves" };
+            let (name, known) = (named.name.clone(), known.to_owned());
+            return Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()));
+        }
+        // A load by its name.
+        let by_name = named.name.strip_prefix("load.").and_then(|rest| rest.rsplit_once('.'));
+        let spelled = by_name.and_then(|(load, key)| {
+            let place = case.forces.iter().position(|force| force.name.as_deref() == Some(load))?;
+            Some(format!("load[{}].{key}", place + 1))
+        });
+        let name = spelled.as_deref().unwrap_or(&named.name);
+        match Variable::find(name, file.inputs()) {
+            Ok(variable) => Ok(Quantity::Key(variable)),
+            Err(unknown) => {
+                let biases = Bias::ALL.map(Bias::name);
+                let suggestion = unknown.suggestion.or_else(|| closest(name, biases).map(str::to_owned));
+                let known =
+                    format!("its numbers are {}, and {}", unknown.names.join(", "), biases.join(", "));
+                let name = named.name.clone();
+                Err((RandomProblem::NoNumber { name, suggestion, known }, named.span.clone()))
+            }
+        }
+    }
+
+    /// The law of a random number, and what was cut of it because no body has such values.
+    fn law(&self, named: &Named, quantity: &Quantity) -> At<(Distribution, f64)> {
+        let law = self.plain_law(named, quantity)?;
+        let bound = |parameter: &Option<Parameter>, none: f64| match parameter {
+            Some(parameter) => self.value(named, quantity, parameter),
+            None => Ok(none),
+        };
+        let (lower, upper) = (bound(&named.lower, f64::NEG_INFINITY)?, bound(&named.upper, f64::INFINITY)?);
+        let refused = |error: LawError| {
+            (
+                RandomProblem::Value {
+                    what: format!("the range of `{}`", named.name),
+                    written: format!("{} to {}", digits(lower), digits(upper)),
+                    expected: format!("a range in which its law has values; {error}"),
+                },
+                named.span.clone(),
+            )
+        };
+        let (physical, limit) = match range(quantity) {
+            Range::Finite => (f64::NEG_INFINITY, ""),
+            Range::NotNegative => (0.0, "it is negative"),
+            Range::Positive | Range::Share => (0.0, "it is zero or less"),
+        };
+        let asked = Distribution::truncated(law.clone(), lower, upper).map_err(refused)?;
+        if lower >= physical {
+            return Ok((asked, 0.0));
+        }
+        let cut = asked.tails(physical).below;
+        if cut > 1e-3 {
+            let (name, share, limit) = (named.name.clone(), digits(cut), limit.to_owned());
+            return Err((RandomProblem::Unphysical { name, share, limit }, named.span.clone()));
+        }
+        let whole = Distribution::truncated(law, lower.max(physical), upper).map_err(refused)?;
+        Ok((whole, cut))
+    }
+
+    /// The law before truncation.
+    fn plain_law(&self, named: &Named, quantity: &Quantity) -> At<Law> {
+        let find = |name: &str| named.parameters.iter().find(|parameter| parameter.name == name);
+        let measured =
+            |name: &str| find(name).map(|parameter| self.value(named, quantity, parameter)).transpose();
+        let plain = |name: &str| find(name).map(|parameter| self.plain(named, parameter)).transpose();
+        let lacks = |needed| {
+            let (law, name) = (named.law, named.name.clone());
+            (RandomProblem::Lacks { law, name, needed }, named.span.clone())
+        };
+        let need = |name: &'static str| measured(name).and_then(|value| value.ok_or_else(|| lacks(name)));
+        let need_plain = |name: &'static str| plain(name).and_then(|value| value.ok_or_else(|| lacks(name)));
+        // Mean and deviation; the mean is the case's value where none is given, and 1 of a bias.
+        let moments = || -> At<(f64, f64)> {
+            let own = match (quantity, self.0) {
+                (Quantity::Key(variable), Names::Case(file, case)) => variable.value(file.inputs(), case),
+                (Quantity::Point(coordinate), Names::Point(point)) => point[*coordinate as usize],
+                _ => 1.0,
+            };
+            let mean = measured("mean")?.unwrap_or(own);
+            match (measured("sd")?, plain("cov")?) {
+                (Some(_), Some(_)) => {
+                    let found = "both `sd` and `cov`".to_owned();
+                    let message = format!(
+                        "the law {} of `{}` has {found}; expected one of them",
+                        named.law, named.name
+                    );
+                    Err((RandomProblem::Other(message), named.span.clone()))
+                }
+                (Some(sd), None) => Ok((mean, sd)),
+                (None, Some(cov)) => Ok((mean, cov * mean.abs())),
+                (None, None) => Err(lacks("`sd`, a standard deviation, or `cov`, its share of the mean")),
+            }
+        };
+        let law = match named.law {
+            "normal" => moments().map(|(mean, sd)| Law::normal(mean, sd))?,
+            "lognormal" => moments().map(|(mean, sd)| Law::lognormal(mean, sd))?,
+            "gumbel" => {
+                let returns: Vec<&Parameter> =
+                    named.parameters.iter().filter(|parameter| years(&parameter.name).is_some()).collect();
+                match (&returns[..], find("mode").or(find("scale"))) {
+                    ([], None) => moments().map(|(mean, sd)| Law::gumbel_of_mean(mean, sd))?,
+                    ([], Some(_)) => Law::gumbel(need("mode")?, need("scale")?),
+                    ([one, two], None) => {
+                        let of = |parameter: &&Parameter| -> At<(f64, f64)> {
+                            let value = self.value(named, quantity, parameter)?;
+                            Ok((years(&parameter.name).unwrap_or(f64::NAN), value))
+                        };
+                        Law::gumbel_of_returns(of(one)?, of(two)?)
+                    }
+                    _ => return Err(lacks("either mean and sd, mode and scale, or two return values")),
+                }
+            }
+            "weibull" => {
+                Law::weibull(need("scale")?, need_plain("shape")?, measured("location")?.unwrap_or(0.0))
+            }
+            "gev" => Law::gev(need("location")?, need("scale")?, need_plain("shape")?),
+            "uniform" => Law::uniform(need("from")?, need("to")?),
+            "triangular" => Law::triangular(need("from")?, need("mode")?, need("to")?),
+            _ => {
+                let inner = named.of.as_ref().ok_or_else(|| lacks("a law of which it is the largest"))?;
+                let (of, _) = (self.plain_law(inner, quantity)?, ());
+                Law::max_of(of.into(), need_plain("count")?)
+            }
+        };
+        law.map_err(|error| match error {
+            LawError::Parameter { parameter, value, expected, .. } => {
+                let at = find(parameter).map_or(named.span.clone(), |parameter| parameter.span.clone());
+                let what = format!("`{parameter}` of the law {} of `{}`", named.law, named.name);
+                (RandomProblem::Value { what, written: digits(value), expected: expected.to_owned() }, at)
+            }
+            other => (RandomProblem::Other(other.to_string()), named.span.clone()),
+        })
+    }
+
+    /// A parameter in SI units of the random number; deviations and scales too.
+    fn value(&self, named: &Named, quantity: &Quantity, parameter: &Parameter) -> At<f64> {
+        match (&parameter.value, quantity, self.0) {
+            (Written::Text(text), Quantity::Key(variable), Names::Case(file, _)) => {
+                variable.read(text, file.inputs()).map_err(|_| {
+                    let expected = match variable.dimension() {
+                        Some(dimension) => {
+                            format!("a number, or {} in {}", dimension.words(), dimension.understood())
+                        }
+                        None => "a number without unit or quotes".to_owned(),
+                    };
+                    let what = format!("`{}` of `{}`", parameter.name, named.name);
+                    (
+                        RandomProblem::Value { what, written: format!("\"{text}\""), expected },
+                        parameter.span.clone(),
+                    )
+                })
+            }
+            _ => self.plain(named, parameter),
+        }
+    }
+
+    fn plain(&self, named: &Named, parameter: &Parameter) -> At<f64> {
+        match &parameter.value {
+            Written::Number(number) if number.is_finite() => Ok(*number),
+            written => {
+                let written = match written {
+                    Written::Number(number) => number.to_string(),
+                    Written::Text(text) => format!("\"{text}\""),
+                };
+                let what = format!("`{}` of `{}`", parameter.name, named.name);
+                let expected = "a number without unit or quotes".to_owned();
+                Err((RandomProblem::Value { what, written, expected }, parameter.span.clone()))
+            }
+        }
+    }
+}
+
+/// Which values a random number can have.
+fn range(quantity: &Quantity) -> Range {
+    match quantity {
+        Quantity::Key(variable) => variable.range(),
+        Quantity::Bias(_) => Range::NotNegative,
+        Quantity::Point(coordinate) => coordinate.range(),
+    }
+}
+
+/// Whether two names are one number.
+fn same(one: &Quantity, other: &Quantity) -> bool {
+    match (one, other) {
+        (Quantity::Key(one), Quantity::Key(other)) => one.id() == other.id(),
+        (one, other) => one == other,
+    }
+}
