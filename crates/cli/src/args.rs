@@ -309,8 +309,11 @@ pub struct ProbabilityArgs {
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArgs {
-    /// The case file (TOML) with a [block] or a [body]; - reads standard input
-    #[arg(value_name = "CASE.toml")]
+    /// The case file, with a block or a body.
+    #[arg(
+        value_name = "CASE.toml",
+        help = "The case file (TOML) with a [block] or a [body]; - reads standard input"
+    )]
     pub case: PathBuf,
     /// Write the motion at even steps of time to a CSV file; - writes to standard output in place of the answer
     #[arg(long, value_name = "OUT.csv", requires = "dt")]
