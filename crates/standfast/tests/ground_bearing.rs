@@ -272,6 +272,18 @@ fn the_ground_s_load_factor_is_the_first() {
     assert!(found[1] > 50, "{found:?}");
 }
 
+/// Of a body that its permanent loads lift nothing presses under any load factor; that is found without a search.
+#[test]
+fn nothing_fails_under_a_body_that_is_lifted() {
+    let body = Body::new(10.0, 8.0, 200e3).unwrap();
+    let lift = Load::permanent(LoadSource::Uplift, LoadKind::Uplift, Action::vertical(&body, -2.1e6, 5.0));
+    let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-1e4, 4.0));
+    let situation = Situation::new(body, 0.6, 10.0).unwrap().with_weight().with(lift).with(push);
+    let ground = Ground::new(GroundLaw::Hansen, 40.0, 1e4).unwrap();
+    let found = GroundPath::new(ground, &situation).unwrap().load_factors();
+    assert_eq!([Some(found.given), found.less, found.more], [Some(f64::INFINITY); 3]);
+}
+
 #[test]
 fn wrong_numbers_are_shown() {
     let message = |angle, weight| Ground::new(GroundLaw::Ec7, angle, weight).unwrap_err().to_string();

@@ -185,8 +185,12 @@ impl GroundPath {
     /// Whether the ground is certain to bear every reaction between two load factors: P and X are lines of λ, and e and η rise or fall all
     /// the way as long as P presses, so that the least R there is no less than that of the worst of both ends taken together.
     fn is_borne(&self, ground: &Ground, low: f64, high: f64) -> bool {
-        let (Some(one), Some(other)) = (self.reaction(low), self.reaction(high)) else { return false };
-        ground.least_resistance(&one, &other) >= one.p.max(other.p)
+        match (self.reaction(low), self.reaction(high)) {
+            (Some(one), Some(other)) => ground.least_resistance(&one, &other) >= one.p.max(other.p),
+            // P is a line of λ: nothing presses between them either, and nothing fails.
+            (None, None) => true,
+            _ => false,
+        }
     }
 
     /// Where the ground fails as the variable loads rise.
