@@ -75,7 +75,39 @@ def random_case(seed: int) -> str:
         criteria = ["SF_sliding = 1.2", "SF_overturning = 1.5", 'bearing_max = "400 kPa"', "contact_share = 0.667", "load_factor = 1.1"]
         criteria += [f"eccentricity = {width / 6}", 'modes_not = ["RO", "SRO-"]']
         lines += ["[criteria]", *n.sample(criteria, n.randint(1, len(criteria)))]
-    return of_a_kind("\n".join(lines) + "\n", width, height, random.Random(-1 - seed))
+    text = on_ground("\n".join(lines) + "\n", width, height, random.Random(-10_000 - seed))
+    return of_a_kind(text, width, height, random.Random(-1 - seed))
+
+
+def on_ground(text: str, width: float, height: float, n: random.Random) -> str:
+    """Some cases on a base that crushes, on ground that fails, or on springs, of some loads in time."""
+    kind = n.choice(["strength", "soil", "envelope", "springs", *["rigid"] * 6])
+    if kind == "rigid":
+        return text
+    pressure = height * 2.2e4
+    lines = {
+        "strength": [f'strength = "{pressure * 10 ** n.uniform(-0.1, 1.5) / 1e3} kPa"'],
+        "soil": [
+            f"friction_angle_deg = {n.uniform(20, 50)}",
+            f'unit_weight = "{n.uniform(7, 20)} kN/m3"',
+            *n.sample(["surcharge = 2e4", "cohesion = 8e3", 'law = "hansen"'], n.randint(0, 3)),
+        ],
+        "envelope": ['law = "envelope"', f'centric_resistance = "{pressure * width * 10 ** n.uniform(-0.1, 1) / 1e3} kN/m"'],
+        "springs": [],
+    }[kind]
+    if kind == "springs" or n.random() < 0.3:
+        lines += [f'stiffness = "{10 ** n.uniform(0.5, 2.5)} MN/m3"', f'tangential_stiffness = "{10 ** n.uniform(0, 2)} MN/m3"']
+        blocks = text.split("[[load]]\n")
+        for i, block in enumerate(blocks[1:], 1):
+            if "permanent" not in block.split("\n[")[0] and n.random() < 0.5:
+                blocks[i] = f'history = {{ shape = "triangle", rise = 0.05, duration = {n.uniform(0.1, 1)} }}\n{block}'
+        text = "[[load]]\n".join(blocks)
+    criteria = ["effective_pressure_max = 3e5"] + (["ground_factor = 1.4"] if kind != "springs" else [])
+    criteria += ["rotation_max = 2e-3"] if any("stiffness" in line for line in lines) else []
+    if "[criteria]\n" in text:
+        text = text.replace("[criteria]\n", "[criteria]\n" + "\n".join(n.sample(criteria, n.randint(1, len(criteria)))) + "\n")
+    head, rest = text.split("\n[", 1) if "\n[" in text else (text, "")
+    return f"{head}\n[ground]\n" + "\n".join(lines) + f"\n[{rest}"
 
 
 def of_a_kind(text: str, width: float, height: float, n: random.Random) -> str:
@@ -90,6 +122,8 @@ def of_a_kind(text: str, width: float, height: float, n: random.Random) -> str:
         parts += f"top_left = {3 + n.uniform(0, 1) * (width - top)}\ntop_width = {top}\ndensity = 1900\ndensity_below_water = 2100\n"
         return "[" + said.sub("", body) + parts + "".join(f"[{more}" for more in rest)
     walls = "[wave]" in text or "sides" in text or re.search(r"\[water\]\n.*\nleft", text)
+    if "[ground]" in text and kind == "cylinder":
+        return text
     if kind == "metre" or (walls if kind == "cylinder" else "[wave]" in text):
         return text
     whole = f"length = {n.uniform(0.3, 9)}" if kind == "length" else 'shape = "cylinder"'
@@ -134,7 +168,7 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
         assert f"the body stays at rest (RE){factor_words}." in words
     else:
         assert said["mode_words"] is None or f"the body {said['mode_words']} ({said['mode']})." in words
-    assert ("The answer is unique." in words) == (said["unique"] and said["mode"] is not None)
+    assert ("The answer is unique." in words) == (said["unique"] and said["mode"] not in (None, "BF"))
     for symbol in said["also"]:
         assert f"({symbol})" in words.split("is not unique: that it ", 1)[1].split("as well.")[0]
     if said["departure"] == "never":
@@ -181,9 +215,11 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
     assert row(text, "P")[0] == f"{digits(said['P'] / 1e3)} kN{per}"
     assert row(text, "P")[1] == f"M_p = {digits(said['M_p'] / 1e3)} kN m{per} about the base"
     assert row(text, "U")[0] == f"{digits(said['U'] / 1e3)} kN{per}"
+    compare_ground(said["ground"], text, words, per)
     if said["k_eff"] is not None:
-        diagram = text.split("In the report's diagram", 1)[1]
-        name = "k_eff" if "with effective coordinates" in diagram.splitlines()[0] else "k"
+        heading = "In the report's diagram" if said["report"] is not None else "\nCoordinates\n"
+        diagram = text.split(heading, 1)[1]
+        name = "k" if re.search(r"^  k  ", diagram.split("\nBecause")[0], re.MULTILINE) else "k_eff"
         assert row(diagram.split("\nBecause")[0], name)[-1] == digits(said["k_eff"])
     keys = ["x_ddot", "y_ddot", "theta_ddot", "f_x", "f_y", "xi", "slip", "lift_o", "lift_o_prime"]
     if said["motion"] is not None:
@@ -202,6 +238,41 @@ def compare_situation(said: dict[str, Any], text: str, per: str) -> None:
         assert (begin, mode) == (digits(stage["from"]), stage["mode"] or "none")
 
 
+def compare_ground(ground: dict[str, Any] | None, text: str, words: str, per: str) -> None:
+    """What the base bears."""
+    assert (ground is not None) == ("\nGround\n" in text)
+    if ground is None:
+        return
+    part = text.split("\nGround\n", 1)[1].split("\nVerdict\n")[0]
+
+    def last(name: str) -> str | None:
+        found = re.findall(rf"^  .*\b{re.escape(name)} {{2,}}(.+)$", part, re.MULTILINE)
+        return found[0] if found else None
+
+    pressure = ground["effective_pressure"]
+    if ground["effective_width"] is None:
+        assert last("B' = 2(B − |e|)") is None and "Nothing presses on the base" in words
+    else:
+        assert last("B' = 2(B − |e|)") == f"{digits(ground['effective_width'])} m"
+        assert last("P/B'") == ("none" if pressure == "infinite" else f"{digits(pressure / 1e3)} kPa")
+        # P = p B' = R/factor, in the units of each.
+        if ground["factor"] and pressure != "infinite" and per:
+            assert ground["resistance"] / ground["factor"] == pytest.approx(pressure * ground["effective_width"], rel=1e-12)
+    assert last("R/P") == (None if ground["factor"] is None else digits(ground["factor"]))
+    assert last("ω = P/(2B q_u)") == (None if ground["omega"] is None else digits(ground["omega"]))
+    if ground["neutral"] is not None:
+        assert ground["neutral"] == pytest.approx(2 * ground["pivot"], rel=1e-12)
+        assert f"the body turns about a point {digits(ground['neutral'])} m inside it." in words
+    if ground["rotation"] is not None:
+        assert last("θ").startswith(f"{digits(ground['rotation'] * 1e3)} mrad")
+    assert last("D_shear") == (None if ground["D_shear"] is None else digits(ground["D_shear"]))
+    if ground["periods"] is not None:
+        assert f"{digits(ground['periods'][0])} s and {digits(ground['periods'][1])} s" in words
+    times = [event["time"] for event in ground["events"] if event["time"] is not None]
+    assert ground["first_event_time"] == min(times, default=None)
+    assert [event["event"] for event in ground["events"]] in ([], ["slip", "lift"], ["slip", "lift", "yield"])
+
+
 def compare_criteria(document: dict[str, Any], text: str) -> None:
     """The criteria of the text against the JSON, and these against the situations."""
     assert document["met"] == (all(check["met"] for check in document["criteria"]) if document["criteria"] else None)
@@ -213,7 +284,7 @@ def compare_criteria(document: dict[str, Any], text: str) -> None:
         situation = document["situations"][check["situation"]]
         if check["name"] == "modes_not":
             if check["earthquake"] == situation["earthquake"]:
-                assert set(check["value"]) == ({situation["mode"], *situation["also"]} - {None})
+                assert set(check["value"]) == ({situation["mode"], *situation["also"]} - {None, "BF"})
             assert check["met"] == (bool(check["value"]) and not set(check["value"]) & set(check["required"]))
             used.append(0 if check["met"] else math.inf)
             continue
@@ -224,7 +295,7 @@ def compare_criteria(document: dict[str, Any], text: str) -> None:
         rests = {"never": "infinite", "at-once": 0, "at": under["load_factor"]}[under["departure"]]
         assert check["value"] == (rests if check["name"] == "load_factor" else under.get(check["name"], check["value"]))
         value = math.inf if check["value"] == "infinite" else check["value"]
-        least = check["name"] not in ("bearing_max", "eccentricity")
+        least = check["name"] not in ("bearing_max", "eccentricity", "effective_pressure_max", "rotation_max")
         if value is None or (least and value <= 0):
             utilisation = math.inf
         else:
@@ -236,7 +307,8 @@ def compare_criteria(document: dict[str, Any], text: str) -> None:
             assert shown == "infinite"
         else:
             assert shown == digits(utilisation) or abs(float(shown) / utilisation - 1) < 5e-4
-        required = digits(check["required"] / (1e3 if check["name"] == "bearing_max" else 1))
+        scale = {"bearing_max": 1e3, "effective_pressure_max": 1e3, "rotation_max": 1e-3}
+        required = digits(check["required"] / scale.get(check["name"], 1))
         assert columns[1].split()[:2] == ["≥" if least else "≤", required]
         used.append(utilisation)
     assert used == sorted(used, reverse=True)
@@ -247,9 +319,13 @@ def compare_table(name: str, document: dict[str, Any]) -> None:
     table = standfast.assess_table(name, {"gravity": [document["gravity"]]})
     governing = document["situations"][document["governing"]]
     expected = {key: value for key, value in governing.items() if key not in ("criteria", "earthquake")}
+    if ground := governing["ground"]:
+        expected |= {{"factor": "ground_factor", "resistance": "ground_resistance"}.get(key, key): ground[key] for key in ground}
+        expected |= dict(zip(("period_1", "period_2"), ground["periods"] or (None, None)))
     if document["criteria"]:
         first = document["criteria"][0]
         expected |= {"met": document["met"], "criterion": first["name"], "utilisation": first["utilisation"]}
+    expected["warnings"] = list(dict.fromkeys(warning["name"] for warning in document["warnings"])) or None
     shaken = governing["earthquake"] or {"horizontal": None, "vertical": None}
     expected |= {f"earthquake_{key}": value for key, value in shaken.items()}
     compared = 0
