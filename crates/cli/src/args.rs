@@ -277,7 +277,7 @@ pub struct AssessArgs {
 /// Arguments of `probability`.
 #[derive(Debug, Args)]
 pub struct ProbabilityArgs {
-    /// The case file (TOML) with a [random] table; - reads standard input
+    /// The case file (TOML) with a table `random`; - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
     /// How: integrate (three random numbers at most), sobol, importance or monte-carlo [default: the best that takes as many]
