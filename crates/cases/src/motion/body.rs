@@ -44,7 +44,7 @@ struct InTime<'a> {
     taken: Vec<Span<usize>>,
 }
 
-/// Reads a case with a [body]: one problem for each of the loads, or combinations of them, that act alone.
+/// Reads a case with a `[body]`: one problem for each of the loads, or combinations of them, that act alone.
 ///
 /// # Errors
 /// If the case is none, or a variable load has no history.
