@@ -196,7 +196,7 @@ LONG = points(2_000_000, 5)
 #: Points on a boundary, which take exact arithmetic: seconds in all.
 ONES = np.ones(3_000_000)
 #: The same for a good part of a second.
-FEW = ONES[:100_000]
+FEW = ONES[:400_000]
 CALLS: dict[str, Callable[..., Any]] = {
     "classify": lambda **how: standfast.classify(1, 0.0, ONES, ONES, **how),
     "into a transposed array": lambda **how: standfast.classify(

@@ -307,7 +307,7 @@ fn what_is_wrong_with_a_row_is_said_with_its_values() {
     let lines: Vec<_> = answers.lines().collect();
     assert!(
         lines[0].ends_with(",problem")
-            && lines[1].starts_with("11.4,10.5,0.6,RE,")
+            && lines[1].starts_with("11.4,10.5,0.6,impulsive-breaking,RE,")
             && lines[1].ends_with(',')
     );
     assert!(lines[2].contains(",,,,") && lines[2].ends_with("expected a finite number above zero\""));
