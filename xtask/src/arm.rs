@@ -1,6 +1,7 @@
 //! Other processors and systems: the tests of exact signs on a 64-bit ARM, emulated, and the library compiled for Windows and macOS.
 
 use std::fs;
+use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use crate::checks::{ended, result_line};
@@ -23,10 +24,12 @@ pub fn run() -> ExitCode {
 /// Tests the kernel and the single call on ARM, at a share of their random points, and checks the library for other systems.
 pub fn check(tally: &mut Tally) {
     const NAME: &str = "exact signs on ARM";
-    let programs =
-        needed("an emulator and linker for 64-bit ARM", &["qemu-user", "gcc-aarch64-linux-gnu"], || {
-            found("qemu-aarch64").and(found("aarch64-linux-gnu-gcc"))
-        });
+    // What a program is linked with and begins by comes in a package of its own.
+    const PACKAGES: [&str; 3] = ["qemu-user", "gcc-aarch64-linux-gnu", "libc6-dev-arm64-cross"];
+    let programs = needed("an emulator and linker for 64-bit ARM", &PACKAGES, || {
+        let links = Path::new("/usr/aarch64-linux-gnu/lib/crt1.o").is_file();
+        found("qemu-aarch64").and(found("aarch64-linux-gnu-gcc")).filter(|_| links)
+    });
     match (programs, target(ARM)) {
         (Err(missing), _) => tally.missing(NAME, missing),
         (_, Err(missing)) => tally.missing(NAME, missing),
