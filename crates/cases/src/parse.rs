@@ -187,7 +187,7 @@ impl CaseFile {
             }
         }
         if let Some(value) = top.get(RANDOM) {
-            let read = random::read(value, type_of);
+            let read = random::read(value);
             self.random = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
         }
         Ok(())
@@ -273,11 +273,12 @@ fn as_table<'a>(
 }
 
 fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) -> At {
-    At { problem: Problem::NoTable { table, found: type_of(value), expected }, span: value.span() }
+    At { problem: Problem::NoTable { table, found: type_of(value.get_ref()), expected }, span: value.span() }
 }
 
-pub(crate) fn type_of(value: &Spanned<DeValue<'_>>) -> &'static str {
-    match value.get_ref() {
+/// What a value of a document is, in words.
+pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
+    match value {
         DeValue::String(_) => "a text",
         DeValue::Integer(integer) if integer.radix() != 10 => "a number that is not decimal",
         DeValue::Integer(_) | DeValue::Float(_) => "a number",
@@ -289,8 +290,8 @@ pub(crate) fn type_of(value: &Spanned<DeValue<'_>>) -> &'static str {
 }
 
 /// A plain TOML number; `None` for every other type, and for integers that are no decimals (hexadecimal etc.).
-pub(crate) fn plain_number(value: &Spanned<DeValue<'_>>) -> Option<f64> {
-    match value.get_ref() {
+pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
         DeValue::Float(float) => float.as_str().parse().ok(),
         _ => None,
@@ -311,7 +312,7 @@ impl Field<'_> {
     }
 
     fn wrong_type(&self, expected: &'static str) -> At {
-        self.problem(Problem::WrongType { key: self.key, found: type_of(self.value), expected })
+        self.problem(Problem::WrongType { key: self.key, found: type_of(self.value.get_ref()), expected })
     }
 
     /// A value as it stands in the file, shortened where it would fill the screen.
@@ -330,7 +331,7 @@ impl Field<'_> {
 
     fn value(&self, kind: Kind) -> Result<Value, At> {
         let wrong_type = || self.wrong_type(expected_type(kind));
-        let number = plain_number(self.value);
+        let number = plain_number(self.value.get_ref());
         Ok(match kind {
             Kind::Text => Value::Text(self.words()?),
             Kind::Measured(_, range) => {
@@ -358,7 +359,7 @@ impl Field<'_> {
             }
             Kind::List(_) => {
                 let numbers = self.elements(kind)?.map(|field| {
-                    let number = plain_number(field.value).map_or_else(|| field.measured(), Ok)?;
+                    let number = plain_number(field.value.get_ref()).map_or_else(|| field.measured(), Ok)?;
                     field.in_range(number, Range::Finite)
                 });
                 Value::Numbers(numbers.collect::<Result<_, _>>()?)
@@ -396,7 +397,7 @@ impl Field<'_> {
         let factors = entries.into_iter().map(|(name, value)| {
             let field = Field { value, ..*self };
             let expected = "numbers without unit or quotes; a name with a dot stands in quotes";
-            let number = plain_number(value).ok_or_else(|| field.wrong_type(expected))?;
+            let number = plain_number(value.get_ref()).ok_or_else(|| field.wrong_type(expected))?;
             // Beyond, the factor would be the load.
             if !(0.0..=1e6).contains(&number) {
                 return Err(field.out_of_range("a factor from 0 to 1000000"));
@@ -456,7 +457,7 @@ impl Field<'_> {
         let mut numbers = [0.0; 3];
         for (number, value) in numbers.iter_mut().zip(list.iter()) {
             let field = Field { value, ..*self };
-            let plain = plain_number(value).ok_or_else(|| field.wrong_type("a list of numbers"))?;
+            let plain = plain_number(value.get_ref()).ok_or_else(|| field.wrong_type("a list of numbers"))?;
             *number = field.in_range(plain, Range::NotNegative)?;
         }
         Ok(numbers)

@@ -125,15 +125,7 @@ impl Copula {
             given.push((first, second));
             let pair = Pair::new(&inputs[first], &inputs[second], measure);
             let Some(rho) = pair.of_normals() else {
-                let ((from, to), value) = (pair.attainable(), measure.value());
-                return Err(CopulaError::Unattainable {
-                    first,
-                    second,
-                    value,
-                    from,
-                    to,
-                    beside_others: false,
-                });
+                return Err(pair.unattainable(first, second, pair.attainable(), false));
             };
             copula.set(first, second, rho);
         }
@@ -144,15 +136,7 @@ impl Copula {
         for &Correlation { first, second, measure } in correlations.iter().rev() {
             if let Some((from, to)) = copula.admitted(first, second) {
                 let pair = Pair::new(&inputs[first], &inputs[second], measure);
-                let (from, to, value) = (pair.measured(from), pair.measured(to), measure.value());
-                return Err(CopulaError::Unattainable {
-                    first,
-                    second,
-                    value,
-                    from,
-                    to,
-                    beside_others: true,
-                });
+                return Err(pair.unattainable(first, second, (pair.measured(from), pair.measured(to)), true));
             }
         }
         Err(CopulaError::Contradictory)
@@ -285,6 +269,17 @@ impl<'a> Pair<'a> {
                 Some(0.5 * (low + high))
             }
         }
+    }
+
+    /// That the measure given does not lie between these.
+    fn unattainable(
+        &self,
+        first: usize,
+        second: usize,
+        (from, to): (f64, f64),
+        beside_others: bool,
+    ) -> CopulaError {
+        CopulaError::Unattainable { first, second, value: self.measure.value(), from, to, beside_others }
     }
 
     fn attainable(&self) -> (f64, f64) {

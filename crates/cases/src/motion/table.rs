@@ -9,6 +9,7 @@ use standfast_motion::record::STANDARD_GRAVITY;
 
 use super::error::Wrong;
 use crate::layout::shortened;
+use crate::parse::{plain_number, type_of};
 use crate::suggest::closest;
 use crate::units::{Dimension, in_gravity};
 
@@ -30,26 +31,6 @@ enum Units {
     Si,
     /// SI, and the peak a factor on a load's own force.
     SiOfLoad,
-}
-
-pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(integer) if integer.radix() != 10 => "a number that is not decimal",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date or time",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    }
-}
-
-fn number_of(value: &DeValue<'_>) -> Option<f64> {
-    match value {
-        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-        DeValue::Float(float) => float.as_str().parse().ok(),
-        _ => None,
-    }
 }
 
 impl<'a> Section<'a> {
@@ -139,7 +120,7 @@ impl<'a> Section<'a> {
                 Wrong::new(message, value.span()).help(format!("the units understood: {units}"))
             });
         }
-        let number = number_of(value.get_ref()).ok_or_else(|| self.wrong_type(key, value, expected))?;
+        let number = plain_number(value.get_ref()).ok_or_else(|| self.wrong_type(key, value, expected))?;
         if number.is_finite() {
             return Ok(number + 0.0);
         }

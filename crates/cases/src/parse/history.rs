@@ -123,7 +123,8 @@ impl Written<'_> {
         range: Range,
     ) -> Result<f64, At> {
         let text = || found.get_ref().as_str().zip(dimension);
-        let number = plain_number(found).or_else(|| text().and_then(|(text, of)| of.parse(text).ok()));
+        let number =
+            plain_number(found.get_ref()).or_else(|| text().and_then(|(text, of)| of.parse(text).ok()));
         let expected = match dimension {
             Some(_) => "a time in s",
             None => "a number without unit",

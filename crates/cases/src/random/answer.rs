@@ -218,10 +218,11 @@ impl Probability {
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
     pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
         let random = file.random().ok_or(ProbabilityError::NoRandom)?;
-        if file.case()?.ground.is_some() {
+        let case = file.case()?;
+        if case.ground.is_some() {
             return Err(ProbabilityError::Ground);
         }
-        Probability::of_problems(file.name(), Problem::of(file, random, request.years)?, request)
+        Probability::of_problems(file.name(), Problem::of(file, case, random, request.years)?, request)
     }
 
     /// The answer to a file: a case, or a `[point]` of the report's plane, with a `[random]` table.

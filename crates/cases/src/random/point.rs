@@ -35,7 +35,7 @@ pub(super) fn read_file(name: &str, text: &str) -> Result<Option<([f64; 4], Rand
         return Err(wrong((RandomProblem::Name { what, name, allowed }, key.span())));
     }
     let random = match top.get(RANDOM) {
-        Some(value) => read(value, type_of).map_err(wrong)?,
+        Some(value) => read(value).map_err(wrong)?,
         None => return Err(wrong((RandomProblem::Nothing, point.span()))),
     };
     let values = values(point, &random).map_err(wrong)?;
@@ -45,7 +45,7 @@ pub(super) fn read_file(name: &str, text: &str) -> Result<Option<([f64; 4], Rand
 fn values(point: &Spanned<DeValue<'_>>, random: &Random) -> super::read::At<[f64; 4]> {
     let what = || "[point]".to_owned();
     let Some(table) = point.get_ref().as_table() else {
-        let (found, expected) = (type_of(point), "a table".to_owned());
+        let (found, expected) = (type_of(point.get_ref()), "a table".to_owned());
         return Err((RandomProblem::Type { what: what(), found, expected }, point.span()));
     };
     let names = Coordinate::ALL.map(Coordinate::name);
@@ -64,7 +64,7 @@ fn values(point: &Spanned<DeValue<'_>>, random: &Random) -> super::read::At<[f64
                 let message = format!("[point] lacks `{name}`, which is not random either");
                 return Err((RandomProblem::Other(message), point.span()));
             }
-            Some(item) => match plain_number(item) {
+            Some(item) => match plain_number(item.get_ref()) {
                 Some(value) if coordinate.range().contains(value) => value,
                 Some(value) => {
                     let (what, expected) = (format!("`{name}`"), coordinate.range().words().to_owned());
@@ -74,7 +74,8 @@ fn values(point: &Spanned<DeValue<'_>>, random: &Random) -> super::read::At<[f64
                     ));
                 }
                 None => {
-                    let (found, expected) = (type_of(item), "a number without unit or quotes".to_owned());
+                    let (found, expected) =
+                        (type_of(item.get_ref()), "a number without unit or quotes".to_owned());
                     return Err((
                         RandomProblem::Type { what: format!("`{name}`"), found, expected },
                         item.span(),

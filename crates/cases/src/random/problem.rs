@@ -166,13 +166,17 @@ pub(super) fn not_rest() -> u64 {
 }
 
 impl Problem {
-    /// The problems of a case file with a `[random]` table: one for each set of loads that act together and each acceleration of
+    /// The problems of a case file, which is of this case, with a `[random]` table: one for each set of loads that act together and each acceleration of
     /// the base that is tried.
     ///
     /// # Errors
     /// If the values of the case do not go together, or a name, a law or a correlation is wrong.
-    pub fn of(file: &CaseFile, random: &Random, years: Option<f64>) -> Result<Vec<Problem>, CaseError> {
-        let case = file.case()?;
+    pub fn of(
+        file: &CaseFile,
+        case: Case,
+        random: &Random,
+        years: Option<f64>,
+    ) -> Result<Vec<Problem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
         let (inputs, laws) = Resolve(Names::Case(file, &case)).all(random).map_err(wrong)?;
         let line = line(&inputs);
@@ -261,8 +265,8 @@ impl Problem {
         (&self.random[place].name, exact)
     }
 
-    /// Block and wrench with these values, one for each random number; none if they do not go together.
-    fn mechanics(&self, values: &[f64]) -> Option<(Block, Wrench)> {
+    /// The contact problem with these values, one for each random number; none if they do not go together.
+    fn mechanics(&self, values: &[f64]) -> Option<Mechanics> {
         if let Model::Point(point) = &self.model {
             return self.at_point(*point, values);
         }
@@ -272,17 +276,13 @@ impl Problem {
             let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
             (block.mu_s, block.mu_k) = (values[place], values[place] * ratio);
         }
-        Some((block, components.wrench(|bias| self.bias(bias, values))))
+        let wrench = components.wrench(|bias| self.bias(bias, values));
+        Some(Mechanics { block, wrench, formulas: components.formulas })
     }
 
     fn bias(&self, bias: Bias, values: &[f64]) -> Option<f64> {
         let place = self.random.iter().position(|input| input.quantity == Quantity::Bias(bias));
         place.map(|place| values[place])
-    }
-
-    /// Which of the waves' formulas apply.
-    fn formulas(&self, values: &[f64]) -> u64 {
-        self.components(values).map_or(0, |components| u64::from(components.formulas))
     }
 
     /// What acts, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
@@ -321,7 +321,7 @@ impl Problem {
     }
 
     /// The report's problem with these values: X = −k, M = k k' γ.
-    fn at_point(&self, mut point: [f64; 4], values: &[f64]) -> Option<(Block, Wrench)> {
+    fn at_point(&self, mut point: [f64; 4], values: &[f64]) -> Option<Mechanics> {
         for (input, value) in self.random.iter().zip(values) {
             if let Quantity::Point(coordinate) = input.quantity {
                 point[coordinate as usize] = *value;
@@ -329,7 +329,8 @@ impl Problem {
         }
         let [gamma, k_prime, k, mu] = point;
         Point::new(gamma, k_prime, k, mu).ok()?;
-        Some((Block::uniform(gamma, mu), Wrench { x: -k, p: 1.0, m: k * k_prime * gamma }))
+        let wrench = Wrench { x: -k, p: 1.0, m: k * k_prime * gamma };
+        Some(Mechanics { block: Block::uniform(gamma, mu), wrench, formulas: 0 })
     }
 
     /// The outcomes of a block under a wrench.
@@ -340,6 +341,15 @@ impl Problem {
             Err(_) => 1 << NOT_A_BODY,
         }
     }
+}
+
+/// The contact problem that values make.
+#[derive(Debug, Clone, Copy)]
+struct Mechanics {
+    block: Block,
+    wrench: Wrench,
+    /// Which of the waves' formulas applied.
+    formulas: u32,
 }
 
 /// What acts on a block, in its units: what each bias is on, and all else.
@@ -440,10 +450,10 @@ impl Outcomes for Problem {
         match self.line {
             Line::Friction(place) => {
                 values[place] = 1.0;
-                let Some((block, wrench)) = self.mechanics(&values) else {
+                let Some(Mechanics { block, wrench, formulas }) = self.mechanics(&values) else {
                     return everywhere(pieces, NOT_A_BODY);
                 };
-                pieces.branch(self.formulas(&values));
+                pieces.branch(u64::from(formulas));
                 if wrench.p <= 0.0 {
                     everywhere(pieces, LIFTED);
                 }
@@ -459,11 +469,12 @@ impl Outcomes for Problem {
                 values[place] = 0.0;
                 let without = self.mechanics(&values);
                 values[place] = 1.0;
-                let (Some((block, start)), Some((_, end))) = (without, self.mechanics(&values)) else {
+                let (Some(without), Some(with)) = (without, self.mechanics(&values)) else {
                     return everywhere(pieces, NOT_A_BODY);
                 };
-                pieces.branch(self.formulas(&values));
-                let slope = end + start * -1.0;
+                pieces.branch(u64::from(with.formulas));
+                let (block, start) = (with.block, without.wrench);
+                let slope = with.wrench + start * -1.0;
                 let level = -start.p / slope.p;
                 match (start.p > 0.0, level > 0.0) {
                     (true, true) => pieces.push(level, f64::INFINITY, LIFTED),
@@ -491,7 +502,7 @@ impl Outcomes for Problem {
 
     fn at(&self, values: &[f64]) -> u64 {
         match self.mechanics(values) {
-            Some((block, wrench)) => Problem::outcomes(&block, &wrench),
+            Some(Mechanics { block, wrench, .. }) => Problem::outcomes(&block, &wrench),
             None => 1 << NOT_A_BODY,
         }
     }

@@ -20,6 +20,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::layout::digits;
+use crate::parse::{plain_number, type_of};
 use crate::suggest::closest;
 
 /// The random numbers of a case, as they are written.
@@ -208,9 +209,8 @@ pub(crate) type At<T> = Result<T, (RandomProblem, Span<usize>)>;
 type Item<'a> = Spanned<DeValue<'a>>;
 
 /// Reads a `[random]` table.
-pub(crate) fn read(item: &Item<'_>, kind_of: fn(&Item<'_>) -> &'static str) -> At<Random> {
-    let reader = Reader { kind_of };
-    let table = reader.table(item, "`random`", "a table")?;
+pub(crate) fn read(item: &Item<'_>) -> At<Random> {
+    let table = table(item, "`random`", "a table")?;
     let mut random = Random {
         years: None,
         named: Vec::new(),
@@ -221,16 +221,16 @@ pub(crate) fn read(item: &Item<'_>, kind_of: fn(&Item<'_>) -> &'static str) -> A
     let mut correlations = None;
     for (name, value) in in_order(table) {
         match name {
-            "years" => random.years = Some(reader.positive(value, "`years`")?),
+            "years" => random.years = Some(positive(value, "`years`")?),
             "correlation" => correlations = Some(value),
-            _ => reader.numbers(name.to_owned(), value, &mut random.named)?,
+            _ => numbers(name.to_owned(), value, &mut random.named)?,
         }
     }
     if random.named.is_empty() {
         return Err((RandomProblem::Nothing, item.span()));
     }
     if let Some(list) = correlations {
-        reader.correlations(list, &mut random)?;
+        read_correlations(list, &mut random)?;
     }
     Ok(random)
 }
@@ -242,266 +242,245 @@ fn in_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Item<'a>)> {
     entries.into_iter().map(|(name, value)| (name.get_ref().as_ref(), value)).collect()
 }
 
-struct Reader {
-    kind_of: fn(&Item<'_>) -> &'static str,
+fn wrong(
+    item: &Item<'_>,
+    what: impl Into<String>,
+    expected: impl Into<String>,
+) -> (RandomProblem, Span<usize>) {
+    let found = type_of(item.get_ref());
+    (RandomProblem::Type { what: what.into(), found, expected: expected.into() }, item.span())
 }
 
-impl Reader {
-    fn wrong(
-        &self,
-        item: &Item<'_>,
-        what: impl Into<String>,
-        expected: impl Into<String>,
-    ) -> (RandomProblem, Span<usize>) {
-        let found = (self.kind_of)(item);
-        (RandomProblem::Type { what: what.into(), found, expected: expected.into() }, item.span())
-    }
+fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
+    item.get_ref().as_table().ok_or_else(|| wrong(item, what, expected))
+}
 
-    fn table<'a>(&self, item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
-        item.get_ref().as_table().ok_or_else(|| self.wrong(item, what, expected))
+fn written(item: &Item<'_>) -> Option<Written> {
+    match item.get_ref() {
+        DeValue::String(text) => Some(Written::Text(text.to_string())),
+        value => plain_number(value).map(Written::Number),
     }
+}
 
-    fn written(&self, item: &Item<'_>) -> Option<Written> {
-        Some(match item.get_ref() {
-            DeValue::Integer(integer) if integer.radix() == 10 => {
-                Written::Number(integer.as_str().parse().ok()?)
-            }
-            DeValue::Float(float) => Written::Number(float.as_str().parse().ok()?),
-            DeValue::String(text) => Written::Text(text.to_string()),
-            _ => return None,
-        })
+fn number(item: &Item<'_>, what: &str) -> At<f64> {
+    match written(item) {
+        Some(Written::Number(number)) if number.is_finite() => Ok(number),
+        _ => Err(wrong(item, what, "a number without unit or quotes")),
     }
+}
 
-    fn number(&self, item: &Item<'_>, what: &str) -> At<f64> {
-        match self.written(item) {
-            Some(Written::Number(number)) if number.is_finite() => Ok(number),
-            _ => Err(self.wrong(item, what, "a number without unit or quotes")),
-        }
+fn positive(item: &Item<'_>, what: &str) -> At<f64> {
+    let number = number(item, what)?;
+    if number > 0.0 {
+        return Ok(number);
     }
+    let (what, written) = (what.to_owned(), number.to_string());
+    Err((RandomProblem::Value { what, written, expected: "a number above zero".into() }, item.span()))
+}
 
-    fn positive(&self, item: &Item<'_>, what: &str) -> At<f64> {
-        let number = self.number(item, what)?;
-        if number > 0.0 {
-            return Ok(number);
-        }
-        let (what, written) = (what.to_owned(), number.to_string());
-        Err((RandomProblem::Value { what, written, expected: "a number above zero".into() }, item.span()))
+/// A random number, or a table of several whose names go on.
+fn numbers(name: String, item: &Item<'_>, found: &mut Vec<Named>) -> At<()> {
+    let table =
+        table(item, &format!("`{name}`"), "a law in braces, as { normal = { mean = 0.6, sd = 0.1 } }")?;
+    let entries = in_order(table);
+    let is_law = |key: &str| LAWS.contains(&key) || ["lower", "upper", "every"].contains(&key);
+    if entries.iter().any(|(key, _)| is_law(key)) || entries.is_empty() {
+        found.push(named(name, item)?);
+        return Ok(());
     }
-
-    /// A random number, or a table of several whose names go on.
-    fn numbers(&self, name: String, item: &Item<'_>, found: &mut Vec<Named>) -> At<()> {
-        let table = self.table(
-            item,
-            &format!("`{name}`"),
-            "a law in braces, as { normal = { mean = 0.6, sd = 0.1 } }",
-        )?;
-        let entries = in_order(table);
-        let is_law = |key: &str| LAWS.contains(&key) || ["lower", "upper", "every"].contains(&key);
-        if entries.iter().any(|(key, _)| is_law(key)) || entries.is_empty() {
-            found.push(self.named(name, item)?);
-            return Ok(());
-        }
-        let parameters = ["mean", "sd", "cov", "from", "to", "mode", "scale", "shape", "location", "count"];
-        let is_misspelt = |value: &Item<'_>| match value.get_ref().as_table() {
-            None => true,
-            Some(table) => in_order(table).iter().any(|(key, _)| parameters.contains(key)),
-        };
-        for (key, value) in entries {
-            if is_misspelt(value) {
-                // A law misspelt rather than a name that goes on.
-                let what = format!("`{name}`");
-                let allowed = LAWS.map(str::to_owned).to_vec();
-                return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-            }
-            self.numbers(format!("{name}.{key}"), value, found)?;
-        }
-        Ok(())
-    }
-
-    fn named(&self, name: String, item: &Item<'_>) -> At<Named> {
-        let what = format!("`{name}`");
-        let table = self.table(item, &what, "a law in braces")?;
-        let mut named = Named {
-            name,
-            every: Rate::Life,
-            law: "",
-            parameters: Vec::new(),
-            of: None,
-            lower: None,
-            upper: None,
-            span: item.span(),
-        };
-        let mut laws = Vec::new();
-        for (key, value) in in_order(table) {
-            match key {
-                "lower" => named.lower = Some(self.parameter(key, value)?),
-                "upper" => named.upper = Some(self.parameter(key, value)?),
-                "every" => {
-                    named.every = match value.get_ref().as_str() {
-                        Some("life") => Rate::Life,
-                        Some("year") => Rate::Year,
-                        Some(other) => {
-                            let (what, written) = ("`every`".to_owned(), format!("\"{other}\""));
-                            let expected = "\"life\", drawn once, or \"year\", drawn each year".to_owned();
-                            return Err((RandomProblem::Value { what, written, expected }, value.span()));
-                        }
-                        None => return Err(self.wrong(value, "`every`", "\"life\" or \"year\"")),
-                    }
-                }
-                key => match LAWS.iter().find(|law| **law == key) {
-                    Some(law) => laws.push((*law, value)),
-                    None => {
-                        let more = ["lower", "upper", "every"];
-                        let allowed = LAWS.iter().chain(&more).map(|name| (*name).to_owned()).collect();
-                        return Err((
-                            RandomProblem::Name { what, name: key.to_owned(), allowed },
-                            value.span(),
-                        ));
-                    }
-                },
-            }
-        }
-        let [(law, value)] = laws[..] else {
-            let found = if laws.is_empty() { "no law" } else { "several laws" };
-            return Err((RandomProblem::Laws { name: named.name, found: found.into() }, item.span()));
-        };
-        named.law = law;
-        self.law(&mut named, value)?;
-        Ok(named)
-    }
-
-    /// The parameters of a law.
-    fn law(&self, named: &mut Named, item: &Item<'_>) -> At<()> {
-        let law = named.law;
-        let table =
-            self.table(item, &format!("the law {law} of `{}`", named.name), "its parameters in braces")?;
-        if law == "max_of" {
-            let mut of = Vec::new();
-            for (key, value) in in_order(table) {
-                if key == "count" {
-                    named.parameters.push(self.parameter(key, value)?);
-                } else {
-                    of.push(key);
-                }
-            }
-            let inner = self.inner(named, item, &of)?;
-            named.of = Some(Box::new(inner));
-            return Ok(());
-        }
-        let allowed: &[&str] = match law {
-            "normal" | "lognormal" => &["mean", "sd", "cov"],
-            "gumbel" => &["mean", "sd", "cov", "mode", "scale"],
-            "weibull" => &["scale", "shape", "location"],
-            "gev" => &["location", "scale", "shape"],
-            "uniform" => &["from", "to"],
-            _ => &["from", "mode", "to"],
-        };
-        for (key, value) in in_order(table) {
-            let returns = law == "gumbel" && years(key).is_some();
-            if !allowed.contains(&key) && !returns {
-                let what = format!("the law {law} of `{}`", named.name);
-                let mut allowed: Vec<String> = allowed.iter().map(|name| (*name).to_owned()).collect();
-                if law == "gumbel" {
-                    allowed.push("two return values such as \"10 years\" and \"100 years\"".to_owned());
-                }
-                return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-            }
-            named.parameters.push(self.parameter(key, value)?);
-        }
-        Ok(())
-    }
-
-    /// The law of which the largest of several is meant: everything in the table but the count.
-    fn inner(&self, named: &Named, item: &Item<'_>, keys: &[&str]) -> At<Named> {
-        let table = self.table(item, "`max_of`", "a table")?;
-        let laws: Vec<_> = in_order(table).into_iter().filter(|(key, _)| keys.contains(key)).collect();
-        let [(key, value)] = laws[..] else {
-            let found = if laws.is_empty() { "no law in `max_of`" } else { "several laws in `max_of`" };
-            return Err((RandomProblem::Laws { name: named.name.clone(), found: found.into() }, item.span()));
-        };
-        let Some(law) = LAWS.iter().find(|law| **law == key && key != "max_of") else {
-            let allowed = LAWS[..LAWS.len() - 1].iter().map(|law| (*law).to_owned()).collect();
-            let what = format!("`max_of` of `{}`", named.name);
+    let parameters = ["mean", "sd", "cov", "from", "to", "mode", "scale", "shape", "location", "count"];
+    let is_misspelt = |value: &Item<'_>| match value.get_ref().as_table() {
+        None => true,
+        Some(table) => in_order(table).iter().any(|(key, _)| parameters.contains(key)),
+    };
+    for (key, value) in entries {
+        if is_misspelt(value) {
+            // A law misspelt rather than a name that goes on.
+            let what = format!("`{name}`");
+            let allowed = LAWS.map(str::to_owned).to_vec();
             return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
-        };
-        let mut inner =
-            Named { law, parameters: Vec::new(), of: None, lower: None, upper: None, ..named.clone() };
-        self.law(&mut inner, value)?;
-        Ok(inner)
+        }
+        numbers(format!("{name}.{key}"), value, found)?;
     }
+    Ok(())
+}
 
-    fn parameter(&self, name: &str, item: &Item<'_>) -> At<Parameter> {
-        let value = self.written(item);
-        let value = value.ok_or_else(|| {
-            self.wrong(item, format!("`{name}`"), "a number, or a text with a number and its unit")
-        })?;
-        Ok(Parameter { name: name.to_owned(), value, span: item.span() })
-    }
-
-    fn correlations(&self, item: &Item<'_>, random: &mut Random) -> At<()> {
-        const EXPECTED: &str = "one table for each pair, under [[random.correlation]]";
-        let list = item.get_ref().as_array().ok_or_else(|| self.wrong(item, "`correlation`", EXPECTED))?;
-        for entry in list.iter() {
-            let table = self.table(entry, "`correlation`", EXPECTED)?;
-            let (mut pair, mut measure) = (None, None);
-            for (key, value) in in_order(table) {
-                let number = || self.number(value, &format!("`{key}`"));
-                let measured = match key {
-                    "between" => {
-                        pair = Some(self.pair(value, random)?);
-                        continue;
+fn named(name: String, item: &Item<'_>) -> At<Named> {
+    let what = format!("`{name}`");
+    let table = table(item, &what, "a law in braces")?;
+    let mut named = Named {
+        name,
+        every: Rate::Life,
+        law: "",
+        parameters: Vec::new(),
+        of: None,
+        lower: None,
+        upper: None,
+        span: item.span(),
+    };
+    let mut laws = Vec::new();
+    for (key, value) in in_order(table) {
+        match key {
+            "lower" => named.lower = Some(parameter(key, value)?),
+            "upper" => named.upper = Some(parameter(key, value)?),
+            "every" => {
+                named.every = match value.get_ref().as_str() {
+                    Some("life") => Rate::Life,
+                    Some("year") => Rate::Year,
+                    Some(other) => {
+                        let (what, written) = ("`every`".to_owned(), format!("\"{other}\""));
+                        let expected = "\"life\", drawn once, or \"year\", drawn each year".to_owned();
+                        return Err((RandomProblem::Value { what, written, expected }, value.span()));
                     }
-                    "rank" => Measure::Rank(number()?),
-                    "linear" => Measure::Linear(number()?),
-                    "normal" => Measure::Normal(number()?),
-                    _ => {
-                        let allowed = ["between", "rank", "linear", "normal"].map(str::to_owned).to_vec();
-                        let what = "[[random.correlation]]".to_owned();
-                        return Err((
-                            RandomProblem::Name { what, name: key.to_owned(), allowed },
-                            value.span(),
-                        ));
-                    }
-                };
-                if measure.replace(measured).is_some() {
-                    let message = "[[random.correlation]] has two measures; expected one of `rank`, `linear` and `normal`";
-                    return Err((RandomProblem::Other(message.to_owned()), value.span()));
+                    None => return Err(wrong(value, "`every`", "\"life\" or \"year\"")),
                 }
             }
-            let (Some((first, second)), Some(measure)) = (pair, measure) else {
-                let lacks = if pair.is_none() {
-                    "`between`, two names"
-                } else {
-                    "`rank`, `linear` or `normal`, a number"
-                };
-                return Err((
-                    RandomProblem::Other(format!("[[random.correlation]] lacks {lacks}")),
-                    entry.span(),
-                ));
-            };
-            random.correlations.push((first, second, measure));
-            random.correlation_spans.push(entry.span());
+            key => match LAWS.iter().find(|law| **law == key) {
+                Some(law) => laws.push((*law, value)),
+                None => {
+                    let more = ["lower", "upper", "every"];
+                    let allowed = LAWS.iter().chain(&more).map(|name| (*name).to_owned()).collect();
+                    return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+                }
+            },
         }
-        Ok(())
     }
+    let [(law, value)] = laws[..] else {
+        let found = if laws.is_empty() { "no law" } else { "several laws" };
+        return Err((RandomProblem::Laws { name: named.name, found: found.into() }, item.span()));
+    };
+    named.law = law;
+    read_law(&mut named, value)?;
+    Ok(named)
+}
 
-    /// The places of two random numbers by their names.
-    fn pair(&self, item: &Item<'_>, random: &Random) -> At<(usize, usize)> {
-        let wrong = || self.wrong(item, "`between`", "two names in a list");
-        let list = item.get_ref().as_array().filter(|list| list.len() == 2).ok_or_else(wrong)?;
-        let mut places = [0; 2];
-        for (place, value) in places.iter_mut().zip(list.iter()) {
-            let name = value.get_ref().as_str().ok_or_else(wrong)?;
-            *place = random.named.iter().position(|named| named.name == name).ok_or_else(|| {
-                let allowed = random.named.iter().map(|named| named.name.clone()).collect();
-                (
-                    RandomProblem::Name { what: "[random]".to_owned(), name: name.to_owned(), allowed },
-                    value.span(),
-                )
-            })?;
+/// The parameters of a law.
+fn read_law(named: &mut Named, item: &Item<'_>) -> At<()> {
+    let law = named.law;
+    let table = table(item, &format!("the law {law} of `{}`", named.name), "its parameters in braces")?;
+    if law == "max_of" {
+        let mut of = Vec::new();
+        for (key, value) in in_order(table) {
+            if key == "count" {
+                named.parameters.push(parameter(key, value)?);
+            } else {
+                of.push(key);
+            }
         }
-        Ok((places[0], places[1]))
+        let inner = inner(named, item, &of)?;
+        named.of = Some(Box::new(inner));
+        return Ok(());
     }
+    let allowed: &[&str] = match law {
+        "normal" | "lognormal" => &["mean", "sd", "cov"],
+        "gumbel" => &["mean", "sd", "cov", "mode", "scale"],
+        "weibull" => &["scale", "shape", "location"],
+        "gev" => &["location", "scale", "shape"],
+        "uniform" => &["from", "to"],
+        _ => &["from", "mode", "to"],
+    };
+    for (key, value) in in_order(table) {
+        let returns = law == "gumbel" && years(key).is_some();
+        if !allowed.contains(&key) && !returns {
+            let what = format!("the law {law} of `{}`", named.name);
+            let mut allowed: Vec<String> = allowed.iter().map(|name| (*name).to_owned()).collect();
+            if law == "gumbel" {
+                allowed.push("two return values such as \"10 years\" and \"100 years\"".to_owned());
+            }
+            return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+        }
+        named.parameters.push(parameter(key, value)?);
+    }
+    Ok(())
+}
+
+/// The law of which the largest of several is meant: everything in the table but the count.
+fn inner(named: &Named, item: &Item<'_>, keys: &[&str]) -> At<Named> {
+    let table = table(item, "`max_of`", "a table")?;
+    let laws: Vec<_> = in_order(table).into_iter().filter(|(key, _)| keys.contains(key)).collect();
+    let [(key, value)] = laws[..] else {
+        let found = if laws.is_empty() { "no law in `max_of`" } else { "several laws in `max_of`" };
+        return Err((RandomProblem::Laws { name: named.name.clone(), found: found.into() }, item.span()));
+    };
+    let Some(law) = LAWS.iter().find(|law| **law == key && key != "max_of") else {
+        let allowed = LAWS[..LAWS.len() - 1].iter().map(|law| (*law).to_owned()).collect();
+        let what = format!("`max_of` of `{}`", named.name);
+        return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+    };
+    let mut inner =
+        Named { law, parameters: Vec::new(), of: None, lower: None, upper: None, ..named.clone() };
+    read_law(&mut inner, value)?;
+    Ok(inner)
+}
+
+fn parameter(name: &str, item: &Item<'_>) -> At<Parameter> {
+    let value = written(item);
+    let value = value
+        .ok_or_else(|| wrong(item, format!("`{name}`"), "a number, or a text with a number and its unit"))?;
+    Ok(Parameter { name: name.to_owned(), value, span: item.span() })
+}
+
+fn read_correlations(item: &Item<'_>, random: &mut Random) -> At<()> {
+    const EXPECTED: &str = "one table for each pair, under [[random.correlation]]";
+    let list = item.get_ref().as_array().ok_or_else(|| wrong(item, "`correlation`", EXPECTED))?;
+    for entry in list.iter() {
+        let table = table(entry, "`correlation`", EXPECTED)?;
+        let (mut pair, mut measure) = (None, None);
+        for (key, value) in in_order(table) {
+            let number = || number(value, &format!("`{key}`"));
+            let measured = match key {
+                "between" => {
+                    pair = Some(read_pair(value, random)?);
+                    continue;
+                }
+                "rank" => Measure::Rank(number()?),
+                "linear" => Measure::Linear(number()?),
+                "normal" => Measure::Normal(number()?),
+                _ => {
+                    let allowed = ["between", "rank", "linear", "normal"].map(str::to_owned).to_vec();
+                    let what = "[[random.correlation]]".to_owned();
+                    return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
+                }
+            };
+            if measure.replace(measured).is_some() {
+                let message =
+                    "[[random.correlation]] has two measures; expected one of `rank`, `linear` and `normal`";
+                return Err((RandomProblem::Other(message.to_owned()), value.span()));
+            }
+        }
+        let (Some((first, second)), Some(measure)) = (pair, measure) else {
+            let lacks = if pair.is_none() {
+                "`between`, two names"
+            } else {
+                "`rank`, `linear` or `normal`, a number"
+            };
+            return Err((
+                RandomProblem::Other(format!("[[random.correlation]] lacks {lacks}")),
+                entry.span(),
+            ));
+        };
+        random.correlations.push((first, second, measure));
+        random.correlation_spans.push(entry.span());
+    }
+    Ok(())
+}
+
+/// The places of two random numbers by their names.
+fn read_pair(item: &Item<'_>, random: &Random) -> At<(usize, usize)> {
+    let wrong = || wrong(item, "`between`", "two names in a list");
+    let list = item.get_ref().as_array().filter(|list| list.len() == 2).ok_or_else(wrong)?;
+    let mut places = [0; 2];
+    for (place, value) in places.iter_mut().zip(list.iter()) {
+        let name = value.get_ref().as_str().ok_or_else(wrong)?;
+        *place = random.named.iter().position(|named| named.name == name).ok_or_else(|| {
+            let allowed = random.named.iter().map(|named| named.name.clone()).collect();
+            (
+                RandomProblem::Name { what: "[random]".to_owned(), name: name.to_owned(), allowed },
+                value.span(),
+            )
+        })?;
+    }
+    Ok((places[0], places[1]))
 }
 
 /// The years of a return value's name, "10 years".

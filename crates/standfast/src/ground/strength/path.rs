@@ -5,6 +5,8 @@
 //! one interval. Between rock and slide-rock the boundary is no such polynomial; it is found by bisection of the decision, to
 //! neighbouring numbers. A stage of such a mode that is narrower than 1/16 of the stretch between closed crossings may be missed.
 
+use std::ops::Range;
+
 use super::conditions::{CORNERS, SLIPS, enumerate};
 use super::{Loaded, solve};
 use crate::contact::Block;
@@ -81,9 +83,7 @@ pub fn rest_range(
     variable: &Wrench,
     strength: f64,
 ) -> Result<Option<LoadRange>, InputError> {
-    solve(block, permanent, strength)?;
-    solve(block, variable, strength)?;
-    Ok(hold(&conditions(block, permanent, variable, strength)[..REST]))
+    range(block, permanent, variable, strength, 0..REST)
 }
 
 /// The same of the conditions at both edges alone: where the base bears the reaction of a body that friction holds.
@@ -96,9 +96,21 @@ pub fn bearing_range(
     variable: &Wrench,
     strength: f64,
 ) -> Result<Option<LoadRange>, InputError> {
+    range(block, permanent, variable, strength, SLIPS.len()..REST)
+}
+
+/// Where these of the conditions hold.
+fn range(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+    strength: f64,
+    which: Range<usize>,
+) -> Result<Option<LoadRange>, InputError> {
+    // Numbers out of range are refused.
     solve(block, permanent, strength)?;
     solve(block, variable, strength)?;
-    Ok(hold(&conditions(block, permanent, variable, strength)[SLIPS.len()..REST]))
+    Ok(hold(&conditions(block, permanent, variable, strength)[which]))
 }
 
 /// The load factors at which none of the conditions is negative: one stretch, as each is concave.
