@@ -260,6 +260,9 @@ pub struct AssessArgs {
     /// standard input, then as case.svg]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Draw nothing: the answer alone, in a fraction of the time
+    #[arg(long, conflicts_with = "output")]
+    pub no_figures: bool,
     /// How far to follow the rising load, as a multiple of the full load
     #[arg(long, value_name = "FACTOR", default_value = "2", allow_hyphen_values = true, value_parser = factor)]
     pub up_to: f64,

@@ -57,14 +57,24 @@ pub struct Answered {
     pub met: Option<bool>,
 }
 
-/// Assesses a case file, and writes its diagrams into `directory` or else beside it; those of a case from standard input, `-`,
-/// into the current directory.
+/// Where the diagrams of a case go.
+#[derive(Debug, Clone, Copy)]
+pub enum Diagrams<'a> {
+    /// Beside the case file; those of a case from standard input, `-`, into the current directory.
+    Beside,
+    /// Into this directory, which is made if it is not there.
+    Into(&'a Path),
+    /// Nowhere: none are drawn.
+    None,
+}
+
+/// Assesses a case file, and writes its diagrams.
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense.
 pub fn assess(
     path: &Path,
-    directory: Option<&Path>,
+    diagrams: Diagrams,
     view: &View,
     format: Format,
     check: bool,
@@ -75,7 +85,7 @@ pub fn assess(
         return Err(AssessError::NothingToCheck { path: path.to_owned() });
     }
     let mut drawn = Vec::new();
-    let undrawn = draw(&assessment, view, path, directory, &mut drawn).err();
+    let undrawn = draw(&assessment, view, path, diagrams, &mut drawn).err();
     let answer = match format {
         Format::Text => {
             let mut answer = assessment.text(view);
@@ -100,18 +110,22 @@ struct Drawn {
     file: String,
 }
 
-/// Writes the figures into `directory`, which is made if it is not there, or beside the case file.
+/// Writes the figures.
 fn draw(
     assessment: &Assessment,
     view: &View,
     case: &Path,
-    directory: Option<&Path>,
+    diagrams: Diagrams,
     drawn: &mut Vec<Drawn>,
 ) -> Result<(), AssessError> {
-    if let Some(directory) = directory {
-        write::make_directory(directory)?;
-    }
-    let directory = directory.unwrap_or_else(|| case.parent().unwrap_or(Path::new("")));
+    let directory = match diagrams {
+        Diagrams::Beside => case.parent().unwrap_or(Path::new("")),
+        Diagrams::Into(directory) => {
+            write::make_directory(directory)?;
+            directory
+        }
+        Diagrams::None => return Ok(()),
+    };
     let stem = case_file::stem(case);
     for figure in assessment.figures(view)? {
         let file = directory.join(format!("{stem}{}.svg", figure.suffix));

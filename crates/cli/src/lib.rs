@@ -44,6 +44,7 @@ use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
 
 use args::{Cli, Command};
+use assess::Diagrams;
 use format::Format;
 
 /// How a command ended that did what it was asked.
@@ -111,7 +112,12 @@ pub fn run(cli: Cli) -> Result<Ended> {
 
 fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
     let view = View { up_to: args.up_to, all: args.all, ..View::default() };
-    let answered = assess::assess(&args.case, args.output.as_deref(), &view, args.format, args.check)?;
+    let diagrams = match &args.output {
+        _ if args.no_figures => Diagrams::None,
+        Some(directory) => Diagrams::Into(directory),
+        None => Diagrams::Beside,
+    };
+    let answered = assess::assess(&args.case, diagrams, &view, args.format, args.check)?;
     print(&answered.answer)?;
     match answered.undrawn {
         Some(error) => Err(error.into()),

@@ -19,6 +19,22 @@ fn standfast(arguments: &[&str], directory: &Path) -> Value {
     serde_json::from_slice(&output.stdout).expect("one JSON document")
 }
 
+/// `--no-figures` leaves the answer as it is, and the folder too.
+#[test]
+fn an_answer_can_be_had_without_figures() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let case = folder.path().join("case.toml");
+    std::fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/goda-2000.toml"), case)
+        .expect("a case");
+    let files = || std::fs::read_dir(folder.path()).expect("a folder").count();
+    let mut alone = standfast(&["assess", "case.toml", "--no-figures", "--format", "json"], folder.path());
+    assert_eq!((&alone["figures"], files()), (&json!([]), 1));
+    let drawn = standfast(&["assess", "case.toml", "--format", "json"], folder.path());
+    assert_eq!(files() - 1, drawn["figures"].as_array().expect("a list").len());
+    alone["figures"] = drawn["figures"].clone();
+    assert_eq!(alone, drawn);
+}
+
 /// On a base that crushes too, BF included; ω = 0 is the rigid base, to the byte.
 #[test]
 fn classify_on_a_base_is_the_library() {
