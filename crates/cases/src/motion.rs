@@ -31,9 +31,46 @@ pub use series::series_csv;
 use standfast_motion::{Keep, Outcome, sensitivity, simulate};
 
 pub use standfast_motion::MotionError;
+pub use standfast_motion::record::{Record, RecordUnit};
 
 /// Reads the text of a file that a case names, or says why it cannot.
 pub type ReadFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
+
+/// Accelerations of the base that are given beside a case, in place of those it names: in m/s², or in the units of a `[block]`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct GivenBase {
+    /// To the right.
+    pub horizontal: Option<Record>,
+    /// Upwards.
+    pub vertical: Option<Record>,
+}
+
+impl GivenBase {
+    /// The history of a direction, if it is given.
+    fn read(&self, direction: &str) -> Result<Option<history::Read>, MotionError> {
+        let record = if direction == "horizontal" { &self.horizontal } else { &self.vertical };
+        let name = format!("the {direction} record");
+        record.as_ref().map(|record| history::of_record(&name, record, 1.0, 0.0)).transpose()
+    }
+}
+
+/// Reads a case with a `[block]` or a `[body]`, on a base that moves as is given; `name` is what errors call it, and `file` reads
+/// the records it names.
+///
+/// # Errors
+/// If the case is none, or a variable load has no history.
+pub fn cases_on(
+    name: &str,
+    text: &str,
+    file: &ReadFile<'_>,
+    given: &GivenBase,
+) -> Result<Vec<BlockCase>, BodyCaseError> {
+    if has_block(text) {
+        Ok(vec![BlockCase::parse_on(name, text, file, given)?])
+    } else {
+        body::body_cases_on(name, text, file, given)
+    }
+}
 
 /// What to find beside the motion itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

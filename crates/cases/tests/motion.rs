@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use standfast_cases::motion::{BlockCase, Follow, Followed, body_cases, follow_all, has_block};
+use standfast_cases::motion::{
+    BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, body_cases, cases_on, follow_all, has_block,
+};
 use standfast_cases::{Acting, CaseFile};
 use standfast_motion::End;
 
@@ -192,4 +194,64 @@ fn examples_are_followed() {
         count += 1;
     }
     assert!(count >= 4);
+}
+
+fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<(BlockCase, Followed)> {
+    let times = (0..values.len()).map(|i| i as f64 * dt).collect();
+    let record = Record { times, values: values.to_vec(), unit: RecordUnit::Unnamed };
+    let given = GivenBase { horizontal: Some(record), vertical: None };
+    follow_all(cases_on("case.toml", text, &no_file, &given).unwrap(), &Follow::default()).unwrap()
+}
+
+/// A record that is given takes the place of the file's: a steady acceleration k₀ over T slides a low block by D k₀ T²/(2 μ) to the
+/// other side, D = k₀ − μ.
+#[test]
+fn a_record_that_is_given_moves_the_base() {
+    let text = "[block]\nb1 = 1\nb2 = 1\nd = 0.3\nmu_s = 0.4\ngravity = 1\n";
+    let named = "[motion.base]\nhorizontal = { shape = \"file\", file = \"none.csv\" }\n";
+    for text in [text.to_owned(), format!("{text}{named}")] {
+        let [(_, followed)] = &shaken(&text, &[0.6; 5], 0.25)[..] else { panic!() };
+        close(followed.outcome.slide, -0.2 * 0.6 / (2.0 * 0.4), 1e-13);
+        assert!(followed.warnings.iter().any(|warning| warning.name == "record-drift"));
+    }
+}
+
+/// In a case with a body it is the same as the points of a file, with the water that moves with the shaken wall.
+#[test]
+fn a_record_that_is_given_moves_a_body_as_points_do() {
+    let body = "[body]\nwidth = 4\nheight = 6\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 9000\n";
+    let values = [0.0, 5.0, -4.0, 6.0, 1.0, 0.0];
+    let points = "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
+    let [(_, of_file)] = &follow(&format!("{body}{points}"))[..] else { panic!() };
+    let [(_, given)] = &shaken(body, &values, 0.5)[..] else { panic!() };
+    assert!(given.outcome.slide != 0.0);
+    assert_eq!(given.outcome, of_file.outcome);
+}
+
+/// A history says the same under a header of its own as on one line.
+#[test]
+fn histories_may_have_headers() {
+    let load = |history: &str| {
+        let text = "[body]\nwidth = 4\nheight = 1\ndensity = 2400\nfriction = 0.2\n\
+                    [[load]]\nforce = 60000\nelevation = 0.5\n";
+        follow(&format!("{text}{history}"))
+    };
+    let on_a_line = load("history = { shape = \"rect\", duration = 0.5 }\n");
+    assert!(on_a_line[0].1.outcome.slide < 0.0);
+    for headed in [
+        "[load.history]\nshape = \"rect\"\nduration = 0.5\n",
+        "[ load . \"history\" ]\nduration = 0.5\nshape = \"rect\"\n",
+    ] {
+        let more = format!("{headed}[[load]]\nforce = 1e-6\nelevation = 0.5\npermanent = true\n");
+        let (one, with_more) = (load(headed), load(&more));
+        assert_eq!(one, on_a_line);
+        assert!((with_more[0].1.outcome.slide - one[0].1.outcome.slide).abs() < 1e-8);
+    }
+    let wave = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
+    let line = wave.lines().find(|line| line.starts_with("history")).unwrap();
+    let headed = wave.replace(line, "").replace(
+        "[added_mass]",
+        "[wave.history]\nshape = \"triangle\"\nrise = \"0.7785 s\"\nduration = \"1.557 s\"\n[added_mass]",
+    );
+    assert_eq!(follow(&headed), follow(wave));
 }

@@ -8,7 +8,7 @@ use toml::de::DeTable;
 use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
 use super::table::Section;
-use super::{MotionWarning, ReadFile};
+use super::{GivenBase, MotionWarning, ReadFile};
 
 /// A block with what acts on it in time; that of a body is in SI units, per its mass.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,11 +42,21 @@ impl BlockCase {
     /// # Errors
     /// If the text is not TOML, a key or value is not what such a case has, or the problem is none.
     pub fn parse(name: &str, text: &str, file: &ReadFile<'_>) -> Result<BlockCase, MotionCaseError> {
-        read(text, file).map_err(|wrong| wrong.in_file(name, text))
+        BlockCase::parse_on(name, text, file, &GivenBase::default())
+    }
+
+    /// As [`parse`](BlockCase::parse), on a base that moves as is given.
+    pub(super) fn parse_on(
+        name: &str,
+        text: &str,
+        file: &ReadFile<'_>,
+        given: &GivenBase,
+    ) -> Result<BlockCase, MotionCaseError> {
+        read(text, file, given).map_err(|wrong| wrong.in_file(name, text))
     }
 }
 
-fn read(text: &str, file: &ReadFile<'_>) -> Result<BlockCase, Wrong> {
+fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase, Wrong> {
     let document = DeTable::parse(text).map_err(|error| {
         Wrong::new(format!("this is not valid TOML: {}", error.message()), error.span().unwrap_or(0..0))
     })?;
@@ -75,23 +85,25 @@ fn read(text: &str, file: &ReadFile<'_>) -> Result<BlockCase, Wrong> {
     }
     if let Some(motion) = &motion {
         settings(motion, &mut problem)?;
-        if let Some(base) = motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])? {
-            let mut direction = |key: &str| {
-                let section = base.section(key, format!("`{key}` of [motion.base]"), &KEYS)?;
-                section.map(|section| history::read(&section, file).map(&mut taken)).transpose()
-            };
-            problem.base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
-            for (key, history) in
-                [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)]
-            {
-                if let Some(peak) = history.as_ref().map(History::peak).filter(|peak| *peak > 5.0 * gravity) {
-                    let words = format!(
-                        "the {key} acceleration of the base reaches {:.1} times gravity",
-                        peak / gravity
-                    );
-                    violent.push(MotionWarning { name: "violent-base", words });
-                }
-            }
+    }
+    let base = match &motion {
+        Some(motion) => motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])?,
+        None => None,
+    };
+    let mut direction = |key: &str| {
+        if let Some(read) = given.read(key).map_err(|error| refused(&block, motion.as_ref(), &error))? {
+            return Ok(Some(taken(read)));
+        }
+        let Some(base) = &base else { return Ok(None) };
+        let section = base.section(key, format!("`{key}` of [motion.base]"), &KEYS)?;
+        section.map(|section| history::read(&section, file).map(&mut taken)).transpose()
+    };
+    problem.base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
+    for (key, history) in [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)] {
+        if let Some(peak) = history.as_ref().map(History::peak).filter(|peak| *peak > 5.0 * gravity) {
+            let words =
+                format!("the {key} acceleration of the base reaches {:.1} times gravity", peak / gravity);
+            violent.push(MotionWarning { name: "violent-base", words });
         }
     }
     problem.check().map_err(|error| refused(&block, motion.as_ref(), &error))?;

@@ -12,7 +12,7 @@ use super::block::{BlockCase, MOTION, settings};
 use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
 use super::table::Section;
-use super::{MotionWarning, ReadFile};
+use super::{GivenBase, MotionWarning, ReadFile};
 use crate::case::{Acting, Case};
 use crate::error::CaseError;
 use crate::parse::CaseFile;
@@ -49,6 +49,16 @@ struct InTime<'a> {
 /// # Errors
 /// If the case is none, or a variable load has no history.
 pub fn body_cases(name: &str, text: &str, file: &ReadFile<'_>) -> Result<Vec<BlockCase>, BodyCaseError> {
+    body_cases_on(name, text, file, &GivenBase::default())
+}
+
+/// As [`body_cases`], on a base that moves as is given.
+pub(super) fn body_cases_on(
+    name: &str,
+    text: &str,
+    file: &ReadFile<'_>,
+    given: &GivenBase,
+) -> Result<Vec<BlockCase>, BodyCaseError> {
     let shown = |wrong: Wrong| BodyCaseError::Motion(wrong.in_file(name, text));
     let document = DeTable::parse(text).map_err(|error| {
         shown(Wrong::new(
@@ -73,12 +83,12 @@ pub fn body_cases(name: &str, text: &str, file: &ReadFile<'_>) -> Result<Vec<Blo
     }
     let case_file = CaseFile::parse(name, &rest)?;
     let case = case_file.case()?;
-    read(&case, &in_time, file).map_err(shown)
+    read(&case, &in_time, file, given).map_err(shown)
 }
 
 /// Finds histories and [motion].
 fn in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> Result<InTime<'a>, Wrong> {
-    let mut taken = motion_lines(text);
+    let mut taken = lines_in_time(text);
     let motion = match top.get("motion") {
         None => None,
         Some(value) => {
@@ -95,7 +105,11 @@ fn in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> Result<InTime<'a>, Wrong>
             .get_ref()
             .as_table()
             .ok_or_else(|| Wrong::new("`history` is no table; expected { shape = … }", value.span()))?;
-        taken.push(key.span().start..value.span().end);
+        // That under a header of its own is among the lines above.
+        let line = text[..key.span().start].rfind('\n').map_or(0, |end| end + 1);
+        if !text[line..].trim_start().starts_with('[') {
+            taken.push(key.span().start..value.span().end);
+        }
         Section::new(format!("the history of {name}"), inner, value.span(), text, &KEYS)
             .map(|s| Some(s.of_load()))
     };
@@ -118,14 +132,16 @@ fn in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> Result<InTime<'a>, Wrong>
     Ok(InTime { motion, loads, places, wave, wave_place, taken })
 }
 
-/// The lines of [motion] and the tables in it.
-fn motion_lines(text: &str) -> Vec<Span<usize>> {
+/// The lines of [motion] and the tables in it, and of histories that have a header of their own.
+fn lines_in_time(text: &str) -> Vec<Span<usize>> {
     let (mut spans, mut start, mut inside) = (Vec::new(), 0, false);
     for line in text.split_inclusive('\n') {
         let head = line.trim_start();
         if head.starts_with('[') {
-            let name: String = head.chars().skip(1).take_while(|c| !matches!(c, ']' | '.')).collect();
-            inside = name.trim() == "motion";
+            let name = head.trim_start_matches('[').split(']').next().unwrap_or_default();
+            let path: Vec<&str> =
+                name.split('.').map(|key| key.trim_matches([' ', '\t', '"', '\''])).collect();
+            inside = matches!(path[..], ["motion", ..] | ["load" | "wave", "history"]);
         }
         if inside {
             spans.push(start..start + line.len());
@@ -135,7 +151,12 @@ fn motion_lines(text: &str) -> Vec<Span<usize>> {
     spans
 }
 
-fn read(case: &Case, in_time: &InTime<'_>, file: &ReadFile<'_>) -> Result<Vec<BlockCase>, Wrong> {
+fn read(
+    case: &Case,
+    in_time: &InTime<'_>,
+    file: &ReadFile<'_>,
+    given: &GivenBase,
+) -> Result<Vec<BlockCase>, Wrong> {
     let mut warnings: Vec<MotionWarning> = Vec::new();
     let mut taken = |read: history::Read| {
         warnings.extend(read.warnings);
@@ -147,17 +168,19 @@ fn read(case: &Case, in_time: &InTime<'_>, file: &ReadFile<'_>) -> Result<Vec<Bl
     for section in &in_time.loads {
         loads.push(section.as_ref().map(|section| history::read(section, file).map(&mut taken)).transpose()?);
     }
-    let mut base = Base::default();
-    if let Some(motion) = &in_time.motion {
-        let section = motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])?;
-        if let Some(section) = section {
-            let mut direction = |key: &str| {
-                let history = section.section(key, format!("`{key}` of [motion.base]"), &KEYS)?;
-                history.map(|history| history::read(&history.measured(), file).map(&mut taken)).transpose()
-            };
-            base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
+    let section = match &in_time.motion {
+        Some(motion) => motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])?,
+        None => None,
+    };
+    let mut direction = |key: &str| {
+        if let Some(read) = given.read(key).map_err(|error| refused(in_time, &error))? {
+            return Ok(Some(taken(read)));
         }
-    }
+        let Some(section) = &section else { return Ok(None) };
+        let history = section.section(key, format!("`{key}` of [motion.base]"), &KEYS)?;
+        history.map(|history| history::read(&history.measured(), file).map(&mut taken)).transpose()
+    };
+    let base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
     if base != Base::default() && case.earthquake.is_some() {
         let place = in_time.motion.as_ref().map_or(0..0, |motion| motion.place("base"));
         return Err(Wrong::new("an [earthquake] beside [motion.base] counts the same shaking twice", place)

@@ -184,13 +184,17 @@ fn recorded(section: &Section<'_>, file: &ReadFile<'_>, start: f64) -> Result<Re
             (None, Some(peak)) => peak / (record.peak() * unit),
             (factor, None) => factor.unwrap_or(1.0),
         };
+    of_record(name, &record, factor, start).map_err(|error| refused(section, &error))
+}
+
+/// The history of a record, its values times a factor, with what it gives reason to warn of.
+pub(crate) fn of_record(name: &str, record: &Record, factor: f64, start: f64) -> Result<Read, MotionError> {
     let [velocity, displacement] = record.drift().map(|drift| drift * factor);
     let mut warnings: Vec<MotionWarning> = cut(&record.values, name).into_iter().collect();
     warnings.push(MotionWarning {
         name: "record-drift",
         words: format!("{name} ends with a velocity of {velocity:.3e} and a displacement of {displacement:.3e} of the ground"),
     });
-    let history = record.history(factor).and_then(|history| history.starting(start));
-    let history = history.map_err(|error| refused(section, &error))?;
+    let history = record.history(factor)?.starting(start)?;
     Ok(Read { history, warnings, step: longest(&record.times) })
 }

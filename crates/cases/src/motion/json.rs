@@ -6,11 +6,11 @@ use standfast_motion::{End, Outcome};
 
 use super::{BlockCase, Followed};
 
+/// Every key is there in every answer, as docs/simulate.schema.json has them: `null`, or an empty list, where there is no such thing.
 #[derive(Serialize)]
 struct Document<'a> {
     schema: u32,
     title: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     situation: Option<&'a str>,
     end: &'static str,
     slide: f64,
@@ -34,11 +34,9 @@ struct Document<'a> {
     potential: f64,
     energy_residual: f64,
     unique: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
     sensitivity: Option<f64>,
     events: Vec<EventEntry>,
     warnings: Vec<WarningEntry<'a>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     others: Vec<Document<'a>>,
 }
 
@@ -47,7 +45,6 @@ struct EventEntry {
     t: f64,
     why: &'static str,
     state: &'static str,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     also: Vec<&'static str>,
 }
 
