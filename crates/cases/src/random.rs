@@ -12,6 +12,7 @@
 
 mod answer;
 mod document;
+mod draws;
 mod point;
 mod problem;
 mod read;
@@ -19,6 +20,7 @@ mod resolve;
 mod text;
 
 pub use answer::{Chances, Happening, LifeChances, Method, Probability, ProbabilityError, Request};
+pub use draws::{Drawn, Draws};
 pub use standfast_probability::sample::{Effort, Estimate};
 
 pub use problem::{Bias, Coordinate, Problem, Quantity};

@@ -2,7 +2,7 @@
 
 use standfast::Mode;
 use standfast::initiation::Chart;
-use standfast_cases::random::{Chances, Happening, Method, Probability, Request};
+use standfast_cases::random::{Chances, Draws, Happening, Method, Probability, Request};
 use standfast_probability::normal::below;
 use standfast_probability::sample::Effort;
 
@@ -199,4 +199,76 @@ fn wrong_random_numbers_are_refused() {
     let forever = goda("years = 50\nfriction = { normal = { cov = 0.1 } }");
     let error = Probability::of_text("case.toml", &forever, Request::default()).unwrap_err();
     assert_eq!(error.to_string(), "a life of 50 years, and no random number is drawn yearly");
+}
+
+/// A draw of the plane is the report's point itself, and its mode that of the closed form; more draws begin with the same ones.
+#[test]
+fn draws_of_the_plane_are_points_of_the_report() {
+    let random =
+        "[random]\nmu = { uniform = { from = 0.3, to = 0.9 } }\nk = { uniform = { from = 0.2, to = 1 } }\n";
+    let text = format!("{POINT}{random}");
+    let draws = |count, seed| Draws::of_text("case.toml", &text, None, count, seed).unwrap();
+    let found = draws(20_000, 7);
+    assert_eq!(found.inputs, [("mu".to_owned(), None), ("k".to_owned(), None)]);
+    let mut sums = [0.0; 2];
+    for (i, drawn) in found.drawn.iter().enumerate() {
+        let (mu, k) = (found.values[0][i], found.values[1][i]);
+        sums[0] += mu;
+        sums[1] += k;
+        let [k_eff, k_prime] = drawn.effective.unwrap();
+        assert_eq!(k_eff, k);
+        assert_close("k'", k_prime, 0.9167, 1e-14);
+        let mode = standfast::Point::new(0.8, 0.9167, k, mu).unwrap().mode();
+        assert_eq!(drawn.happens, Happening::Mode(mode), "μ = {mu}, k = {k}");
+    }
+    // Four standard errors of the means of uniform numbers.
+    for (sum, mean, range) in [(sums[0], 0.6, 0.6f64), (sums[1], 0.6, 0.8)] {
+        assert!((sum / 2e4 - mean).abs() < 4.0 * range / 12f64.sqrt() / 2e4f64.sqrt(), "{sum}");
+    }
+    let fewer = draws(10, 7);
+    assert_eq!(fewer.values[1], found.values[1][..10]);
+    assert_ne!(draws(10, 8).values, fewer.values);
+}
+
+/// Goda's caisson with friction alone random: the point of the plane is that of `assess`, and the body slides below the friction
+/// at which the classical safety factor is 1.
+#[test]
+fn draws_of_a_caisson_have_its_effective_point() {
+    let text = goda("friction = { uniform = { from = 0.4, to = 0.7 } }\n");
+    let found = Draws::of_text("case.toml", &text, None, 500, 1).unwrap();
+    let file =
+        standfast_cases::CaseFile::parse("case.toml", include_str!("../../../examples/goda-2000.toml"));
+    let case = file.unwrap().case().unwrap();
+    let situation = case.situation(standfast_cases::Acting::All, None).unwrap();
+    let wrench = situation.wrench_at(1.0, standfast::loads::Pose::UPRIGHT);
+    let (k, k_prime) = (wrench.x.abs() / wrench.p, -wrench.m / (wrench.x * situation.body().height() / 2.0));
+    for (drawn, mu) in found.drawn.iter().zip(&found.values[0]) {
+        let [k_eff, k_prime_eff] = drawn.effective.unwrap();
+        assert_close("k_eff", k_eff, k, 1e-13);
+        assert_close("k'_eff", k_prime_eff, k_prime, 1e-12);
+        let expected = if *mu < k { Mode::SlideLeft } else { Mode::Rest };
+        assert_eq!(drawn.happens, Happening::Mode(expected), "μ = {mu}");
+    }
+    assert!(found.drawn.iter().any(|drawn| drawn.happens == Happening::Mode(Mode::Rest)));
+    // What the plane is not of has no point in it.
+    let added = format!("{text}\n[added_mass]\nmass = \"56.4 t/m\"\n");
+    let found = Draws::of_text("case.toml", &added, None, 3, 1).unwrap();
+    assert!(found.drawn.iter().all(|drawn| drawn.effective.is_none()));
+}
+
+#[test]
+fn draws_ask_which_of_several_situations_is_meant() {
+    let text = format!(
+        "{}\n[random]\nfriction = {{ uniform = {{ from = 0.4, to = 0.7 }} }}\n",
+        include_str!("../../../examples/block-two-loads.toml")
+    );
+    let draws = |situation| Draws::of_text("case.toml", &text, situation, 3, 1);
+    let said = draws(None).unwrap_err().to_string();
+    let names = Probability::of_text("case.toml", &text, Request::default()).unwrap().situations;
+    assert!(names.len() > 1);
+    for name in names.iter().map(|chances| chances.situation.as_deref().unwrap()) {
+        assert!(said.contains(name), "{said}");
+        assert_eq!(draws(Some(name)).unwrap().drawn.len(), 3);
+    }
+    assert!(draws(Some("pull")).unwrap_err().to_string().starts_with("no situation is called \"pull\""));
 }

@@ -114,6 +114,15 @@ pub enum ProbabilityError {
         /// How many there are.
         numbers: usize,
     },
+    /// Which of several situations is meant is not said.
+    #[error("{}; the case has {}", Asked(asked.as_deref()), known.join("; "))]
+    #[diagnostic(help("name one of them"))]
+    Situation {
+        /// What was asked for.
+        asked: Option<String>,
+        /// Those there are.
+        known: Vec<String>,
+    },
     /// A life in which nothing is drawn each year.
     #[error("a life of {years} years, and no random number is drawn yearly")]
     #[diagnostic(help(
@@ -123,6 +132,18 @@ pub enum ProbabilityError {
         /// The years.
         years: f64,
     },
+}
+
+/// How a situation was asked for.
+struct Asked<'a>(Option<&'a str>);
+
+impl fmt::Display for Asked<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            None => f.write_str("several sets of loads act one by one"),
+            Some(asked) => write!(f, "no situation is called \"{asked}\""),
+        }
+    }
 }
 
 /// How likely each mode is under one set of loads.
@@ -184,7 +205,7 @@ impl Happening {
         }
     }
 
-    fn of(outcome: usize) -> Happening {
+    pub(super) fn of(outcome: usize) -> Happening {
         match Mode::from_code(outcome as u8) {
             _ if outcome == NOT_A_BODY => Happening::NotABody,
             Some(mode) if outcome != NO_MODE => Happening::Mode(mode),
@@ -217,12 +238,7 @@ impl Probability {
     /// # Errors
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
     pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
-        let random = file.random().ok_or(ProbabilityError::NoRandom)?;
-        let case = file.case()?;
-        if case.ground.is_some() {
-            return Err(ProbabilityError::Ground);
-        }
-        Probability::of_problems(file.name(), Problem::of(file, case, random, request.years)?, request)
+        Probability::of_problems(file.name(), problems_of(file, request.years)?, request)
     }
 
     /// The answer to a file: a case, or a `[point]` of the report's plane, with a `[random]` table.
@@ -230,16 +246,7 @@ impl Probability {
     /// # Errors
     /// As [`of`](Probability::of); or if the text is no such file.
     pub fn of_text(name: &str, text: &str, request: Request) -> Result<Probability, ProbabilityError> {
-        match point::read_file(name, text)? {
-            Some((point, random)) => {
-                let wrong = |(problem, span): (RandomProblem, _)| {
-                    CaseError::new(name, text, problem.into(), vec![span])
-                };
-                let problem = Problem::of_point(point, &random, request.years).map_err(wrong)?;
-                Probability::of_problems(name, vec![problem], request)
-            }
-            None => Probability::of(&CaseFile::parse(name, text)?, request),
-        }
+        Probability::of_problems(name, problems(name, text, request.years)?, request)
     }
 
     fn of_problems(
@@ -260,6 +267,28 @@ impl Probability {
             situations,
         })
     }
+}
+
+/// The problems of a file: a case, or a `[point]`, with a `[random]` table.
+pub(super) fn problems(name: &str, text: &str, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
+    match point::read_file(name, text)? {
+        Some((point, random)) => {
+            let wrong =
+                |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
+            Ok(vec![Problem::of_point(point, &random, years).map_err(wrong)?])
+        }
+        None => problems_of(&CaseFile::parse(name, text)?, years),
+    }
+}
+
+/// The problems of a case file with a `[random]` table.
+fn problems_of(file: &CaseFile, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
+    let random = file.random().ok_or(ProbabilityError::NoRandom)?;
+    let case = file.case()?;
+    if case.ground.is_some() {
+        return Err(ProbabilityError::Ground);
+    }
+    Ok(Problem::of(file, case, random, years)?)
 }
 
 /// The sets asked for: what excludes each other, and then the others.

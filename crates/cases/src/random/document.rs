@@ -8,6 +8,8 @@ use standfast_probability::sample::Estimate;
 use super::answer::{Chances, Happening, LifeChances, Probability};
 use crate::assess::SCHEMA;
 
+/// Every key is there in every answer, as docs/probability.schema.json has them: `null`, or an empty list, where there is no such
+/// thing.
 #[derive(Serialize)]
 struct Document<'a> {
     schema: u32,
@@ -19,7 +21,6 @@ struct Document<'a> {
     #[serde(flatten)]
     worst: ChancesDocument<'a>,
     /// The others, where the case has several sets of loads.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     others: Vec<ChancesDocument<'a>>,
 }
 
@@ -32,7 +33,6 @@ struct RandomDocument<'a> {
 
 #[derive(Serialize)]
 struct ChancesDocument<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
     situation: Option<&'a str>,
     method: &'static str,
     points: u64,
@@ -48,7 +48,6 @@ struct ChancesDocument<'a> {
     design_point: Option<BTreeMap<&'a str, f64>>,
     at_change_of_formula: Option<bool>,
     importance: Vec<ImportanceDocument<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     life: Option<LifeDocument>,
 }
 

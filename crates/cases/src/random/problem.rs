@@ -266,7 +266,7 @@ impl Problem {
     }
 
     /// The contact problem with these values, one for each random number; none if they do not go together.
-    fn mechanics(&self, values: &[f64]) -> Option<Mechanics> {
+    pub(super) fn mechanics(&self, values: &[f64]) -> Option<Mechanics> {
         if let Model::Point(point) = &self.model {
             return self.at_point(*point, values);
         }
@@ -334,7 +334,7 @@ impl Problem {
     }
 
     /// The outcomes of a block under a wrench.
-    fn outcomes(block: &Block, wrench: &Wrench) -> u64 {
+    pub(super) fn outcomes(block: &Block, wrench: &Wrench) -> u64 {
         let lifted = u64::from(wrench.p <= 0.0) << LIFTED;
         match solve(block, wrench) {
             Ok(solution) => lifted | of_modes(solution.mode(), solution.modes),
@@ -345,9 +345,9 @@ impl Problem {
 
 /// The contact problem that values make.
 #[derive(Debug, Clone, Copy)]
-struct Mechanics {
-    block: Block,
-    wrench: Wrench,
+pub(super) struct Mechanics {
+    pub(super) block: Block,
+    pub(super) wrench: Wrench,
     /// Which of the waves' formulas applied.
     formulas: u32,
 }
@@ -515,7 +515,7 @@ fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
 }
 
 impl Input {
-    fn variable(&self) -> Option<&Variable> {
+    pub(super) fn variable(&self) -> Option<&Variable> {
         match &self.quantity {
             Quantity::Key(variable) => Some(variable),
             Quantity::Bias(_) | Quantity::Point(_) => None,

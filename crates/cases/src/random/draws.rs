@@ -1,0 +1,114 @@
+//! Draws: values of the random numbers, and what each set of them makes of the body.
+
+use standfast::Mode;
+use standfast_probability::sample;
+
+use super::answer::{Happening, ProbabilityError, problems};
+use super::problem::{Input, Mechanics, Problem};
+use crate::units::Dimension;
+
+/// Draws of the random numbers of a case, with the mode under each: those of plain Monte Carlo with the same seed, the first of
+/// them for any count.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Draws {
+    /// What is random: names, and the units of values, where they have one.
+    pub inputs: Vec<(String, Option<&'static str>)>,
+    /// The values of each, one for each draw.
+    pub values: Vec<Vec<f64>>,
+    /// What each draw makes of the body.
+    pub drawn: Vec<Drawn>,
+}
+
+/// What a draw makes of the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drawn {
+    /// |X|/P and −M/(X H) of a body that the report's plane is of; none of any other, or where no force acts or nothing presses it
+    /// on its base.
+    pub effective: Option<[f64; 2]>,
+    /// The mode.
+    pub happens: Happening,
+}
+
+impl Draws {
+    /// So many draws of a file with a `[random]` table. `situation` says which loads act where the case leaves a choice.
+    ///
+    /// # Errors
+    /// As [`Probability::of_text`](super::Probability::of_text); or if the case has several situations and none of them is named.
+    pub fn of_text(
+        name: &str,
+        text: &str,
+        situation: Option<&str>,
+        count: u64,
+        seed: u64,
+    ) -> Result<Draws, ProbabilityError> {
+        let problem = one(problems(name, text, None)?, situation)?;
+        let mut values: Vec<Vec<f64>> = problem.random().iter().map(|_| Vec::new()).collect();
+        let mut drawn = Vec::new();
+        sample::draws(problem.laws(), seed, count, |draw| {
+            values.iter_mut().zip(draw).for_each(|(column, value)| column.push(*value));
+            drawn.push(problem.drawn(draw));
+        });
+        let inputs = problem.random().iter().map(|input| (input.name.clone(), input.unit())).collect();
+        Ok(Draws { inputs, values, drawn })
+    }
+}
+
+/// The problem of the situation that is named, or the only one.
+fn one(problems: Vec<Problem>, situation: Option<&str>) -> Result<Problem, ProbabilityError> {
+    let known: Vec<String> = problems.iter().filter_map(Problem::situation).collect();
+    let several = problems.len() > 1;
+    let mut found = problems.into_iter().filter(|problem| match situation {
+        None => !several,
+        Some(asked) => problem.situation().as_deref() == Some(asked),
+    });
+    found.next().ok_or_else(|| ProbabilityError::Situation { asked: situation.map(str::to_owned), known })
+}
+
+impl Problem {
+    fn drawn(&self, values: &[f64]) -> Drawn {
+        let Some(mechanics) = self.mechanics(values) else {
+            return Drawn { effective: None, happens: Happening::NotABody };
+        };
+        let modes = Problem::outcomes(&mechanics.block, &mechanics.wrench);
+        Drawn { effective: mechanics.effective(), happens: Happening::reported(modes) }
+    }
+}
+
+impl Mechanics {
+    /// The point of the report's plane, k and k', as [`Situation::effective`](standfast::Situation::effective) has it.
+    fn effective(&self) -> Option<[f64; 2]> {
+        let (block, wrench) = (&self.block, &self.wrench);
+        // A uniform body in air with one friction. Lengths are in B, so that only rounding parts them from 1.
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b;
+        let uniform =
+            near(block.b1, 1.0) && near(block.b2, 1.0) && near(block.rho2, (1.0 + block.d * block.d) / 3.0);
+        let ordinary = uniform && block.m_x == 1.0 && block.mu_s == block.mu_k;
+        let point = [wrench.x.abs() / wrench.p, -wrench.m / (wrench.x * block.d)];
+        (ordinary && wrench.p > 0.0 && wrench.x != 0.0 && point.iter().all(|x| x.is_finite()))
+            .then_some(point)
+    }
+}
+
+impl Happening {
+    /// The one of the outcomes that hold which excludes the others.
+    fn reported(outcomes: u64) -> Happening {
+        super::problem::exclusive()
+            .find(|outcome| outcomes >> outcome & 1 == 1)
+            .map_or(Happening::NotABody, Happening::of)
+    }
+
+    /// The mode, where it is one.
+    pub fn mode(self) -> Option<Mode> {
+        match self {
+            Happening::Mode(mode) => Some(mode),
+            Happening::NoMode | Happening::NotABody => None,
+        }
+    }
+}
+
+impl Input {
+    /// The SI unit of its values.
+    pub fn unit(&self) -> Option<&'static str> {
+        self.variable()?.dimension().map(Dimension::si)
+    }
+}
