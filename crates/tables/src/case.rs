@@ -197,7 +197,8 @@ impl CaseRows {
     /// The value that a text in a column says, or what is wrong with it.
     pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, String> {
         let factor = &self.sweep.factors()[place];
-        if !self.plain_texts && text.trim().parse::<f64>().is_ok() {
+        let (text, number) = text.strip_prefix(NUMBER).map_or((text, false), |number| (number, true));
+        if !number && !self.plain_texts && text.trim().parse::<f64>().is_ok() {
             return Err(format!("it is a text without a unit; expected {}", factor.expected()));
         }
         factor.parse(text).map_err(|error| format!("{error}; expected {}", factor.expected()))
@@ -255,6 +256,9 @@ impl CaseRows {
         values
     }
 }
+
+/// Stands before what was a number in a column of texts and numbers, where texts have their units.
+pub const NUMBER: char = '\u{1}';
 
 /// The names of warnings, each once; `None` without any.
 fn names(warnings: &[Warning]) -> Option<String> {

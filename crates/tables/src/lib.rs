@@ -49,7 +49,7 @@ mod results;
 mod task;
 mod text;
 
-pub use case::{CaseTable, TableWarning, Varied, VariedColumn};
+pub use case::{CaseTable, NUMBER, TableWarning, Varied, VariedColumn};
 pub use columns::Mapping;
 pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};
