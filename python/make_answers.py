@@ -23,6 +23,8 @@ PLAIN = {"number-or-infinite": "float", "mode": "Mode", "modes": "Modes"}
 NAMES = {"warning": "CaseWarning"}
 #: Keys of the document for which `Assessment` has something of its own.
 OWN = ("governing", "situations", "figures")
+#: Classes of which lists are given under their modes.
+KEYED = ("Chance",)
 TYPES = {"number": "float", "integer": "int", "string": "str", "boolean": "bool", "null": "None"}
 
 HEADER = '''\
@@ -78,6 +80,8 @@ def kind(schema: dict[str, Any]) -> tuple[str, str]:
         items = schema.get("items") or schema["prefixItems"][0]
         name, how = kind(items if items is not False else schema["prefixItems"][0])
         made = how.removeprefix("part(").split(",")[0]
+        if name in KEYED:
+            return f"ByMode[{name}]", f"by_mode({made}, {{}})"
         # A list is given as a copy.
         return f"list[{name}]", f"parts({made}, {{}})" if how.startswith("part(") else "list({})"
     if types == ["object"]:

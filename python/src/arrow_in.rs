@@ -24,9 +24,11 @@ use standfast_cases::Face;
 use standfast_cases::suggest::{closest, similar};
 
 use crate::arrow_out::{ArrowArray, ArrowTable, dictionary_of_symbols};
-use crate::grid::{Grid, Halt, Kind, Labour, Operand, floats, is_number};
+use crate::grid::{Grid, Halt, Labour};
 use crate::onset::{Choice, Column as Answers, Onset};
-use crate::run::{Monitor, Run};
+use crate::operand::{Kind, Operand, floats, is_number};
+use crate::run::Run;
+use crate::watch::Monitor;
 use crate::{NAMES, expect_numbers, invalid};
 
 /// One operand for a stretch of rows.

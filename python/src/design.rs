@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
 use standfast_cases::{CaseFile, report};
 
-use crate::run::patiently;
+use crate::watch::patiently;
 
 /// What errors call the arguments of `standfast.design`.
 const SPELLING: Spelling = Spelling {

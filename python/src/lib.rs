@@ -13,10 +13,15 @@ mod limits;
 mod ndarray;
 mod numbers;
 mod onset;
+mod operand;
+mod probability;
+mod reader;
 mod rows;
 mod run;
 mod sheet;
+mod simulate;
 mod table;
+mod watch;
 
 use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
@@ -90,10 +95,16 @@ mod _standfast {
     #[pymodule_export]
     use super::limits::{limit_state_names, limit_states};
     #[pymodule_export]
+    use super::probability::{draws, plain_effort, probability};
+    #[pymodule_export]
     use super::sheet::{sheet, title_block};
+    #[pymodule_export]
+    use super::simulate::{MotionAnswer, simulate};
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    const NUMBER: char = standfast_tables::NUMBER;
     #[pymodule_export]
     use super::modes;
     #[pymodule_export]

@@ -9,9 +9,11 @@ use pyo3::types::PyTuple;
 
 use standfast::Point;
 
-use crate::grid::{Grid, Halt, Kind, Operand};
+use crate::grid::{Grid, Halt};
 use crate::onset::{Choice, Column, NO_MODE, Onset};
-use crate::run::{Monitor, Run};
+use crate::operand::{Kind, Operand};
+use crate::run::Run;
+use crate::watch::Monitor;
 use crate::{Codes, NAMES, expect_numbers, invalid};
 
 /// γ, k', k and μ; with ω of bases that crush.

@@ -8,7 +8,7 @@ use standfast_cases::report;
 use standfast_sheet::{Date, Paper, Sheet, SheetOptions};
 
 use crate::assess::checked_up_to;
-use crate::run::patiently;
+use crate::watch::patiently;
 
 /// The keys of the title block.
 #[pyfunction]

@@ -2,11 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::num::NonZero;
-use std::panic::resume_unwind;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
-use std::time::Duration;
 
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchReader, StringArray};
 use arrow_schema::{Field, Schema};
@@ -23,10 +20,8 @@ use standfast_tables::{
 };
 
 use crate::arrow_out::ArrowTable;
+use crate::watch::{Caller, Watch, aside};
 use crate::{at_index, written};
-
-/// How often a caller that waits looks for Ctrl-C and tells the progress.
-const LOOK: Duration = Duration::from_millis(50);
 
 /// What errors call the table.
 const NAME: &str = "the table";
@@ -34,7 +29,7 @@ const NAME: &str = "the table";
 /// A table of cases, of which the columns are known.
 #[pyclass(frozen, module = "standfast._standfast")]
 pub(crate) struct Sweep {
-    table: MemoryTable,
+    table: Arc<MemoryTable>,
     /// The rows, where they come from elsewhere.
     reader: Mutex<Option<Box<dyn RecordBatchReader + Send>>>,
 }
@@ -84,8 +79,8 @@ impl Sweep {
             map: map.into_iter().map(|(ours, theirs)| Mapping { ours, theirs }).collect(),
             on_error: if null { OnError::Null } else { OnError::Stop },
             face: Face::Python,
-            // Of columns and dicts Python parts texts and numbers; a text of Arrow has its unit, as in a case.
-            plain_texts: matches!(given, Given::Names(_)),
+            // A text has its unit, as in a case; what was a number Python marks.
+            plain_texts: false,
             threads: threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
             ..TableOptions::new(NAME)
         };
@@ -98,7 +93,7 @@ impl Sweep {
             }
         };
         let table = MemoryTable::of(&names, options).map_err(|error| raised(error, &[]))?;
-        Ok(Sweep { table, reader: Mutex::new(reader) })
+        Ok(Sweep { table: Arc::new(table), reader: Mutex::new(reader) })
     }
 
     /// The places of the columns that vary the case, in the order in which [`answer`](Sweep::answer) takes them.
@@ -144,7 +139,7 @@ impl Sweep {
         py: Python<'py>,
         columns: Vec<Column<'py>>,
         shape: Vec<usize>,
-        progress: Option<Bound<'py, PyAny>>,
+        progress: Option<Py<PyAny>>,
     ) -> PyResult<Answered<'py>> {
         let arrays: Vec<ArrayRef> = columns.into_iter().map(Column::array).collect::<PyResult<_>>()?;
         let fields = arrays.iter().enumerate();
@@ -152,10 +147,10 @@ impl Sweep {
         let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
         let batch = RecordBatch::try_new(schema.clone(), arrays);
         let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
-        let rows = batch.num_rows() as u64;
-        let answer = watched(py, progress, Some(rows), |watch| {
-            self.table.answer(&schema, std::iter::once(Ok(batch)), watch)
-        })?;
+        let caller = Caller { progress: progress.as_ref(), total: Some(batch.num_rows()) };
+        let table = Arc::clone(&self.table);
+        let answer =
+            aside(py, &caller, true, move |watch| table.answer(&schema, std::iter::once(Ok(batch)), watch))?;
         let MemoryAnswer { fields, values, without, summary, .. } =
             answer.map_err(|error| raised(error, &shape))?;
         let columns = fields.iter().zip(values);
@@ -167,8 +162,8 @@ impl Sweep {
     fn answer_table(
         &self,
         py: Python<'_>,
-        progress: Option<Bound<'_, PyAny>>,
-        total: Option<u64>,
+        progress: Option<Py<PyAny>>,
+        total: Option<usize>,
     ) -> PyResult<(ArrowTable, Vec<Minded>)> {
         let reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner).take();
         let reader =
@@ -176,8 +171,11 @@ impl Sweep {
         let places = self.table.places();
         let unreadable = |error: arrow_schema::ArrowError| PyValueError::new_err(error.to_string());
         let schema = reader.schema().project(places).map_err(unreadable)?;
-        let batches = reader.map(|batch| batch?.project(places));
-        let answer = watched(py, progress, total, |watch| self.table.answer(&schema, batches, watch))?;
+        let (caller, table) = (Caller { progress: progress.as_ref(), total }, Arc::clone(&self.table));
+        let answer = aside(py, &caller, true, move |watch| {
+            let batches = reader.map(|batch| batch?.project(table.places()));
+            table.answer(&schema, batches, watch)
+        })?;
         let answer = answer.map_err(|error| raised(error, &[]))?;
         let minded = minded(&answer.summary, &[]);
         let batch = answer.into_batch().map_err(unreadable)?;
@@ -272,63 +270,14 @@ fn distinct(texts: impl Iterator<Item = Option<String>>) -> (Vec<i32>, Vec<Strin
     (places, words.into_iter().map(|(text, _)| text).collect())
 }
 
-/// How far work is, and whether it is to stop.
-#[derive(Default)]
-struct Watch {
-    rows: AtomicU64,
-    stopped: AtomicBool,
-    done: AtomicBool,
-}
-
 impl Progress for Watch {
     fn advance(&self, rows: u64, _: u64) {
-        self.rows.fetch_add(rows, Ordering::Relaxed);
+        self.advance(rows);
     }
 
     fn is_stopped(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed)
+        self.is_stopped()
     }
-}
-
-/// Does `work` on another thread. Meanwhile Ctrl-C stops it, and `progress` is called with the rows done and all rows.
-fn watched<T: Send>(
-    py: Python<'_>,
-    progress: Option<Bound<'_, PyAny>>,
-    total: Option<u64>,
-    work: impl FnOnce(&Watch) -> T + Send,
-) -> PyResult<T> {
-    let progress = progress.map(Bound::unbind);
-    let watch = Watch::default();
-    let told = |py: Python<'_>, rows: u64| match &progress {
-        Some(progress) => progress.call1(py, (rows, total)).map(drop),
-        None => Ok(()),
-    };
-    let outcome = py.detach(|| {
-        thread::scope(|scope| {
-            let caller = thread::current();
-            let watch = &watch;
-            let worker = scope.spawn(move || {
-                let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| work(watch)));
-                watch.done.store(true, Ordering::Release);
-                caller.unpark();
-                outcome
-            });
-            let mut looked = Ok(());
-            while !watch.done.load(Ordering::Acquire) {
-                thread::park_timeout(LOOK);
-                if looked.is_ok() && !watch.done.load(Ordering::Acquire) {
-                    let rows = watch.rows.load(Ordering::Relaxed);
-                    looked = Python::attach(|py| py.check_signals().and_then(|()| told(py, rows)));
-                    watch.stopped.store(looked.is_err(), Ordering::Relaxed);
-                }
-            }
-            let outcome =
-                worker.join().and_then(|outcome| outcome).unwrap_or_else(|panic| resume_unwind(panic));
-            looked.map(|()| outcome)
-        })
-    })?;
-    told(py, watch.rows.load(Ordering::Relaxed))?;
-    Ok(outcome)
 }
 
 /// What is wrong with a table as an exception; rows by their index in an array of this shape.

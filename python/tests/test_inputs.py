@@ -25,6 +25,7 @@ import pytest
 import standfast
 import xarray as xr
 from standfast import Mode, _inputs
+from standfast._run import Run
 
 NAMES = ("gamma", "k_prime", "k", "mu")
 POINTS = {"gamma": [1.0, 3.0, 1.0, 3.0], "k_prime": [0.4, 0.8, 1.0, 0.8], "k": [0.5, 0.1, 2.0, 0.5], "mu": [0.6, 0.05, 5.0, 0.05]}
@@ -396,11 +397,11 @@ def test_arrays_and_what_is_missing() -> None:
     assert missing.tolist() == [False, True, False] and operands.shape == (3,)
     (a, b), _ = operands.arrays(together=True)
     assert a.tolist() == [1, 1, 3] and b.tolist() == [4, 1, 6]
-    (a, b), missing, nan = operands.native()
-    assert np.shares_memory(a, frame.a.to_numpy()) and missing is None and nan
+    (a, b), missing, how = operands.native(Run(1))
+    assert np.shares_memory(a, frame.a.to_numpy()) and missing is None and how.nan_is_missing
     # Beside a plain array NaN says nothing, so that it has to be told apart before.
-    (a, b), missing, nan = _inputs.read("f", ("a", "b"), (frame.a, np.ones(3))).native()
-    assert not nan and missing is not None and missing.tolist() == [False, True, False]
+    (a, b), missing, how = _inputs.read("f", ("a", "b"), (frame.a, np.ones(3))).native(Run(1))
+    assert not how.nan_is_missing and missing is not None and missing.tolist() == [False, True, False]
     for table in (pl.DataFrame({"a": [1, None, 3], "b": [4, 5, 6]}), pa.table({"a": [1, None, 3], "b": [4, 5, 6]})):
         operands = _inputs.read("f", ("a", "b"), (table, None), {"b": 7})
         (a, b), missing = operands.arrays()

@@ -6,6 +6,7 @@ import copy
 import importlib.util
 import json
 import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,8 @@ REGISTRY: Registry[Any] = Registry().with_resources(
     (name, Resource.from_contents(schema)) for name, schema in SCHEMAS.items()
 )
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+EVERY_MOTION = sorted((ROOT / "examples/motion").glob("*.toml"))
+EVERY_RANDOM = [ROOT / "examples/goda-2000-random.toml"]
 ODD = sorted((ROOT / "crates/cli/tests/cmd/loads-answers.in").glob("*.toml"))
 
 BLOCK = {"width": 1, "height": 2, "mass": 4800, "friction": 0.7}
@@ -165,6 +168,22 @@ def test_boundaries(program: list[str], wanted: tuple[str, ...]) -> None:
     assert not errors(designed(program, *wanted), "boundary.schema.json")
 
 
+def test_motions() -> None:
+    for path in EVERY_MOTION:
+        assert not errors(json.loads(standfast.simulate(path, sensitivity=True).to_json()), "simulate.schema.json")
+
+
+def test_probabilities() -> None:
+    for path in EVERY_RANDOM:
+        assert not errors(json.loads(standfast.probability(path).to_json()), "probability.schema.json")
+    # A life, and several sets of loads.
+    random: dict[str, Any] = {"friction": {"normal": {"mean": 0.6, "sd": 0.1}}, "load[1].force": {"normal": {"cov": 0.2}, "every": "year"}}
+    loads = [{"force": "20 kN/m", "elevation": 1, "name": name} for name in ("one", "two")]
+    answer = standfast.probability({"body": BLOCK, "load": loads, "random": {**random, "years": 50}}, precision=0.2)
+    document = json.loads(answer.to_json())
+    assert document["life"] and document["others"] and not errors(document, "probability.schema.json")
+
+
 def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
     # A point of the diagram, alternative loads, still water.
     cases = [ROOT / "examples/goda-2000.toml", ROOT / "examples/block-two-loads.toml", ODD[-1]]
@@ -173,6 +192,9 @@ def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
         (classified(program, POINTS[1]), "point.schema.json"),
         (designed(program, *DESIGNS[0]), "design.schema.json"),
         (designed(program, *BOUNDARIES[0]), "boundary.schema.json"),
+        (json.loads(standfast.simulate(EVERY_MOTION[0], sensitivity=True).to_json()), "simulate.schema.json"),
+        # The keys of a design point are names of the user's.
+        ({**json.loads(standfast.probability(EVERY_RANDOM[0]).to_json()), "design_point": {}}, "probability.schema.json"),
     ]
     assert documents[0][0]["situations"][0]["report"] and documents[1][0]["situations"][0]["load"] and documents[2][0]["water"]
     for document, schema in documents:
@@ -236,11 +258,26 @@ def test_schemas_are_closed_and_say_what_everything_is() -> None:
                     assert value.get("description") or "$ref" in value, (name, key)
 
 
-def test_the_classes_of_answers_are_those_of_the_schema() -> None:
-    place = importlib.util.spec_from_file_location("make_answers", ROOT / "python/make_answers.py")
+def generator(name: str) -> Any:
+    """A program of python/ that writes classes."""
+    place = importlib.util.spec_from_file_location(name, ROOT / f"python/{name}.py")
     assert place and place.loader
-    make_answers = importlib.util.module_from_spec(place)
-    place.loader.exec_module(make_answers)
+    module = importlib.util.module_from_spec(place)
+    sys.modules[name] = module
+    place.loader.exec_module(module)
+    return module
+
+
+def test_the_classes_of_motions_and_probabilities_are_those_of_the_schemas() -> None:
+    generator("make_answers")
+    make_designs = generator("make_designs")
+    for name in make_designs.FILES:
+        written = (make_designs.PACKAGE / name).read_text(encoding="utf-8")
+        assert written == make_designs.made(name), "run: python python/make_designs.py"
+
+
+def test_the_classes_of_answers_are_those_of_the_schema() -> None:
+    make_answers = generator("make_answers")
     assert make_answers.FILE.read_text(encoding="utf-8") == make_answers.made(), "run: python python/make_answers.py"
     for name, definition in SCHEMAS["answer.schema.json"]["$defs"].items():
         if "properties" in definition:

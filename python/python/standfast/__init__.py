@@ -10,6 +10,8 @@ what does the whole k-μ plane look like?                  :class:`Diagram`
 a body with its loads: water, waves, earthquakes          :func:`assess`
 many of them: tables, sweeps, samples                     :func:`assess_table`
 what is enough: the least width, the greatest force       :func:`design`
+what becomes of it in time: slide, rock, overturn         :func:`simulate`
+how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
 the calculation, to be filed and signed                   :func:`sheet`
 ========================================================  ==================================
 
@@ -28,7 +30,9 @@ from ._diagram import Curve, Diagram, Indeterminate, NamedPoint, Region
 from ._explain import Explanation, explain
 from ._limits import LimitStates, LimitStatesArrays, limit_states
 from ._modes import Mode, Modes
+from ._probability import Probability, draws, probability
 from ._sheet import sheet
+from ._simulate import Simulation, simulate
 from ._standfast import __version__
 from ._table import ResultColumn, StandfastWarning, Varied, assess_table, varied
 from .answers import Criterion, Situation
@@ -55,8 +59,10 @@ __all__ = [
     "NamedPoint",
     "Onset",
     "OnsetArrays",
+    "Probability",
     "Region",
     "ResultColumn",
+    "Simulation",
     "Situation",
     "StandfastWarning",
     "Varied",
@@ -67,10 +73,13 @@ __all__ = [
     "contact",
     "contact_conditions",
     "design",
+    "draws",
     "explain",
     "limit_states",
     "onset",
+    "probability",
     "sheet",
+    "simulate",
     "symbols",
     "varied",
 ]

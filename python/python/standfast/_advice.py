@@ -40,6 +40,8 @@ def is_plain(text: str) -> bool:
 OF_ONE = ("explain", "contact_conditions", "Diagram")
 #: Functions of a case and a table.
 _OF_CASES = ("assess_table", "varied")
+#: Functions of arrays that are no answers for each of their values.
+_OF_WHOLE = ("simulate",)
 
 
 class Advice(NamedTuple):
@@ -84,7 +86,7 @@ class Advice(NamedTuple):
         if is_of(value, "polars", "LazyFrame"):
             raise TypeError(f"{name} is a polars LazyFrame, which holds no values yet. Call .collect()")
         if is_of(value, "polars", "Expr"):
-            how = f"Call {self._in_frame}, or give" if self.function not in (*OF_ONE, *_OF_CASES) else "Give"
+            how = f"Call {self._in_frame}, or give" if self.function not in (*OF_ONE, *_OF_CASES, *_OF_WHOLE) else "Give"
             raise TypeError(f"{name} is a polars expression, which holds no values. {how} columns of the DataFrame")
         if is_of(value, "pyarrow.dataset", "Dataset"):
             raise TypeError(
@@ -105,6 +107,8 @@ class Advice(NamedTuple):
         if hasattr(value, "__dask_graph__") and value.__dask_graph__() is not None:
             lazy = f", dask='parallelized', output_dtypes=[{self.dtype}]"
         how = f"xarray.apply_ufunc({self.call}, ...{lazy})"
+        if self.function in _OF_WHOLE:
+            raise TypeError(f"{name} is {kind}; standfast.{self.function} takes arrays, as its .values")
         if self.function in _OF_CASES:
             kind = "an xarray object"
             how = "xarray.broadcast(...) and give the .values of each, or Dataset.to_dataframe()"
@@ -112,9 +116,13 @@ class Advice(NamedTuple):
 
     def _in_parts(self, value: Any) -> str:
         """What to call on a lazy collection of dask."""
-        if self.function in _OF_CASES and is_of(value, "dask.dataframe", "DataFrame"):
-            return f"frame.map_partitions(lambda part: standfast.{self.function}(case, part))"
-        if self.function in (*OF_ONE, *_OF_CASES):
+        if self.function == "varied" and is_of(value, "dask.dataframe", "DataFrame"):
+            return "standfast.varied(case, frame.columns)"
+        if self.function == "assess_table" and is_of(value, "dask.dataframe", "DataFrame"):
+            # Without meta Dask would try it on numbers of its own, which no case may have.
+            of_no_rows = "standfast.assess_table(case, frame.head(0))"
+            return f"frame.map_partitions(lambda part: standfast.assess_table(case, part), meta={of_no_rows})"
+        if self.function in (*OF_ONE, *_OF_CASES, *_OF_WHOLE):
             return ".compute() first"
         if is_of(value, "dask.array", "Array"):
             return f"dask.array.map_blocks({self.call}, ..., dtype={self.dtype})"
@@ -126,7 +134,7 @@ class Advice(NamedTuple):
 
     def refuse_table(self, value: object, name: str) -> NoReturn:
         """Refuses a table in place of a column."""
-        also = "" if self.function in (*OF_ONE, *_OF_CASES, "symbols") else (
+        also = "" if self.function in (*OF_ONE, *_OF_CASES, *_OF_WHOLE, "symbols") else (
             f". standfast.{self.function} takes a table alone, with map={{...}} where its columns have other names"
         )
         raise TypeError(f"{name} is a {called(value)}, a whole table; expected a column of it{also}")

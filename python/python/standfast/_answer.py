@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import keyword
 import math
@@ -113,6 +114,25 @@ class Rendered(Answer):
         return type(self), (self._text, self._json)
 
 
+class Lazy(Answer):
+    """An answer of the native module that is rendered when it is asked for."""
+
+    _answer: Any
+
+    def to_json(self) -> str:
+        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
+        text: str = self._answer.json()
+        return text
+
+    @functools.cached_property
+    def _text(self) -> str:
+        text: str = self._answer.text()
+        return text
+
+    def __str__(self) -> str:
+        return self._text
+
+
 def copied(value: Any) -> Any:
     """Plain JSON that a caller may change."""
     if isinstance(value, dict):
@@ -131,6 +151,20 @@ def part(kind: type[_A], document: Any) -> _A:
 def parts(kind: type[_A], documents: Any) -> list[_A]:
     """A list of objects as a class."""
     return [kind(document) for document in documents]
+
+
+class ByMode(dict[str, _A]):
+    """Parts of an answer under the symbols of their modes; a :class:`~standfast.Mode` stands for its symbol."""
+
+    def __missing__(self, key: object) -> _A:
+        if isinstance(key, Mode) and key.symbol in self:
+            return self[key.symbol]
+        raise KeyError(f"there is no {key!r}; there are {', '.join(self)}")
+
+
+def by_mode(kind: type[_A], documents: Any) -> ByMode[_A]:
+    """A list of objects as a class, under their modes."""
+    return ByMode((document["mode"], kind(document)) for document in documents)
 
 
 def mode(symbol: str) -> Mode:

@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._arrow import ArrowArray, ArrowTable
 from ._frames import SYMBOLS, Arrays, Arrow, Fields, Point
-from ._inputs import Operands, are_plain, chosen, read
+from ._inputs import Operands, are_plain, called, chosen, read
 from ._modes import Mode, Modes
-from ._progress import shown
 from ._run import Run, run
 from ._types import Array, Map, Number, OnError, Options, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
@@ -237,20 +236,15 @@ def classify(
     if plain and are_plain(point := (gamma, k_prime, k, mu)):
         return _classify_point(point, run(threads, on_error, None, to), names)
     operands = read("classify", _NAMES, (gamma, k_prime, k, mu), map, optional=("omega", omega))
-    with shown(progress, "points") as told:
-        how = run(threads, on_error, told, to)
-        form = operands.form.with_errors(how.null_errors)
+    with called(operands, threads, on_error, progress, to) as (how, form):
         if out is not None:
             _check_out(out, names, operands, how.null_errors)
-        if isinstance(form, Arrow) and operands.table is not None:
-            return form.adopt(_standfast.classify_table(*operands.table, names, how._replace(total=operands.rows)))
-        if isinstance(form, Arrow) and operands.columns is not None:
-            return form.adopt(_standfast.classify_columns(operands.columns, names, how))
-        arrays, missing, nan = operands.native()
-        try:
-            codes, missing = _standfast.classify(arrays, missing, out, how._replace(nan_is_missing=True) if nan else how)
-        except ValueError as error:
-            raise form.placed(error) from None
+        if isinstance(form, Arrow):
+            found = operands.streamed(_standfast.classify_table, _standfast.classify_columns, names, how)
+            if found is not None:
+                return form.adopt(found)
+        arrays, missing, how = operands.native(how)
+        codes, missing = _standfast.classify(arrays, missing, out, how)
     return out if out is not None else form.column("mode", codes, missing, symbols=names)
 
 
@@ -351,18 +345,13 @@ def onset(
     """
     fields = chosen(columns, Onset._fields)
     operands = read("onset", _NAMES, (gamma, k_prime, k, mu), map, result="theta_ddot", optional=("omega", omega))
-    with shown(progress, "points") as told:
-        how = run(threads, on_error, told, to)
-        form = operands.form.with_errors(how.null_errors)
-        if isinstance(form, Arrow) and operands.table is not None:
-            return form.adopt_table(_standfast.onset_table(*operands.table, fields, how._replace(total=operands.rows)))
-        if isinstance(form, Arrow) and operands.columns is not None:
-            return form.adopt_table(_standfast.onset_columns(operands.columns, fields, how))
-        arrays, missing, nan = operands.native()
-        try:
-            values, missing = _standfast.onset(arrays, missing, fields, how._replace(nan_is_missing=True) if nan else how)
-        except ValueError as error:
-            raise form.placed(error) from None
+    with called(operands, threads, on_error, progress, to) as (how, form):
+        if isinstance(form, Arrow):
+            found = operands.streamed(_standfast.onset_table, _standfast.onset_columns, fields, how)
+            if found is not None:
+                return form.adopt_table(found)
+        arrays, missing, how = operands.native(how)
+        values, missing = _standfast.onset(arrays, missing, fields, how)
     return form.table(dict(zip(fields, values)), missing, point=Onset, arrays=OnsetArrays)
 
 

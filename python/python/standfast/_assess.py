@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _standfast
-from ._answer import attribute, copied, parts, with_infinity
+from ._answer import Lazy, attribute, copied, parts, with_infinity
 from .answers import Document, OnlySituation, Situation
 
 #: How many modes a representation lists.
@@ -34,7 +34,7 @@ class Figure(NamedTuple):
         return self.svg
 
 
-class Assessment(Document, OnlySituation):
+class Assessment(Lazy, Document, OnlySituation):
     """The answer to a case: the program's, as text, figures and numbers.
 
     ``print`` shows the text. The keys of the JSON document, which ``docs/answer.schema.json`` describes, are attributes. The
@@ -116,17 +116,6 @@ class Assessment(Document, OnlySituation):
     def __dir__(self) -> list[str]:
         own = set(super().__dir__())
         return sorted(own if len(self.situations) == 1 else own - vars(OnlySituation).keys())
-
-    def to_json(self) -> str:
-        """The JSON document as the program writes it, where a number without bound is the word ``infinite``."""
-        return self._answer.json()
-
-    @functools.cached_property
-    def _text(self) -> str:
-        return self._answer.text()
-
-    def __str__(self) -> str:
-        return self._text
 
     def __repr__(self) -> str:
         modes = [situation["mode"] or "none" for situation in self._own["situations"]]

@@ -14,11 +14,9 @@ from numpy.typing import NDArray
 from . import _standfast
 from ._arrow import ArrowTable
 from ._frames import Fields
-from ._inputs import chosen, read
+from ._inputs import called, chosen, read
 from ._modes import Mode, Modes
-from ._progress import shown
 from ._rows import CONTACT_INPUTS, MOTION, Columns, Fault, Wrong, answer, numbers, point
-from ._run import run
 from ._types import Array, Map, Number, OnError, PandasFrame, PandasSeries, PolarsFrame, PolarsSeries, Progress
 from ._types import Arrow as ArrowLike
 from ._types import PyarrowArray, PyarrowTable
@@ -220,15 +218,13 @@ def contact(
     """
     asked = chosen(columns, Contact._fields)
     operands = read("contact", CONTACT_INPUTS, (b1, b2, d, rho2, m_x, m_y, x, p, m, mu_s, mu_k), map, result="mode")
-    with shown(progress, "problems") as told:
-        how = run(threads, on_error, told)
+    with called(operands, threads, on_error, progress, unit="problems") as (how, form):
 
         def solve(block: list[NDArray[np.float64]], out: Columns, wrong: Wrong) -> Fault:
             return _standfast.contact_rows(block, (out.get("mode"), out.get("modes")), numbers(out, MOTION), wrong, how)
 
         kinds = {name: _KINDS.get(name, np.float64) for name in asked}
         found, missing = answer(operands, kinds, solve, how, together=True)
-    form = operands.form.with_errors(how.null_errors)
     return form.table(_without_mode(found), missing, point=Contact, arrays=ContactArrays)
 
 

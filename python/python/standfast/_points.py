@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._advice import Advice, called
 from ._arrow import ArrowTable
-from ._inputs import read, table_kind
+from ._inputs import read
+from ._tables import frame_of
 from ._types import Arrow, PandasFrame, PolarsFrame, PyarrowTable
 
 #: ``{name: (k, μ)}``; or a cloud without names: rows of (k, μ), or a table with the columns ``k`` and ``mu``, which may have
@@ -44,8 +45,8 @@ def marks(points: Points | None) -> Marks:
         return Marks(np.array(pairs, dtype=np.float64).reshape(-1, 2), [str(name) for name in points])
     if any(hasattr(points, way) for way in ("collect", "compute")):
         raise TypeError(f"points is a {type(points).__name__}, which has no values yet; collect or compute it first")
-    if (kind := table_kind(points, Advice("Diagram.plot"))) is not None:
-        return _table(points, kind)
+    if (frame := frame_of(points, Advice("Diagram.plot"))) is not None:
+        return _table(points, frame.kind)
     places = _numbers("points", points)
     if places.ndim != 2 or places.shape[1] != 2:
         hint = "; np.column_stack([k, mu]) makes one of two columns" if len(places) == 2 else ""

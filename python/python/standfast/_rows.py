@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._frames import Form, Missing
+from ._frames import Missing
 from ._inputs import Operands, read
 from ._run import Run
 
@@ -70,7 +70,7 @@ def answer(
         here = None if wrong is None else wrong.reshape(-1)[done:stop]
         fault = solve(list(block), {name: column[done:stop] for name, column in flat.items()}, here)
         if fault is not None:
-            _raise(fault, done, shape, operands.form)
+            _raise(fault, done, shape)
         done = stop
         if run.progress is not None and (done == total or monotonic() - told > _PAUSE):
             told = monotonic()
@@ -95,14 +95,14 @@ def numbers(columns: Columns, places: Mapping[str, int]) -> list[tuple[int, NDAr
     return [(places[name], column) for name, column in columns.items() if name in places]
 
 
-def _raise(fault: tuple[int, str, str], before: int, shape: tuple[int, ...], form: Form) -> NoReturn:
+def _raise(fault: tuple[int, str, str], before: int, shape: tuple[int, ...]) -> NoReturn:
     row, given, expected = fault
     if not shape:
         raise ValueError(f"{given}; expected {expected}")
     index = tuple(map(int, np.unravel_index(before + row, shape)))
     error = ValueError(f"{given} at index {index[0] if len(index) == 1 else index}; expected {expected}")
     vars(error)["index"] = index
-    raise form.placed(error)
+    raise error
 
 
 LIMIT_STATES = {name: place for place, name in enumerate(_standfast.limit_state_names())}

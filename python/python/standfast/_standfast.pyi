@@ -10,6 +10,8 @@ __all__ = [
     "ArrowArray",
     "ArrowTable",
     "CaseAnswer",
+    "MotionAnswer",
+    "NUMBER",
     "Sweep",
     "__version__",
     "assess",
@@ -23,6 +25,7 @@ __all__ = [
     "contact_names",
     "contact_rows",
     "design",
+    "draws",
     "diagram_numbers",
     "diagram_outlines",
     "diagram_svg",
@@ -36,14 +39,19 @@ __all__ = [
     "onset",
     "onset_columns",
     "onset_table",
+    "plain_effort",
+    "probability",
     "read_column",
     "read_table",
     "refuse_column",
     "sheet",
+    "simulate",
     "title_block",
 ]
 
 __version__: str
+#: Stands before what was a number in a column of texts and numbers.
+NUMBER: str
 
 _Mask = NDArray[np.bool_] | None
 _Values = NDArray[Any] | list[str]
@@ -144,6 +152,58 @@ def title_block() -> list[str]: ...
 def sheet(
     file: tuple[str, str], date: str | None, up_to: float, told: Sequence[tuple[str, str]], paper: str, is_pdf: bool
 ) -> tuple[str, bytes | None]: ...
+
+_RecordOf = tuple[NDArray[np.float64], NDArray[np.float64]] | None
+_Numbered = NDArray[np.float64]
+
+@final
+class MotionAnswer:
+    """The motion of a case in each of its situations, the worst first."""
+
+    def text(self) -> str:
+        """For reading."""
+
+    def json(self) -> str:
+        """As one JSON document."""
+
+    def is_si(self) -> bool:
+        """Whether quantities are in SI units; those of a block are in the units of its case."""
+
+    def files(self) -> dict[str, str]:
+        """The contents of the files that the case names."""
+
+    def series(
+        self, place: int, dt: float
+    ) -> tuple[tuple[_Numbered, _Numbered, _Numbered, _Numbered, _Numbered, _Numbered], NDArray[np.uint8]]:
+        """The motion in one of the situations, every `dt` until it ends."""
+
+def simulate(
+    file: tuple[str, str], folder: str, files: dict[str, str], base: tuple[_RecordOf, _RecordOf], options: tuple[bool, bool]
+) -> MotionAnswer: ...
+
+class _Asked(Protocol):
+    """`_probability._Asked`."""
+
+    @property
+    def method(self) -> str | None: ...
+    @property
+    def seed(self) -> int: ...
+    @property
+    def precision(self) -> float: ...
+    @property
+    def floor(self) -> float: ...
+    @property
+    def samples(self) -> int: ...
+    @property
+    def years(self) -> float | None: ...
+    @property
+    def threads(self) -> int | None: ...
+
+def probability(file: tuple[str, str], asked: _Asked) -> tuple[str, str]: ...
+def plain_effort() -> tuple[int, float, float, int]: ...
+def draws(
+    file: tuple[str, str], situation: str | None, count: int, seed: int
+) -> tuple[list[tuple[str, str | None, _Numbered]], list[_Numbered], NDArray[np.uint8]]: ...
 
 _Polyline = list[tuple[float, float]]
 

@@ -6,20 +6,22 @@ import os
 import sys
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice, is_of, is_plain
+from ._advice import Advice
 from ._advice import shown as said
 from ._assess import case_text
 from ._arrow import ArrowTable
-from ._frames import Arrow, Form, Missing, Pandas
-from ._inputs import FORMS, broadcast, check_leaf, column_of, exported, listed, series_of, table_kind
+from ._frames import Arrow, Form, Missing
+from ._inputs import broadcast, listed
+from ._measured import array_of, column_of_cases
 from ._progress import shown
 from ._run import run
+from ._tables import Frame, column_names, frame_of
 from ._types import Arrow as ArrowObject
 from ._types import OnError, PandasFrame, PolarsFrame, Progress, PyarrowTable
 
@@ -50,6 +52,21 @@ class StandfastWarning(UserWarning):
 
     def __str__(self) -> str:
         return f"{self.args[1]} ({self.name})"
+
+
+class _OncePerPlace(StandfastWarning):
+    """A warning that a search, which calls again and again with other numbers, shows once: Python knows those it has shown from a
+    place by their category and text, and this one has for text what does not change."""
+
+    #: Names and words, by what Python knows a warning by.
+    said: ClassVar[dict[str, tuple[str, str]]] = {}
+
+    def __init__(self, name: str, words: str | None = None) -> None:
+        super().__init__(*(_OncePerPlace.said[name] if words is None else (name, words)))
+
+
+# As a traceback and a filter of the command line name it.
+_OncePerPlace.__name__ = _OncePerPlace.__qualname__ = "StandfastWarning"
 
 
 class ResultColumn(NamedTuple):
@@ -192,34 +209,39 @@ def assess_table(
     how = run(threads, on_error)
     options = _Options(_pairs(map), _names(columns), how.null_errors, how.threads)
     _ADVICE.refuse_lazy(table, "table")
-    kind = None if isinstance(table, Mapping) else table_kind(table, _ADVICE)
-    if kind is None and not isinstance(table, Mapping):
+    frame = None if isinstance(table, Mapping) else frame_of(table, _ADVICE)
+    if frame is None and not isinstance(table, Mapping):
         raise TypeError(f"table is a {type(table).__name__}; expected a DataFrame, an Arrow table, or a dict of arrays")
     with shown(progress) as report:
-        if isinstance(table, Mapping):
-            sweep = _sweep(case, [str(name) for name in table], options, warn=False)
-            _refuse_idle(table, sweep)
-            arrays, minded = _sweep_of(table, sweep, report)
-            _mind(minded)
-            return arrays
-        if kind == "pandas":
-            sweep = _sweep(case, [str(name) for name in table.columns], options)
-            rows = Pandas(table.index)
-            given = [_pandas_column(table.iloc[:, place], str(table.columns[place]), rows) for place in sweep.places]
-            try:
-                answer, _, minded = sweep.answer(given, [len(table)], report)
-            except ValueError as error:
-                raise rows.placed(error) from None
-            _mind(minded, rows)
-            return _pandas(answer, table.index)
-        sweep = _sweep(case, exported(table) if kind == "polars" else table, options)
-        # A relation of DuckDB would count by running its query.
-        count = len(table) if kind in ("polars", "pyarrow") and hasattr(table, "__len__") else None
-        form = FORMS[kind or "arrow"]()
-        assert isinstance(form, Arrow)
-        found, minded = sweep.answer_table(report, count)
-        _mind(minded)
-        return form.adopt_table(found)
+        return _swept(case, table, options, report) if frame is None else _answered(case, frame, options, report)
+
+
+def _swept(case: _Case, table: Mapping[str, object], options: _Options, report: Any) -> dict[str, NDArray[Any]]:
+    """The results of a dict of arrays."""
+    sweep = _sweep(case, table, options)
+    _refuse_idle(table, sweep)
+    arrays, minded = _sweep_of(table, sweep, options.null, report)
+    _mind(minded, sweep)
+    return arrays
+
+
+def _answered(case: _Case, frame: Frame, options: _Options, report: Any) -> Any:
+    """The results of a table, as one of its library."""
+    table, form = frame.value, frame.form
+    if frame.kind == "pandas":
+        sweep = _sweep(case, frame.names, options)
+        given = [column_of_cases(table.iloc[:, place], frame.names[place], form, options.null) for place in sweep.places]
+        try:
+            answer, _, minded = sweep.answer(given, [len(table)], report)
+        except ValueError as error:
+            raise form.placed(error) from None
+        _mind(minded, sweep, form)
+        return _pandas(answer, table.index)
+    assert isinstance(form, Arrow)
+    sweep = _sweep(case, frame.native, options)
+    found, minded = sweep.answer_table(report, frame.rows)
+    _mind(minded, sweep)
+    return form.adopt_table(found)
 
 
 def varied(case: _Case, table: Any, *, columns: Sequence[str] | None = None, map: Mapping[str, str] | None = None) -> Varied:
@@ -257,11 +279,8 @@ def _column_names(table: Any) -> list[str]:
     _ADVICE._replace(function="varied").refuse_lazy(table, "table")
     if isinstance(table, Mapping):
         return [str(name) for name in table]
-    # pyarrow's tables; pandas', polars' and DuckDB's; pyarrow's readers, which iterating would empty.
-    schema = getattr(table, "schema", None)
-    for names in (getattr(table, "column_names", None), getattr(table, "columns", None), getattr(schema, "names", None)):
-        if names is not None and not callable(names):
-            return [str(name) for name in names]
+    if (known := column_names(table)) is not None:
+        return [str(name) for name in known]
     if isinstance(table, (str, Iterator)) or not isinstance(table, Iterable):
         raise TypeError(f"table is {said(table)}; expected a table, or a list of the names of its columns")
     names = list(table)
@@ -271,21 +290,33 @@ def _column_names(table: Any) -> list[str]:
     return names
 
 
-def _sweep(case: _Case, given: Any, options: _Options, *, warn: bool = True) -> _standfast.Sweep:
+def _sweep(case: _Case, given: Any, options: _Options) -> _standfast.Sweep:
+    """A case and the columns that vary it; says which of those that do not are almost called as if they did."""
     name, text = case_text(case)
-    sweep = _standfast.Sweep(name, text, given, options.map, options.results, options.null, options.threads)
-    for slip, words in sweep.warnings if warn else ():
-        warnings.warn(StandfastWarning(slip, words), stacklevel=3)
+    names = [str(column) for column in given] if isinstance(given, Mapping) else given
+    sweep = _standfast.Sweep(name, text, names, options.map, options.results, options.null, options.threads)
+    for slip, words in () if isinstance(given, Mapping) else sweep.warnings:
+        _warn(slip, words, words)
     return sweep
 
 
-def _mind(minded: Sequence[_standfast._Minded], form: Form | None = None) -> None:
+def _mind(minded: Sequence[_standfast._Minded], sweep: _standfast.Sweep, form: Form | None = None) -> None:
     """Says what is unusual about rows, once of each kind."""
+    columns = ", ".join(column for column, _ in sweep.varied)
     for name, rows, index, words in minded:
         place = index[0] if len(index) == 1 else tuple(index)
         at = f"index {place}" if form is None or len(index) != 1 else form.place(index[0])
         of = f"at {at}" if rows == 1 else f"in {rows} rows, the first at {at}"
-        warnings.warn(StandfastWarning(name, f"{of}: {words}"), stacklevel=3)
+        _warn(name, f"{name}, where {columns} vary", f"{of}: {words}")
+
+
+def _warn(name: str, known: str, words: str) -> None:
+    """A warning of the line that called this package; from there once of what is ``known`` by these words."""
+    _OncePerPlace.said[known] = name, words
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(known, _OncePerPlace, stacklevel=level)
 
 
 def _pairs(map: Mapping[str, str] | None) -> list[tuple[str, str]]:
@@ -312,11 +343,11 @@ def _refuse_idle(table: Mapping[str, object], sweep: _standfast.Sweep) -> None:
 
 
 def _sweep_of(
-    table: Mapping[str, object], sweep: _standfast.Sweep, report: Any
+    table: Mapping[str, object], sweep: _standfast.Sweep, null: bool, report: Any
 ) -> tuple[dict[str, NDArray[Any]], list[_standfast._Minded]]:
     """The results of a dict of arrays, and the warnings."""
     given = list(table.items())
-    columns = [_array(given[place][1], str(given[place][0])) for place in sweep.places]
+    columns = [array_of(given[place][1], str(given[place][0]), null) for place in sweep.places]
     shape = broadcast([str(given[place][0]) for place in sweep.places], [values for values, _ in columns])
     flat: list[_standfast._Numbers | list[str | None]] = []
     for values, missing in columns:
@@ -332,59 +363,6 @@ def _sweep_of(
     # What is wrong with a row is said where it has no results.
     masks = {column[0]: mask if len(without) and column[0] != "problem" else None for column in answer}
     return {column[0]: _numpy(column, shape, masks[column[0]]) for column in answer}, minded
-
-
-def _array(value: Any, name: str) -> tuple[NDArray[Any], Missing]:
-    """The numbers of one entry as float64, or its texts as objects."""
-    if isinstance(value, str):
-        return np.array(_text(value, name, ()), dtype=object), None
-    if is_of(value, "pint", "Quantity"):
-        # Which unit a number is in is said once, by the name.
-        raise TypeError(
-            f'{name} is a quantity of pint, in {value.units}; expected numbers, with the unit behind the name: "{name} [m]" and '
-            "value.magnitude"
-        )
-    if isinstance(value, (list, tuple)) and any(isinstance(part, str) for part in value):
-        value = np.array(value, dtype=object)
-    if isinstance(value, np.ndarray) and (value.dtype.kind in "UT" or value.dtype.kind == "O" and _has_text(value)):
-        texts = [_text(part, name, index) for index, part in zip(np.ndindex(value.shape), value.ravel().tolist())]
-        return np.array(texts, dtype=object).reshape(value.shape), None
-    found = column_of(value, name, _ADVICE)
-    if found.numbers is None or found.kind not in ("point", "array", "masked"):
-        raise TypeError(f"{name} is a column of a table in a dict of arrays; expected a DataFrame or table in place of the dict")
-    return np.asarray(found.numbers.values, dtype=np.float64), found.numbers.missing()
-
-
-def _has_text(values: NDArray[Any]) -> bool:
-    return any(isinstance(part, str) for part in values.flat)
-
-
-def _text(value: Any, name: str, index: tuple[int, ...], form: Form | None = None) -> str | None:
-    """A text as it is, a number as text; ``None`` for what is missing."""
-    if isinstance(value, str):
-        if is_plain(value):
-            at = "" if not index else f" at {form.place(index[0])}" if form is not None else f" at index {index[0] if len(index) == 1 else index}"
-            raise TypeError(f"{name} is {value!r}{at}, a text without a unit; expected a number, or a text with its unit")
-        return value
-    if value is None:
-        return None
-    check_leaf(value, name, index)
-    return repr(float(value))
-
-
-def _pandas_column(column: Any, name: str, form: Form) -> tuple[NDArray[Any], Missing] | list[str | None]:
-    """The numbers or texts of a column of a DataFrame."""
-    pd = sys.modules["pandas"]
-    dtype = column.dtype
-    if isinstance(dtype, pd.CategoricalDtype):
-        dtype = dtype.categories.dtype
-    if pd.api.types.is_string_dtype(dtype) or dtype == object:
-        values = column.astype(object).to_numpy()
-        if dtype != object or _has_text(values):
-            missing = column.isna().to_numpy()
-            return [None if missing[row] else _text(part, name, (row,), form) for row, part in enumerate(values)]
-    numbers = series_of(column, name)
-    return np.require(numbers.values, np.float64, ["C", "A"]), numbers.missing()
 
 
 def _numpy(column: _Result, shape: tuple[int, ...], missing: Missing) -> NDArray[Any]:

@@ -1,0 +1,170 @@
+"""How likely each mode is where some numbers of a case are random, and draws of these numbers."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from . import _standfast
+from ._answer import Rendered
+from ._arrow import ArrowTable
+from ._assess import case_text
+from ._run import run
+from .chances import ProbabilityDocument
+
+_SEED, _PRECISION, _FLOOR, _SAMPLES = _standfast.plain_effort()
+#: The code of no mode.
+_NO_MODE = np.iinfo(np.uint8).max
+
+
+class Probability(ProbabilityDocument, Rendered):
+    """How likely each mode is: :func:`probability`'s answer.
+
+    ``print`` shows the text of ``standfast probability``; the keys of its JSON document, which ``docs/probability.schema.json``
+    describes, are attributes. ``modes`` has the probability of each mode with its interval, under its symbol or its :class:`Mode`. Of
+    a case with several sets of loads it is the answer to the least safe, and ``others`` has the others.
+    """
+
+    _what = "this answer"
+
+    def __repr__(self) -> str:
+        likely = [(name, chance) for name, chance in self.modes.items() if chance.probability > 0]
+        likely.sort(key=lambda one: -one[1].probability)
+        shown = ", ".join(f"{name} {chance.probability:.4g}" for name, chance in likely[:4])
+        more = f", … {len(likely) - 4} more" if len(likely) > 4 else ""
+        others = f"; {len(self.others)} other sets of loads" if self.others else ""
+        return f"<Probability {os.path.basename(self.case)}: {shown}{more}{others}>"
+
+
+class _Asked(NamedTuple):
+    """What the native module is asked beside the case."""
+
+    method: str | None
+    seed: int
+    precision: float
+    floor: float
+    samples: int
+    years: float | None
+    threads: int | None
+
+
+def probability(
+    case: str | os.PathLike[str] | Mapping[str, object],
+    *,
+    method: Literal["integrate", "sobol", "importance", "monte-carlo"] | None = None,
+    seed: int = _SEED,
+    precision: float = _PRECISION,
+    floor: float = _FLOOR,
+    samples: int = _SAMPLES,
+    years: float | None = None,
+    threads: int | None = None,
+) -> Probability:
+    """How likely is each mode, where some numbers of a case are random?
+
+    Friction is integrated in closed form: for given other numbers each mode is an interval of it. Hardly anything is drawn.
+
+    Args:
+        case: the path of a case file with a table ``[random]``, or a dict with the same keys; or a ``[point]`` of the report's plane.
+        method: ``"integrate"`` (to all digits, three random numbers at most), ``"sobol"``, ``"importance"`` or ``"monte-carlo"``; the best
+            that takes as many numbers, if it is left out.
+        seed: of all random numbers. The same gives the same answer, for any number of threads.
+        precision: how wide half of a 95 % interval may be, relative to its probability.
+        floor: probabilities below it need not be precise.
+        samples: the most points that are drawn.
+        years: of a life, before those of the case.
+        threads: how many threads to use; ``None`` for as many as there are processors.
+
+    Raises:
+        ValueError: for a case, law or correlation that is not understood, or without random numbers; the message shows where, and
+            what is expected.
+        OSError: if the case file cannot be read.
+
+    >>> plane = {
+    ...     "point": {"gamma": 0.8, "k_prime": 0.9167},
+    ...     "random": {
+    ...         "k": {"gumbel": {"mean": 0.3, "sd": 0.08}},
+    ...         "mu": {"lognormal": {"mean": 0.6, "cov": 0.15}},
+    ...     },
+    ... }
+    >>> found = probability(plane)
+    >>> found.method, round(sum(chance.probability for chance in found.modes.values()), 12)
+    ('integrate', 1.0)
+    >>> found.modes["RE"].probability > 0.98, found.modes[Mode.SLIDE_LEFT] is found.modes["SL"] or found.modes["SL"].probability < 0.02
+    (True, True)
+    """
+    if method is not None and not isinstance(method, str):
+        raise TypeError(f"method is {method!r}; expected the name of a method")
+    for name, share in (("precision", precision), ("floor", floor)):
+        if not _is_number(share) or not 0 < share < 1:
+            raise ValueError(f"{name} is {share!r}; expected a share, above zero and below 1")
+    if years is not None and (not _is_number(years) or not 0 < years < float("inf")):
+        raise ValueError(f"years is {years!r}; expected a number above zero")
+    how = run(threads)
+    asked = _Asked(
+        method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1),
+        None if years is None else float(years), how.threads,
+    )  # fmt: skip
+    return Probability(*_standfast.probability(case_text(case), asked))
+
+
+def draws(
+    case: str | os.PathLike[str] | Mapping[str, object], n: int, seed: int = _SEED, *, situation: str | None = None
+) -> ArrowTable:
+    """Draws of the random numbers of a case, with the mode under each.
+
+    They are those of ``probability(case, method="monte-carlo", seed=seed)``; more of them begin with the same ones.
+
+    Args:
+        case: as for :func:`probability`.
+        n: how many.
+        seed: of all random numbers.
+        situation: which loads act, as ``situation`` of :func:`probability`'s answers says it, where the case has several sets of them.
+
+    Returns:
+        A table with a column for each random number under its name in the case, in SI units, which ``metadata`` has; ``k_eff`` and
+        ``k_prime_eff``, the point of the report's plane, null where the body is not the report's (eccentric, with added mass or two
+        frictions) or nothing presses it on its base; and ``mode``, null where no mode satisfies every law, or the numbers drawn do not go
+        together. :class:`ArrowTable` says how it becomes one of pandas, polars or pyarrow.
+
+    Raises:
+        ValueError: as :func:`probability`; and where the case has several sets of loads and none of them is named.
+
+    >>> plane = {"point": {"gamma": 0.8, "k_prime": 0.9, "k": 0.5}, "random": {"mu": {"uniform": {"from": 0.4, "to": 0.6}}}}
+    >>> found = draws(plane, 1000)
+    >>> found.column_names
+    ['mu', 'k_eff', 'k_prime_eff', 'mode']
+    >>> bool(((found.mu.to_numpy() < 0.5) == (found.mode != "RE")).all())
+    True
+    """
+    if situation is not None and not isinstance(situation, str):
+        raise TypeError(f"situation is {situation!r}; expected the words of a situation")
+    file = case_text(case)
+    inputs, effective, modes = _standfast.draws(file, situation, _whole(n, "n", 1), _whole(seed, "seed", 0))
+    columns = [
+        _standfast.make_array(name, values, None, None, {} if unit is None else {"unit": unit}) for name, unit, values in inputs
+    ]
+    said = ("|X|/P, the horizontal force over what presses the body on its base", "−M/(X H), the elevation of that force above the centre of mass in H")
+    for name, values, words in zip(("k_eff", "k_prime_eff"), effective, said):
+        missing = np.isnan(values)
+        columns.append(_standfast.make_array(name, values, missing if missing.any() else None, None, {"description": words}))
+    missing = modes == _NO_MODE
+    columns.append(_standfast.make_array("mode", modes, missing if missing.any() else None, None, {"description": "the mode that begins"}))
+    return ArrowTable(_standfast.make_table(columns))
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
+
+
+def _whole(value: Any, name: str, least: int) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = least - 1
+    if isinstance(value, (bool, np.bool_)) or not least <= number < 1 << 64:
+        raise ValueError(f"{name} is {value!r}; expected a whole number from {least}")
+    return number

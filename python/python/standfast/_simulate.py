@@ -1,0 +1,237 @@
+"""Motions in time: what becomes of a body under waves and earthquakes."""
+
+from __future__ import annotations
+
+import functools
+import json
+import os
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _standfast
+from ._advice import Advice, is_of
+from ._advice import shown as said
+from ._answer import Lazy, with_infinity
+from ._arrow import ArrowTable
+from ._assess import case_text
+from ._columns import column_of
+from ._types import Array
+from .motions import MotionDocument
+
+_ADVICE = Advice("simulate")
+
+#: So many m/s² are one of them.
+_UNITS = {"m/s2": 1.0, "g": 9.80665, "cm/s2": 0.01}
+_DIRECTIONS = ("horizontal", "vertical")
+
+#: The columns of a series, with their units of a body and what they are.
+_SERIES = (
+    ("t", "s", "time"),
+    ("slide", "m", "displacement along the base, to the right, of the corner that touches, of O if none or both do"),
+    ("x", "m", "x of the centre of mass, from where O is at the beginning if the body stands centred over it"),
+    ("y", "m", "y of the centre of mass above the base"),
+    ("theta", "rad", "angle, counter-clockwise"),
+    ("omega", "rad/s", "angular velocity"),
+)
+
+#: Times and values of a record.
+_Record = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+
+class _Given(NamedTuple):
+    """What a motion is asked of."""
+
+    name: str
+    text: str
+    #: Where the files lie that the case names, and those that have been read.
+    folder: str
+    files: dict[str, str]
+    base: tuple[_Record | None, _Record | None]
+    unit: str | None
+    sensitivity: bool
+    all: bool
+
+
+class Simulation(Lazy, MotionDocument):
+    """What becomes of a body in time: :func:`simulate`'s answer.
+
+    ``print`` shows the text of ``standfast simulate``; the keys of its JSON document, which ``docs/simulate.schema.json``
+    describes, are attributes. Of a case whose loads are alternatives it is the answer to the worst, and ``others`` has the others.
+    Units are SI, those of a ``[block]`` its own. :meth:`series` is the motion itself.
+
+    A pickle holds the case and the records that it names, and is answered anew where it is loaded.
+    """
+
+    _what = "this simulation"
+    _given: _Given
+    _answer: _standfast.MotionAnswer
+
+    def __init__(self, *given: Any) -> None:
+        asked = _Given(*given)
+        found = _standfast.simulate(
+            (asked.name, asked.text), asked.folder, asked.files, asked.base, (asked.sensitivity, asked.all)
+        )
+        if asked.base != (None, None) and found.is_si() != (asked.unit is not None):
+            if asked.unit is None:
+                raise ValueError(f"unit is missing; expected that of the accelerations in base: {', '.join(map(repr, _UNITS))}")
+            raise ValueError(f"unit is {asked.unit!r}, and the case has a [block], whose accelerations have no unit; leave it out")
+        vars(self).update(_given=asked._replace(files=found.files()), _answer=found)
+
+    @functools.cached_property
+    def _document(self) -> dict[str, Any]:  # type: ignore[override]
+        document: dict[str, Any] = json.loads(self._answer.json(), object_hook=with_infinity)
+        return document
+
+    def series(self, dt: float, *, situation: int = 0) -> ArrowTable:
+        """The motion at even steps of time, from its beginning to its end.
+
+        Args:
+            dt: the step, in seconds, or in the units of a ``[block]``.
+            situation: 0 for this answer, 1 for the first of ``others``, and so on.
+
+        Returns:
+            A table with the columns ``t``, ``slide``, ``x`` and ``y`` (of the centre of mass), ``theta``, ``omega`` and ``state``, codes of
+            :class:`Mode`. ``series.theta.to_numpy()`` and ``numpy.asarray(series.theta)`` are arrays, ``polars.DataFrame(series)``,
+            ``pyarrow.table(series)`` and ``pandas.DataFrame(series.to_dict())`` tables; ``series.theta.metadata`` has unit and words.
+
+        Raises:
+            ValueError: for a step that is not above zero, or so short that there would be 10⁹ rows.
+            IndexError: if there is no such situation.
+        """
+        step = _positive(dt, "dt")
+        if not 0 <= situation <= len(self.others):
+            raise IndexError(f"situation is {situation}; expected 0 to {len(self.others)}")
+        columns, states = self._answer.series(situation, step)
+        units = self._answer.is_si()
+        made = []
+        for values, (name, unit, words) in zip(columns, _SERIES):
+            metadata = {"description": words} | ({"unit": unit} if units else {})
+            made.append(_standfast.make_array(name, values, None, None, metadata))
+        made.append(_standfast.make_array("state", states, None, None, {"description": "state of motion"}))
+        return ArrowTable(_standfast.make_table(made))
+
+    def __repr__(self) -> str:
+        ends = {
+            "rest": "comes to rest", "overturned": "overturns", "time": "still moves at the end", "no-continuation": "stopped: no state goes on",
+            "too-many-events": "stopped: too many events",
+        }  # fmt: skip
+        end = "stays at rest" if self.end == "rest" and len(self.events) <= 2 and self.max_slide == self.max_theta == 0 else ends[self.end]
+        metres = " m" if self._answer.is_si() else ""
+        slips = dict.fromkeys(warning.name for warning in self.warnings)
+        minded = f"; warnings: {', '.join(slips)}" if slips else ""
+        others = f"; {len(self.others)} other situations" if len(self.others) > 1 else "; 1 other situation" if self.others else ""
+        of = self.title or "of a case"
+        return f"<Simulation {of}: {end}; slide {self.slide:.4g}{metres}, max |θ| {self.max_theta:.4g} rad{others}{minded}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Simulation, tuple(self._given)
+
+
+def simulate(
+    case: str | os.PathLike[str] | Mapping[str, object],
+    *,
+    base: Array | Mapping[Literal["horizontal", "vertical"], Array] | None = None,
+    dt: float | Array | None = None,
+    unit: Literal["m/s2", "g", "cm/s2"] | None = None,
+    sensitivity: bool = False,
+    all: bool = False,
+) -> Simulation:
+    """Follows the motion of a body in time: from rest through sliding, rocking, impacts and flight to its end.
+
+    Args:
+        case: the path of a case file, or a dict with the same keys: a case as for :func:`assess` whose variable loads have a
+            ``history``, or whose base moves (``[motion.base]``); or a ``[block]``. Records that a file names lie beside it, those of a dict
+            in the working directory.
+        base: accelerations of the base in place of those of the case: an array, to the right, or a dict of arrays under
+            ``"horizontal"`` and ``"vertical"``, upwards. Lines join the values; before and after them there is none.
+        dt: the step of time between the values of ``base``, in seconds, or their times.
+        unit: that of the values in ``base``; of a ``[block]``, which has none, it is left out.
+        sensitivity: whether to follow the motion once more with friction and height changed a little.
+        all: whether the text lists every event, of more than 24 too.
+
+    Raises:
+        ValueError: for a case that is not understood, a record that is none, and values that no motion has; the message shows where,
+            and what is expected.
+        TypeError: for what is no array of numbers.
+        OSError: if the case file cannot be read.
+
+    >>> caisson = simulate("examples/motion/caisson-breaking-wave.toml")
+    >>> round(caisson.slide, 4), caisson.overturned, [event.state.symbol for event in caisson.events]
+    (-0.0846, False, ['RE', 'SL', 'RE', 'RE'])
+    >>> block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 0.4, "gravity": 1}}
+    >>> pulse = simulate(block, base=[0.6, 0.6], dt=1)
+    >>> pulse.events[1].state.symbol, pulse.end
+    ('RO', 'rest')
+    >>> pulse.series(0.5).theta.to_numpy()[:3].round(4)
+    array([-0.    , -0.0098, -0.0394])
+    """
+    for name, flag in (("sensitivity", sensitivity), ("all", all)):
+        if not isinstance(flag, (bool, np.bool_)):
+            raise TypeError(f"{name} is {flag!r}; expected True or False")
+    if unit is not None and unit not in _UNITS:
+        raise ValueError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
+    if base is None and (dt is not None or unit is not None):
+        raise TypeError(f"{'dt' if dt is not None else 'unit'} is that of base, which is not given")
+    name, text = case_text(case)
+    folder = "" if isinstance(case, Mapping) else os.path.dirname(os.fspath(case))
+    records = _records(base, dt, 1.0 if unit is None else _UNITS[unit])
+    return Simulation(name, text, folder, {}, records, unit, bool(sensitivity), bool(all))
+
+
+def _records(base: Any, dt: Any, factor: float) -> tuple[_Record | None, _Record | None]:
+    """Horizontal and vertical record."""
+    if base is None:
+        return None, None
+    if isinstance(base, Mapping):
+        for direction in base:
+            if direction not in _DIRECTIONS:
+                raise ValueError(f"base has {direction!r}; expected 'horizontal' and 'vertical'")
+        named = {direction: (f"base[{direction!r}]", values) for direction, values in base.items()}
+        if not named:
+            raise ValueError("base is empty; expected an array, or arrays under 'horizontal' and 'vertical'")
+    else:
+        named = {"horizontal": ("base", base)}
+    if dt is None:
+        raise TypeError("dt is missing; expected the step of time between the values of base, or their times")
+    found = {direction: _record(name, values, dt, factor) for direction, (name, values) in named.items()}
+    return found.get("horizontal"), found.get("vertical")
+
+
+def _record(name: str, given: Any, dt: Any, factor: float) -> _Record:
+    values = _values(given, name) * factor
+    if np.ndim(dt) == 0 and not hasattr(dt, "__len__"):
+        return np.arange(len(values)) * _positive(dt, "dt"), values
+    times = _values(dt, "dt")
+    if times.shape != values.shape:
+        raise ValueError(f"dt has {len(times)} times and {name} {len(values)} values; expected as many")
+    back = np.flatnonzero(np.diff(times) <= 0)
+    if len(back):
+        raise ValueError(f"dt is {times[back[0] + 1]:g} at index {back[0] + 1}, after {times[back[0]]:g}; expected times that rise")
+    return times, values
+
+
+def _values(given: Any, name: str) -> NDArray[np.float64]:
+    """Finite numbers of one axis."""
+    if is_of(given, "pint", "Quantity"):
+        raise TypeError(f"{name} is a quantity of pint, in {given.units}; expected its .magnitude, and unit='m/s2'")
+    column = column_of(given, name, _ADVICE)
+    found = column.read(name)
+    if found.missing() is not None or found.values.ndim != 1 or len(found.values) < 2:
+        what = "missing values" if found.missing() is not None else f"the shape {found.values.shape}"
+        raise ValueError(f"{name} has {what}; expected two numbers or more, along one axis, none missing")
+    values = np.require(found.values, np.float64, ["C", "A"])
+    wrong = np.flatnonzero(~(np.abs(values) < 1e50))
+    if len(wrong):
+        raise ValueError(f"{name} is {values[wrong[0]]:g} at index {wrong[0]}; expected a finite number")
+    return values
+
+
+def _positive(value: Any, name: str) -> float:
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise TypeError(f"{name} is {said(value)}; expected a number above zero")
+    if not 0 < value < float("inf"):
+        raise ValueError(f"{name} is {value}; expected a number above zero")
+    return float(value)

@@ -1,0 +1,315 @@
+"""The parts of an answer in probabilities: classes with a property for each key of the JSON document that
+``docs/probability.schema.json`` describes. ``None`` says that there is no such thing.
+"""
+
+# Made by python/make_designs.py; changes go into the schemas.
+# mypy: disable-error-code="no-any-return"
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ._answer import Answer, ByMode, by_mode, part, parts
+
+__all__ = [
+    "Chance",
+    "Chances",
+    "Importance",
+    "Interval",
+    "Life",
+    "ProbabilityDocument",
+    "Random",
+]
+
+
+class Random(Answer):
+    """a random number."""
+
+    @property
+    def name(self) -> str:
+        """Its name, as in the case."""
+        return self._document["name"]
+
+    @property
+    def cut(self) -> float:
+        """The share of its law that is cut away because no body has such values."""
+        return self._document["cut"]
+
+
+class Interval(Answer):
+    """a probability with its interval."""
+
+    @property
+    def probability(self) -> float:
+        """The probability."""
+        return self._document["probability"]
+
+    @property
+    def low(self) -> float:
+        """The lower end of its interval: 95 %, or of an integration its error."""
+        return self._document["low"]
+
+    @property
+    def high(self) -> float:
+        """The upper end."""
+        return self._document["high"]
+
+
+class Chance(Answer):
+    """How likely a mode is."""
+
+    @property
+    def mode(self) -> str:
+        """a mode by its symbol; "no mode" where none satisfies every law; "not a body" where the numbers drawn do not go
+        together."""
+        return self._document["mode"]
+
+    @property
+    def probability(self) -> float:
+        """The probability."""
+        return self._document["probability"]
+
+    @property
+    def low(self) -> float:
+        """The lower end of its interval: 95 %, or of an integration its error."""
+        return self._document["low"]
+
+    @property
+    def high(self) -> float:
+        """The upper end."""
+        return self._document["high"]
+
+
+class Importance(Answer):
+    """How much a random number matters."""
+
+    @property
+    def name(self) -> str:
+        """Its name, as in the case."""
+        return self._document["name"]
+
+    @property
+    def alpha(self) -> float | None:
+        """The direction cosine of the design point; None where there is none."""
+        return self._document["alpha"]
+
+    @property
+    def alpha2(self) -> float | None:
+        """Its square."""
+        return self._document["alpha2"]
+
+    @property
+    def omission(self) -> float | None:
+        """By what β grows if the number is held at its median, 1/√(1 − α²); None where α² is 1 or there is no design point."""
+        return self._document["omission"]
+
+    @property
+    def probability_if_known(self) -> float | None:
+        """The probability that the body does not rest if the number is known to have its median; None where it is the only random
+        one."""
+        return self._document["probability_if_known"]
+
+
+class Life(Answer):
+    """What happens at least once in the years of a life."""
+
+    @property
+    def years(self) -> float:
+        """The years."""
+        return self._document["years"]
+
+    @property
+    def not_rest(self) -> Interval:
+        """That the body ever leaves rest."""
+        return part(Interval, self._document["not_rest"])
+
+    @property
+    def modes(self) -> ByMode[Chance]:
+        """Each mode, at least once."""
+        return by_mode(Chance, self._document["modes"])
+
+
+class Chances(Answer):
+    """The answer under one set of loads."""
+
+    @property
+    def situation(self) -> str | None:
+        """Which loads act, and how the base is shaken; None where the case leaves no choice."""
+        return self._document["situation"]
+
+    @property
+    def method(self) -> Literal["integrate", "sobol", "importance", "monte-carlo"]:
+        """How they are found: integrated; by scrambled Sobol' points; by such points about the design points; by plain Monte
+        Carlo."""
+        return self._document["method"]
+
+    @property
+    def points(self) -> int:
+        """How many points are drawn; of an integration, how often the modes are asked for."""
+        return self._document["points"]
+
+    @property
+    def precise(self) -> bool:
+        """Whether every probability above the floor is as precise as asked."""
+        return self._document["precise"]
+
+    @property
+    def modes(self) -> ByMode[Chance]:
+        """What the body does: the modes, "no mode" and "not a body", which add up to one."""
+        return by_mode(Chance, self._document["modes"])
+
+    @property
+    def not_rest(self) -> Interval:
+        """That the body does not stay at rest."""
+        return part(Interval, self._document["not_rest"])
+
+    @property
+    def not_unique(self) -> Interval:
+        """That more than one mode satisfies every law."""
+        return part(Interval, self._document["not_unique"])
+
+    @property
+    def lifted(self) -> Interval:
+        """That nothing presses the body on its base; part of the modes."""
+        return part(Interval, self._document["lifted"])
+
+    @property
+    def beta(self) -> float | None:
+        """The distance of the nearest point at which the body does not rest, in standard normals; None where none is within
+        reach. Not to be turned into a probability."""
+        return self._document["beta"]
+
+    @property
+    def beta_generalized(self) -> float | None:
+        """−Φ⁻¹ of the probability that the body does not rest; None where that is 0 or 1."""
+        return self._document["beta_generalized"]
+
+    @property
+    def design_point(self) -> dict[str, float] | None:
+        """The values of the random numbers at the nearest point at which the body does not rest, in SI units, by their names;
+        None where none is within reach."""
+        return None if self._document["design_point"] is None else dict(self._document["design_point"])
+
+    @property
+    def at_change_of_formula(self) -> bool | None:
+        """Whether that point lies where one formula takes another's place, so that the limit state has a kink; None where there
+        is no such point."""
+        return self._document["at_change_of_formula"]
+
+    @property
+    def importance(self) -> list[Importance]:
+        """Which random number matters, in the order of the case."""
+        return parts(Importance, self._document["importance"])
+
+    @property
+    def life(self) -> Life | None:
+        """Over a life; None where no years are given."""
+        return None if self._document["life"] is None else part(Life, self._document["life"])
+
+
+class ProbabilityDocument(Answer):
+    """What ````probability```` answers."""
+
+    @property
+    def schema(self) -> Literal[1]:
+        """The version of the document."""
+        return self._document["schema"]
+
+    @property
+    def case(self) -> str:
+        """The name of the case file."""
+        return self._document["case"]
+
+    @property
+    def seed(self) -> int:
+        """The seed of all random numbers."""
+        return self._document["seed"]
+
+    @property
+    def random(self) -> list[Random]:
+        """What is random, in the order of the case."""
+        return parts(Random, self._document["random"])
+
+    @property
+    def integrated(self) -> str:
+        """The random number that is integrated rather than drawn."""
+        return self._document["integrated"]
+
+    @property
+    def situation(self) -> str | None:
+        """Which loads act, and how the base is shaken; None where the case leaves no choice."""
+        return self._document["situation"]
+
+    @property
+    def method(self) -> Literal["integrate", "sobol", "importance", "monte-carlo"]:
+        """How they are found: integrated; by scrambled Sobol' points; by such points about the design points; by plain Monte
+        Carlo."""
+        return self._document["method"]
+
+    @property
+    def points(self) -> int:
+        """How many points are drawn; of an integration, how often the modes are asked for."""
+        return self._document["points"]
+
+    @property
+    def precise(self) -> bool:
+        """Whether every probability above the floor is as precise as asked."""
+        return self._document["precise"]
+
+    @property
+    def modes(self) -> ByMode[Chance]:
+        """What the body does: the modes, "no mode" and "not a body", which add up to one."""
+        return by_mode(Chance, self._document["modes"])
+
+    @property
+    def not_rest(self) -> Interval:
+        """That the body does not stay at rest."""
+        return part(Interval, self._document["not_rest"])
+
+    @property
+    def not_unique(self) -> Interval:
+        """That more than one mode satisfies every law."""
+        return part(Interval, self._document["not_unique"])
+
+    @property
+    def lifted(self) -> Interval:
+        """That nothing presses the body on its base; part of the modes."""
+        return part(Interval, self._document["lifted"])
+
+    @property
+    def beta(self) -> float | None:
+        """The distance of the nearest point at which the body does not rest, in standard normals; None where none is within
+        reach. Not to be turned into a probability."""
+        return self._document["beta"]
+
+    @property
+    def beta_generalized(self) -> float | None:
+        """−Φ⁻¹ of the probability that the body does not rest; None where that is 0 or 1."""
+        return self._document["beta_generalized"]
+
+    @property
+    def design_point(self) -> dict[str, float] | None:
+        """The values of the random numbers at the nearest point at which the body does not rest, in SI units, by their names;
+        None where none is within reach."""
+        return None if self._document["design_point"] is None else dict(self._document["design_point"])
+
+    @property
+    def at_change_of_formula(self) -> bool | None:
+        """Whether that point lies where one formula takes another's place, so that the limit state has a kink; None where there
+        is no such point."""
+        return self._document["at_change_of_formula"]
+
+    @property
+    def importance(self) -> list[Importance]:
+        """Which random number matters, in the order of the case."""
+        return parts(Importance, self._document["importance"])
+
+    @property
+    def life(self) -> Life | None:
+        """Over a life; None where no years are given."""
+        return None if self._document["life"] is None else part(Life, self._document["life"])
+
+    @property
+    def others(self) -> list[Chances]:
+        """The answers under the other sets of loads."""
+        return parts(Chances, self._document["others"])

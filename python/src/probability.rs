@@ -1,0 +1,87 @@
+//! How likely each mode of a case with random numbers is, and draws of these numbers.
+
+use std::num::NonZero;
+
+use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use standfast::Mode;
+use standfast_cases::random::{Draws, Effort, Probability, Request};
+use standfast_cases::report;
+
+use crate::onset::NO_MODE;
+use crate::watch::patiently;
+
+/// What is asked for, as `_probability.py` says it.
+#[derive(FromPyObject)]
+pub(crate) struct Asked {
+    method: Option<String>,
+    seed: u64,
+    precision: f64,
+    floor: f64,
+    samples: u64,
+    years: Option<f64>,
+    threads: Option<NonZero<usize>>,
+}
+
+/// Probabilities as text and as JSON; `file` is what errors call the case, and its text.
+#[pyfunction]
+pub(crate) fn probability(
+    py: Python<'_>,
+    file: (String, String),
+    asked: Asked,
+) -> PyResult<(String, String)> {
+    let method = asked.method.as_deref().map(str::parse).transpose();
+    let method = method.map_err(|error: String| PyValueError::new_err(error))?;
+    let plain = Effort::default();
+    let effort = Effort {
+        seed: asked.seed,
+        precision: asked.precision,
+        floor: asked.floor,
+        points: asked.samples,
+        threads: asked.threads.map_or(plain.threads, NonZero::get),
+    };
+    let request = Request { method, effort, years: asked.years };
+    patiently(py, move || {
+        let answer = Probability::of_text(&file.0, &file.1, request);
+        let answer = answer.map_err(|error| PyValueError::new_err(report(&error)))?;
+        Ok((answer.text(), answer.json()))
+    })?
+}
+
+/// The most points, and the precision and the floor, where none are said.
+#[pyfunction]
+pub(crate) fn plain_effort() -> (u64, f64, f64, u64) {
+    let Effort { seed, precision, floor, points, .. } = Effort::default();
+    (seed, precision, floor, points)
+}
+
+/// Names with units and values of random numbers; k and k' of the report's plane, NaN where there is no such thing; codes of modes, and
+/// which draws are no body.
+type Drawn<'py> = (
+    Vec<(String, Option<&'static str>, Bound<'py, PyArray1<f64>>)>,
+    [Bound<'py, PyArray1<f64>>; 2],
+    Bound<'py, PyArray1<u8>>,
+);
+
+/// So many draws of the random numbers of a case.
+#[pyfunction]
+pub(crate) fn draws(
+    py: Python<'_>,
+    file: (String, String),
+    situation: Option<String>,
+    count: u64,
+    seed: u64,
+) -> PyResult<Drawn<'_>> {
+    let drawn = patiently(py, move || {
+        let drawn = Draws::of_text(&file.0, &file.1, situation.as_deref(), count, seed);
+        drawn.map_err(|error| PyValueError::new_err(report(&error)))
+    })??;
+    let place = |place: usize| drawn.drawn.iter().map(move |d| d.effective.map_or(f64::NAN, |p| p[place]));
+    let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));
+    let modes = drawn.drawn.iter().map(|d| d.happens.mode().map_or(NO_MODE, Mode::code));
+    let modes = PyArray1::from_iter(py, modes);
+    let inputs = drawn.inputs.into_iter().zip(drawn.values);
+    let inputs = inputs.map(|((name, unit), values)| (name, unit, PyArray1::from_vec(py, values)));
+    Ok((inputs.collect(), effective, modes))
+}

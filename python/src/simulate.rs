@@ -1,0 +1,119 @@
+//! The motion in time of a case: the program's answer as text and JSON, and its series.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::{PyIndexError, PyValueError};
+use pyo3::prelude::*;
+use standfast::Mode;
+use standfast_cases::motion::{
+    BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, all_json, cases_on, follow_all,
+};
+use standfast_cases::report;
+
+use crate::watch::patiently;
+
+/// The motion of a case in each of its situations, the worst first.
+#[pyclass(frozen, module = "standfast._standfast")]
+pub(crate) struct MotionAnswer {
+    answers: Vec<(BlockCase, Followed)>,
+    files: BTreeMap<String, String>,
+    all: bool,
+}
+
+/// A record: its times and its values.
+type Given<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+
+/// Numbers at even steps of time: t, slide, x, y, θ, θ̇ and codes of modes.
+type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
+
+#[pymethods]
+impl MotionAnswer {
+    /// For reading.
+    fn text(&self) -> String {
+        let texts = self.answers.iter().map(|(case, followed)| case.text(followed, self.all));
+        texts.collect::<Vec<_>>().join("\n")
+    }
+
+    /// As one JSON document.
+    fn json(&self) -> String {
+        all_json(&self.answers)
+    }
+
+    /// Whether quantities are in SI units; those of a block are in the units of its case.
+    fn is_si(&self) -> bool {
+        self.answers.iter().all(|(case, _)| case.si)
+    }
+
+    /// The contents of the files that the case names.
+    fn files(&self) -> BTreeMap<String, String> {
+        self.files.clone()
+    }
+
+    /// The motion in one of the situations, every `dt` until it ends.
+    fn series<'py>(&self, py: Python<'py>, place: usize, dt: f64) -> PyResult<Series<'py>> {
+        let Some((case, _)) = self.answers.get(place) else {
+            return Err(PyIndexError::new_err(format!("{place} of {} situations", self.answers.len())));
+        };
+        // It is followed again, because the whole of it takes far more memory than what came of it.
+        let case = case.clone();
+        let followed = patiently(py, move || case.follow(&Follow { series: true, ..Follow::default() }))?;
+        let outcome = followed.map_err(|error| PyValueError::new_err(error.to_string()))?.outcome;
+        let count = (outcome.t_final / dt + 1e-9).floor();
+        if count >= 1e9 {
+            return Err(PyValueError::new_err(format!("{count:e} steps; expected a longer dt")));
+        }
+        let rows = (0..=count as u64).map_while(|i| outcome.at(i as f64 * dt));
+        let mut columns: [Vec<f64>; 6] = Default::default();
+        let mut states = Vec::new();
+        for at in rows {
+            let row = [at.t, at.slide, at.x, at.y, at.theta, at.omega];
+            columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
+            states.push(Mode::code(at.state));
+        }
+        Ok((columns.map(|column| PyArray1::from_vec(py, column)), PyArray1::from_vec(py, states)))
+    }
+}
+
+/// Follows the motion of the case file `text`; `name` is what errors call the case. A file that it names is one of `files`, or else
+/// lies in `folder`; records in `base` are in place of those of the base that it names.
+#[pyfunction]
+pub(crate) fn simulate(
+    py: Python<'_>,
+    file: (String, String),
+    folder: String,
+    files: BTreeMap<String, String>,
+    base: (Option<Given<'_>>, Option<Given<'_>>),
+    options: (bool, bool),
+) -> PyResult<MotionAnswer> {
+    let record = |given: Option<Given<'_>>| -> PyResult<Option<Record>> {
+        let Some((times, values)) = given else { return Ok(None) };
+        let (times, values) = (times.as_slice()?.to_vec(), values.as_slice()?.to_vec());
+        Ok(Some(Record { times, values, unit: RecordUnit::Unnamed }))
+    };
+    let given = GivenBase { horizontal: record(base.0)?, vertical: record(base.1)? };
+    let (sensitivity, all) = options;
+    patiently(py, move || {
+        let known = Mutex::new(files);
+        let read = |path: &str| {
+            let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(text) = known.get(path) {
+                return Ok(text.clone());
+            }
+            let bytes = fs::read(Path::new(&folder).join(path)).map_err(|cause| cause.to_string())?;
+            // Old records have letters of other alphabets in their headers, and no meaning in them.
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            known.insert(path.to_owned(), text.clone());
+            Ok(text)
+        };
+        let cases = cases_on(&file.0, &file.1, &read, &given);
+        let cases = cases.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let answers = follow_all(cases, &Follow { sensitivity, ..Follow::default() });
+        let answers = answers.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let files = known.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Ok(MotionAnswer { answers, files, all })
+    })?
+}

@@ -1,0 +1,148 @@
+"""Probabilities and draws: what the program answers, typed; frequencies of draws against integrals."""
+
+from __future__ import annotations
+
+import json
+import math
+import pickle
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import polars as pl
+import pytest
+import standfast
+from test_schema import EVERY_RANDOM, errors
+
+ROOT = Path(__file__).parents[2]
+GODA = ROOT / "examples/goda-2000-random.toml"
+PLANE = {
+    "point": {"gamma": 0.8, "k_prime": 0.9167},
+    "random": {"k": {"gumbel": {"mean": 0.45, "sd": 0.1}}, "mu": {"normal": {"mean": 0.6, "sd": 0.1}, "lower": 0.0}},
+}
+
+
+def printed(program: list[str], *arguments: str | Path) -> str:
+    found = subprocess.run([*program, "probability", *arguments], capture_output=True, encoding="utf-8", check=True)
+    return found.stdout
+
+
+@pytest.mark.parametrize("path", EVERY_RANDOM, ids=lambda path: path.stem)
+def test_it_is_what_the_program_prints(program: list[str], path: Path) -> None:
+    found = standfast.probability(path)
+    assert found.to_json() == printed(program, path, "--format", "json")
+    assert str(found) == printed(program, path)
+    assert not errors(json.loads(found.to_json()), "probability.schema.json")
+
+
+def test_options_are_those_of_the_program(program: list[str]) -> None:
+    asked = {"method": "monte-carlo", "seed": 3, "precision": 0.3, "floor": 1e-3, "samples": 200_000}
+    found = standfast.probability(GODA, **asked, threads=1)  # type: ignore[arg-type]
+    options = [f"--{name}={value}" for name, value in asked.items()]
+    assert found.to_json() == printed(program, GODA, *options, "--format", "json")
+    assert found.method == "monte-carlo" and found.seed == 3
+    assert standfast.probability(GODA, **asked, threads=2).to_json() == found.to_json()  # type: ignore[arg-type]
+
+
+def test_answers_are_typed() -> None:
+    found = standfast.probability(PLANE)
+    assert found.method == "integrate" and found.precise and found.others == [] and found.life is None
+    assert found.modes["SL"].probability == found.modes[standfast.Mode.SLIDE_LEFT].probability
+    assert math.isclose(sum(chance.probability for chance in found.modes.values()), 1, abs_tol=1e-9)
+    assert found.not_rest.low <= found.not_rest.probability <= found.not_rest.high
+    assert math.isclose(1 - found.not_rest.probability, found.modes["RE"].probability, rel_tol=1e-9)
+    with pytest.raises(KeyError, match="there is no 'SLIDE'; there are RE, SL"):
+        found.modes["SLIDE"]
+    assert [one.name for one in found.importance] == ["k", "mu"] and found.design_point is not None
+    assert found.design_point.keys() == {"k", "mu"} and found.beta is not None and found.beta > 0
+    assert math.isclose(sum(one.alpha2 or 0 for one in found.importance), 1, rel_tol=1e-6)
+    assert repr(found).startswith("<Probability the case: RE 0.") and pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
+
+
+def test_the_probability_of_one_uniform_number_is_a_length() -> None:
+    """Under k = 0.5, k' = 0.4, γ = 0.8 the body slides below μ = 0.5, and rests above."""
+    case = {"point": {"gamma": 0.8, "k_prime": 0.4, "k": 0.5}, "random": {"mu": {"uniform": {"from": 0.4, "to": 0.8}}}}
+    found = standfast.probability(case)
+    assert found.modes["SL"].probability == pytest.approx(0.25, rel=1e-12) and found.modes["RE"].probability == pytest.approx(0.75, rel=1e-12)
+
+
+def test_draws_are_as_frequent_as_they_are_probable() -> None:
+    n = 40_000
+    found, drawn = standfast.probability(PLANE), standfast.draws(PLANE, n, seed=5)
+    assert drawn.column_names == ["k", "mu", "k_eff", "k_prime_eff", "mode"] and len(drawn) == n
+    for name, chance in found.modes.items():
+        if chance.probability > 1e-3:
+            error = math.sqrt(chance.probability * (1 - chance.probability) / n)
+            assert abs(np.mean(drawn.mode == name) - chance.probability) < 4 * error, name
+    # Each is the point that it says, and has its mode.
+    columns = drawn.to_dict()
+    np.testing.assert_array_equal(columns["mode"], standfast.classify(0.8, 0.9167, columns["k"], columns["mu"]))
+    np.testing.assert_array_equal(columns["k_eff"], columns["k"])
+    np.testing.assert_allclose(columns["k_prime_eff"], 0.9167, rtol=1e-13)
+
+
+def test_draws_of_a_case_are_what_assess_table_answers() -> None:
+    drawn = standfast.draws(GODA, 200, seed=2)
+    assert drawn["wave.deep_water_height"].metadata == {"unit": "m"} and drawn["bias.P"].metadata == {}
+    columns = drawn.to_dict()
+    varied = {name: columns[name] for name in ("friction", "wave.deep_water_height")}
+    case = ROOT / "examples/goda-2000.toml"
+    found = standfast.assess_table(case, varied, columns=["P", "U", "buoyant_weight"])
+    thrust, uplift = found["P"] * columns["bias.P"], found["U"] * columns["bias.U"]
+    np.testing.assert_allclose(columns["k_eff"], thrust / (found["buoyant_weight"] - uplift), rtol=1e-9)
+    slides = thrust > columns["friction"] * (found["buoyant_weight"] - uplift)
+    assert 0 < slides.sum() and ((drawn.mode == "SL") == slides).all()
+
+
+def test_draws_are_the_same_for_a_seed_and_begin_with_the_same() -> None:
+    ten, twenty, other = standfast.draws(PLANE, 10, 4), standfast.draws(PLANE, 20, seed=4), standfast.draws(PLANE, 10, 5)
+    assert ten.k.to_pylist() == twenty.k.to_pylist()[:10] != other.k.to_pylist()
+    assert pl.DataFrame(ten).shape == (10, 5) and pickle.loads(pickle.dumps(ten))["mode"].to_pylist() == ten["mode"].to_pylist()
+
+
+def test_draws_of_several_situations_ask_which() -> None:
+    case = {
+        "body": {"width": 1, "height": 2, "mass": 4800, "friction": 0.5},
+        "load": [{"name": "push", "force": "20 kN/m", "elevation": 1}, {"name": "pull", "force": "30 kN/m", "elevation": 1, "direction": "right"}],
+        "random": {"friction": {"uniform": {"from": 0.3, "to": 0.7}}},
+    }
+    with pytest.raises(ValueError, match="several sets of loads act one by one; the case has"):
+        standfast.draws(case, 5)
+    answers = standfast.probability(case)
+    names = [answers.situation, *(other.situation for other in answers.others)]
+    assert len(names) == 2
+    for name in names:
+        assert len(standfast.draws(case, 5, situation=name)) == 5
+    with pytest.raises(ValueError, match='no situation is called "tug"'):
+        standfast.draws(case, 5, situation="tug")
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "said"),
+    [
+        ({"method": "form"}, ValueError, "no method is called `form`; expected one of integrate, sobol"),
+        ({"method": 1}, TypeError, "method is 1; expected the name of a method"),
+        ({"precision": 0}, ValueError, "precision is 0; expected a share, above zero and below 1"),
+        ({"floor": 1}, ValueError, "floor is 1; expected a share"),
+        ({"seed": -1}, ValueError, "seed is -1; expected a whole number from 0"),
+        ({"seed": 1.5}, ValueError, "seed is 1.5; expected a whole number from 0"),
+        ({"samples": 0}, ValueError, "samples is 0; expected a whole number from 1"),
+        ({"years": -3}, ValueError, "years is -3; expected a number above zero"),
+        ({"threads": 0}, ValueError, "threads is 0"),
+    ],
+)
+def test_wrong_options_are_refused(options: dict[str, Any], error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        standfast.probability(PLANE, **options)
+
+
+def test_wrong_cases_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"has no \[random\] table"):
+        standfast.probability(ROOT / "examples/goda-2000.toml")
+    with pytest.raises(ValueError, match="of `mu` lacks"):
+        standfast.draws({"point": {**PLANE["point"], "k": 0.4}, "random": {"mu": {"normal": {"mean": 0.4}}}}, 5)
+    with pytest.raises(ValueError, match="n is 0; expected a whole number from 1"):
+        standfast.draws(PLANE, 0)
+    with pytest.raises(TypeError, match="situation is 3"):
+        standfast.draws(PLANE, 5, situation=3)  # type: ignore[arg-type]

@@ -1,0 +1,198 @@
+"""Motions in time: what the program answers, typed; records as arrays; series against closed forms."""
+
+from __future__ import annotations
+
+import json
+import math
+import pickle
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import polars as pl
+import pyarrow as pa
+import pytest
+import standfast
+from test_schema import EVERY_MOTION, errors
+
+ROOT = Path(__file__).parents[2]
+MOTION = ROOT / "examples/motion"
+#: Lengths in half widths, accelerations in g; too low to rock.
+LOW = {"block": {"b1": 1, "b2": 1, "d": 0.3, "mu_s": 0.4, "gravity": 1}}
+#: A statue of metres, which a record in m/s2 or in g shakes.
+STATUE = {"body": {"width": "0.6 m", "height": "2 m", "density": "2.6 t/m3", "friction": 0.5}}
+
+
+def printed(program: list[str], *arguments: str | Path) -> str:
+    found = subprocess.run([*program, "simulate", *arguments], capture_output=True, encoding="utf-8", check=True)
+    return found.stdout
+
+
+@pytest.mark.parametrize("path", EVERY_MOTION, ids=lambda path: path.stem)
+def test_it_is_what_the_program_prints(program: list[str], path: Path) -> None:
+    found = standfast.simulate(path)
+    assert found.to_json() == printed(program, path, "--format", "json")
+    assert str(found) == printed(program, path)
+    assert not errors(json.loads(found.to_json()), "simulate.schema.json")
+    more = standfast.simulate(path, all=True, sensitivity=True)
+    assert str(more) == printed(program, path, "--all", "--sensitivity")
+    assert more.sensitivity is not None and found.sensitivity is None
+
+
+def test_answers_are_typed() -> None:
+    found = standfast.simulate(MOTION / "caisson-breaking-wave.toml")
+    assert found.situation == "wave times 1.5" and found.others == [] and found.end == "rest"
+    assert [(event.why, event.state) for event in found.events] == [("start", "RE"), ("load", "SL"), ("stop", "RE"), ("rest", "RE")]
+    assert isinstance(found.events[1].state, standfast.Mode) and found.events[1].also == standfast.Modes(0)
+    assert found["slide"] == found.slide == found.to_dict()["slide"] and "slide" in found
+    with pytest.raises(AttributeError, match="did you mean 'max_slide'"):
+        found.max_slid  # type: ignore[attr-defined]
+    assert repr(found).startswith("<Simulation Goda's caisson under a breaking wave") and "comes to rest; slide -0.08467 m" in repr(found)
+    with pytest.raises(AttributeError, match="cannot be changed"):
+        found.slide = 0  # type: ignore[misc]
+
+
+def test_series_are_those_of_the_program(program: list[str]) -> None:
+    path = MOTION / "block-base-pulse.toml"
+    series = standfast.simulate(path).series(0.25)
+    assert isinstance(series, standfast.ArrowTable)
+    lines = [line.split(",") for line in printed(program, path, "--series", "-", "--dt", "0.25").split()]
+    assert lines[0] == series.column_names
+    assert [float(line[4]) for line in lines[1:]] == series.theta.to_numpy().tolist()
+    assert [line[-1] for line in lines[1:]] == standfast.symbols(series.state.to_numpy()).tolist()
+    assert series.state[-1] is standfast.Mode.SLIDE_ROCK_O_PRIME_RIGHT or (series.state == "RO").any()
+    # The units of a block are its own; those of a body SI.
+    assert "unit" not in series.theta.metadata
+    wave = standfast.simulate(MOTION / "caisson-breaking-wave.toml").series(0.1)
+    assert {name: wave[name].metadata.get("unit") for name in wave.column_names} == {
+        "t": "s", "slide": "m", "x": "m", "y": "m", "theta": "rad", "omega": "rad/s", "state": None,
+    }  # fmt: skip
+    assert pl.DataFrame(wave)["slide"].to_list() == pd.DataFrame(wave.to_dict())["slide"].tolist() == pa.table(wave)["slide"].to_pylist()
+
+
+def test_a_series_is_the_closed_form() -> None:
+    """A steady k₀ over T slides by k₀ − μ forwards while it lasts, and by μ backwards: a parabola, and another."""
+    series = standfast.simulate(LOW, base=np.full(11, 0.6), dt=0.1).series(0.05)
+    t = series.t.to_numpy()
+    during, after = t <= 1, t > 1
+    expected = np.where(during, -0.2 * t**2 / 2, -0.1 - 0.2 * (t - 1) + 0.4 * (t - 1) ** 2 / 2)
+    stop = t >= 1.5
+    np.testing.assert_allclose(series.slide.to_numpy()[~stop], expected[~stop], rtol=0, atol=1e-13)
+    np.testing.assert_allclose(series.slide.to_numpy()[stop], -0.15, rtol=1e-12)
+    assert (series.state == "SL")[(t > 0) & (t < 1.49)].all() and during.any() and after.any()
+
+
+def test_records_go_in_as_arrays_of_every_kind() -> None:
+    values = [0.0, 3.0, -4.0, 5.0, -2.0, 0.0]
+    found = standfast.simulate(STATUE, base=values, dt=0.2, unit="m/s2")
+    assert found.max_theta > 0
+    ways: list[dict[str, Any]] = [
+        {"base": np.array(values), "dt": np.float64(0.2), "unit": "m/s2"},
+        {"base": np.array(values, dtype=np.float32)[::1], "dt": 0.2, "unit": "m/s2"},
+        {"base": np.repeat(values, 2)[::2], "dt": 0.2, "unit": "m/s2"},
+        {"base": pd.Series(values, index=list("abcdef")), "dt": 0.2, "unit": "m/s2"},
+        {"base": pl.Series(values), "dt": 0.2, "unit": "m/s2"},
+        {"base": pa.array(values), "dt": 0.2, "unit": "m/s2"},
+        {"base": pa.chunked_array([values[:2], values[2:]]), "dt": 0.2, "unit": "m/s2"},
+        {"base": {"horizontal": values}, "dt": 0.2, "unit": "m/s2"},
+        {"base": values, "dt": np.arange(6) * 0.2, "unit": "m/s2"},
+        {"base": 100 * np.array(values), "dt": 0.2, "unit": "cm/s2"},
+        {"base": np.array(values) / 9.80665, "dt": 0.2, "unit": "g"},
+    ]
+    for way in ways:
+        again = standfast.simulate(STATUE, **way)
+        assert math.isclose(again.max_theta, found.max_theta, rel_tol=1e-9), way
+        assert [event.why for event in again.events] == [event.why for event in found.events]
+    # Upwards it lightens the body.
+    both = standfast.simulate(STATUE, base={"horizontal": values, "vertical": [-2.0] * 6}, dt=0.2, unit="m/s2")
+    assert both.max_theta != found.max_theta
+
+
+def test_a_record_takes_the_place_of_the_file(tmp_path: Path) -> None:
+    path = shutil.copy(MOTION / "statue-earthquake.toml", tmp_path)
+    with pytest.raises(ValueError, match=r"cannot read \.\./records/np01002p_4225c_a\.smc"):
+        standfast.simulate(path)
+    still = {"horizontal": [0.0, 0.0], "vertical": [0.0, 0.0]}
+    found = standfast.simulate(path, base=still, dt=1, unit="g")
+    assert found.max_theta == found.slide == 0 and "stays at rest" in repr(found)
+
+
+def test_a_pickle_needs_no_files(tmp_path: Path) -> None:
+    shutil.copytree(MOTION, tmp_path / "motion")
+    shutil.copytree(ROOT / "examples/records", tmp_path / "records")
+    found = standfast.simulate(tmp_path / "motion/statue-earthquake.toml")
+    pickled = pickle.dumps(found)
+    shutil.rmtree(tmp_path)
+    again = pickle.loads(pickled)
+    assert again.to_json() == found.to_json() and str(again) == str(found)
+    assert again.series(1).theta.to_pylist() == found.series(1).theta.to_pylist()
+    shaken = standfast.simulate(STATUE, base=[0, 4, 0], dt=0.3, unit="m/s2")
+    assert pickle.loads(pickle.dumps(shaken)).to_json() == shaken.to_json()
+
+
+def test_other_situations_are_the_same_kind_of_answer() -> None:
+    history = {"shape": "rect", "duration": 0.5}
+    pushes = [
+        {"name": name, "force": force, "direction": name, "elevation": 0.5, "history": history}
+        for name, force in (("left", "30 kN/m"), ("right", "60 kN/m"))
+    ]
+    case = {"body": {"width": 4, "height": 1, "density": 2400, "friction": 0.2}, "load": pushes}
+    found = standfast.simulate(case)
+    assert len(found.others) == 1 and "1 other situation" in repr(found)
+    assert found.max_slide >= found.others[0].max_slide > 0
+    worst, other = found.series(0.1), found.series(0.1, situation=1)
+    assert worst.slide[-1] == pytest.approx(found.slide) and other.slide[-1] == pytest.approx(found.others[0].slide)
+    with pytest.raises(IndexError, match="situation is 2; expected 0 to 1"):
+        found.series(0.1, situation=2)
+
+
+@pytest.mark.parametrize(
+    ("case", "options", "error", "said"),
+    [
+        (STATUE, {"base": [0, 1], "dt": 1}, ValueError, "unit is missing; expected that of the accelerations in base: 'm/s2', 'g', 'cm/s2'"),
+        (LOW, {"base": [0, 1], "dt": 1, "unit": "g"}, ValueError, r"unit is 'g', and the case has a \[block\]"),
+        (STATUE, {"base": [0, 1], "dt": 1, "unit": "gal"}, ValueError, "unit is 'gal'; expected one of 'm/s2', 'g', 'cm/s2'"),
+        (STATUE, {"base": [0, 1], "unit": "g"}, TypeError, "dt is missing; expected the step of time"),
+        (STATUE, {"dt": 1}, TypeError, "dt is that of base, which is not given"),
+        (STATUE, {"unit": "g"}, TypeError, "unit is that of base"),
+        (LOW, {"base": [0, math.nan], "dt": 1}, ValueError, "base is nan at index 1; expected a finite number"),
+        (LOW, {"base": {"vertical": [0, math.inf]}, "dt": 1}, ValueError, r"base\['vertical'\] is inf at index 1"),
+        (LOW, {"base": {"up": [0, 1]}, "dt": 1}, ValueError, "base has 'up'; expected 'horizontal' and 'vertical'"),
+        (LOW, {"base": {}, "dt": 1}, ValueError, "base is empty"),
+        (LOW, {"base": [1], "dt": 1}, ValueError, r"base has the shape \(1,\); expected two numbers or more"),
+        (LOW, {"base": [[0, 1], [1, 0]], "dt": 1}, ValueError, r"base has the shape \(2, 2\)"),
+        (LOW, {"base": pd.Series([0, None]), "dt": 1}, ValueError, "base has missing values"),
+        (LOW, {"base": ["0", "1"], "dt": 1}, TypeError, "base is '0', a str at index 0; expected real numbers"),
+        (LOW, {"base": [0, 1], "dt": 0}, ValueError, "dt is 0; expected a number above zero"),
+        (LOW, {"base": [0, 1], "dt": "1 s"}, TypeError, "dt is '1 s', a str; expected a number"),
+        (LOW, {"base": [0, 1], "dt": None}, TypeError, "dt is missing"),
+        (LOW, {"base": [0, 1], "dt": [0, 0]}, ValueError, "dt is 0 at index 1, after 0; expected times that rise"),
+        (LOW, {"base": [0, 1], "dt": [0, 1, 2]}, ValueError, "dt has 3 times and base 2 values"),
+        (LOW, {"sensitivity": 1}, TypeError, "sensitivity is 1; expected True or False"),
+        (STATUE, {"base": {"horizontal": [0, 1]}, "dt": 1, "all": "yes"}, TypeError, "all is 'yes'; expected True or False"),
+        ({"body": {}}, {}, ValueError, "width"),
+        (3, {}, TypeError, "expected the path of a case file, or a dict"),
+    ],
+)
+def test_errors_say_what_is_wrong(case: Any, options: dict[str, Any], error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        standfast.simulate(case, **options)
+
+
+@pytest.mark.parametrize("dt", [0, -1, math.nan, math.inf, 1e-12, True, "1"])
+def test_steps_of_a_series_are_above_zero(dt: Any) -> None:
+    found = standfast.simulate(LOW, base=[0.6, 0.6], dt=1)
+    with pytest.raises((ValueError, TypeError), match="expected a (number above zero|longer dt)"):
+        found.series(dt)
+
+
+def test_quantities_and_lazy_arrays_are_refused_with_what_to_give() -> None:
+    dask = pytest.importorskip("dask.array")
+    pint = pytest.importorskip("pint")
+    with pytest.raises(TypeError, match=r"Call \.compute\(\) first"):
+        standfast.simulate(LOW, base=dask.ones(4), dt=1)
+    with pytest.raises(TypeError, match=r"base is a quantity of pint, in meter / second ?\*\* ?2; expected its \.magnitude, and unit='m/s2'"):
+        standfast.simulate(STATUE, base=pint.UnitRegistry().Quantity([0, 1], "m/s^2"), dt=1, unit="m/s2")
