@@ -143,7 +143,7 @@ def test_other_situations_are_the_same_kind_of_answer() -> None:
     found = standfast.simulate(case)
     assert len(found.others) == 1 and "1 other situation" in repr(found)
     assert found.max_slide >= found.others[0].max_slide > 0
-    worst, other = found.series(0.1), found.series(0.1, situation=1)
+    worst, other = found.series(found.t_final / 10), found.series(found.others[0].t_final / 10, situation=1)
     assert worst.slide[-1] == pytest.approx(found.slide) and other.slide[-1] == pytest.approx(found.others[0].slide)
     with pytest.raises(IndexError, match="situation is 2; expected 0 to 1"):
         found.series(0.1, situation=2)
