@@ -188,6 +188,18 @@ class ArrowArray:
     def __ne__(self, other: object) -> NDArray[np.bool_]:  # type: ignore[override]
         return self._compared(other, operator.ne, True)
 
+    def __lt__(self, other: object) -> NDArray[np.bool_]:
+        return self._compared(other, operator.lt, False)
+
+    def __le__(self, other: object) -> NDArray[np.bool_]:
+        return self._compared(other, operator.le, False)
+
+    def __gt__(self, other: object) -> NDArray[np.bool_]:
+        return self._compared(other, operator.gt, False)
+
+    def __ge__(self, other: object) -> NDArray[np.bool_]:
+        return self._compared(other, operator.ge, False)
+
     def _compared(self, other: object, compare: Callable[[Any, Any], Any], if_null: bool) -> NDArray[np.bool_]:
         values, missing, words = self._native.parts()
         if words is not None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _standfast
+from ._advice import short
 from ._answer import Lazy, attribute, copied, parts, with_infinity
 from .answers import Document, OnlySituation, Situation
 
@@ -173,6 +174,8 @@ def case_text(case: str | os.PathLike[str] | Mapping[str, object]) -> tuple[str,
     if not isinstance(case, (str, os.PathLike)):
         raise TypeError(f"case is {case!r}, a {type(case).__name__}; expected the path of a case file, or a dict with the same keys")
     name = os.fspath(case)
+    if isinstance(case, str) and "\n" in case:
+        raise ValueError(f"case is {short(case)!r}, a text; expected the path of a case file, or a dict with the same keys: tomllib.loads(text)")
     with open(name, "rb") as file:
         content = file.read()
     try:
@@ -213,6 +216,8 @@ def _key(key: str) -> str:
 
 
 def _value(value: Any, where: str) -> str:
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, str):

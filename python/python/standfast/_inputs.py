@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _standfast
-from ._advice import Advice, shown
+from ._advice import Advice, is_of, shown
 from ._columns import Column, Numbers, column_of, number_of, same, series_of
 from ._frames import Arrays, Form, Missing, Pandas, Point, plain_label
 from ._tables import FORMS, Frame, Label, frame_of, pick, places_of
@@ -187,7 +187,7 @@ def read(
         raise TypeError(f"map is for a table, given in place of {', '.join(names)}")
     missing = [name for name, value in zip(names, given) if value is None]
     if missing:
-        said = f"; unpack a dict: standfast.{function}(**columns)" if isinstance(first, Mapping) else ""
+        said = _unpacked(first, function, len(names))
         raise TypeError(f"{', '.join(missing)} missing; expected {', '.join(names)}, or one table with these columns{said}")
     return _columns(names, given, advice)
 
@@ -208,6 +208,21 @@ def _with(
             raise TypeError(f"{name} is given twice, by itself and by map")
         map = {**(map or {}), name: value}  # type: ignore[dict-item]
     return [*names, name], [*given, None], map
+
+
+def _unpacked(first: object, function: str, count: int) -> str:
+    """How to give one by one what has come as a whole."""
+    if isinstance(first, Mapping):
+        return f"; unpack a dict: standfast.{function}(**columns)"
+    if is_of(first, "pandas", "Series"):
+        return f"; unpack a row: standfast.{function}(**row)"
+    if isinstance(first, np.ndarray) and first.dtype.names:
+        return f"; unpack the fields: standfast.{function}(**{{name: points[name] for name in points.dtype.names}})"
+    if isinstance(first, np.ndarray) and first.ndim == 2 and first.shape[1] == count:
+        return f"; unpack the columns of an array: standfast.{function}(*points.T)"
+    if isinstance(first, list) and first and isinstance(first[0], Mapping):
+        return f"; make a table of records: standfast.{function}(pandas.DataFrame(records))"
+    return ""
 
 
 def are_plain(given: Iterable[object]) -> bool:

@@ -6,7 +6,7 @@ places near what is to be named, the best first, all at once.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -236,3 +236,46 @@ def _cross(ones: Rows, others: Rows) -> NDArray[np.intp]:
 
     hit = (side(a, b, c) * side(a, b, d) < 0) & (side(c, d, a) * side(c, d, b) < 0)
     return np.asarray(hit.sum(axis=1))
+
+
+def area_of(polygon: Rows) -> float:
+    k, mu = polygon.T
+    return float(abs(np.dot(k, np.roll(mu, -1)) - np.dot(mu, np.roll(k, -1))) / 2)
+
+
+def outwards(places: Rows, close: float) -> Iterable[tuple[int, Rows | None]]:
+    """Points in the order in which their labels are set, and whereto those go that stand in a crowd: round about it, so that
+    their leaders do not cross."""
+    apart = np.hypot(*(places[:, None] - places).transpose(2, 0, 1))
+    crowds = apart < close
+    for _ in places:
+        wider = crowds @ crowds
+        if (wider == crowds).all():
+            break
+        crowds = wider
+    for i, crowd in enumerate(crowds):
+        members = np.flatnonzero(crowd)
+        if len(members) < 4:
+            yield i, None
+        elif i == members[0]:
+            off = places[members] - places[members].mean(axis=0)
+            turns = np.arctan2(off[:, 1], off[:, 0])
+            for member in members[np.argsort(-turns)]:
+                away = off[members == member][0]
+                yield int(member), away if away.any() else np.ones(2)
+
+
+def grid_of(polygon: Rows) -> Rows:
+    """Places all over the box around a polygon."""
+    low, high = polygon.min(axis=0), polygon.max(axis=0)
+    steps = (np.arange(30) + 0.5)[:, None] / 30
+    return np.stack(np.meshgrid(*(low + steps * (high - low)).T), axis=-1).reshape(-1, 2)
+
+
+def length_of(line: Rows) -> float:
+    return float(np.hypot(*np.diff(line, axis=0).T).sum())
+
+
+def point_along(line: Rows, share: float) -> Rows:
+    lengths = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
+    return np.array([np.interp(share * lengths[-1], lengths, line[:, axis]) for axis in (0, 1)])

@@ -20,7 +20,7 @@ def array_of(value: Any, name: str, null: bool) -> tuple[NDArray[Any], Missing]:
     """The numbers of one entry of a dict as float64, or its texts as objects; with ``null``, what is no value is no error here."""
     if isinstance(value, str):
         return np.array(_text(value, name, (), null), dtype=object), None
-    if is_of(value, "pint", "Quantity"):
+    if is_of(value, "pint", "Quantity") and value.dimensionality:
         # Which unit a number is in is said once, by the name.
         raise TypeError(
             f'{name} is a quantity of pint, in {value.units}; expected numbers, with the unit behind the name: "{name} [m]" and '

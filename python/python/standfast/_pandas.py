@@ -5,6 +5,7 @@ Imported only where a program has pandas.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,9 @@ class ModeDtype(pd.UInt8Dtype):  # type: ignore[misc,unused-ignore]
 class ModeArray(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
     """Codes of modes as integers that may be missing. Where they are compared, modes and symbols stand for their codes."""
 
+    #: Above that of columns of words, which so leave it to this class to compare them with codes.
+    __pandas_priority__ = 1500
+
     @property
     def dtype(self) -> ModeDtype:
         return ModeDtype()
@@ -40,15 +44,25 @@ class ModeArray(pd.arrays.IntegerArray):  # type: ignore[misc,unused-ignore]
     def isin(self, values: Any) -> Any:
         return super().isin(np.array([_codes(value) for value in values], dtype=object))
 
+    def map(self, mapper: Any, na_action: Any = None) -> Any:
+        """What a dict says of symbols it says of their codes."""
+        if isinstance(mapper, pd.Series):
+            mapper = mapper.to_dict()
+        if isinstance(mapper, Mapping) and any(isinstance(key, str) for key in mapper):
+            mapper = {_codes(key): value for key, value in mapper.items()}
+        return super().map(mapper, na_action)
+
 
 def _codes(other: Any) -> Any:
-    """A mode's code for its symbol, alone or in a list."""
+    """A mode's code for its symbol, alone or in what holds many."""
     if isinstance(other, Mode):
         return int(other)
     if isinstance(other, str):
         if other not in BY_SYMBOL:
             raise ValueError(f"{other!r} is not the symbol of a mode; expected one of {', '.join(BY_SYMBOL)}")
         return int(BY_SYMBOL[other])
-    if isinstance(other, (list, tuple, np.ndarray)) and any(isinstance(one, str) for one in np.asarray(other, dtype=object).flat):
-        return pd.array([_codes(one) for one in other], dtype="UInt8")
+    if isinstance(other, (list, tuple, np.ndarray, pd.api.extensions.ExtensionArray)) and not isinstance(other, pd.arrays.IntegerArray):
+        items = np.asarray(other, dtype=object)
+        if any(isinstance(one, str) for one in items.flat):
+            return pd.array([pd.NA if pd.isna(one) else _codes(one) for one in items.flat], dtype="UInt8")
     return other

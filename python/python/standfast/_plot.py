@@ -20,14 +20,13 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
-from matplotlib.ticker import Formatter, Locator
 from matplotlib.transforms import Bbox, IdentityTransform
 
-from . import _standfast
 from ._diagram import _BEHIND, _FAINT, _INK, _MARK, Curve, Diagram, _mathtext
-from ._labels import Board, Place, Rows, spread
+from ._labels import Board, Place, Rows, area_of, grid_of, length_of, outwards, point_along, spread
 from ._modes import Mode
 from ._points import Marks
+from ._ticks import number, root_of
 
 # Of modes in the order of their codes.
 _SHAPES = "os^v<D>PX*"
@@ -46,48 +45,6 @@ def plot(diagram: Diagram, ax: Axes | None, marked: Marks, formulas: bool, by_mo
     return ax
 
 
-class _Numbers:
-    """The round numbers of an axis, for the limits and the length that it has when it is drawn."""
-
-    def __init__(self, size: float, upright: bool) -> None:
-        self.size = size
-        self.upright = upright
-
-    def along(self, axis: Any) -> tuple[list[tuple[float, str]], list[float]]:
-        low, high = sorted(axis.get_view_interval())
-        extent = axis.axes.get_window_extent()
-        pixels = (extent.height if self.upright else extent.width) / _root(axis.axes).dpi * 72
-        if not (np.isfinite([low, high]).all() and low < high and pixels > 0):
-            return [], []
-        numbers, between = _standfast.diagram_numbers(low, high, pixels / self.size, self.upright)
-        # The origin has one zero for both axes; a number at the very top would run into the name of the axis.
-        top = high - (0.9 * self.size / pixels * (high - low) if self.upright else 0)
-        return [(at, text) for at, text in numbers if at <= top and not at == low == 0], between
-
-
-class _Major(Locator):
-    def __init__(self, numbers: _Numbers) -> None:
-        self.numbers = numbers
-
-    def __call__(self) -> list[float]:
-        return [at for at, _ in self.numbers.along(self.axis)[0]]
-
-
-class _Minor(_Major):
-    def __call__(self) -> list[float]:
-        return self.numbers.along(self.axis)[1]
-
-
-class _Markup(Formatter):
-    def __init__(self, numbers: _Numbers) -> None:
-        self.numbers = numbers
-
-    def __call__(self, value: float, pos: int | None = None) -> str:
-        # The pointer of a window asks for values that carry no number.
-        numbers = dict(self.numbers.along(self.axis)[0])
-        return _mathtext(numbers[value]) if value in numbers else f"{value:.4g}"
-
-
 class _Drawing:
     """A drawing under way."""
 
@@ -98,7 +55,7 @@ class _Drawing:
         self.by_mode = by_mode
         self.shown = diagram._shown
         self.curves = diagram.curves
-        self.figure = _root(ax)
+        self.figure = root_of(ax)
         self.outside = _readable(self.figure)
         # In a column of a journal, type of its usual size would leave no room for what it names.
         area = ax.get_window_extent()
@@ -165,10 +122,7 @@ class _Drawing:
             (ax.yaxis, {"left": True, "labelleft": True, "right": False, "labelright": False}, True),
         )
         for axis, shown, upright in sides:
-            numbers = _Numbers(size, upright)
-            axis.set_major_locator(_Major(numbers))
-            axis.set_major_formatter(_Markup(numbers))
-            axis.set_minor_locator(_Minor(numbers))
+            number(axis, size, upright)
             look: dict[str, Any] = {"direction": "out", "color": self.outside, "width": 0.8 * self.line, **shown}
             axis.set_tick_params(which="major", length=0.35 * size, pad=0.3 * size, labelsize=size, labelcolor=self.outside, **look)
             axis.set_tick_params(which="minor", length=0.2 * size, **{**look, "width": 0.6 * self.line})
@@ -336,7 +290,7 @@ class _Drawing:
         """Names the points; gives back those for whose name there is no room."""
         places = np.array([self._pixel(k, mu) for k, mu in self.marked.places[: len(self.marked.names)]]).reshape(-1, 2)
         crowded, size = set(), 1.1 * self.size
-        for i, away in _outwards(places, 20 * self.dot * self._unit()):
+        for i, away in outwards(places, 20 * self.dot * self._unit()):
             text = str(i + 1) if i in numbered else self.marked.names[i].strip().replace("$", r"\$")
             if not text:
                 continue
@@ -393,8 +347,8 @@ class _Drawing:
         for region in self.diagram.regions:
             if not region.polygons:
                 continue
-            polygon = self.ax.transData.transform(max(region.polygons, key=_area))
-            grid = _grid(polygon)
+            polygon = self.ax.transData.transform(max(region.polygons, key=area_of))
+            grid = grid_of(polygon)
             inner = Path(polygon).contains_points(grid)
             for size in (1.4 * self.size, 1.1 * self.size):
                 place = board.inside(polygon, inner, grid, self._extent(region.symbol, size))
@@ -421,8 +375,8 @@ class _Drawing:
         for curve in self.curves:
             parts = [self.ax.transData.transform(part) for part in curve.parts if len(part) > 1]
             if curve.formula and not curve.dashed and parts:
-                drawn.append((curve, sorted(parts, key=_length, reverse=True)))
-        for curve, parts in sorted(drawn, key=lambda one: _length(one[1][0]), reverse=True):
+                drawn.append((curve, sorted(parts, key=length_of, reverse=True)))
+        for curve, parts in sorted(drawn, key=lambda one: length_of(one[1][0]), reverse=True):
             for text in filter(None, (curve.formula, curve.short)):
                 place = self._beside_line(board, parts, self._extent(text, 1.1 * self.size))
                 if place:
@@ -436,7 +390,7 @@ class _Drawing:
                 return place
         for part in parts[:1]:
             for share in (0.5, 0.7, 0.3):
-                place = board.near(_point_along(part, share), extent, 0, rings=6)
+                place = board.near(point_along(part, share), extent, 0, rings=6)
                 if place:
                     return place
         return None
@@ -479,16 +433,6 @@ class _Drawing:
         return box.width, box.height
 
 
-def _root(ax: Any) -> Figure:
-    """The figure that axes are in, not a part of it."""
-    try:
-        figure = ax.get_figure(root=True)
-    except TypeError:  # matplotlib before 3.10
-        figure = ax.figure.figure
-    assert isinstance(figure, Figure)
-    return figure
-
-
 def _readable(figure: Figure) -> str:
     """A colour that is read on the page around the axes: the report's ink, or that of a dark style."""
 
@@ -508,46 +452,3 @@ def _readable(figure: Figure) -> str:
 def _short(label: str) -> str:
     """``$k_A$`` of ``$k_A = ...$``."""
     return label.split(" = ")[0] + "$" if " = " in label else label
-
-
-def _area(polygon: Rows) -> float:
-    k, mu = polygon.T
-    return float(abs(np.dot(k, np.roll(mu, -1)) - np.dot(mu, np.roll(k, -1))) / 2)
-
-
-def _outwards(places: Rows, close: float) -> Iterable[tuple[int, Rows | None]]:
-    """Points in the order in which their labels are set, and whereto those go that stand in a crowd: round about it, so that
-    their leaders do not cross."""
-    apart = np.hypot(*(places[:, None] - places).transpose(2, 0, 1))
-    crowds = apart < close
-    for _ in places:
-        wider = crowds @ crowds
-        if (wider == crowds).all():
-            break
-        crowds = wider
-    for i, crowd in enumerate(crowds):
-        members = np.flatnonzero(crowd)
-        if len(members) < 4:
-            yield i, None
-        elif i == members[0]:
-            off = places[members] - places[members].mean(axis=0)
-            turns = np.arctan2(off[:, 1], off[:, 0])
-            for member in members[np.argsort(-turns)]:
-                away = off[members == member][0]
-                yield int(member), away if away.any() else np.ones(2)
-
-
-def _grid(polygon: Rows) -> Rows:
-    """Places all over the box around a polygon."""
-    low, high = polygon.min(axis=0), polygon.max(axis=0)
-    steps = (np.arange(30) + 0.5)[:, None] / 30
-    return np.stack(np.meshgrid(*(low + steps * (high - low)).T), axis=-1).reshape(-1, 2)
-
-
-def _length(line: Rows) -> float:
-    return float(np.hypot(*np.diff(line, axis=0).T).sum())
-
-
-def _point_along(line: Rows, share: float) -> Rows:
-    lengths = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
-    return np.array([np.interp(share * lengths[-1], lengths, line[:, axis]) for axis in (0, 1)])

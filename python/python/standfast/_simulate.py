@@ -203,7 +203,7 @@ def _records(base: Any, dt: Any, factor: float) -> tuple[_Record | None, _Record
 def _record(name: str, given: Any, dt: Any, factor: float) -> _Record:
     values = _values(given, name) * factor
     if np.ndim(dt) == 0 and not hasattr(dt, "__len__"):
-        return np.arange(len(values)) * _positive(dt, "dt"), values
+        return np.arange(len(values), dtype=np.float64) * _positive(dt, "dt"), values
     times = _values(dt, "dt")
     if times.shape != values.shape:
         raise ValueError(f"dt has {len(times)} times and {name} {len(values)} values; expected as many")

@@ -64,6 +64,9 @@ class _OncePerPlace(StandfastWarning):
     def __init__(self, name: str, words: str | None = None) -> None:
         super().__init__(*(_OncePerPlace.said[name] if words is None else (name, words)))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return StandfastWarning, self.args
+
 
 # As a traceback and a filter of the command line name it.
 _OncePerPlace.__name__ = _OncePerPlace.__qualname__ = "StandfastWarning"

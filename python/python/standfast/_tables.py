@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import numbers
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from decimal import Decimal
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from . import _standfast
-from ._advice import Advice, is_of
+from ._advice import Advice, is_of, short
 from ._arrow import ArrowArray
 from ._columns import TABLES, exported, number_of, same, speaks_arrow
 from ._frames import Arrow, Form, Pandas, Polars, Pyarrow
@@ -98,13 +98,13 @@ def places_of(names: Sequence[str], map: Map | None, labels: Any) -> list[Any]:
         elif isinstance(place, (numbers.Real, Decimal)) and not isinstance(place, (bool, np.bool_)):
             places[i] = float(number_of(place, name).values)
         elif not isinstance(place, str):
-            raise TypeError(f"map gives {place!r} for {name}; expected the name of a column, or a number")
+            raise TypeError(f"map gives {short(repr(place))} for {name}; expected the name of a column, or a number")
     return places
 
 
 def _is_label(place: Any, labels: Any) -> bool:
     """Whether a DataFrame has a column of this label. A label 2 is not the number 2.0, which can so be said beside it."""
-    if isinstance(place, (bool, np.bool_)) or place is None:
+    if isinstance(place, (bool, np.bool_)) or place is None or not isinstance(place, Hashable):
         return False
     whole = isinstance(place, numbers.Integral)
     return any(same(label, place) and isinstance(label, numbers.Integral) == whole for label in labels)

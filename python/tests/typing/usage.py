@@ -103,3 +103,10 @@ assert_type(standfast.design("case.toml", vary="width", target="rest", upper="9 
 assert_type(standfast.design("case.toml", vary="width", target="rest").met[0].from_.binds, str | None)
 assert_type(standfast.design("case.toml", vary="width", target="rest", and_="friction"), standfast.Boundary)
 assert_type(standfast.sheet("case.toml", "sheet.html", author="N. N."), str)
+assert_type(standfast.simulate("case.toml", base=np.ones(3), dt=0.01, unit="g").slide, float)
+assert_type(standfast.simulate("case.toml", base={"vertical": [0.0, 1.0]}, dt=[0.0, 0.1]).events[0].state, Mode)
+assert_type(standfast.simulate("case.toml").series(0.01), ArrowTable)
+assert_type(standfast.probability("case.toml", method="sobol").modes["SL"].probability, float)
+assert_type(standfast.probability("case.toml").life, standfast.chances.Life | None)
+assert_type(standfast.draws("case.toml", 10, seed=3).mode, standfast.ArrowArray)
+standfast.probability("case.toml", method="form")  # type: ignore[arg-type]
