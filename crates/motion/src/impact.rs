@@ -18,6 +18,8 @@ pub(crate) struct After {
     pub others: bool,
     /// Whether the impulse acts within the base.
     pub on_base: bool,
+    /// Whether a measured ratio was more than the energy allows.
+    pub reduced: bool,
 }
 
 pub(crate) const CORNERS: [Corner; 2] = [Corner::O, Corner::OPrime];
@@ -128,7 +130,7 @@ impl Law {
             }
         }
         let closed = CORNERS.map(|other| other == corner);
-        Some(After { pose: after, closed, slip, others: false, on_base: true })
+        Some(After { pose: after, closed, slip, others: false, on_base: true, reduced: false })
     }
 
     fn both(&self, block: &Block, pose: &Pose, slip: Option<Slip>) -> Option<After> {
@@ -157,26 +159,44 @@ impl Law {
             slip,
             others: false,
             on_base: true,
+            reduced: false,
         })
     }
 
-    /// θ̇⁺ = r θ̇ about the new corner, which stays on the base; the friction that sticks, as far as there is.
+    /// θ̇⁺ = r θ̇ about the new corner, which stays on the base; the friction that sticks, as far as there is. Where a body that slips would
+    /// gain energy, the ratio is the largest below it at which it does not: without rotation it never does.
     fn measured(&self, block: &Block, pose: &Pose, ratio: f64) -> Option<After> {
+        let before = kinetic(block, pose);
+        let at = |ratio: f64| self.turned(block, pose, ratio);
+        let gains = |after: &After| after.slip.is_some() && kinetic(block, &after.pose) > before;
+        let after = at(ratio)?;
+        if !gains(&after) {
+            return Some(after);
+        }
+        let (mut low, mut high) = (0.0, ratio);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if gains(&at(middle)?) { high = middle } else { low = middle }
+        }
+        at(low).filter(|after| !gains(after)).map(|after| After { reduced: true, ..after })
+    }
+
+    fn turned(&self, block: &Block, pose: &Pose, ratio: f64) -> Option<After> {
         let Block { rho2, m_x, m_y, .. } = *block;
         let corner = if pose.ω < 0.0 { Corner::OPrime } else { Corner::O };
         let [c, h] = lever(block, corner, pose.θ);
         let ω = ratio * pose.ω;
         let vy = -c * ω;
         let normal = m_y * (vy - pose.vy);
+        if normal < 0.0 {
+            return None;
+        }
         let sticking = m_x * (-h * ω - pose.vx);
-        let limit = self.μ * normal.max(0.0);
+        let limit = self.μ * normal;
         let (tangential, sticks) =
             if sticking.abs() <= limit { (sticking, true) } else { (limit.copysign(sticking), false) };
         let vx = if sticks { -h * ω } else { pose.vx + tangential / m_x };
         let after = Pose { vx, vy, ω, ..*pose };
-        if normal < 0.0 || (!sticks && kinetic(block, &after) > kinetic(block, pose)) {
-            return None;
-        }
         let u = vx + h * ω;
         let slip = if sticks { None } else { Some(if u < 0.0 { Slip::Left } else { Slip::Right }) };
         let closed = if ω == 0.0 { [true, true] } else { CORNERS.map(|other| other == corner) };
@@ -184,7 +204,7 @@ impl Law {
         let at = rho2 * (ω - pose.ω) - h * tangential;
         let slack = 1e-12 * normal * block.b1.max(block.b2);
         let on_base = (-block.b1 * normal - slack..=block.b2 * normal + slack).contains(&at);
-        Some(After { pose: after, closed, slip, others: false, on_base })
+        Some(After { pose: after, closed, slip, others: false, on_base, reduced: false })
     }
 }
 
@@ -195,5 +215,5 @@ fn housner(block: &Block, pose: &Pose) -> After {
     let turns_on = after.ω * pose.ω > 0.0;
     let closed = if turns_on { CORNERS.map(|other| other == corner) } else { [true, true] };
     let pose = if turns_on { after } else { Pose { vx: 0.0, vy: 0.0, ω: 0.0, ..*pose } };
-    After { pose, closed, slip: None, others: false, on_base: true }
+    After { pose, closed, slip: None, others: false, on_base: true, reduced: false }
 }

@@ -95,6 +95,7 @@ struct Machine<'a> {
     impact_loss: f64,
     unique: bool,
     impulse_left_base: bool,
+    reduced_impacts: usize,
     stuck_events: usize,
 }
 
@@ -140,6 +141,7 @@ impl<'a> Machine<'a> {
             impact_loss: 0.0,
             unique: true,
             impulse_left_base: false,
+            reduced_impacts: 0,
             stuck_events: 0,
         }
     }
@@ -257,6 +259,7 @@ impl<'a> Machine<'a> {
             potential: self.gravity * (self.pose.y - self.first.y),
             unique: self.unique,
             impulse_left_base: self.impulse_left_base,
+            reduced_impacts: self.reduced_impacts,
             events: self.events,
             steps: self.steps,
             block: *self.block,
@@ -365,6 +368,7 @@ impl<'a> Machine<'a> {
         self.pose = after.pose;
         self.unique &= !after.others;
         self.impulse_left_base |= !after.on_base;
+        self.reduced_impacts += usize::from(after.reduced);
         self.impacts += 1;
         Some(after)
     }
@@ -384,7 +388,14 @@ impl<'a> Machine<'a> {
             pose.vy = -lever(self.block, corner, pose.θ)[0] * pose.ω;
         }
         let [along, _] = velocity(self.block, corner, &pose);
-        Some(After { pose, closed: touching, slip: direction(along, tiny), others: false, on_base: true })
+        Some(After {
+            pose,
+            closed: touching,
+            slip: direction(along, tiny),
+            others: false,
+            on_base: true,
+            reduced: false,
+        })
     }
 
     /// How far a corner is along the base from where it was.

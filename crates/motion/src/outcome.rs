@@ -156,6 +156,8 @@ pub struct Outcome {
     pub unique: bool,
     /// Whether the impulse of a measured `ratio` acted outside the base.
     pub impulse_left_base: bool,
+    /// Impacts at which a measured `ratio` would have given energy to a body that slips; there it is the largest that does not.
+    pub reduced_impacts: usize,
     /// The steps, if they were asked for.
     pub steps: Vec<Step>,
     pub(crate) block: Block,

@@ -25,7 +25,7 @@ fn is_tame(outcome: &Outcome) -> bool {
 /// Energy is accounted for, nothing is gained at impacts and by friction, and every motion ends.
 #[test]
 fn energy_balances() {
-    let mut ends = [0; 5];
+    let (mut ends, mut reduced) = ([0; 5], 0);
     for seed in 0..4 * CASES {
         let problem = problem(&mut Random::new(seed));
         let outcome = run(&problem);
@@ -39,16 +39,13 @@ fn energy_balances() {
             outcome.energy_residual()
         );
         assert!(outcome.friction_loss >= -1e-14 && outcome.impact_loss >= -1e-14, "{seed}");
-        // A measured ratio that gave energy to a body that slips is refused; nothing else stops.
-        let refused = outcome.end == End::NoContinuation && matches!(problem.impact, Impact::Ratio(_));
-        assert!(
-            refused || !matches!(outcome.end, End::NoContinuation | End::TooManyEvents),
-            "{seed}: {problem:?}"
-        );
+        assert!(!matches!(outcome.end, End::NoContinuation | End::TooManyEvents), "{seed}: {problem:?}");
+        reduced += outcome.reduced_impacts;
         ends[outcome.end as usize] += 1;
     }
     // Enough of each kind, or the test says little.
     assert!(ends[End::AtRest as usize] > 900 && ends[End::Overturned as usize] > 150, "{ends:?}");
+    assert!(reduced > 3, "{reduced}");
 }
 
 #[test]
