@@ -16,17 +16,23 @@
 mod block;
 mod body;
 mod error;
+mod figures;
 mod history;
 mod json;
 mod series;
+mod spectrum;
 mod table;
 mod text;
 
 pub use block::{BlockCase, has_block};
 pub use body::{BodyCaseError, body_cases};
 pub use error::MotionCaseError;
+pub use figures::MotionFigure;
 pub use json::all_json;
 pub use series::series_csv;
+pub use spectrum::{
+    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps,
+};
 
 use standfast_motion::{Keep, Outcome, sensitivity, simulate};
 
@@ -77,7 +83,7 @@ pub fn cases_on(
 pub struct Follow {
     /// Whether to run once more with inputs changed a little.
     pub sensitivity: bool,
-    /// Whether to keep the whole motion, for its [series](series_csv).
+    /// Whether to keep the whole motion, for its [series](series_csv) and its [figures](BlockCase::figures).
     pub series: bool,
 }
 
@@ -145,6 +151,13 @@ fn found(case: &BlockCase, outcome: &Outcome) -> Vec<MotionWarning> {
         let words = "the impulse that the measured ratio asks for acts beside the base: no base can give it"
             .to_owned();
         warnings.push(MotionWarning { name: "impulse-beside-base", words });
+    }
+    if outcome.reduced_impacts > 0 {
+        let words = format!(
+            "at {} of {} impacts the measured ratio would have given energy to the body, which slips: there it is the largest that does not",
+            outcome.reduced_impacts, outcome.impacts
+        );
+        warnings.push(MotionWarning { name: "ratio-reduced", words });
     }
     if outcome.t_rest_is_bound {
         let words =

@@ -2,6 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -11,6 +12,7 @@ use standfast::{InputError, Point};
 
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
+use standfast_cases::motion::{SpectrumKind, Steps};
 use standfast_cases::random::Method;
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
@@ -138,7 +140,7 @@ pub enum Command {
     ///
     /// Prints what becomes of the body, its slide and rotation, each change of state with its time and reason, and where the energy
     /// went: rest, slide, rock, slide-rock, impacts, flight, overturning. Events are found as roots, and no step of time is to be
-    /// chosen.
+    /// chosen. Draws the histories, the positions and an animation beside the case file; with several situations those of the worst.
     #[command(
         after_help = "Example of a case (lengths in any one unit, the mass as 1, accelerations as they come):\n\
         \u{20} [block]\n\
@@ -167,6 +169,18 @@ pub enum Command {
         Example:\n  standfast simulate examples/motion/caisson-breaking-wave.toml --series motion.csv --dt 0.01"
     )]
     Simulate(SimulateArgs),
+
+    /// Follow many motions under one shaking: over size and slenderness, over the yield acceleration, over its strength
+    ///
+    /// The shaking, friction, gravity and law of impacts are those of a case with [motion.base]. A rocking spectrum is of uniform
+    /// blocks that have these in common; a Newmark spectrum of a block that can only slide, to one side as on a slope, and to both; an
+    /// overturning curve of the body of the case itself. That one is scanned, and each turn refined, for a stronger shaking may leave
+    /// standing what a weaker one overturns. Writes a figure and, if asked, every point as CSV.
+    #[command(after_help = "Examples:\n\
+        \u{20} standfast spectrum examples/motion/statue-earthquake.toml --size 0.3,5,60 --slenderness 2,8,40\n\
+        \u{20} standfast spectrum examples/motion/statue-earthquake.toml --kind newmark --csv slides.csv\n\
+        \u{20} standfast spectrum examples/motion/statue-earthquake.toml --kind overturning --scale 0.2,6,300")]
+    Spectrum(SpectrumArgs),
 
     /// How likely each mode is if some numbers of a case are random
     ///
@@ -318,6 +332,10 @@ pub struct SimulateArgs {
         help = "The case file (TOML) with a [block] or a [body]; - reads standard input"
     )]
     pub case: PathBuf,
+    /// Where to put the figures; made if it is not there [default: beside the case file, or here if it is read from
+    /// standard input, then as case-motion.svg and so on]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
     /// Write the motion at even steps of time to a CSV file; - writes to standard output in place of the answer
     #[arg(long, value_name = "OUT.csv", requires = "dt")]
     pub series: Option<PathBuf>,
@@ -331,6 +349,45 @@ pub struct SimulateArgs {
     #[arg(long)]
     pub all: bool,
     /// How to print the answer; json is always complete
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Arguments of `spectrum`.
+#[derive(Debug, Args)]
+pub struct SpectrumArgs {
+    /// The case file, with a base that moves.
+    #[arg(
+        value_name = "CASE.toml",
+        help = "The case file (TOML) with [motion.base]; - reads standard input"
+    )]
+    pub case: PathBuf,
+    /// Which spectrum: rocking, newmark or overturning
+    #[arg(long, default_value = "rocking", value_name = "KIND", value_parser = SpectrumKind::from_str)]
+    pub kind: SpectrumKind,
+    /// Half diagonals of the blocks, at equal factors [default: a quarter of the case's to its eightfold, 41 of them]
+    #[arg(long, value_name = "FROM,TO[,COUNT]")]
+    pub size: Option<Steps>,
+    /// Heights of the blocks over their widths, at equal steps [default: 2,8,31]
+    #[arg(long, value_name = "FROM,TO[,COUNT]")]
+    pub slenderness: Option<Steps>,
+    /// Yield accelerations over the peak of the shaking, at equal steps [default: 0.02,0.98,49]
+    #[arg(long, value_name = "FROM,TO[,COUNT]")]
+    pub ratio: Option<Steps>,
+    /// Factors on the shaking, at equal steps [default: 0.05,5,199]
+    #[arg(long, value_name = "FROM,TO[,COUNT]")]
+    pub scale: Option<Steps>,
+    /// Write every point to a CSV file; - writes to standard output in place of the answer
+    #[arg(long, value_name = "OUT.csv")]
+    pub csv: Option<PathBuf>,
+    /// Where to put the figure; made if it is not there [default: beside the case file, or here if it is read from
+    /// standard input]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// How many threads work; the answer does not depend on it [default: as many as the machine has cores]
+    #[arg(long)]
+    pub threads: Option<NonZeroUsize>,
+    /// How to print the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -6,7 +6,7 @@
 //! | From which file to which is a table answered? | [`batch`] |
 //! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
 //! | How is a calculation sheet written? | [`sheet`] |
-//! | What becomes of a block in time? | [`simulate`] |
+//! | What becomes of a block in time? | [`simulate`], [`mod@spectrum`] |
 //! | What may a build leave out? | [`features`] |
 //!
 //! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`';
@@ -26,6 +26,7 @@ pub mod probability;
 mod progress;
 pub mod sheet;
 pub mod simulate;
+pub mod spectrum;
 pub mod title_block;
 pub mod write;
 
@@ -71,7 +72,15 @@ pub fn run(cli: Cli) -> Result<Ended> {
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
         Command::Probability(args) => print(&probability::probability(&args)?),
-        Command::Simulate(args) => print(&simulate::simulate(&args)?),
+        Command::Simulate(args) => {
+            let simulate::Simulated { answer, undrawn } = simulate::simulate(&args)?;
+            print(&answer)?;
+            match undrawn {
+                Some(error) => Err(error.into()),
+                None => Ok(()),
+            }
+        }
+        Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
             let omega = args.omega.unwrap_or_default();

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
+use standfast_cases::motion::Progressed;
 use standfast_tables::Progress;
 
 /// What is done of a table.
@@ -54,4 +55,45 @@ const WITHOUT_END: &str = "{spinner} {msg}, {elapsed}";
 
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
+
+/// How many motions are followed.
+pub struct Motions {
+    done: AtomicU64,
+    start: Instant,
+    bar: ProgressBar,
+}
+
+impl Motions {
+    /// A bar on standard error, if that is a terminal.
+    pub(crate) fn shown() -> Motions {
+        Motions {
+            done: AtomicU64::new(0),
+            start: Instant::now(),
+            bar: ProgressBar::new(0).with_style(style(WITH_END)),
+        }
+    }
+
+    pub(crate) fn tell(&self, progressed: Progressed) {
+        match progressed {
+            Progressed::Expect(count) => self.bar.inc_length(count as u64),
+            Progressed::Done => {
+                let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+                if done.is_multiple_of(16) {
+                    let seconds = self.start.elapsed().max(Duration::from_millis(1)).as_secs_f64();
+                    let rate = HumanCount((done as f64 / seconds) as u64);
+                    self.bar.set_message(format!("{} motions, {rate} a second", HumanCount(done)));
+                    self.bar.inc(16);
+                }
+            }
+        }
+    }
+
+    pub(crate) fn done(&self) -> u64 {
+        self.done.load(Ordering::Relaxed)
+    }
+
+    pub(crate) fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
 }

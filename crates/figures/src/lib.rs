@@ -18,6 +18,7 @@
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
+//! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
@@ -43,6 +44,7 @@ mod inset;
 mod labels;
 mod map;
 mod margins;
+mod motion;
 mod number;
 pub mod outlines;
 mod palette;
@@ -71,6 +73,10 @@ pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
 pub use ground::{GroundPlane, ground_diagram, ground_outlines};
 pub use margins::{AxisNumbers, axis_numbers};
+pub use motion::{
+    MotionLoad, MotionOutline, MotionPicture, MotionPose, SpectrumAxis, SpectrumLines, SpectrumMap,
+    motion_animation, motion_histories, motion_positions, spectrum_lines, spectrum_map,
+};
 pub use number::significant;
 pub use outlines::outlines;
 pub use plot::View;

@@ -92,6 +92,11 @@ impl Path {
         self.0.push('Z');
     }
 
+    /// The path data.
+    pub(crate) fn data(&self) -> String {
+        self.0.clone()
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -139,6 +144,11 @@ impl Scene {
     /// Opens a group with attributes, to be closed by [`close`](Scene::close).
     pub(crate) fn open(&mut self, attributes: &str) {
         self.write(format_args!("<g {attributes}>\n"));
+    }
+
+    /// Writes elements as they are.
+    pub(crate) fn put(&mut self, elements: &str) {
+        self.body.push_str(elements);
     }
 
     /// Closes a group.

@@ -41,12 +41,13 @@ mod problem;
 pub mod record;
 mod roots;
 mod series;
+pub mod spectrum;
 
 pub use error::{MotionError, Problematic};
 pub use history::{History, Piece};
 pub use machine::{Keep, simulate};
 pub use outcome::{End, Event, Outcome, Position, Step, Why};
-pub use problem::{Base, Impact, Initial, Load, Problem};
+pub use problem::{Acting, Base, Impact, Initial, Load, Problem};
 
 /// How much slide, in B, and the largest |θ| change with friction and the height of C: the larger of their changes over a relative change
 /// of 1e-7 of μ_s, μ_k and d.

@@ -150,3 +150,46 @@ impl Problem {
         (one.min(two) / one.max(two)).sqrt()
     }
 }
+
+/// What acts on the body while it stands upright, at a moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Acting {
+    /// The moment; twice where something jumps.
+    pub t: f64,
+    /// To the right, in units of mass times acceleration: the forces, and the base's acceleration reversed.
+    pub x: f64,
+    /// Upwards, the weight left out.
+    pub up: f64,
+}
+
+impl Problem {
+    /// What acts from 0 to `end`: at every moment at which something changes its law, before and after it, and at `count` even steps.
+    pub fn acting(&self, end: f64, count: usize) -> Vec<Acting> {
+        let base = [&self.base.horizontal, &self.base.vertical];
+        let histories = self.loads.iter().map(|load| &load.history).chain(base.into_iter().flatten());
+        let breaks = histories.flat_map(|history| history.times().iter().copied());
+        let even = (0..=count).map(|i| end * i as f64 / count.max(1) as f64);
+        let mut moments: Vec<f64> = breaks.filter(|t| (0.0..=end).contains(t)).chain(even).collect();
+        moments.sort_by(f64::total_cmp);
+        moments.dedup();
+        let at = |t: f64, value: fn(&History, f64) -> f64| {
+            let of = |history: &Option<History>| history.as_ref().map_or(0.0, |history| value(history, t));
+            let mut acting = Acting { t, x: -of(&self.base.horizontal), up: -of(&self.base.vertical) };
+            for load in &self.loads {
+                let f = value(&load.history, t);
+                acting.x += f * load.direction[0];
+                acting.up += f * load.direction[1];
+            }
+            acting
+        };
+        let mut all = Vec::with_capacity(2 * moments.len());
+        for t in moments {
+            let (before, after) = (at(t, History::before), at(t, History::at));
+            if t > 0.0 && before != after {
+                all.push(before);
+            }
+            all.push(after);
+        }
+        all
+    }
+}

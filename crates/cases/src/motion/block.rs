@@ -19,6 +19,8 @@ pub struct BlockCase {
     pub situation: Option<String>,
     /// The problem.
     pub problem: Problem,
+    /// The crest above the base, for its figures; of a `[block]` twice that of C.
+    pub height: f64,
     /// Whether it is in SI units.
     pub si: bool,
     /// What may be a slip.
@@ -123,7 +125,8 @@ fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase,
     }
     let title = top.words("title")?.map(str::to_owned);
     top.words("note")?;
-    Ok(BlockCase { title, situation: None, problem, si: false, warnings })
+    let height = 2.0 * problem.block.d;
+    Ok(BlockCase { title, situation: None, problem, height, si: false, warnings })
 }
 
 /// What [motion] says beside the base.

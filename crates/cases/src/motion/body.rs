@@ -256,7 +256,8 @@ fn read(
         problem.check().map_err(|error| refused(in_time, &error))?;
         let situation = case.acting_name(*acts);
         let title = case.title.clone();
-        cases.push(BlockCase { title, situation, problem, si: true, warnings: warnings.clone() });
+        let height = case.body.height();
+        cases.push(BlockCase { title, situation, problem, height, si: true, warnings: warnings.clone() });
     }
     Ok(cases)
 }

@@ -45,7 +45,7 @@ impl BlockCase {
 
 impl BlockCase {
     /// The unit of times, with a space before it, if they have one.
-    fn seconds(&self) -> &'static str {
+    pub(super) fn seconds(&self) -> &'static str {
         if self.si { " s" } else { "" }
     }
 }
@@ -55,7 +55,7 @@ fn number(x: f64) -> String {
 }
 
 /// What becomes of the body, in a sentence.
-fn verdict(outcome: &Outcome, s: &str) -> String {
+pub(super) fn verdict(outcome: &Outcome, s: &str) -> String {
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
     let Some(first) = moves else { return "The body stays at rest.".to_owned() };

@@ -1,0 +1,167 @@
+//! The figures of a motion.
+
+use standfast::Mode;
+use standfast_figures::{
+    Figure, MotionLoad, MotionOutline, MotionPicture, MotionPose, motion_animation, motion_histories,
+    motion_positions,
+};
+use standfast_motion::{Outcome, Position, Why};
+
+use super::text::verdict;
+use super::{BlockCase, Followed};
+
+/// As many samples of slide and rotation as the page has places for, and some more.
+const SAMPLES: usize = 2400;
+/// At most so many positions side by side.
+const POSITIONS: usize = 8;
+/// At most so many pictures a second, and so many in all.
+const PER_SECOND: f64 = 40.0;
+const PICTURES: f64 = 800.0;
+
+/// A figure of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionFigure {
+    /// What tells it from the others of the case, to be appended to a file's name.
+    pub suffix: &'static str,
+    /// What it is.
+    pub words: &'static str,
+    /// The figure.
+    pub figure: Figure,
+}
+
+impl BlockCase {
+    /// Histories, positions and the motion as a picture that moves, if the whole motion was kept (see [`Follow`](super::Follow)).
+    pub fn figures(&self, followed: &Followed) -> Vec<MotionFigure> {
+        let outcome = &followed.outcome;
+        if outcome.steps.is_empty() {
+            return Vec::new();
+        }
+        let samples = Samples::of(self, outcome);
+        let loads: Vec<_> = samples.loads.iter().map(|(name, points)| MotionLoad { name, points }).collect();
+        let block = &self.problem.block;
+        let [time_unit, length_unit] = if self.si { ["s", "m"] } else { ["", ""] };
+        let picture = MotionPicture {
+            title: &samples.title,
+            caption: &samples.caption,
+            outline: MotionOutline { b1: block.b1, b2: block.b2, d: block.d, height: self.height },
+            end: samples.end,
+            time_unit,
+            length_unit,
+            states: &samples.states,
+            loads: &loads,
+            slide: &samples.slide,
+            theta: &samples.theta,
+            balance: [(block.b1 / block.d).atan(), -(block.b2 / block.d).atan()],
+        };
+        let figure = |suffix, words, figure| MotionFigure { suffix, words, figure };
+        vec![
+            figure("-motion", "Histories", motion_histories(&picture)),
+            figure("-positions", "Positions", motion_positions(&picture, &samples.moments(outcome))),
+            figure("-animation", "Animation", motion_animation(&picture, &samples.frames(outcome))),
+        ]
+    }
+}
+
+/// The numbers of the figures.
+struct Samples {
+    title: String,
+    caption: String,
+    end: f64,
+    states: Vec<(f64, Mode)>,
+    loads: Vec<(&'static str, Vec<(f64, f64)>)>,
+    slide: Vec<(f64, f64)>,
+    theta: Vec<(f64, f64)>,
+}
+
+impl Samples {
+    fn of(case: &BlockCase, outcome: &Outcome) -> Samples {
+        let last = outcome.events.last().map_or(0.0, |event| event.t);
+        let end = if outcome.overturned() { last } else { outcome.t_final };
+        let end = if end > 0.0 && end.is_finite() { end } else { 1.0 };
+        let mut states: Vec<(f64, Mode)> = Vec::new();
+        for event in &outcome.events {
+            if states.last().is_none_or(|(_, mode)| *mode != event.state) {
+                states.push((event.t, event.state));
+            }
+        }
+        let gravity = case.problem.gravity;
+        let acting = case.problem.acting(end, SAMPLES);
+        let mut loads = vec![(
+            "load to the right over the weight",
+            acting.iter().map(|a| (a.t, a.x / gravity)).collect::<Vec<_>>(),
+        )];
+        if acting.iter().any(|a| a.up != 0.0) {
+            loads.push(("load upwards", acting.iter().map(|a| (a.t, a.up / gravity)).collect()));
+        }
+        let mut moments: Vec<f64> = (0..=SAMPLES).map(|i| end * i as f64 / SAMPLES as f64).collect();
+        moments.extend(outcome.events.iter().map(|event| event.t).filter(|t| *t <= end));
+        moments.extend([outcome.t_max_theta, outcome.t_max_slide]);
+        moments.sort_by(f64::total_cmp);
+        moments.dedup();
+        let positions: Vec<Position> = moments.into_iter().filter_map(|t| outcome.at(t)).collect();
+        let title = [&case.title, &case.situation].into_iter().flatten().cloned().collect::<Vec<_>>();
+        let title = if title.is_empty() { "A block in motion".to_owned() } else { title.join(", ") };
+        Samples {
+            title,
+            caption: verdict(outcome, case.seconds()),
+            end,
+            states,
+            loads,
+            slide: positions.iter().map(|at| (at.t, at.slide)).collect(),
+            theta: positions.iter().map(|at| (at.t, at.theta)).collect(),
+        }
+    }
+
+    /// Where the body is at the beginning, where it leaves rest, at its largest slide and rotation, at the end, and between them.
+    fn moments(&self, outcome: &Outcome) -> Vec<MotionPose> {
+        let leaves = self.states.iter().find(|(_, mode)| *mode != Mode::Rest).map_or(0.0, |(t, _)| *t);
+        let rests = self.states.last().map_or(self.end, |(t, _)| *t);
+        let rests = if outcome.at_rest() { rests } else { self.end };
+        let apart = 0.03 * (rests - leaves);
+        let mut chosen = vec![leaves, rests];
+        let mut choose = |t: f64, apart: f64| {
+            if chosen.len() < POSITIONS && chosen.iter().all(|other| (t - other).abs() >= apart) {
+                chosen.push(t);
+            }
+        };
+        if apart > 0.0 {
+            choose(outcome.t_max_theta, apart);
+            choose(outcome.t_max_slide, apart);
+            let between = (1..POSITIONS).map(|i| i as f64 / POSITIONS as f64);
+            between.for_each(|share| choose(leaves + share * (rests - leaves), 3.0 * apart));
+        }
+        chosen.sort_by(f64::total_cmp);
+        chosen.dedup();
+        chosen.into_iter().filter_map(|t| pose(outcome, t)).collect()
+    }
+
+    /// Where the body is so often that an eye sees it move; once where it rests.
+    fn frames(&self, outcome: &Outcome) -> Vec<MotionPose> {
+        let step = (1.0 / PER_SECOND).max(self.end / PICTURES);
+        let count = (self.end / step).ceil();
+        let mut moments: Vec<f64> = (0..=count as usize).map(|i| self.end * i as f64 / count).collect();
+        // Where a corner meets the base the way is no straight one.
+        let mut last = f64::NEG_INFINITY;
+        for event in outcome.events.iter().filter(|event| event.why == Why::Impact && event.t <= self.end) {
+            if event.t - last > 0.4 * step {
+                moments.push(event.t);
+                last = event.t;
+            }
+        }
+        moments.sort_by(f64::total_cmp);
+        let poses: Vec<MotionPose> = moments.into_iter().filter_map(|t| pose(outcome, t)).collect();
+        let place = |pose: &MotionPose| (pose.x, pose.y, pose.theta);
+        let still = |i: usize| {
+            i > 0
+                && i + 1 < poses.len()
+                && place(&poses[i - 1]) == place(&poses[i])
+                && place(&poses[i]) == place(&poses[i + 1])
+        };
+        (0..poses.len()).filter(|i| !still(*i)).map(|i| poses[i]).collect()
+    }
+}
+
+fn pose(outcome: &Outcome, t: f64) -> Option<MotionPose> {
+    let Position { x, y, theta, slide, state, .. } = outcome.at(t)?;
+    Some(MotionPose { t, x, y, theta, slide, mode: state })
+}

@@ -1,0 +1,113 @@
+//! `standfast spectrum`: many motions under one shaking.
+
+use std::io::{self, Write};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use miette::Diagnostic;
+use standfast_cases::motion::{
+    BlockCase, BodyCaseError, MotionCaseError, SpectrumError, SpectrumRequest, body_cases, has_block,
+};
+use thiserror::Error;
+
+use crate::args::SpectrumArgs;
+use crate::case_file::{self, CaseFileError};
+use crate::format::Format;
+use crate::progress::Motions;
+use crate::simulate::record_reader;
+use crate::write::{self, WriteError};
+
+/// Why there is no spectrum.
+#[derive(Debug, Error, Diagnostic)]
+pub enum SpectrumCommandError {
+    /// The case file cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    File(#[from] CaseFileError),
+    /// The case makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] MotionCaseError),
+    /// The case with a body makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Body(#[from] BodyCaseError),
+    /// The case has no such spectrum.
+    #[error(transparent)]
+    Spectrum(#[from] SpectrumError),
+    /// A file would replace the case file.
+    #[error("the spectrum would be written over the case file {}", path.display())]
+    Overwrite {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// A file cannot be written.
+    #[error(transparent)]
+    #[diagnostic(help("-o DIR puts the figure into another directory"))]
+    Write(#[from] WriteError),
+}
+
+/// Finds the spectrum of a case file, draws it, and returns what to print.
+///
+/// # Errors
+/// If a file cannot be read or written, or the case has no such spectrum.
+pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
+    let name = case_file::name(&args.case);
+    let text = case_file::read(&args.case)?;
+    let read = record_reader(&args.case);
+    let case = if has_block(&text) {
+        Some(BlockCase::parse(&name, &text, &read)?)
+    } else {
+        body_cases(&name, &text, &read)?.into_iter().next()
+    };
+    let Some(case) = case else { return Err(SpectrumError::NoShaking.into()) };
+    let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let request = SpectrumRequest {
+        size: args.size,
+        slenderness: args.slenderness,
+        ratio: args.ratio,
+        scale: args.scale,
+        threads: args.threads.map_or_else(all, NonZeroUsize::get),
+        ..SpectrumRequest::new(args.kind)
+    };
+    let progress = Arc::new(Motions::shown());
+    on_interrupt(progress.clone());
+    let found = case.spectrum(&request, &|progressed| progress.tell(progressed));
+    progress.clear();
+    let spectrum = found?;
+    if args.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-") {
+        return Ok(spectrum.csv());
+    }
+    let put = |file: &Path, content: &str| -> Result<String, SpectrumCommandError> {
+        if case_file::is_at(&args.case, file) {
+            return Err(SpectrumCommandError::Overwrite { path: args.case.clone() });
+        }
+        write::write_file(file, content.as_bytes())?;
+        Ok(file.display().to_string())
+    };
+    if let Some(directory) = &args.output {
+        write::make_directory(directory)?;
+    }
+    let directory = args.output.as_deref().unwrap_or_else(|| args.case.parent().unwrap_or(Path::new("")));
+    let figure = directory.join(format!("{}-{}.svg", case_file::stem(&args.case), args.kind.word()));
+    let figure = put(&figure, spectrum.figure().svg())?;
+    let table = args.csv.as_deref().map(|csv| put(csv, &spectrum.csv())).transpose()?;
+    Ok(match args.format {
+        Format::Json => spectrum.json(&[figure]),
+        Format::Text => {
+            let table = table.map_or_else(String::new, |table| format!("Points written to {table}\n"));
+            format!("{}\nSpectrum written to {figure}\n{table}", spectrum.text())
+        }
+    })
+}
+
+/// Ends the program on an interrupt, and says how far it came.
+fn on_interrupt(progress: Arc<Motions>) {
+    // Without a handler the program ends all the same.
+    let _ = ctrlc::set_handler(move || {
+        progress.clear();
+        let _ = writeln!(io::stderr(), "interrupted after {} motions; nothing was written", progress.done());
+        std::process::exit(130);
+    });
+}

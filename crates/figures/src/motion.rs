@@ -1,0 +1,241 @@
+//! What became of a body in time: histories under the band of its states, its positions side by side, and the motion itself as a
+//! picture that moves.
+//!
+//! What is drawn is given by numbers, at as many moments as the caller finds fit; the figures leave out what the page cannot show.
+
+mod animation;
+mod histories;
+mod positions;
+mod spectra;
+
+use standfast::Mode;
+
+use crate::caption::{SMALL, shortened};
+use crate::margins;
+use crate::palette::{FAINT, INK, symbol, tint};
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::text::Text;
+
+pub use animation::motion_animation;
+pub use histories::motion_histories;
+pub use positions::motion_positions;
+pub use spectra::{SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spectrum_map};
+
+/// A motion to be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionPicture<'a> {
+    /// What moves, in a line; not markup.
+    pub title: &'a str,
+    /// What became of it, in sentences; not markup.
+    pub caption: &'a str,
+    /// The body.
+    pub outline: MotionOutline,
+    /// The last moment that is shown; above zero.
+    pub end: f64,
+    /// The unit of times: `s`, or nothing.
+    pub time_unit: &'a str,
+    /// The unit of lengths: `m`, or nothing.
+    pub length_unit: &'a str,
+    /// When each state begins, in order.
+    pub states: &'a [(f64, Mode)],
+    /// What acts, each over the time.
+    pub loads: &'a [MotionLoad<'a>],
+    /// Slide over the time.
+    pub slide: &'a [(f64, f64)],
+    /// θ over the time.
+    pub theta: &'a [(f64, f64)],
+    /// θ of balance about O, and about O' (below zero).
+    pub balance: [f64; 2],
+}
+
+/// A load over the time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionLoad<'a> {
+    /// What it is, in markup.
+    pub name: &'a str,
+    /// Its values; two at one moment where it jumps.
+    pub points: &'a [(f64, f64)],
+}
+
+/// The rectangle that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionOutline {
+    /// From O to the centre of mass.
+    pub b1: f64,
+    /// From the centre of mass to O'.
+    pub b2: f64,
+    /// The centre of mass above the base.
+    pub d: f64,
+    /// The crest above the base.
+    pub height: f64,
+}
+
+/// Where the body is at a moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionPose {
+    /// The moment.
+    pub t: f64,
+    /// x of the centre of mass.
+    pub x: f64,
+    /// y of the centre of mass above the base.
+    pub y: f64,
+    /// θ, counter-clockwise.
+    pub theta: f64,
+    /// Displacement along the base of the corner that touches.
+    pub slide: f64,
+    /// The state.
+    pub mode: Mode,
+}
+
+impl MotionOutline {
+    /// The corners from O counter-clockwise at a pose.
+    fn corners(&self, pose: &MotionPose) -> [(f64, f64); 4] {
+        let (sin, cos) = pose.theta.sin_cos();
+        let MotionOutline { b1, b2, d, height } = *self;
+        [(-b1, -d), (b2, -d), (b2, height - d), (-b1, height - d)]
+            .map(|(x, y)| (pose.x + x * cos - y * sin, pose.y + x * sin + y * cos))
+    }
+
+    /// Where it stands if nothing has happened to it.
+    fn standing(&self) -> MotionPose {
+        MotionPose { t: 0.0, x: 0.0, y: self.d, theta: 0.0, slide: 0.0, mode: Mode::Rest }
+    }
+}
+
+/// The least and the greatest x and y of bodies at poses.
+fn extent<'a>(outline: &MotionOutline, poses: impl Iterator<Item = &'a MotionPose>) -> Rect {
+    let mut all = Rect { x0: f64::INFINITY, y0: f64::INFINITY, x1: f64::NEG_INFINITY, y1: f64::NEG_INFINITY };
+    for (x, y) in poses.flat_map(|pose| outline.corners(pose)) {
+        (all.x0, all.x1) = (all.x0.min(x), all.x1.max(x));
+        (all.y0, all.y1) = (all.y0.min(y), all.y1.max(y));
+    }
+    all
+}
+
+/// Which state takes most of each of `count` equal parts of the time, as stretches (first part, part after the last, state).
+fn bands(states: &[(f64, Mode)], end: f64, count: usize) -> Vec<(usize, usize, Mode)> {
+    let mut found: Vec<(usize, usize, Mode)> = Vec::new();
+    let mut first = 0;
+    for part in 0..count {
+        let [from, to] = [part, part + 1].map(|i| end * i as f64 / count as f64);
+        while states.get(first + 1).is_some_and(|next| next.0 <= from) {
+            first += 1;
+        }
+        let mut shares: Vec<(Mode, f64)> = Vec::new();
+        for (i, &(start, mode)) in states.iter().enumerate().skip(first) {
+            if start >= to {
+                break;
+            }
+            let stop = states.get(i + 1).map_or(f64::INFINITY, |next| next.0);
+            let share = stop.min(to) - start.max(from);
+            match shares.iter_mut().find(|(known, _)| *known == mode) {
+                Some((_, sum)) => *sum += share,
+                None => shares.push((mode, share)),
+            }
+        }
+        let Some((mode, _)) = shares.into_iter().reduce(|one, two| if two.1 > one.1 { two } else { one })
+        else {
+            continue;
+        };
+        match found.last_mut() {
+            Some((_, to, last)) if *last == mode && *to == part => *to = part + 1,
+            _ => found.push((part, part + 1, mode)),
+        }
+    }
+    found
+}
+
+/// The band of states between two heights, each in its colour and with its symbol where there is room.
+fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect, symbols: bool) {
+    let count = (2.0 * (area.x1 - area.x0)) as usize;
+    let x = |part: usize| area.x0 + (area.x1 - area.x0) * part as f64 / count as f64;
+    for (from, to, mode) in bands(picture.states, picture.end, count) {
+        let stretch = Rect { x0: x(from), x1: x(to), ..area };
+        scene.fill(&rectangle(&stretch), tint(mode));
+        let text = Text::new(symbol(mode), SMALL);
+        if symbols && text.width + 5.0 <= stretch.x1 - stretch.x0 {
+            scene.text_in(&text, &stretch, INK);
+        }
+    }
+}
+
+fn rectangle(rect: &Rect) -> Path {
+    let Rect { x0, y0, x1, y1 } = *rect;
+    let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
+    path.close();
+    path
+}
+
+/// Through places on the page.
+fn polygon(places: &[(f64, f64)]) -> Path {
+    let mut path = Path::through(places);
+    path.close();
+    path
+}
+
+/// The colours that occur with their symbols and words, in rows between two edges; returns the y below.
+fn key(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
+    let mut modes: Vec<Mode> = Vec::new();
+    for (_, mode) in picture.states {
+        if !modes.contains(mode) {
+            modes.push(*mode);
+        }
+    }
+    modes.sort_by_key(|mode| Mode::ALL.iter().position(|known| known == mode));
+    let (mut x, mut y) = (edges.0, top);
+    for mode in modes {
+        let [name, words] =
+            [Text::new(symbol(mode), SMALL), Text::verbatim(&mode.words().replace('\'', "′"), SMALL)];
+        let width = 16.0 + name.width + 6.0 + words.width;
+        if x > edges.0 && x + width > edges.1 {
+            (x, y) = (edges.0, y + 17.0);
+        }
+        let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
+        scene.fill(&rectangle(&patch), tint(mode));
+        scene.stroke(&rectangle(&patch), Pen::solid(FAINT, 0.5));
+        scene.text(&name, x + 16.0, y + 10.5, INK);
+        scene.text(&words, x + 22.0 + name.width, y + 10.5, INK);
+        x += width + 16.0;
+    }
+    y + 17.0
+}
+
+/// Title and caption below; returns the y below.
+fn words_below(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
+    let words = |text: &str, size: f64| -> Vec<Text> {
+        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
+    };
+    let size = crate::caption::SIZE;
+    let below = margins::paragraph(scene, &words(picture.title, size), edges, top, size);
+    margins::paragraph(scene, &words(picture.caption, SMALL), edges, below + 4.0, SMALL)
+}
+
+/// A name with its unit in brackets, in markup.
+fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_of_the_time_has_the_state_that_takes_most_of_it() {
+        let states = [(0.0, Mode::Rest), (2.2, Mode::SlideLeft), (2.3, Mode::RockO), (3.0, Mode::Rest)];
+        assert_eq!(bands(&states, 10.0, 10), [(0, 2, Mode::Rest), (2, 3, Mode::RockO), (3, 10, Mode::Rest)]);
+        assert_eq!(bands(&[], 1.0, 4), []);
+    }
+
+    #[test]
+    fn a_body_that_turns_about_a_corner_keeps_it() {
+        let outline = MotionOutline { b1: 1.0, b2: 2.0, d: 3.0, height: 5.0 };
+        let angle: f64 = 0.3;
+        let (sin, cos) = angle.sin_cos();
+        // C about O at (−1, 0), counter-clockwise.
+        let pose =
+            MotionPose { x: -1.0 + cos - 3.0 * sin, y: sin + 3.0 * cos, theta: angle, ..outline.standing() };
+        let [o, toe, ..] = outline.corners(&pose);
+        assert!((o.0 + 1.0).abs() < 1e-15 && o.1.abs() < 1e-15, "{o:?}");
+        assert!((toe.1 - 3.0 * sin).abs() < 1e-15, "{toe:?}");
+    }
+}

@@ -1,0 +1,259 @@
+//! Spectra of motions: a map of classes over two quantities, and lines over one.
+
+use crate::Figure;
+use crate::caption::{SIZE, SMALL, shortened};
+use crate::margins::{self, NUMBER};
+use crate::number::significant;
+use crate::palette::{FAINT, INK, MARK, PUSH};
+use crate::scale::Scale;
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::text::Text;
+
+use super::rectangle;
+
+const PLOT: (f64, f64) = (470.0, 310.0);
+const TOP: f64 = 34.0;
+const LINES: [Pen; 3] = [
+    Pen::solid(INK, 1.4),
+    Pen { colour: PUSH, width: 1.3, dashes: "6 3" },
+    Pen { colour: MARK, width: 1.3, dashes: "2 2.4" },
+];
+const SHADED: &str = "#f3d5dc";
+
+/// A quantity along an axis of a spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectrumAxis<'a> {
+    /// What it is, in markup, with its unit.
+    pub name: &'a str,
+    /// At the axis's beginning.
+    pub from: f64,
+    /// At its end, greater.
+    pub to: f64,
+    /// Whether equal steps are equal factors; then both are above zero.
+    pub logarithmic: bool,
+}
+
+impl SpectrumAxis<'_> {
+    fn share(&self, value: f64) -> f64 {
+        if self.logarithmic {
+            (value / self.from).ln() / (self.to / self.from).ln()
+        } else {
+            (value - self.from) / (self.to - self.from)
+        }
+    }
+
+    /// Round numbers with their text.
+    fn numbers(&self, most: f64) -> Vec<(f64, Text)> {
+        if !self.logarithmic || self.to < 3.0 * self.from {
+            let scale = Scale::new(self.from, self.to, most);
+            return scale
+                .numbers()
+                .into_iter()
+                .map(|value| (value, margins::number(&scale, value)))
+                .collect();
+        }
+        let decades = self.from.log10().floor() as i32..=self.to.log10().ceil() as i32;
+        let steps: &[f64] = if decades.end() - decades.start() > 3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+        let values = decades.flat_map(|decade| steps.iter().map(move |step| step * 10f64.powi(decade)));
+        let within = values.filter(|value| (-1e-9..=1.0 + 1e-9).contains(&self.share(*value)));
+        within.map(|value| (value, Text::new(&format!("${}$", significant(value, 3)), NUMBER))).collect()
+    }
+}
+
+/// A map of classes over two quantities.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpectrumMap<'a> {
+    /// What it is of, in a line; not markup.
+    pub title: &'a str,
+    /// What is shown, in sentences; not markup.
+    pub caption: &'a str,
+    /// The quantity to the right.
+    pub across: SpectrumAxis<'a>,
+    /// The quantity upwards.
+    pub up: SpectrumAxis<'a>,
+    /// The values to the right that were asked for, rising.
+    pub columns: &'a [f64],
+    /// The values upwards, rising.
+    pub rows: &'a [f64],
+    /// The class of each column and row, column by column: a number of `classes`.
+    pub cells: &'a [usize],
+    /// Each class: its colour, and its words in markup.
+    pub classes: &'a [(&'static str, &'a str)],
+}
+
+/// Draws a map of classes.
+pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
+    let mut scene = Scene::default();
+    let frame = Frame::new(&map.across, &map.up);
+    // Halfway to the neighbours, to the edge at the ends.
+    let edges = |values: &[f64], place: &dyn Fn(f64) -> f64, ends: [f64; 2]| -> Vec<f64> {
+        let between = values.windows(2).map(|pair| (place(pair[0]) + place(pair[1])) / 2.0);
+        std::iter::once(ends[0]).chain(between).chain([ends[1]]).collect()
+    };
+    let area = frame.area;
+    let xs = edges(map.columns, &|value| frame.x(value), [area.x0, area.x1]);
+    let ys = edges(map.rows, &|value| frame.y(value), [area.y1, area.y0]);
+    for (i, column) in xs.windows(2).enumerate() {
+        let classes = &map.cells[i * map.rows.len()..(i + 1) * map.rows.len()];
+        // Cells of one class above each other are one rectangle: two that touch show a seam.
+        let mut j = 0;
+        for run in classes.chunk_by(|one, two| one == two) {
+            let cell =
+                Rect { x0: column[0], x1: (column[1] + 0.7).min(area.x1), y0: ys[j + run.len()], y1: ys[j] };
+            scene.fill(&rectangle(&cell), map.classes[run[0]].0);
+            j += run.len();
+        }
+    }
+    let below = frame.draw(&mut scene);
+    let edges = (16.0, area.x1 + 24.0);
+    let (mut x, mut y) = (edges.0, below + 10.0);
+    for (i, (colour, words)) in map.classes.iter().enumerate() {
+        if !map.cells.contains(&i) {
+            continue;
+        }
+        let words = Text::inline(words, SMALL);
+        if x > edges.0 && x + 16.0 + words.width > edges.1 {
+            (x, y) = (edges.0, y + 17.0);
+        }
+        let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
+        scene.fill(&rectangle(&patch), colour);
+        scene.stroke(&rectangle(&patch), Pen::solid(FAINT, 0.5));
+        scene.text(&words, x + 16.0, y + 10.5, INK);
+        x += 16.0 + words.width + 16.0;
+    }
+    finished(scene, map.title, map.caption, [&map.across, &map.up], edges, y + 24.0)
+}
+
+/// Lines over a quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpectrumLines<'a> {
+    /// What it is of, in a line; not markup.
+    pub title: &'a str,
+    /// What is shown, in sentences; not markup.
+    pub caption: &'a str,
+    /// The quantity to the right.
+    pub across: SpectrumAxis<'a>,
+    /// The quantity upwards.
+    pub up: SpectrumAxis<'a>,
+    /// At most three lines: their words in markup and their points. What is outside of the axes is left out.
+    pub lines: &'a [(&'a str, Vec<(f64, f64)>)],
+    /// Stretches of the quantity to the right that are shaded, with their words.
+    pub shaded: (&'a [[f64; 2]], &'a str),
+}
+
+/// Draws lines over a quantity.
+pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
+    let mut scene = Scene::default();
+    let frame = Frame::new(&chart.across, &chart.up);
+    let area = frame.area;
+    for [from, to] in chart.shaded.0 {
+        let [x0, x1] = [from, to].map(|value| frame.x(*value).clamp(area.x0, area.x1));
+        // A stretch too narrow to be seen is seen all the same.
+        let x1 = x1.max(x0 + 0.8);
+        scene.fill(&rectangle(&Rect { x0, x1, ..area }), SHADED);
+    }
+    let within = |value: f64, axis: &SpectrumAxis<'_>| (-1e-9..=1.0 + 1e-9).contains(&axis.share(value));
+    for ((_, points), pen) in chart.lines.iter().zip(LINES) {
+        let mut path = Path::default();
+        let mut begun = false;
+        for &(x, y) in points {
+            let seen = within(x, &chart.across) && within(y, &chart.up);
+            let place = (frame.x(x), frame.y(y));
+            match (seen, begun) {
+                (true, false) => path.move_to(place.0, place.1),
+                (true, true) => path.line_to(place.0, place.1),
+                (false, _) => {}
+            }
+            begun = seen;
+        }
+        scene.stroke(&path, pen);
+    }
+    let below = frame.draw(&mut scene);
+    let edges = (16.0, area.x1 + 24.0);
+    let (mut x, mut y) = (edges.0, below + 10.0);
+    let swatch =
+        |scene: &mut Scene, x: &mut f64, y: &mut f64, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
+            let words = Text::inline(words, SMALL);
+            if *x > edges.0 && *x + 28.0 + words.width > edges.1 {
+                (*x, *y) = (edges.0, *y + 17.0);
+            }
+            draw(scene, *x, *y);
+            scene.text(&words, *x + 28.0, *y + 10.5, INK);
+            *x += 28.0 + words.width + 16.0;
+        };
+    for ((words, _), pen) in chart.lines.iter().zip(LINES) {
+        let line = |scene: &mut Scene, x: f64, y: f64| scene.line((x, y + 6.0), (x + 24.0, y + 6.0), pen);
+        swatch(&mut scene, &mut x, &mut y, words, &line);
+    }
+    if !chart.shaded.0.is_empty() {
+        let patch = |scene: &mut Scene, x: f64, y: f64| {
+            scene.fill(&rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), SHADED);
+        };
+        swatch(&mut scene, &mut x, &mut y, chart.shaded.1, &patch);
+    }
+    finished(scene, chart.title, chart.caption, [&chart.across, &chart.up], edges, y + 24.0)
+}
+
+/// The plot on the page.
+struct Frame<'a> {
+    area: Rect,
+    across: &'a SpectrumAxis<'a>,
+    up: &'a SpectrumAxis<'a>,
+}
+
+impl<'a> Frame<'a> {
+    fn new(across: &'a SpectrumAxis<'a>, up: &'a SpectrumAxis<'a>) -> Frame<'a> {
+        let widest = up.numbers(7.0).iter().fold(20.0, |most: f64, (_, text)| most.max(text.width));
+        let left = widest + 24.0;
+        Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, across, up }
+    }
+
+    fn x(&self, value: f64) -> f64 {
+        self.area.x0 + self.across.share(value) * (self.area.x1 - self.area.x0)
+    }
+
+    fn y(&self, value: f64) -> f64 {
+        self.area.y1 - self.up.share(value) * (self.area.y1 - self.area.y0)
+    }
+
+    /// The frame, its numbers and the names of its axes; returns the y below.
+    fn draw(&self, scene: &mut Scene) -> f64 {
+        let Rect { x0, y0, x1, y1 } = self.area;
+        scene.stroke(&rectangle(&self.area), Pen::solid(INK, 0.9));
+        let tick = Pen::solid(INK, 0.9);
+        for (value, number) in self.across.numbers(8.0) {
+            let x = self.x(value);
+            scene.line((x, y1), (x, y1 + 4.0), tick);
+            scene.text(&number, x - number.width / 2.0, y1 + 17.0, INK);
+        }
+        for (value, number) in self.up.numbers(7.0) {
+            let y = self.y(value);
+            scene.line((x0 - 4.0, y), (x0, y), tick);
+            scene.text(&number, x0 - 7.0 - number.width, y + 4.0, INK);
+        }
+        let [across, up] = [self.across.name, self.up.name].map(|name| Text::inline(name, NUMBER));
+        scene.text(&up, 16.0, y0 - 12.0, INK);
+        scene.text(&across, (x0 + x1 - across.width) / 2.0, y1 + 35.0, INK);
+        y1 + 42.0
+    }
+}
+
+fn finished(
+    mut scene: Scene,
+    title: &str,
+    caption: &str,
+    axes: [&SpectrumAxis<'_>; 2],
+    edges: (f64, f64),
+    top: f64,
+) -> Figure {
+    let words = |text: &str, size: f64| -> Vec<Text> {
+        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
+    };
+    let below = margins::paragraph(&mut scene, &words(title, SIZE), edges, top, SIZE);
+    let below = margins::paragraph(&mut scene, &words(caption, SMALL), edges, below + 4.0, SMALL);
+    let size = ((edges.1 + 12.0).ceil(), (below + 10.0).ceil());
+    let [across, up] = axes.map(|axis| Text::inline(axis.name, NUMBER).plain);
+    let description = format!("Chart of {up}, upwards, over {across}, to the right. {caption}");
+    let (svg, labels) = scene.finish(size.0, size.1, title, &description);
+    Figure { svg, title: title.to_owned(), caption: caption.to_owned(), labels, size }
+}
