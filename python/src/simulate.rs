@@ -40,7 +40,7 @@ impl MotionAnswer {
 
     /// As one JSON document.
     fn json(&self) -> String {
-        all_json(&self.answers)
+        all_json(&self.answers, &[])
     }
 
     /// Whether quantities are in SI units; those of a block are in the units of its case.

@@ -170,9 +170,9 @@ pub enum Command {
     )]
     Simulate(SimulateArgs),
 
-    /// Follow many motions under one shaking: over size and slenderness, over the yield acceleration, over its strength
+    /// Rocking, Newmark and overturning spectra of a shaking
     ///
-    /// The shaking, friction, gravity and law of impacts are those of a case with [motion.base]. A rocking spectrum is of uniform
+    /// Many motions, over size and slenderness, over the yield acceleration, or over the strength of the shaking. The shaking, friction, gravity and law of impacts are those of a case with [motion.base]. A rocking spectrum is of uniform
     /// blocks that have these in common; a Newmark spectrum of a block that can only slide, to one side as on a slope, and to both; an
     /// overturning curve of the body of the case itself. That one is scanned, and each turn refined, for a stronger shaking may leave
     /// standing what a weaker one overturns. Writes a figure and, if asked, every point as CSV.
@@ -336,6 +336,9 @@ pub struct SimulateArgs {
     /// standard input, then as case-motion.svg and so on]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Draw nothing: the answer alone
+    #[arg(long, conflicts_with = "output")]
+    pub no_figures: bool,
     /// Write the motion at even steps of time to a CSV file; - writes to standard output in place of the answer
     #[arg(long, value_name = "OUT.csv", requires = "dt")]
     pub series: Option<PathBuf>,

@@ -76,7 +76,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
         body_cases(&name, &text, &read)?
     };
     let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
-    let follow = Follow { sensitivity: args.sensitivity, series: true };
+    let follow = Follow { sensitivity: args.sensitivity, series: !args.no_figures || args.series.is_some() };
     let answers = follow_all(cases, &follow)?;
     // That of the situation that is the worst.
     let table =
@@ -86,8 +86,8 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
     }
     let mut drawn = Vec::new();
     let undrawn = match answers.first() {
-        Some((case, followed)) => draw(case, followed, args, &mut drawn).err(),
-        None => None,
+        Some((case, followed)) if !args.no_figures => draw(case, followed, args, &mut drawn).err(),
+        _ => None,
     };
     let mut answer = match args.format {
         Format::Text => {

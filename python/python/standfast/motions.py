@@ -214,6 +214,11 @@ class MotionDocument(Answer):
         return parts(Note, self._document["warnings"])
 
     @property
+    def figures(self) -> list[str]:
+        """The files in which the figures were written."""
+        return list(self._document["figures"])
+
+    @property
     def others(self) -> list[MotionDocument]:
         """The other situations of the case, of which this one is the worst: overturned, past balance, by the largest slide."""
         return parts(MotionDocument, self._document["others"])

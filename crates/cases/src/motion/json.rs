@@ -37,8 +37,7 @@ struct Document<'a> {
     sensitivity: Option<f64>,
     events: Vec<EventEntry>,
     warnings: Vec<WarningEntry<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    figures: Option<&'a [String]>,
+    figures: &'a [String],
     others: Vec<Document<'a>>,
 }
 
@@ -117,18 +116,17 @@ impl BlockCase {
             sensitivity: followed.sensitivity,
             events: events.collect(),
             warnings: warnings.map(|w| WarningEntry { name: w.name, words: &w.words }).collect(),
-            figures: None,
+            figures: &[],
             others: Vec::new(),
         }
     }
 }
 
-/// The answers to a case's situations as one JSON document: that of the first, with the `others` in it, and the files of its figures if
-/// there are any.
+/// The answers to a case's situations as one JSON document: that of the first, with the `others` in it, and the files of its figures.
 pub fn all_json(answers: &[(BlockCase, Followed)], figures: &[String]) -> String {
     let mut documents = answers.iter().map(|(case, followed)| case.document(followed));
     let Some(mut first) = documents.next() else { return crate::json(&Vec::<()>::new()) };
     first.others = documents.collect();
-    first.figures = (!figures.is_empty()).then_some(figures);
+    first.figures = figures;
     crate::json(&first)
 }

@@ -264,12 +264,15 @@ impl Spectrum {
             SpectrumPoints::Overturning { scales, bodies, .. } => {
                 let head = ["scale", "largest |θ| of balance", "largest slide", "impacts", ""];
                 let mut rows = vec![head.map(str::to_owned).to_vec()];
+                // A slide of rounding errors is none.
+                let nothing = 1e-12 * bodies.iter().map(|body| body.max_slide).fold(0.0, f64::max);
                 for i in chosen(scales.len()) {
                     let body = &bodies[i];
+                    let slide = if body.max_slide > nothing { body.max_slide } else { 0.0 };
                     rows.push(vec![
                         number(scales[i]),
                         if body.overturned { "∞".to_owned() } else { number(body.of_balance) },
-                        number(body.max_slide) + m,
+                        number(slide) + m,
                         body.impacts.to_string(),
                         if body.overturned { "overturns".to_owned() } else { String::new() },
                     ]);
