@@ -255,3 +255,52 @@ fn histories_may_have_headers() {
     );
     assert_eq!(follow(&headed), follow(wave));
 }
+
+/// The numbers of an attribute of an element that begins with `element`, in order.
+fn listed(svg: &str, element: &str, attribute: &str) -> Vec<Vec<f64>> {
+    let of = &svg[svg.find(element).unwrap()..];
+    let of = &of[..of.find("/>").unwrap()];
+    let value = &of[of.find(&format!(" {attribute}=\"")).unwrap() + attribute.len() + 3..];
+    let value = &value[..value.find('"').unwrap()];
+    value.split(';').map(|part| part.split(' ').map(|number| number.parse().unwrap()).collect()).collect()
+}
+
+/// At every moment that the animation names, the angle is that of the motion, and C as far from where it is at the end as there.
+#[test]
+fn the_animation_follows_the_motion() {
+    let text = include_str!("../../../examples/motion/block-base-pulse.toml");
+    let case = BlockCase::parse("case.toml", text, &no_file).unwrap();
+    let followed = case.follow(&Follow { series: true, ..Follow::default() }).unwrap();
+    let figures = case.figures(&followed);
+    let suffixes: Vec<&str> = figures.iter().map(|figure| figure.suffix).collect();
+    assert_eq!(suffixes, ["-motion", "-positions", "-animation"]);
+    let svg = figures[2].figure.svg();
+    let [translate, rotate] = ["translate", "rotate"]
+        .map(|kind| format!("<animateTransform attributeName=\"transform\" type=\"{kind}\""));
+    let (times, angles) = (listed(svg, &rotate, "keyTimes"), listed(svg, &rotate, "values"));
+    let places = listed(svg, &translate, "values");
+    assert!(times.len() > 100 && times.len() == angles.len() && times.len() == places.len());
+    assert!(times.is_sorted_by(|one, two| one[0] <= two[0]));
+    assert_eq!((times[0][0], times[times.len() - 1][0]), (0.0, 1.0));
+    let duration = svg[svg.find("dur=\"").unwrap() + 5..].split('s').next().unwrap().parse::<f64>().unwrap();
+    let end = followed.outcome.events.last().unwrap().t;
+    assert!((duration - end - 1.5).abs() < 1e-3, "{duration} {end}");
+    let at = |t: f64| followed.outcome.at(t).unwrap();
+    // The scale of the page, by how far C rises or falls in all.
+    let last = at(end);
+    let moved =
+        |place: &[f64]| (place[0] - places[places.len() - 1][0], places[places.len() - 1][1] - place[1]);
+    let scale = moved(&places[0]).1 / (at(0.0).y - last.y);
+    assert!(scale > 10.0, "{scale}");
+    for ((time, angle), place) in times.iter().zip(&angles).zip(&places).take(times.len() - 1) {
+        let now = at(time[0] * duration);
+        assert!((angle[0] + now.theta.to_degrees()).abs() < 0.02, "{time:?}: {angle:?} {now:?}");
+        let (x, y) = moved(place);
+        assert!(
+            (x - scale * (now.x - last.x)).abs() < 0.03 && (y - scale * (now.y - last.y)).abs() < 0.03,
+            "{now:?}"
+        );
+    }
+    // Without steps there is nothing to draw.
+    assert!(case.figures(&case.follow(&Follow::default()).unwrap()).is_empty());
+}

@@ -143,7 +143,7 @@ impl NewmarkSpectrum {
                 expected: "a number above zero",
             });
         }
-        if !(gravity > 0.0) {
+        if gravity.is_nan() || gravity <= 0.0 {
             return Err(MotionError::Value {
                 name: "peak",
                 value: gravity,
