@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import math
 import pickle
@@ -146,3 +147,17 @@ def test_wrong_cases_are_refused() -> None:
         standfast.draws(PLANE, 0)
     with pytest.raises(TypeError, match="situation is 3"):
         standfast.draws(PLANE, 5, situation=3)  # type: ignore[arg-type]
+
+
+def test_openturns_finds_the_same() -> None:
+    """P(k > μ) of two normal numbers is Φ(−(0.6 − 0.35)/√(2·0.05²))."""
+    place = importlib.util.spec_from_file_location("reliability", ROOT / "python/examples/reliability.py")
+    assert place and place.loader
+    example = importlib.util.module_from_spec(place)
+    place.loader.exec_module(example)
+    ours, theirs = example.main()
+    beta = 0.25 / math.sqrt(2 * 0.05**2)
+    exact = math.erfc(beta / math.sqrt(2)) / 2
+    assert ours.modes["SL"].probability == pytest.approx(exact, rel=1e-9) and ours.beta == pytest.approx(beta, rel=1e-8)
+    # What OpenTURNS searches, it finds to its tolerance.
+    assert theirs.getEventProbability() == pytest.approx(exact, rel=1e-4)
