@@ -1,6 +1,7 @@
 //! From event to event: the motion in power series, their first roots, and what happens there.
 
 mod settle;
+mod sliding;
 mod step;
 
 use standfast::contact::Block;
@@ -52,6 +53,16 @@ pub struct Keep {
 /// If the problem is none; see [`Problem::check`].
 pub fn simulate(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
     problem.check()?;
+    match sliding::slides_only(problem) {
+        // The numbers are the same whether the steps are kept or not.
+        Some(plain) if keep.steps => Ok(Outcome { steps: in_general(problem, keep)?.steps, ..plain }),
+        Some(plain) => Ok(plain),
+        None => in_general(problem, keep),
+    }
+}
+
+/// The same by the machine that knows all states.
+fn in_general(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
     let forcing = Forcing::new(problem);
     let mut machine = Machine::new(problem, &forcing, keep);
     let end = machine.run()?;

@@ -1,6 +1,8 @@
 //! Random problems.
 #![allow(dead_code)]
 
+pub mod stepping;
+
 use standfast::contact::Block;
 use standfast_motion::{Base, History, Impact, Initial, Load, Problem};
 

@@ -1,0 +1,102 @@
+//! How long motions under a record of 4000 points take, as ratios in one run: to the time that reading the record takes, and to the
+//! time stepping of the tests.
+//!
+//! `cargo bench -p standfast-motion --bench ratios`
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use common::Random;
+use common::stepping::stepped;
+use standfast::contact::Block;
+use standfast_motion::record::Record;
+use standfast_motion::{History, Impact, Keep, Problem, simulate};
+
+const POINTS: usize = 4000;
+const STEP: f64 = 0.005;
+
+/// The least time of some runs.
+fn least(runs: usize, mut work: impl FnMut()) -> Duration {
+    let mut once = || {
+        let start = Instant::now();
+        work();
+        start.elapsed()
+    };
+    (0..runs).map(|_| once()).min().unwrap_or_default()
+}
+
+/// A shaking of 20 s, a sum of sines under an envelope.
+fn shaking() -> Vec<f64> {
+    let mut random = Random::new(5);
+    let sines: Vec<[f64; 3]> = (0..40)
+        .map(|_| [random.between(2.0, 50.0), random.between(0.0, 6.3), random.between(0.3, 1.0)])
+        .collect();
+    let at = |t: f64| {
+        let envelope = (t / 3.0).min(1.0) * (-(t - 8.0).max(0.0) / 5.0).exp();
+        envelope * sines.iter().map(|[w, phase, size]| size * (w * t + phase).sin()).sum::<f64>()
+    };
+    let values: Vec<f64> = (0..POINTS).map(|i| at(i as f64 * STEP)).collect();
+    let peak = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    values.into_iter().map(|value| value * 0.4 * 9.81 / peak).collect()
+}
+
+fn main() {
+    let values = shaking();
+    let history = History::samples(STEP, &values).unwrap();
+    let lines: String = values.iter().map(|value| format!("{value:.9}\n")).collect();
+    let text = format!("a_m_s2\n{lines}");
+    let file = least(40, || {
+        let record = Record::parse("a.csv", black_box(&text), None, Some(STEP)).unwrap();
+        black_box(record.history(1.0).unwrap());
+    });
+    let made = least(200, || {
+        black_box(History::samples(STEP, black_box(&values)).unwrap());
+    });
+    let look = least(400, || {
+        black_box(black_box(&values).iter().fold(0.0, |most: f64, value| most.max(value.abs())));
+    });
+    println!(
+        "a file of {POINTS} points is read in {file:?}, a history of numbers made in {made:?}, each looked at in {look:?}"
+    );
+    let block = |half: f64, slenderness: f64, friction: f64| {
+        let mut block = Block::uniform(slenderness, friction);
+        (block.b1, block.b2, block.d) = (half, half, half * slenderness);
+        block.rho2 *= half * half;
+        let mut problem = Problem::new(block, 9.81);
+        problem.base.horizontal = Some(history.clone());
+        problem.impact = Impact::Inelastic;
+        problem
+    };
+    for (name, problem, runs) in [
+        ("slides", block(0.5, 0.3, 0.12), 400),
+        ("rocks", block(0.5, 4.0, 0.9), 40),
+        ("slides and rocks", block(0.5, 3.2, 0.31), 40),
+        ("rests", block(0.5, 1.0, 0.9), 400),
+    ] {
+        let outcome = simulate(&problem, Keep::default()).unwrap();
+        let time = least(runs, || {
+            black_box(simulate(black_box(&problem), Keep::default()).unwrap());
+        });
+        // As in the tests, where B and g are 1.
+        let step = 1e-3 * (problem.block.b1 / problem.gravity).sqrt();
+        let steps = least(3, || {
+            black_box(stepped(black_box(&problem), outcome.t_final, step));
+        });
+        let ratio = |one: Duration, two: Duration| one.as_secs_f64() / two.as_secs_f64();
+        println!(
+            "{name}: {time:?}; {} events, slide {:.4} m, |θ| {:.4}; {:.3} of reading the file, {:.1} of making the history, {:.1} of \
+             looking; the time stepping of the tests, at {:.2} ms, takes {:.0} times as long",
+            outcome.events.len(),
+            outcome.max_slide,
+            outcome.max_theta,
+            ratio(time, file),
+            ratio(time, made),
+            ratio(time, look),
+            1e3 * step,
+            ratio(steps, time)
+        );
+    }
+}
