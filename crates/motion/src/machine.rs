@@ -24,6 +24,9 @@ use crate::series::{
 /// After so many events the motion is given up.
 pub(crate) const MOST_EVENTS: usize = 100_000;
 
+/// The share of a cone of friction by which an impulse on its edge may lie outside.
+const EDGE: f64 = 1e-6;
+
 /// The share of a radian, of B, that a step may leave.
 const TOLERANCE: f64 = 1e-16;
 
@@ -359,7 +362,8 @@ impl<'a> Machine<'a> {
         self.see_slide();
     }
 
-    /// The impulse by which a corner that slips grips: the corner that leaves the other one no way into the base.
+    /// The impulse by which a corner that slips grips: the corner that leaves the other one no way into the base. It is within μ_k, as D ≤ 0
+    /// says; where slip ends because D vanishes, on its edge but for rounding.
     fn gripped(&self, closed: [bool; 2]) -> Option<(Pose, Corner)> {
         let both = closed == [true, true];
         CORNERS.into_iter().zip(closed).filter(|(_, closed)| *closed).find_map(|(corner, _)| {
@@ -367,7 +371,8 @@ impl<'a> Machine<'a> {
             let normal = self.block.m_y * (after.vy - self.pose.vy);
             let tangential = self.block.m_x * (after.vx - self.pose.vx);
             let leaves = !both || turning(corner) * after.ω > 0.0;
-            (leaves && normal > 0.0 && tangential.abs() <= self.law.μ * normal).then_some((after, corner))
+            let cone = self.block.mu_k * normal * (1.0 + EDGE);
+            (leaves && normal > 0.0 && tangential.abs() <= cone).then_some((after, corner))
         })
     }
 

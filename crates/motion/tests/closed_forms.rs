@@ -241,6 +241,40 @@ fn grip() {
     }
 }
 
+/// Slip whose inertia D vanishes as the body turns ends in a grip: nothing is left of the corner's velocity, the moment of momentum about
+/// the corner is that before, and energy is booked.
+#[test]
+fn slip_grips_where_its_inertia_vanishes() {
+    let block = Block::uniform(0.6573676837640116, 1.8420933769674237);
+    let mut problem = Problem::new(block, 1.0);
+    for (at, history) in [
+        ([1.0, -0.22067149144541764], History::decay(3.3364840908840914, 3.842980680714501)),
+        ([0.0, -0.5956715006040095], History::half_sine(2.450279401831512, 5.27125398162278)),
+    ] {
+        let history = history.unwrap();
+        problem.loads.push(Load { at, direction: [-1.0, 0.0], follows: false, history });
+    }
+    problem.initial = Initial { vx: Some(-0.09300327017199594), ..Initial::default() };
+    for impact_friction in [None, Some(1.1)] {
+        problem.mu_impact = impact_friction;
+        let outcome = simulate(&problem, Keep { steps: true }).unwrap();
+        let grip = outcome.events.iter().find(|event| event.why == Why::Grip).expect("a grip").t;
+        let θ = outcome.at(grip).unwrap().theta;
+        let (c, h) = (-θ.cos() + block.d * θ.sin(), block.d * θ.cos() + θ.sin());
+        let inertia = block.rho2 + c * (c + block.mu_k * h);
+        assert!(inertia.abs() < 2e-9 * block.rho2, "{inertia}");
+        // The corner stays on the base: ẏ = −cω.
+        let [before, after] = [grip - 1e-12, grip].map(|t| {
+            let (vx, ω) = (outcome.velocity(t).unwrap(), outcome.at(t).unwrap().omega);
+            [vx + h * ω, (block.rho2 + c * c) * ω - h * vx]
+        });
+        assert!(before[0] < -0.1 && after[0].abs() < 1e-12, "{before:?} {after:?}");
+        same(after[1], before[1], 1e-9);
+        assert!(outcome.energy_residual().abs() <= 1e-10 * outcome.work);
+        assert!(outcome.max_slide >= outcome.slide.abs());
+    }
+}
+
 /// One sine of base acceleration: overturning is not monotone in its amplitude.
 #[test]
 fn one_sine_pulse_overturns_in_two_ranges() {

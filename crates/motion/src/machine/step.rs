@@ -4,6 +4,9 @@ use standfast::{Corner, Mode, Slip};
 
 use super::*;
 
+/// The share of ρ² below which D is about to vanish.
+const NEAR: f64 = 0.1;
+
 impl Machine<'_> {
     /// Follows the state to the end of the piece, or to the next event, or as far as one series reaches.
     pub(super) fn advance(&mut self, stop: f64) -> Option<End> {
@@ -78,6 +81,13 @@ impl Machine<'_> {
         };
         within(motion.θ[ORDER].abs(), ORDER);
         within(motion.θ[ORDER + 1].abs(), ORDER + 1);
+        if let Some(slip) = self.mode.slip().filter(|_| self.singular && self.mode.corner().is_some()) {
+            // Where D is about to vanish, accelerations grow without bound, and angles say little of rates.
+            let inertia = inertia_along(self.block, slip.sign(), 0, motion)[0];
+            if inertia.abs() < NEAR * self.block.rho2 {
+                within(motion.ω[ORDER].abs() * self.scales.time, ORDER);
+            }
+        }
         // Levers turn however evenly the body does.
         let lever = if self.mode == Mode::Flight { 1.0 } else { 1.0 / self.scales.length };
         within(lever * motion.c[ORDER].abs().max(motion.h[ORDER].abs()), ORDER);
@@ -352,6 +362,7 @@ impl Machine<'_> {
             Failure::Unload => (Why::Unload, Some(Zero::Normal)),
             Failure::Cone(slip) => (Why::Cone, Some(Zero::Friction(slip))),
             Failure::Singular => {
+                self.see_slide();
                 let decision = self.decide(Contact { closed, slip, failed, zero: None, jump: false });
                 return self.go_on(Why::Grip, decision, slip, closed);
             }

@@ -492,7 +492,7 @@ fn memory_does_not_grow_with_the_table() {
         writer.close().expect("written");
         // This test again, as a process of its own whose memory can be measured.
         let mut child = Command::new(std::env::current_exe().expect("this program"))
-            .args(["--exact", "memory_does_not_grow_with_the_table", "--quiet"])
+            .args(["--exact", "formats::memory_does_not_grow_with_the_table", "--quiet"])
             .env(TABLES, folder.path())
             .stdout(Stdio::null())
             .spawn()

@@ -23,9 +23,9 @@ use standfast_tables::{
 };
 use tempfile::TempDir;
 
-const GODA: &str = include_str!("../../../examples/goda-2000.toml");
-const QUAY: &str = include_str!("../../../examples/quay.toml");
-const SHAKEN: &str = include_str!("../../../examples/seismic-block.toml");
+const GODA: &str = include_str!("../../../../examples/goda-2000.toml");
+const QUAY: &str = include_str!("../../../../examples/quay.toml");
+const SHAKEN: &str = include_str!("../../../../examples/seismic-block.toml");
 
 const EXTENSIONS: [&str; 5] = ["csv", "parquet", "arrow", "arrows", "xlsx"];
 

@@ -7,7 +7,7 @@ use standfast::contact::{Block, solve};
 use standfast::ground::strength::CrushPoint;
 use standfast_tables::{OnError, Place, ResultColumn, TableError, TableOptions, TableProblem, run};
 
-const TABLE: &str = include_str!("../../../examples/points.csv");
+const TABLE: &str = include_str!("../../../../examples/points.csv");
 
 /// Numbers from 0 to 1, the same in every run.
 fn random() -> impl FnMut() -> f64 {
