@@ -19,19 +19,21 @@ mod error;
 mod figures;
 mod history;
 mod json;
+mod rows;
 mod series;
 mod spectrum;
 mod table;
 mod text;
 
-pub use block::{BlockCase, has_block};
-pub use body::{BodyCaseError, body_cases};
+pub use block::{BlockCase, has_block, is_in_time};
+pub use body::{BodyCaseError, body_cases, still_case};
 pub use error::MotionCaseError;
 pub use figures::MotionFigure;
 pub use json::all_json;
+pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::series_csv;
 pub use spectrum::{
-    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps,
+    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps, in_order,
 };
 
 use standfast_motion::{Keep, Outcome, sensitivity, simulate};

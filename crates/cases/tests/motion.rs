@@ -4,6 +4,7 @@ use std::path::Path;
 
 use standfast_cases::motion::{
     BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, body_cases, cases_on, follow_all, has_block,
+    still_case,
 };
 use standfast_cases::{Acting, CaseFile};
 use standfast_motion::End;
@@ -303,4 +304,32 @@ fn the_animation_follows_the_motion() {
     }
     // Without steps there is nothing to draw.
     assert!(case.figures(&case.follow(&Follow::default()).unwrap()).is_empty());
+}
+
+/// At the first instant a shaken body bears the peaks of the shaking, and a wave's load its own value; blanks keep the places of errors.
+#[test]
+fn at_the_first_instant_the_peaks_act() {
+    let body = "[body]\nwidth = 1\nheight = 2\nmass = 5000\nfriction = 0.5\n";
+    let base = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = 1 }\n\
+                vertical = { shape = \"triangle\", peak = -1.5, rise = 0.2, duration = 0.5 }\n";
+    let (still, note) = still_case("case.toml", &format!("{body}{base}"), &no_file).unwrap().unwrap();
+    assert!(note.contains("[earthquake]") && note.contains("standfast simulate"), "{note}");
+    let case = CaseFile::parse("case.toml", &still).unwrap().case().unwrap();
+    let expected = format!("{body}[earthquake]\nhorizontal = 2.941995\nvertical = 1.5\n")
+        .replace("2.941995", "\"2.941995 m/s2\"")
+        .replace("1.5\n", "\"1.5 m/s2\"\n");
+    let other = CaseFile::parse("case.toml", &expected).unwrap().case().unwrap();
+    assert_eq!(case.earthquake, other.earthquake);
+    let wave = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
+    let (still, note) = still_case("case.toml", wave, &no_file).unwrap().unwrap();
+    assert!(
+        !note.contains("[earthquake]") && still.len() == wave.len() && !still.contains("history"),
+        "{note}"
+    );
+    // What says nothing of time stays as it is; so does a history on an elastic base.
+    assert!(still_case("case.toml", body, &no_file).unwrap().is_none());
+    let elastic = format!(
+        "{body}[ground]\nstiffness = 1e7\n[[load]]\nforce = 1\nelevation = 1\nhistory = {{ shape = \"rect\", duration = 1 }}\n"
+    );
+    assert!(still_case("case.toml", &elastic, &no_file).unwrap().is_none());
 }

@@ -239,6 +239,10 @@ pub enum Command {
     /// it is said at the end. The results are those of the situation that governs, under the names and in the SI units of
     /// `assess --format json`.
     ///
+    /// A case with [motion] or [block] is followed in time for every row: a column is called by the place of what it varies in the file,
+    /// as in block.mu_s or motion.base.horizontal.file, and the results are end, slide, max_slide, max_theta,
+    /// max_theta_of_balance, overturned, past_balance, impacts, t_rest, t_final, unique, situation and warnings. Such tables are CSV.
+    ///
     /// Else the rows are points, with the columns gamma, k_prime, k and mu in any order. The results are mode, unique,
     /// also, x_ddot, y_ddot, theta_ddot, f_x, f_y and xi: accelerations in g, theta_ddot in g/B, forces in m g and xi in B;
     /// `also` lists the other consistent modes where the answer is not unique.

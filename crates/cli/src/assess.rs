@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use standfast::InputError;
+use standfast_cases::layout::paragraph;
 use standfast_cases::{Assessment, CaseError, View};
 use thiserror::Error;
 
@@ -79,7 +80,7 @@ pub fn assess(
     format: Format,
     check: bool,
 ) -> Result<Answered, AssessError> {
-    let file = case_file::parse(path)?;
+    let (file, note) = case_file::parse_still(path)?;
     let assessment = Assessment::of(&file.case()?).map_err(|error| file.refused(error))?;
     if check && assessment.case.criteria.is_empty() {
         return Err(AssessError::NothingToCheck { path: path.to_owned() });
@@ -94,6 +95,9 @@ pub fn assess(
             }
             for Drawn { words, file } in drawn {
                 let _ = writeln!(answer, "{words} written to {file}");
+            }
+            if let Some(note) = note {
+                answer += &format!("\n{}", paragraph(&format!("Note: {note}."), 0));
             }
             answer
         }

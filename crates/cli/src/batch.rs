@@ -1,5 +1,7 @@
 //! `standfast batch`: every row of a table, from file to file.
 
+pub mod motion;
+
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;

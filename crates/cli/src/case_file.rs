@@ -5,8 +5,11 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use miette::Diagnostic;
+use standfast_cases::motion::{BodyCaseError, still_case};
 use standfast_cases::{CaseError, CaseFile};
 use thiserror::Error;
+
+use crate::simulate::record_reader;
 
 /// Why a case file was not read.
 #[derive(Debug, Error, Diagnostic)]
@@ -32,6 +35,10 @@ pub enum CaseFileError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
+    /// What it says of time makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    InTime(#[from] BodyCaseError),
 }
 
 /// Whether a case is read from standard input.
@@ -64,6 +71,18 @@ pub fn is_at(path: &Path, file: &Path) -> bool {
 /// If it cannot be read, or is not understood.
 pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
     Ok(CaseFile::parse(&name(path), &read(path)?)?)
+}
+
+/// A case file at the first instant: of one that says how loads go with time, all at their peaks, with a sentence that says so.
+///
+/// # Errors
+/// If it, or a record that it names, cannot be read, or is not understood.
+pub fn parse_still(path: &Path) -> Result<(CaseFile, Option<String>), CaseFileError> {
+    let (name, text) = (name(path), read(path)?);
+    match still_case(&name, &text, &record_reader(path))? {
+        Some((still, note)) => Ok((CaseFile::parse(&name, &still)?, Some(note))),
+        None => Ok((CaseFile::parse(&name, &text)?, None)),
+    }
 }
 
 /// The text of a case file.

@@ -141,6 +141,12 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     } else {
         args.input.display().to_string()
     };
+    if let Some(path) = args.case.as_ref().filter(|path| path.as_os_str() != "-") {
+        let text = case_file::read(path)?;
+        if standfast_cases::motion::is_in_time(&text) {
+            return print(&batch::motion::motions(args, path, &text)?);
+        }
+    }
     let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
     let plain = TableOptions::new(&name);
     let (case, columns) = match &args.case {

@@ -33,6 +33,14 @@ const BLOCK: [&str; 11] =
 const LOAD: [&str; 4] = ["at", "direction", "follows", "history"];
 pub(super) const MOTION: [&str; 4] = ["impact", "t_max", "initial", "base"];
 
+/// Whether a case file has a `[motion]` or a `[block]`: what moves in time.
+pub fn is_in_time(text: &str) -> bool {
+    DeTable::parse(text).is_ok_and(|document| {
+        let document = document.get_ref();
+        document.contains_key("block") || document.contains_key("motion")
+    })
+}
+
 /// Whether a case file has a `[block]`.
 pub fn has_block(text: &str) -> bool {
     DeTable::parse(text).is_ok_and(|document| document.get_ref().contains_key("block"))

@@ -67,15 +67,7 @@ pub(super) fn body_cases_on(
         ))
     })?;
     let in_time = in_time(document.get_ref(), text).map_err(shown)?;
-    // What is left is a case as `assess` has it; blanks keep every place.
-    let mut rest = text.to_owned();
-    for span in &in_time.taken {
-        let blank: String = text[span.clone()]
-            .chars()
-            .map(|c| if c == '\n' { "\n".into() } else { " ".repeat(c.len_utf8()) })
-            .collect();
-        rest.replace_range(span.clone(), &blank);
-    }
+    let mut rest = blanked(text, &in_time.taken);
     let loads = ["load", "water", "uplift", "earthquake", "wave", "pressure"];
     if !loads.iter().any(|table| document.get_ref().contains_key(*table)) {
         // A body on a base that moves needs no load, where `assess` would have nothing to assess.
@@ -84,6 +76,76 @@ pub(super) fn body_cases_on(
     let case_file = CaseFile::parse(name, &rest)?;
     let case = case_file.case()?;
     read(&case, &in_time, file, given).map_err(shown)
+}
+
+/// A text without what stands at some places: a case as `assess` has it. Blanks keep every other place.
+fn blanked(text: &str, taken: &[Span<usize>]) -> String {
+    let mut rest = text.to_owned();
+    for span in taken {
+        let blank: String = text[span.clone()]
+            .chars()
+            .map(|c| if c == '\n' { "\n".into() } else { " ".repeat(c.len_utf8()) })
+            .collect();
+        rest.replace_range(span.clone(), &blank);
+    }
+    rest
+}
+
+/// The case of a body in time as one at the first instant, for `assess`: every load at its own value, which its history reaches where its
+/// peak is 1, and the peaks of the base's acceleration as an `[earthquake]`; with a sentence that says so. `None` of a text that
+/// says nothing of time, has a `[block]`, or has a `[ground]` and no `[motion]`: there histories are those of loads on an elastic base.
+///
+/// # Errors
+/// If what is said of time makes no sense, or a record cannot be read.
+pub fn still_case(
+    name: &str,
+    text: &str,
+    file: &ReadFile<'_>,
+) -> Result<Option<(String, String)>, BodyCaseError> {
+    let shown = |wrong: Wrong| BodyCaseError::Motion(wrong.in_file(name, text));
+    // A text that is no TOML is for `CaseFile` to refuse.
+    let Ok(document) = DeTable::parse(text) else { return Ok(None) };
+    let top = document.get_ref();
+    if top.contains_key("block") || (top.contains_key("ground") && !top.contains_key("motion")) {
+        return Ok(None);
+    }
+    // Nor is one whose tables are none.
+    let Ok(in_time) = in_time(top, text) else { return Ok(None) };
+    if in_time.taken.is_empty() {
+        return Ok(None);
+    }
+    let mut rest = blanked(text, &in_time.taken);
+    let section = match &in_time.motion {
+        Some(motion) => {
+            motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"]).map_err(shown)?
+        }
+        None => None,
+    };
+    let mut peaks = Vec::new();
+    for key in ["horizontal", "vertical"] {
+        let Some(section) = &section else { continue };
+        let history = section.section(key, format!("`{key}` of [motion.base]"), &KEYS).map_err(shown)?;
+        let Some(history) = history else { continue };
+        let peak = history::read(&history.measured(), file).map_err(shown)?.history.peak();
+        peaks.push((key, peak));
+    }
+    let mut note = "the loads are taken at their own values, all at once, as if at rest until then; the motion in time is what \
+                    `standfast simulate` follows"
+        .to_owned();
+    if !peaks.is_empty() {
+        if top.contains_key("earthquake") {
+            let place = in_time.motion.as_ref().map_or(0..0, |motion| motion.place("base"));
+            let wrong =
+                Wrong::new("an [earthquake] beside [motion.base] counts the same shaking twice", place);
+            return Err(shown(wrong.help("leave one of them out")));
+        }
+        rest += "\n[earthquake]\n";
+        for (key, peak) in &peaks {
+            rest += &format!("{key} = \"{peak:?} m/s2\"\n");
+        }
+        note = format!("the peaks of the base's acceleration act at once, as an [earthquake]; {note}");
+    }
+    Ok(Some((rest, note)))
 }
 
 /// Finds histories and [motion].

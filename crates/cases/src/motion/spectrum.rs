@@ -358,13 +358,24 @@ fn foreign(request: &SpectrumRequest) -> Result<(), SpectrumError> {
     }
 }
 
-/// The work on every item, in their order, on so many threads; the first error in that order.
+/// The work on every item, on so many threads; the first error in the order of the items.
 fn each<'a, I: Sync, T: Send>(
     items: &'a [I],
     threads: usize,
     progress: &(dyn Fn(Progressed) + Sync),
     work: impl Fn(&I) -> Result<T, MotionError> + Sync,
 ) -> Result<Vec<T>, (&'a I, MotionError)> {
+    let all = in_order(items, threads, progress, work).into_iter().zip(items);
+    all.map(|(result, item)| result.map_err(|error| (item, error))).collect()
+}
+
+/// The work on every item, in their order, on so many threads; `progress` is told of each.
+pub fn in_order<I: Sync, T: Send>(
+    items: &[I],
+    threads: usize,
+    progress: &(dyn Fn(Progressed) + Sync),
+    work: impl Fn(&I) -> T + Sync,
+) -> Vec<T> {
     progress(Progressed::Expect(items.len()));
     let next = AtomicUsize::new(0);
     let worker = || {
@@ -376,7 +387,7 @@ fn each<'a, I: Sync, T: Send>(
             progress(Progressed::Done);
         }
     };
-    let mut all: Vec<(usize, Result<T, MotionError>)> = if threads <= 1 {
+    let mut all: Vec<(usize, T)> = if threads <= 1 {
         worker()
     } else {
         std::thread::scope(|scope| {
@@ -388,7 +399,7 @@ fn each<'a, I: Sync, T: Send>(
         })
     };
     all.sort_by_key(|(i, _)| *i);
-    all.into_iter().map(|(i, result)| result.map_err(|error| (&items[i], error))).collect()
+    all.into_iter().map(|(_, result)| result).collect()
 }
 
 #[cfg(test)]

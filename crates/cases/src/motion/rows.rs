@@ -1,0 +1,247 @@
+//! Tables of motions: a case of which the columns of a table vary what stands in its file, a record's name among it.
+//!
+//! A column is called by the place of what it varies, as in `block.mu_s`, `motion.base.horizontal.file` or `load[2].force`. The value is put in its
+//! place in the text, and the case is read as any other: what a row says is what a file would say. What goes with a key when `design`
+//! varies it would not go with it here, and such a key is refused.
+
+use std::fmt::Write;
+use std::ops::Range as Span;
+
+use standfast_motion::Outcome;
+use thiserror::Error;
+use toml::de::{DeTable, DeValue};
+
+use super::json::{end_word, of_balance};
+use super::{Follow, GivenBase, ReadFile, cases_on, follow_all};
+use crate::key::{Key, Moves, Table};
+
+/// The results of a row, in their order.
+pub const RESULTS: [&str; 13] = [
+    "end",
+    "slide",
+    "max_slide",
+    "max_theta",
+    "max_theta_of_balance",
+    "overturned",
+    "past_balance",
+    "impacts",
+    "t_rest",
+    "t_final",
+    "unique",
+    "situation",
+    "warnings",
+];
+
+/// Keys whose values are texts, whatever they look like.
+const TEXTS: [&str; 6] = ["file", "column", "shape", "law", "baseline", "title"];
+
+/// Why a column varies nothing that it should.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ColumnError {
+    /// The case file is not TOML.
+    #[error("the case file is not valid TOML: {0}")]
+    Toml(String),
+    /// It has the name of a place that the file does not have.
+    #[error(
+        "column {column}: the case file has no such key; if it is meant to vary, put it in, with any value it may have"
+    )]
+    Absent {
+        /// The column.
+        column: String,
+    },
+    /// It names a table, or a list.
+    #[error(
+        "column {column} is a table or a list of the case file; expected a key with one value, as in motion.base.horizontal.file"
+    )]
+    NoValue {
+        /// The column.
+        column: String,
+    },
+    /// Other numbers go with it.
+    #[error(
+        "column {column}: other numbers go with it when it varies, which a table of motions does not do; give these as columns of a case \
+         with [block]"
+    )]
+    Moves {
+        /// The column.
+        column: String,
+    },
+}
+
+/// A case and what the columns of a table vary of it.
+#[derive(Debug, Clone)]
+pub struct MotionRows {
+    name: String,
+    text: String,
+    /// The place of each column that varies something, where its value stands, and whether that is a text.
+    varied: Vec<(usize, Span<usize>, bool)>,
+}
+
+impl MotionRows {
+    /// The case file `text`, called `name`, and the columns of a table. Those whose names have no point and are no place of the file
+    /// vary nothing.
+    ///
+    /// # Errors
+    /// If a column cannot vary what it names.
+    pub fn of(name: &str, text: &str, columns: &[String]) -> Result<MotionRows, ColumnError> {
+        let document = DeTable::parse(text).map_err(|error| ColumnError::Toml(error.message().to_owned()))?;
+        let mut varied = Vec::new();
+        for (place, column) in columns.iter().enumerate() {
+            let wrong = |make: fn(String) -> ColumnError| Err(make(column.clone()));
+            let (Some((path, key)), Some(table)) = (column.rsplit_once('.'), column.split(['.', '[']).next())
+            else {
+                continue;
+            };
+            let Some(value) = find(document.get_ref(), path, key) else {
+                if document.get_ref().contains_key(table) || table == "motion" {
+                    return wrong(|column| ColumnError::Absent { column });
+                }
+                continue;
+            };
+            if matches!(value.get_ref(), DeValue::Table(_) | DeValue::Array(_)) {
+                return wrong(|column| ColumnError::NoValue { column });
+            }
+            let known = Table::ALL
+                .into_iter()
+                .find(|known| known.name() == table && path.split('[').next() == Some(table));
+            let known = known.and_then(|known| Key::find(known, key));
+            // Friction to slip goes with that to stick of itself where it is left out.
+            let alone = |key: Key| match key.info().moves {
+                Moves::Alone => true,
+                Moves::Friction => find(document.get_ref(), path, "kinetic_friction").is_none(),
+                _ => false,
+            };
+            if known.is_some_and(|key| !alone(key)) {
+                return wrong(|column| ColumnError::Moves { column });
+            }
+            varied.push((place, value.span(), TEXTS.contains(&key)));
+        }
+        Ok(MotionRows { name: name.to_owned(), text: text.to_owned(), varied })
+    }
+
+    /// The places of the columns that vary something.
+    pub fn varied(&self) -> impl Iterator<Item = usize> {
+        self.varied.iter().map(|(place, ..)| *place)
+    }
+
+    /// The text of the case with the values of a row.
+    fn with(&self, cells: &[&str]) -> String {
+        let mut pieces: Vec<(&Span<usize>, String)> = Vec::new();
+        for (place, span, text) in &self.varied {
+            let cell = cells.get(*place).copied().unwrap_or_default().trim();
+            let plain =
+                !text && (cell == "true" || cell == "false" || cell.parse::<f64>().is_ok_and(f64::is_finite));
+            pieces.push((span, if plain { number(cell) } else { quoted(cell) }));
+        }
+        pieces.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+        let mut text = self.text.clone();
+        for (span, value) in pieces {
+            text.replace_range(span.clone(), &value);
+        }
+        text
+    }
+
+    /// The results of a row, in the order of [`RESULTS`]: those of the worst situation.
+    ///
+    /// # Errors
+    /// What is wrong with the row, in words.
+    pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, String> {
+        let text = self.with(cells);
+        let cases =
+            cases_on(&self.name, &text, file, &GivenBase::default()).map_err(|error| error.to_string())?;
+        let answers = follow_all(cases, &Follow::default()).map_err(|error| error.to_string())?;
+        let Some((case, followed)) = answers.first() else { return Err("no situation".to_owned()) };
+        let outcome: &Outcome = &followed.outcome;
+        let names: Vec<&str> = followed.warnings.iter().map(|warning| warning.name).collect();
+        Ok(vec![
+            end_word(outcome.end).to_owned(),
+            outcome.slide.to_string(),
+            outcome.max_slide.to_string(),
+            outcome.max_theta.to_string(),
+            of_balance(case, outcome).to_string(),
+            outcome.overturned().to_string(),
+            outcome.past_balance.to_string(),
+            outcome.impacts.to_string(),
+            outcome.t_rest.map_or_else(String::new, |t| t.to_string()),
+            outcome.t_final.to_string(),
+            outcome.unique.to_string(),
+            case.situation.clone().unwrap_or_default(),
+            names.join(" "),
+        ])
+    }
+}
+
+/// A number as TOML has it: digits before and after the point.
+fn number(cell: &str) -> String {
+    match cell.parse::<f64>() {
+        Ok(value) => format!("{value:?}"),
+        Err(_) => cell.to_owned(),
+    }
+}
+
+fn quoted(cell: &str) -> String {
+    let mut text = String::from("\"");
+    for c in cell.chars() {
+        let _ = match c {
+            '"' | '\\' => write!(text, "\\{c}"),
+            c if c.is_control() => write!(text, "\\u{:04X}", u32::from(c)),
+            c => write!(text, "{c}"),
+        };
+    }
+    text + "\""
+}
+
+/// The value under a key of a table; `name[2]` is the second of a list.
+fn find<'a>(document: &'a DeTable<'a>, path: &str, key: &str) -> Option<&'a toml::Spanned<DeValue<'a>>> {
+    let mut table = document;
+    for part in path.split('.') {
+        let (name, place) = match part.strip_suffix(']').and_then(|part| part.split_once('[')) {
+            Some((name, place)) => (name, Some(place.parse::<usize>().ok()?.checked_sub(1)?)),
+            None => (part, None),
+        };
+        let value = table.get(name)?.get_ref();
+        table = match place {
+            Some(place) => value.as_array()?.get(place)?.get_ref().as_table()?,
+            None => value.as_table()?,
+        };
+    }
+    table.get(key)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CASE: &str = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = 1\n[motion]\nimpact = { law = \"ratio\", ratio = 0.9 }\n\
+        [motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 2 }\n";
+
+    fn columns(names: &[&str]) -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    #[test]
+    fn a_row_says_what_a_file_would_say() {
+        let names = ["site", "motion.base.horizontal.peak", "block.mu_s", "motion.impact.ratio"];
+        let rows = MotionRows::of("case.toml", CASE, &columns(&names)).unwrap();
+        assert_eq!(rows.varied().collect::<Vec<_>>(), [1, 2, 3]);
+        let text = rows.with(&["here", "0.45", "1", "8e-1"]);
+        let expected = CASE.replace("peak = 0.6", "peak = 0.45").replace("mu_s = 0.4", "mu_s = 1.0");
+        assert_eq!(text, expected.replace("ratio = 0.9", "ratio = 0.8"));
+        let file = |file: &str| Err(format!("no file {file}"));
+        let found = rows.answer(&["here", "0.45", "1", "0.8"], &file).unwrap();
+        assert_eq!((found.len(), found[0].as_str(), found[5].as_str()), (RESULTS.len(), "rest", "false"));
+        let words = rows.answer(&["", "much", "1", "0.8"], &file).unwrap_err();
+        assert!(words.contains("`peak`"), "{words}");
+    }
+
+    #[test]
+    fn columns_that_vary_nothing_they_name_are_refused() {
+        let of = |name: &str, text: &str| MotionRows::of("case.toml", text, &columns(&[name])).unwrap_err();
+        assert!(matches!(of("block.mu_k", CASE), ColumnError::Absent { .. }));
+        assert!(matches!(of("motion.base.horizontal", CASE), ColumnError::NoValue { .. }));
+        let body = "[body]\nwidth = 1\nheight = 2\ndensity = 2000\nfriction = 0.5\n";
+        assert!(matches!(of("body.width", body), ColumnError::Moves { .. }));
+        assert_eq!(MotionRows::of("case.toml", CASE, &columns(&["a.b"])).unwrap().varied().count(), 0);
+    }
+}

@@ -1,0 +1,200 @@
+//! Tables of motions.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Read};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use miette::Diagnostic;
+use standfast_cases::layout::paragraph;
+use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
+use standfast_cases::suggest::closest;
+use standfast_tables::{OnError, TableFormat};
+use thiserror::Error;
+
+use crate::args::BatchArgs;
+use crate::case_file;
+use crate::progress::Motions;
+use crate::simulate::record_reader;
+use crate::write::{self, WriteError};
+
+/// Why a table of motions was not answered.
+#[derive(Debug, Error, Diagnostic)]
+pub enum MotionTableError {
+    /// The table cannot be read.
+    #[error("cannot read {name}: {cause}")]
+    Read {
+        /// The table.
+        name: String,
+        /// Why.
+        cause: String,
+    },
+    /// A format that tables of motions do not have.
+    #[error("a table of motions is CSV, and {name} is {format}")]
+    Format {
+        /// The file.
+        name: String,
+        /// Its format.
+        format: &'static str,
+    },
+    /// An option that tables of motions do not have.
+    #[error("{option} does not go with a table of motions")]
+    Option {
+        /// The option.
+        option: &'static str,
+    },
+    /// A column that varies nothing it names.
+    #[error(transparent)]
+    Column(#[from] ColumnError),
+    /// No column varies anything.
+    #[error("no column of {name} varies anything of the case")]
+    #[diagnostic(help("call columns by what they vary, as in block.mu_s or motion.base.horizontal.file"))]
+    Nothing {
+        /// The table.
+        name: String,
+    },
+    /// There is no result of this name.
+    #[error("there is no result {name}{like}; the results: {}", ROW_RESULTS.join(", "))]
+    NoResult {
+        /// The name.
+        name: String,
+        /// One like it.
+        like: String,
+    },
+    /// A row that makes no sense.
+    #[error("{name}, row {row}: {words}")]
+    #[diagnostic(help("--on-error null leaves the results of such rows empty"))]
+    Row {
+        /// The table.
+        name: String,
+        /// Counted from one, the header apart.
+        row: usize,
+        /// Why.
+        words: String,
+    },
+    /// The file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// Answers the rows of a table that vary a case of motion; returns what to print.
+///
+/// # Errors
+/// If the table, a column or a row makes no sense, or a file cannot be read or written.
+pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, MotionTableError> {
+    let is_standard = args.input.as_os_str() == "-";
+    let name = if is_standard { "standard input".to_owned() } else { args.input.display().to_string() };
+    if !args.map.is_empty() {
+        return Err(MotionTableError::Option { option: "--map" });
+    }
+    for (file, said) in [(&args.input, args.input_format), (&args.output, args.output_format)] {
+        let format = said.or_else(|| TableFormat::of(file, "--input-format").ok());
+        if let Some(format) = format.filter(|format| *format != TableFormat::Csv) {
+            return Err(MotionTableError::Format { name: file.display().to_string(), format: format.name() });
+        }
+    }
+    let nulls = args.on_error == OnError::Null;
+    let (header, records) = read(args, &name, nulls)?;
+    let rows = MotionRows::of(&case_file::name(case), text, &header)?;
+    if rows.varied().next().is_none() {
+        return Err(MotionTableError::Nothing { name });
+    }
+    let results = results(&args.columns)?;
+    let file = cached(case.to_owned());
+    let cores = || std::thread::available_parallelism().ok();
+    let threads = args.threads.or_else(cores).map_or(1, NonZeroUsize::get);
+    let progress = Motions::shown();
+    let answers = in_order(&records, threads, &|progressed| progress.tell(progressed), |record| {
+        rows.answer(&record.iter().collect::<Vec<_>>(), &file)
+    });
+    progress.clear();
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
+    head.extend(results.iter().map(|i| ROW_RESULTS[*i]));
+    head.extend(nulls.then_some("problem"));
+    let unwritten = |cause: io::Error| WriteError { path: args.output.clone(), cause };
+    out.write_record(&head).map_err(|cause| unwritten(cause.into()))?;
+    let (mut bad, mut first) = (0, None);
+    for (i, (record, answer)) in records.iter().zip(answers).enumerate() {
+        let cell = |j: usize| record.get(j).unwrap_or_default().to_owned();
+        let mut cells: Vec<String> = (0..header.len()).map(cell).collect();
+        match answer {
+            Ok(found) => {
+                cells.extend(results.iter().map(|j| found[*j].clone()));
+                cells.extend(nulls.then(String::new));
+            }
+            Err(words) if nulls => {
+                bad += 1;
+                first.get_or_insert_with(|| format!("row {}: {words}", i + 1));
+                cells.extend(results.iter().map(|_| String::new()));
+                cells.push(words);
+            }
+            Err(words) => return Err(MotionTableError::Row { name, row: i + 1, words }),
+        }
+        out.write_record(&cells).map_err(|cause| unwritten(cause.into()))?;
+    }
+    let content = out.into_inner().map_err(|cause| unwritten(io::Error::other(cause.to_string())))?;
+    let varied: Vec<&str> = rows.varied().map(|place| header[place].as_str()).collect();
+    let mut said = paragraph(&format!("varied: {}", varied.join(", ")), 0);
+    if let Some(first) = first {
+        said += &format!("warning: {bad} of {} rows without a result; the first: {first}\n", records.len());
+    }
+    if args.output == Path::new("-") {
+        crate::complain(&said);
+        return Ok(String::from_utf8_lossy(&content).into_owned());
+    }
+    write::write_file(&args.output, &content)?;
+    crate::complain(&said);
+    Ok(String::new())
+}
+
+/// The header and the rows of a table.
+fn read(
+    args: &BatchArgs,
+    name: &str,
+    nulls: bool,
+) -> Result<(Vec<String>, Vec<csv::StringRecord>), MotionTableError> {
+    let unread = |cause: String| MotionTableError::Read { name: name.to_owned(), cause };
+    let mut bytes = Vec::new();
+    if args.input.as_os_str() == "-" {
+        io::stdin().read_to_end(&mut bytes).map_err(|cause| unread(cause.to_string()))?;
+    } else {
+        bytes = fs::read(&args.input).map_err(|cause| unread(cause.to_string()))?;
+    }
+    let mut table = csv::ReaderBuilder::new().flexible(nulls).from_reader(&bytes[..]);
+    let header = table.headers().map_err(|cause| unread(cause.to_string()))?;
+    let header = header.iter().map(str::to_owned).collect();
+    let records = table.records().collect::<Result<_, _>>().map_err(|cause| unread(cause.to_string()))?;
+    Ok((header, records))
+}
+
+/// The places of the results of these names; of all for none.
+fn results(names: &[String]) -> Result<Vec<usize>, MotionTableError> {
+    if names.is_empty() {
+        return Ok((0..ROW_RESULTS.len()).collect());
+    }
+    let place = |name: &String| {
+        let found = ROW_RESULTS.iter().position(|result| *result == name.trim());
+        found.ok_or_else(|| {
+            let like =
+                closest(name, ROW_RESULTS).map_or_else(String::new, |l| format!("; did you mean {l}?"));
+            MotionTableError::NoResult { name: name.clone(), like }
+        })
+    };
+    names.iter().map(place).collect()
+}
+
+/// What reads each file once.
+fn cached(case: PathBuf) -> impl Fn(&str) -> Result<String, String> + Sync {
+    let known: Mutex<BTreeMap<String, Result<String, String>>> = Mutex::default();
+    move |file| {
+        let found = known.lock().unwrap_or_else(PoisonError::into_inner).get(file).cloned();
+        found.unwrap_or_else(|| {
+            let text = record_reader(&case)(file);
+            known.lock().unwrap_or_else(PoisonError::into_inner).insert(file.to_owned(), text.clone());
+            text
+        })
+    }
+}
