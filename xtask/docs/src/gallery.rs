@@ -6,6 +6,7 @@ use std::{fs, io};
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request, Spelling};
+use standfast_cases::motion::{Follow, GivenBase, SpectrumKind, SpectrumRequest, cases_on, follow_all};
 use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{DiagramContent, Figure, FigureId, GroundPlane, ground_diagram, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
@@ -41,6 +42,18 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
     }
     for (name, figures) in cases(root)? {
         page.push_str(&format!("\n## Case {name}\n\n[The case file](../examples/{name}.toml)\n"));
+        for (path, svg) in figures {
+            page.push_str(&format!("\n![{path}]({path})\n"));
+            files.push((path, svg));
+        }
+    }
+    page.push_str(
+        "\n## Motion in time\n\nWhat becomes of a body, by `standfast simulate`, in the colours of its states; see [theory](theory/6-motion.md). The\n\
+         animations move in a browser. Last, spectra of one sine: `standfast spectrum examples/motion/block-base-pulse.toml`, and with\n\
+         `--kind overturning`.\n",
+    );
+    for (name, figures) in motions(root)? {
+        page.push_str(&format!("\n### {name}\n\n[The case file](../examples/motion/{name}.toml)\n"));
         for (path, svg) in figures {
             page.push_str(&format!("\n![{path}]({path})\n"));
             files.push((path, svg));
@@ -94,6 +107,37 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         cases.push((name, files));
     }
     Ok(cases)
+}
+
+/// The figures of some motions, and spectra of one of them, by the names of their cases.
+fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
+    let folder = root.join("examples/motion");
+    let read = |file: &str| fs::read_to_string(folder.join(file)).map_err(|cause| cause.to_string());
+    let mut all = Vec::new();
+    for name in ["caisson-breaking-wave", "caisson-church-roof", "statue-earthquake", "block-base-pulse"] {
+        let text = fs::read_to_string(folder.join(format!("{name}.toml")))?;
+        let cases = cases_on(name, &text, &read, &GivenBase::default()).map_err(io::Error::other)?;
+        let follow = Follow { series: true, ..Follow::default() };
+        let answers = follow_all(cases, &follow).map_err(io::Error::other)?;
+        let Some((case, followed)) = answers.first() else { continue };
+        let mut files: Vec<File> = Vec::new();
+        for figure in case.figures(followed) {
+            files.push((
+                format!("gallery/motion-{name}{}.svg", figure.suffix),
+                figure.figure.svg().to_owned(),
+            ));
+        }
+        if name == "block-base-pulse" {
+            for kind in [SpectrumKind::Rocking, SpectrumKind::Overturning] {
+                let spectrum =
+                    case.spectrum(&SpectrumRequest::new(kind), &|_| ()).map_err(io::Error::other)?;
+                let path = format!("gallery/motion-{name}-{}.svg", kind.word());
+                files.push((path, spectrum.figure().svg().to_owned()));
+            }
+        }
+        all.push((name.to_owned(), files));
+    }
+    Ok(all)
 }
 
 /// The boundary of width and friction of an example.

@@ -1,0 +1,24 @@
+//! Whatever a case in time holds, it is followed to an end or refused with an error that can be shown.
+
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use standfast_cases::motion::{Follow, GivenBase, cases_on, follow_all};
+use standfast_cases::report;
+
+const RECORD: &str = "time_s,a_g\n0,0\n0.1,0.4\n0.2,-0.3\n0.3,0\n";
+
+fuzz_target!(|text: &str| {
+    let read = |_: &str| Ok(RECORD.to_owned());
+    match cases_on("case.toml", text, &read, &GivenBase::default()) {
+        Ok(cases) => match follow_all(cases, &Follow::default()) {
+            Ok(answers) => {
+                for (case, followed) in answers {
+                    assert!(!followed.outcome.events.is_empty() && !case.text(&followed, false).is_empty());
+                }
+            }
+            Err(error) => assert!(!error.to_string().is_empty()),
+        },
+        Err(error) => assert!(!report(&error).is_empty()),
+    }
+});
