@@ -53,15 +53,16 @@ impl MotionAnswer {
         self.files.clone()
     }
 
+    /// Words, suffix and SVG of each figure of the worst situation.
+    fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String, String)>> {
+        let (case, followed) = self.whole(py, 0)?;
+        let figures = py.detach(|| case.figures(&followed)).into_iter();
+        Ok(figures.map(|f| (f.words.to_owned(), f.suffix.to_owned(), f.figure.svg().to_owned())).collect())
+    }
+
     /// The motion in one of the situations, every `dt` until it ends.
     fn series<'py>(&self, py: Python<'py>, place: usize, dt: f64) -> PyResult<Series<'py>> {
-        let Some((case, _)) = self.answers.get(place) else {
-            return Err(PyIndexError::new_err(format!("{place} of {} situations", self.answers.len())));
-        };
-        // It is followed again, because the whole of it takes far more memory than what came of it.
-        let case = case.clone();
-        let followed = patiently(py, move || case.follow(&Follow { series: true, ..Follow::default() }))?;
-        let outcome = followed.map_err(|error| PyValueError::new_err(error.to_string()))?.outcome;
+        let outcome = self.whole(py, place)?.1.outcome;
         let count = (outcome.t_final / dt + 1e-9).floor();
         if count >= 1e9 {
             return Err(PyValueError::new_err(format!("{count:e} steps; expected a longer dt")));
@@ -75,6 +76,22 @@ impl MotionAnswer {
             states.push(Mode::code(at.state));
         }
         Ok((columns.map(|column| PyArray1::from_vec(py, column)), PyArray1::from_vec(py, states)))
+    }
+}
+
+impl MotionAnswer {
+    /// The whole motion in one of the situations. It is followed again, because the whole of it takes far more memory than what
+    /// came of it.
+    fn whole(&self, py: Python<'_>, place: usize) -> PyResult<(BlockCase, Followed)> {
+        let Some((case, _)) = self.answers.get(place) else {
+            return Err(PyIndexError::new_err(format!("{place} of {} situations", self.answers.len())));
+        };
+        let case = case.clone();
+        patiently(py, move || {
+            let followed = case.follow(&Follow { series: true, ..Follow::default() });
+            let followed = followed.map_err(|error| PyValueError::new_err(error.to_string()))?;
+            Ok((case, followed))
+        })?
     }
 }
 

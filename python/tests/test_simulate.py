@@ -27,7 +27,7 @@ STATUE = {"body": {"width": "0.6 m", "height": "2 m", "density": "2.6 t/m3", "fr
 
 
 def printed(program: list[str], *arguments: str | Path) -> str:
-    found = subprocess.run([*program, "simulate", *arguments], capture_output=True, encoding="utf-8", check=True)
+    found = subprocess.run([*program, "simulate", "--no-figures", *arguments], capture_output=True, encoding="utf-8", check=True)
     return found.stdout
 
 
@@ -40,6 +40,16 @@ def test_it_is_what_the_program_prints(program: list[str], path: Path) -> None:
     more = standfast.simulate(path, all=True, sensitivity=True)
     assert str(more) == printed(program, path, "--all", "--sensitivity")
     assert more.sensitivity is not None and found.sensitivity is None
+
+
+def test_figures_are_those_of_the_program(program: list[str], tmp_path: Path) -> None:
+    path = MOTION / "caisson-breaking-wave.toml"
+    found = standfast.simulate(path)
+    subprocess.run([*program, "simulate", path, "-o", tmp_path], capture_output=True, check=True)
+    drawn = {file.read_text(encoding="utf-8") for file in tmp_path.iterdir()}
+    assert {figure.svg for figure in found.figures} == drawn and len(drawn) == len(found.figures) >= 3
+    assert found["figures"] == [] and found._repr_svg_() == found.figures[0].svg
+    assert [figure.title for figure in found.figures] == ["Histories", "Positions", "Animation"] and "<animate" in found.figures[2].svg
 
 
 def test_answers_are_typed() -> None:

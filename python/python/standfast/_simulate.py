@@ -16,7 +16,7 @@ from ._advice import Advice, is_of
 from ._advice import shown as said
 from ._answer import Lazy, with_infinity
 from ._arrow import ArrowTable
-from ._assess import case_text
+from ._assess import Figure, case_text
 from ._columns import column_of
 from ._types import Array
 from .motions import MotionDocument
@@ -84,6 +84,15 @@ class Simulation(Lazy, MotionDocument):
     def _document(self) -> dict[str, Any]:  # type: ignore[override]
         document: dict[str, Any] = json.loads(self._answer.json(), object_hook=with_infinity)
         return document
+
+    @functools.cached_property
+    def figures(self) -> list[Figure]:  # type: ignore[override]
+        """The figures: histories, positions, and the motion in real time, which a browser shows moving. The item ``"figures"`` names the
+        files of the program's, and is empty here."""
+        return [Figure(words, svg) for words, _, svg in self._answer.figures()]
+
+    def _repr_svg_(self) -> str | None:
+        return self.figures[0].svg if self.figures else None
 
     def series(self, dt: float, *, situation: int = 0) -> ArrowTable:
         """The motion at even steps of time, from its beginning to its end.

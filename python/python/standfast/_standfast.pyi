@@ -172,6 +172,9 @@ class MotionAnswer:
     def files(self) -> dict[str, str]:
         """The contents of the files that the case names."""
 
+    def figures(self) -> list[tuple[str, str, str]]:
+        """Words, suffix and SVG of each figure of the worst situation."""
+
     def series(
         self, place: int, dt: float
     ) -> tuple[tuple[_Numbered, _Numbered, _Numbered, _Numbered, _Numbered, _Numbered], NDArray[np.uint8]]:
