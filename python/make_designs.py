@@ -52,7 +52,7 @@ a number without bound is ``math.inf``.
     ),
     "motions.py": File(
         """The parts of a motion in time: classes with a property for each key of the JSON document that ``docs/simulate.schema.json``
-describes.
+describes, and of that of ``docs/spectrum.schema.json``.
 
 Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that there is no such thing.
 """,
@@ -61,6 +61,7 @@ Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that
             ("Moment", "simulate.schema.json", "#/$defs/moment", None),
             ("Note", "simulate.schema.json", "#/$defs/note", None),
             ("MotionDocument", "simulate.schema.json", "#", "what ``simulate`` answers in one situation of a case"),
+            ("SpectrumDocument", "spectrum.schema.json", "#", "what ``spectrum`` answers"),
         ),
     ),
     "chances.py": File(
@@ -85,6 +86,8 @@ MADE = '''\
 
 from __future__ import annotations
 '''
+#: Keys of a document for which there is something else.
+OWN = {"MotionDocument": ("figures",), "SpectrumDocument": ("figures", "points")}
 #: The classes of all of them.
 CLASSES = [place for file in FILES.values() for place in file.classes]
 
@@ -123,7 +126,7 @@ def made(name: str) -> str:
     file, lines = FILES[name], []
     for of, schema_of, pointer, words in file.classes:
         schema = found(schema_of, pointer)
-        said = {key: resolved(schema_of, part) for key, part in schema["properties"].items()}
+        said = {key: resolved(schema_of, part) for key, part in schema["properties"].items() if key not in OWN.get(of, ())}
         lines += answer_class(of, "Answer", words or schema["description"], said)
     names = sorted(of for of, *_ in file.classes)
     header = f'"""{file.words}"""\n\n{MADE}\n' + "\n".join(file.imports) + "\n"

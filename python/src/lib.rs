@@ -20,6 +20,7 @@ mod rows;
 mod run;
 mod sheet;
 mod simulate;
+mod spectrum;
 mod table;
 mod watch;
 
@@ -100,6 +101,8 @@ mod _standfast {
     use super::sheet::{sheet, title_block};
     #[pymodule_export]
     use super::simulate::{MotionAnswer, simulate};
+    #[pymodule_export]
+    use super::spectrum::spectrum;
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "Python's name for it")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

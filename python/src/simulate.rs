@@ -25,7 +25,7 @@ pub(crate) struct MotionAnswer {
 }
 
 /// A record: its times and its values.
-type Given<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+pub(crate) type Given<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
 /// Numbers at even steps of time: t, slide, x, y, θ, θ̇ and codes of modes.
 type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
@@ -95,42 +95,57 @@ impl MotionAnswer {
     }
 }
 
-/// Follows the motion of the case file `text`; `name` is what errors call the case. A file that it names is one of `files`, or else
-/// lies in `folder`; records in `base` are in place of those of the base that it names.
-#[pyfunction]
-pub(crate) fn simulate(
-    py: Python<'_>,
-    file: (String, String),
-    folder: String,
-    files: BTreeMap<String, String>,
-    base: (Option<Given<'_>>, Option<Given<'_>>),
-    options: (bool, bool),
-) -> PyResult<MotionAnswer> {
+/// What errors call a case and its text; where the files lie that it names, and those that have been read.
+pub(crate) type MotionCase = (String, String, String, BTreeMap<String, String>);
+
+/// Records that are given in place of those of the base that the case names.
+pub(crate) fn given_base(
+    (horizontal, vertical): (Option<Given<'_>>, Option<Given<'_>>),
+) -> PyResult<GivenBase> {
     let record = |given: Option<Given<'_>>| -> PyResult<Option<Record>> {
         let Some((times, values)) = given else { return Ok(None) };
         let (times, values) = (times.as_slice()?.to_vec(), values.as_slice()?.to_vec());
         Ok(Some(Record { times, values, unit: RecordUnit::Unnamed }))
     };
-    let given = GivenBase { horizontal: record(base.0)?, vertical: record(base.1)? };
+    Ok(GivenBase { horizontal: record(horizontal)?, vertical: record(vertical)? })
+}
+
+/// The situations of a case, and the contents of the files that it names.
+pub(crate) fn cases(
+    (name, text, folder, files): MotionCase,
+    base: &GivenBase,
+) -> PyResult<(Vec<BlockCase>, BTreeMap<String, String>)> {
+    let known = Mutex::new(files);
+    let read = |path: &str| {
+        let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(text) = known.get(path) {
+            return Ok(text.clone());
+        }
+        let bytes = fs::read(Path::new(&folder).join(path)).map_err(|cause| cause.to_string())?;
+        // Old records have letters of other alphabets in their headers, and no meaning in them.
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        known.insert(path.to_owned(), text.clone());
+        Ok(text)
+    };
+    let cases = cases_on(&name, &text, &read, base);
+    let cases = cases.map_err(|error| PyValueError::new_err(report(&error)))?;
+    Ok((cases, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
+}
+
+/// Follows the motion of a case; `options` are whether its sensitivity is asked for, and all events.
+#[pyfunction]
+pub(crate) fn simulate(
+    py: Python<'_>,
+    case: MotionCase,
+    base: (Option<Given<'_>>, Option<Given<'_>>),
+    options: (bool, bool),
+) -> PyResult<MotionAnswer> {
+    let base = given_base(base)?;
     let (sensitivity, all) = options;
     patiently(py, move || {
-        let known = Mutex::new(files);
-        let read = |path: &str| {
-            let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
-            if let Some(text) = known.get(path) {
-                return Ok(text.clone());
-            }
-            let bytes = fs::read(Path::new(&folder).join(path)).map_err(|cause| cause.to_string())?;
-            // Old records have letters of other alphabets in their headers, and no meaning in them.
-            let text = String::from_utf8_lossy(&bytes).into_owned();
-            known.insert(path.to_owned(), text.clone());
-            Ok(text)
-        };
-        let cases = cases_on(&file.0, &file.1, &read, &given);
-        let cases = cases.map_err(|error| PyValueError::new_err(report(&error)))?;
+        let (cases, files) = cases(case, &base)?;
         let answers = follow_all(cases, &Follow { sensitivity, ..Follow::default() });
         let answers = answers.map_err(|error| PyValueError::new_err(error.to_string()))?;
-        let files = known.into_inner().unwrap_or_else(PoisonError::into_inner);
         Ok(MotionAnswer { answers, files, all })
     })?
 }

@@ -10,7 +10,7 @@ what does the whole k-μ plane look like?                  :class:`Diagram`
 a body with its loads: water, waves, earthquakes          :func:`assess`
 many of them: tables, sweeps, samples                     :func:`assess_table`
 what is enough: the least width, the greatest force       :func:`design`
-what becomes of it in time: slide, rock, overturn         :func:`simulate`
+what becomes of it in time: slide, rock, overturn         :func:`simulate`, :func:`spectrum`
 how likely is each mode, if numbers are random            :func:`probability`, :func:`draws`
 the calculation, to be filed and signed                   :func:`sheet`
 ========================================================  ==================================
@@ -33,6 +33,7 @@ from ._modes import Mode, Modes
 from ._probability import Probability, draws, probability
 from ._sheet import sheet
 from ._simulate import Simulation, simulate
+from ._spectrum import Spectrum, spectrum
 from ._standfast import __version__
 from ._table import ResultColumn, StandfastWarning, Varied, assess_table, varied
 from .answers import Criterion, Situation
@@ -64,6 +65,7 @@ __all__ = [
     "ResultColumn",
     "Simulation",
     "Situation",
+    "Spectrum",
     "StandfastWarning",
     "Varied",
     "__version__",
@@ -80,6 +82,7 @@ __all__ = [
     "probability",
     "sheet",
     "simulate",
+    "spectrum",
     "symbols",
     "varied",
 ]

@@ -146,6 +146,11 @@ class Modes(enum.IntFlag, metaclass=_SetType):
 
     __ror__, __rand__, __rxor__ = __or__, __and__, __xor__
 
+    # Python 3.10 names the members from the last to the first.
+    def __repr__(self) -> str:
+        names = "|".join(mode.name for mode in self.modes)
+        return f"<Modes{'.' if names else ''}{names}: {int(self)}>"
+
     def __str__(self) -> str:
         return " ".join(mode.symbol for mode in self.modes)
 

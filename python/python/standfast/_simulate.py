@@ -39,6 +39,8 @@ _SERIES = (
 
 #: Times and values of a record.
 _Record = tuple[NDArray[np.float64], NDArray[np.float64]]
+#: Those to the right and upwards, where they are given.
+Records = tuple[_Record | None, _Record | None]
 
 
 class _Given(NamedTuple):
@@ -49,7 +51,7 @@ class _Given(NamedTuple):
     #: Where the files lie that the case names, and those that have been read.
     folder: str
     files: dict[str, str]
-    base: tuple[_Record | None, _Record | None]
+    base: Records
     unit: str | None
     sensitivity: bool
     all: bool
@@ -71,13 +73,8 @@ class Simulation(Lazy, MotionDocument):
 
     def __init__(self, *given: Any) -> None:
         asked = _Given(*given)
-        found = _standfast.simulate(
-            (asked.name, asked.text), asked.folder, asked.files, asked.base, (asked.sensitivity, asked.all)
-        )
-        if asked.base != (None, None) and found.is_si() != (asked.unit is not None):
-            if asked.unit is None:
-                raise ValueError(f"unit is missing; expected that of the accelerations in base: {', '.join(map(repr, _UNITS))}")
-            raise ValueError(f"unit is {asked.unit!r}, and the case has a [block], whose accelerations have no unit; leave it out")
+        found = _standfast.simulate((asked.name, asked.text, asked.folder, asked.files), asked.base, (asked.sensitivity, asked.all))
+        check_unit(asked.base, asked.unit, found.is_si())
         vars(self).update(_given=asked._replace(files=found.files()), _answer=found)
 
     @functools.cached_property
@@ -86,7 +83,7 @@ class Simulation(Lazy, MotionDocument):
         return document
 
     @functools.cached_property
-    def figures(self) -> list[Figure]:  # type: ignore[override]
+    def figures(self) -> list[Figure]:
         """The figures: histories, positions, and the motion in real time, which a browser shows moving. The item ``"figures"`` names the
         files of the program's, and is empty here."""
         return [Figure(words, svg) for words, _, svg in self._answer.figures()]
@@ -110,7 +107,7 @@ class Simulation(Lazy, MotionDocument):
             ValueError: for a step that is not above zero, or so short that there would be 10⁹ rows.
             IndexError: if there is no such situation.
         """
-        step = _positive(dt, "dt")
+        step = positive(dt, "dt")
         if not 0 <= situation <= len(self.others):
             raise IndexError(f"situation is {situation}; expected 0 to {len(self.others)}")
         columns, states = self._answer.series(situation, step)
@@ -180,19 +177,32 @@ def simulate(
     for name, flag in (("sensitivity", sensitivity), ("all", all)):
         if not isinstance(flag, (bool, np.bool_)):
             raise TypeError(f"{name} is {flag!r}; expected True or False")
+    records = records_of(base, dt, unit)
+    return Simulation(*case_text(case), folder_of(case), {}, records, unit, bool(sensitivity), bool(all))
+
+
+def folder_of(case: str | os.PathLike[str] | Mapping[str, object]) -> str:
+    """Where the files lie that a case names."""
+    return "" if isinstance(case, Mapping) else os.path.dirname(os.fspath(case))
+
+
+def check_unit(base: Records, unit: str | None, is_si: bool) -> None:
+    """Accelerations of a body have their unit said, those of a block have none."""
+    if base == (None, None) or is_si == (unit is not None):
+        return
+    if unit is None:
+        raise ValueError(f"unit is missing; expected that of the accelerations in base: {', '.join(map(repr, _UNITS))}")
+    raise ValueError(f"unit is {unit!r}, and the case has a [block], whose accelerations have no unit; leave it out")
+
+
+def records_of(base: Any, dt: Any, unit: str | None) -> Records:
+    """Horizontal and vertical record."""
     if unit is not None and unit not in _UNITS:
         raise ValueError(f"unit is {unit!r}; expected one of {', '.join(map(repr, _UNITS))}")
-    if base is None and (dt is not None or unit is not None):
-        raise TypeError(f"{'dt' if dt is not None else 'unit'} is that of base, which is not given")
-    name, text = case_text(case)
-    folder = "" if isinstance(case, Mapping) else os.path.dirname(os.fspath(case))
-    records = _records(base, dt, 1.0 if unit is None else _UNITS[unit])
-    return Simulation(name, text, folder, {}, records, unit, bool(sensitivity), bool(all))
-
-
-def _records(base: Any, dt: Any, factor: float) -> tuple[_Record | None, _Record | None]:
-    """Horizontal and vertical record."""
+    factor = 1.0 if unit is None else _UNITS[unit]
     if base is None:
+        if dt is not None or unit is not None:
+            raise TypeError(f"{'dt' if dt is not None else 'unit'} is that of base, which is not given")
         return None, None
     if isinstance(base, Mapping):
         for direction in base:
@@ -212,7 +222,7 @@ def _records(base: Any, dt: Any, factor: float) -> tuple[_Record | None, _Record
 def _record(name: str, given: Any, dt: Any, factor: float) -> _Record:
     values = _values(given, name) * factor
     if np.ndim(dt) == 0 and not hasattr(dt, "__len__"):
-        return np.arange(len(values), dtype=np.float64) * _positive(dt, "dt"), values
+        return np.arange(len(values), dtype=np.float64) * positive(dt, "dt"), values
     times = _values(dt, "dt")
     if times.shape != values.shape:
         raise ValueError(f"dt has {len(times)} times and {name} {len(values)} values; expected as many")
@@ -238,7 +248,7 @@ def _values(given: Any, name: str) -> NDArray[np.float64]:
     return values
 
 
-def _positive(value: Any, name: str) -> float:
+def positive(value: Any, name: str) -> float:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise TypeError(f"{name} is {said(value)}; expected a number above zero")
     if not 0 < value < float("inf"):

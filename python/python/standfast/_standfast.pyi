@@ -46,6 +46,7 @@ __all__ = [
     "refuse_column",
     "sheet",
     "simulate",
+    "spectrum",
     "title_block",
 ]
 
@@ -180,9 +181,32 @@ class MotionAnswer:
     ) -> tuple[tuple[_Numbered, _Numbered, _Numbered, _Numbered, _Numbered, _Numbered], NDArray[np.uint8]]:
         """The motion in one of the situations, every `dt` until it ends."""
 
-def simulate(
-    file: tuple[str, str], folder: str, files: dict[str, str], base: tuple[_RecordOf, _RecordOf], options: tuple[bool, bool]
-) -> MotionAnswer: ...
+_MotionCase = tuple[str, str, str, dict[str, str]]
+_Steps = tuple[float, float, int] | None
+
+def simulate(case: _MotionCase, base: tuple[_RecordOf, _RecordOf], options: tuple[bool, bool]) -> MotionAnswer: ...
+
+class _Spectrum(Protocol):
+    """`_spectrum._Asked`."""
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def size(self) -> _Steps: ...
+    @property
+    def slenderness(self) -> _Steps: ...
+    @property
+    def ratio(self) -> _Steps: ...
+    @property
+    def scale(self) -> _Steps: ...
+    @property
+    def threads(self) -> int | None: ...
+    @property
+    def progress(self) -> Callable[[int, int | None], object] | None: ...
+
+def spectrum(
+    case: _MotionCase, base: tuple[_RecordOf, _RecordOf], asked: _Spectrum
+) -> tuple[str, str, str, str, bool]: ...
 
 class _Asked(Protocol):
     """`_probability._Asked`."""

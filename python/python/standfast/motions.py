@@ -1,5 +1,5 @@
 """The parts of a motion in time: classes with a property for each key of the JSON document that ``docs/simulate.schema.json``
-describes.
+describes, and of that of ``docs/spectrum.schema.json``.
 
 Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that there is no such thing.
 """
@@ -18,6 +18,7 @@ __all__ = [
     "Moment",
     "MotionDocument",
     "Note",
+    "SpectrumDocument",
 ]
 
 
@@ -214,11 +215,47 @@ class MotionDocument(Answer):
         return parts(Note, self._document["warnings"])
 
     @property
-    def figures(self) -> list[str]:
-        """The files in which the figures were written."""
-        return list(self._document["figures"])
-
-    @property
     def others(self) -> list[MotionDocument]:
         """The other situations of the case, of which this one is the worst: overturned, past balance, by the largest slide."""
         return parts(MotionDocument, self._document["others"])
+
+
+class SpectrumDocument(Answer):
+    """What ````spectrum```` answers."""
+
+    @property
+    def schema(self) -> Literal[1]:
+        """The version of the document."""
+        return self._document["schema"]
+
+    @property
+    def kind(self) -> Literal["rocking", "newmark", "overturning"]:
+        """Uniform blocks over size and slenderness; a block that can only slide, over its yield acceleration; the body of the
+        case over the strength of the shaking."""
+        return self._document["kind"]
+
+    @property
+    def title(self) -> str | None:
+        """As the case says."""
+        return self._document["title"]
+
+    @property
+    def gravity(self) -> float:
+        """The acceleration of gravity, m/s2."""
+        return self._document["gravity"]
+
+    @property
+    def peak(self) -> float:
+        """The largest acceleration of the base along it, m/s2."""
+        return self._document["peak"]
+
+    @property
+    def stretches(self) -> list[list[float]] | None:
+        """Of an overturning curve the stretches of factors at which the body overturns, from and to; narrower ones may lie
+        between the factors that were tried; None of the other kinds."""
+        return None if self._document["stretches"] is None else list(self._document["stretches"])
+
+    @property
+    def warnings(self) -> list[Note]:
+        """What may be a slip, or leaves the range of the model."""
+        return parts(Note, self._document["warnings"])

@@ -12,6 +12,7 @@ use crate::motion::json::end_word;
 /// At most so many rows of a table are printed.
 const SHOWN: usize = 13;
 
+/// Every key is there in every answer, as docs/spectrum.schema.json has them: `null`, or an empty list, where there is no such thing.
 #[derive(Serialize)]
 struct Document<'a> {
     schema: u32,
@@ -19,12 +20,10 @@ struct Document<'a> {
     title: Option<&'a str>,
     gravity: f64,
     peak: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     stretches: Option<&'a [[f64; 2]]>,
     points: Vec<Entry>,
     warnings: Vec<WarningEntry<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    figures: Option<&'a [String]>,
+    figures: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -133,7 +132,7 @@ impl Spectrum {
             stretches,
             points: self.entries(),
             warnings: warnings.collect(),
-            figures: (!figures.is_empty()).then_some(figures),
+            figures,
         })
     }
 

@@ -1,0 +1,158 @@
+"""Spectra: what many bodies do under one shaking, or one body under many."""
+
+from __future__ import annotations
+
+import functools
+import operator
+import os
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from . import _standfast
+from ._answer import Rendered
+from ._arrow import ArrowTable
+from ._assess import case_text
+from ._progress import shown
+from ._run import Told, run
+from ._simulate import check_unit, folder_of, positive, records_of
+from ._types import Array, Progress
+from .motions import SpectrumDocument
+
+#: From, to, and how many.
+_Range = tuple[float, float] | tuple[float, float, int]
+
+#: What each kind goes over.
+_OVER = {"rocking": ("size", "slenderness"), "newmark": ("ratio",), "overturning": ("scale",)}
+_UNITS = {"size": "m", "left": "m", "right": "m", "max_slide": "m", "slide": "m", "max_theta": "rad"}
+
+
+class Spectrum(SpectrumDocument, Rendered):
+    """What many bodies do under one shaking: :func:`spectrum`'s answer.
+
+    ``print`` shows the text of ``standfast spectrum``; the keys of its JSON document, which ``docs/spectrum.schema.json`` describes, are
+    attributes, but for :attr:`points`, which is a table. A notebook shows the figure.
+    """
+
+    _what = "this spectrum"
+    _csv: str
+    _svg: str
+    _si: bool
+
+    def __init__(self, text: str, document: str, csv: str, svg: str, si: bool) -> None:
+        super().__init__(text, document)
+        vars(self).update(_csv=csv, _svg=svg, _si=si)
+
+    @functools.cached_property
+    def points(self) -> ArrowTable:
+        """Every motion, a row each: of a rocking spectrum its block by ``size`` (half of the diagonal) and ``slenderness``, of Newmark's the
+        ``ratio`` of yield acceleration to peak, of an overturning curve the ``scale`` of the shaking; and what becomes of it."""
+        points = self._document["points"]
+        columns = []
+        for name in points[0]:
+            values = [point[name] for point in points]
+            metadata = {"unit": _UNITS[name]} if self._si and name in _UNITS else {}
+            given = values if isinstance(values[0], str) else np.array(values)
+            columns.append(_standfast.make_array(name, given, None, None, metadata))
+        return ArrowTable(_standfast.make_table(columns))
+
+    @property
+    def csv(self) -> str:
+        """The points as a table in CSV."""
+        return self._csv
+
+    @property
+    def svg(self) -> str:
+        """The figure as an SVG document."""
+        return self._svg
+
+    def _repr_svg_(self) -> str:
+        return self._svg
+
+    def __repr__(self) -> str:
+        return f"<Spectrum {self.kind} of {self.title or 'a case'}: {len(self._document['points'])} motions>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Spectrum, (self._text, self._json, self._csv, self._svg, self._si)
+
+
+class _Asked(NamedTuple):
+    """What the native module is asked beside the case."""
+
+    kind: str
+    size: tuple[float, float, int] | None
+    slenderness: tuple[float, float, int] | None
+    ratio: tuple[float, float, int] | None
+    scale: tuple[float, float, int] | None
+    threads: int | None
+    progress: Told | None
+
+
+def spectrum(
+    case: str | os.PathLike[str] | Mapping[str, object],
+    kind: Literal["rocking", "newmark", "overturning"] = "rocking",
+    *,
+    size: _Range | None = None,
+    slenderness: _Range | None = None,
+    ratio: _Range | None = None,
+    scale: _Range | None = None,
+    base: Array | Mapping[Literal["horizontal", "vertical"], Array] | None = None,
+    dt: float | Array | None = None,
+    unit: Literal["m/s2", "g", "cm/s2"] | None = None,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Spectrum:
+    """What many bodies do under one shaking, or the body of a case under many.
+
+    Args:
+        case: as for :func:`simulate`, with a base that moves.
+        kind: ``"rocking"``, uniform blocks over size and slenderness; ``"newmark"``, a block that can only slide, over its yield
+            acceleration; ``"overturning"``, the body of the case over the strength of the shaking, which need not be monotone.
+        size, slenderness: of a rocking spectrum half diagonals, at equal factors, and heights over widths: from, to, and how many.
+        ratio: of Newmark's yield accelerations over the peak of the shaking.
+        scale: of an overturning curve factors on the shaking.
+        base, dt, unit: as for :func:`simulate`.
+        threads: how many threads to use; ``None`` for as many as there are processors. The answer is the same.
+        progress: ``True`` for a bar (needs tqdm), or a function that is told how many motions are done.
+
+    Raises:
+        ValueError, TypeError, OSError: as :func:`simulate`; and for a range that is none, or does not belong to the kind.
+
+    >>> block = {"block": {"b1": 1, "b2": 1, "d": 3, "mu_s": 50, "gravity": 1}}
+    >>> found = spectrum(block, "overturning", scale=(0.5, 2, 4), base=[0.5, 0.5], dt=4)
+    >>> found.points.scale.to_pylist(), found.points.overturned.to_pylist()
+    ([0.5, 1.0, 1.5, 2.0], [False, True, True, True])
+    """
+    if kind not in _OVER:
+        raise ValueError(f"kind is {kind!r}; expected one of {', '.join(map(repr, _OVER))}")
+    ranges = {"size": size, "slenderness": slenderness, "ratio": ratio, "scale": scale}
+    for name, given in ranges.items():
+        if given is not None and name not in _OVER[kind]:
+            raise TypeError(f"{name} does not belong to a spectrum of kind {kind!r}, which goes over {' and '.join(_OVER[kind])}")
+    steps = {name: None if given is None else _steps(given, name) for name, given in ranges.items()}
+    records = records_of(base, dt, unit)
+    with shown(progress, "motions") as told:
+        asked = _Asked(kind, **steps, threads=run(threads).threads, progress=told)
+        *found, si = _standfast.spectrum((*case_text(case), folder_of(case), {}), records, asked)
+    check_unit(records, unit, si)
+    return Spectrum(*found, si)
+
+
+def _steps(given: Any, name: str) -> tuple[float, float, int]:
+    """From, to, and how many, 0 if that is left to the program."""
+    expected = "expected (from, to) or (from, to, how many), with 0 < from < to and two or more"
+    if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
+        raise TypeError(f"{name} is {given!r}; {expected}")
+    low, high = (positive(end, name) for end in given[:2])
+    count = 0
+    if len(given) == 3:
+        try:
+            count = operator.index(given[2])
+        except TypeError:
+            count = -1
+        if not 2 <= count <= 10**7:
+            raise ValueError(f"{name} is {given!r}; {expected}")
+    if not low < high < 1e50:
+        raise ValueError(f"{name} is {given!r}; {expected}")
+    return low, high, count

@@ -1,0 +1,62 @@
+//! Many motions under one shaking.
+
+use std::num::NonZero;
+use std::thread;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use standfast_cases::motion::{Progressed, SpectrumError, SpectrumRequest, Steps};
+
+use crate::simulate::{Given, MotionCase, cases, given_base};
+use crate::watch::{Caller, aside};
+
+/// What is asked for, as `_spectrum.py` says it.
+#[derive(FromPyObject)]
+pub(crate) struct Asked {
+    kind: String,
+    size: Option<(f64, f64, usize)>,
+    slenderness: Option<(f64, f64, usize)>,
+    ratio: Option<(f64, f64, usize)>,
+    scale: Option<(f64, f64, usize)>,
+    threads: Option<NonZero<usize>>,
+    progress: Option<Py<PyAny>>,
+}
+
+/// Text, JSON, CSV and SVG, and whether they are in SI units.
+type Rendered = (String, String, String, String, bool);
+
+/// The spectrum of a case.
+#[pyfunction]
+pub(crate) fn spectrum(
+    py: Python<'_>,
+    case: MotionCase,
+    base: (Option<Given<'_>>, Option<Given<'_>>),
+    asked: Asked,
+) -> PyResult<Rendered> {
+    let base = given_base(base)?;
+    let kind = asked.kind.parse();
+    let kind =
+        kind.map_err(|error: String| PyValueError::new_err(format!("kind is {:?}; {error}", asked.kind)))?;
+    let steps = |given: Option<(f64, f64, usize)>| given.map(|(from, to, count)| Steps { from, to, count });
+    let request = SpectrumRequest {
+        size: steps(asked.size),
+        slenderness: steps(asked.slenderness),
+        ratio: steps(asked.ratio),
+        scale: steps(asked.scale),
+        threads: asked.threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
+        ..SpectrumRequest::new(kind)
+    };
+    let refused = |error: SpectrumError| PyValueError::new_err(error.to_string());
+    aside(py, &Caller { progress: asked.progress.as_ref(), total: None }, false, move |watch| {
+        let (found, _) = cases(case, &base)?;
+        let case = found.into_iter().next().ok_or_else(|| refused(SpectrumError::NoShaking))?;
+        let done = |progressed| {
+            if progressed == Progressed::Done {
+                watch.advance(1);
+            }
+        };
+        let spectrum = case.spectrum(&request, &done).map_err(refused)?;
+        let svg = spectrum.figure().svg().to_owned();
+        Ok((spectrum.text(), spectrum.json(&[]), spectrum.csv(), svg, spectrum.si))
+    })?
+}
