@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -115,8 +116,13 @@ def tables(program, rows):
         "arrays": lambda: standfast.assess_table(case, sample, threads=1),
         "pandas": lambda: standfast.assess_table(case, frame, threads=1),
         "polars": lambda: standfast.assess_table(case, polars, threads=1),
+        "one result": lambda: standfast.assess_table(case, sample, columns=["SF_sliding"], threads=1),
+        "and warnings": lambda: standfast.assess_table(case, sample, columns=["SF_sliding", "warnings"], threads=1),
     }
+    warnings.simplefilter("ignore", standfast.StandfastWarning)
     times, ratios = rounds(work)
+    named = standfast.assess_table(case, sample, columns=["warnings"])["warnings"]
+    print(f"{np.mean([len(names.split()) for names in named]):.1f} warnings a row")
     print(f"{rows} rows of Goda's caisson, all results, one thread")
     start = time.perf_counter()
     standfast.assess_table(case, polars, threads=None)
