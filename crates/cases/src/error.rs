@@ -11,7 +11,7 @@ use thiserror::Error;
 use crate::excerpt::Excerpt;
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::{digits, plain, shortened};
-use crate::random::{RANDOM, RandomProblem};
+use crate::random::{RANDOM, RandomProblem, STORM};
 use crate::suggest::closest;
 use crate::units::{Dimension, Extent, UnitError};
 
@@ -684,7 +684,7 @@ pub(crate) fn names(table: Table) -> Vec<&'static str> {
     names.dedup();
     if table == Table::Top {
         names.extend(Table::ALL.into_iter().map(Table::name).filter(|name| !name.is_empty()));
-        names.push(RANDOM);
+        names.extend([RANDOM, STORM]);
     }
     names
 }

@@ -17,7 +17,7 @@ use crate::error::{CaseError, Fault, Place, Problem, UNANSWERABLE, expected_type
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
-use crate::random::{self, RANDOM, Random, RandomProblem};
+use crate::random::{self, RANDOM, Random, RandomProblem, STORM, Storm};
 use crate::units::{Dimension, Extent, in_gravity};
 pub(crate) use option::read;
 
@@ -31,6 +31,7 @@ pub struct CaseFile {
     headers: BTreeMap<(Table, usize), Span<usize>>,
     extent: Extent,
     random: Option<Random>,
+    storm: Option<Storm>,
 }
 
 /// An entry of a case file.
@@ -62,6 +63,7 @@ impl CaseFile {
             headers: BTreeMap::new(),
             extent: Extent::PerMetre,
             random: None,
+            storm: None,
         };
         let read = if text.trim().is_empty() {
             Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 })
@@ -92,6 +94,11 @@ impl CaseFile {
         &self.inputs
     }
 
+    /// The same with other values, as if they stood where those of the file do.
+    pub(crate) fn with_inputs(&self, inputs: Inputs) -> CaseFile {
+        CaseFile { inputs, ..self.clone() }
+    }
+
     /// The case it describes.
     ///
     /// # Errors
@@ -114,6 +121,11 @@ impl CaseFile {
     /// Which of its numbers are random, where it says so.
     pub fn random(&self) -> Option<&Random> {
         self.random.as_ref()
+    }
+
+    /// The storms of a life, where it has them.
+    pub fn storm(&self) -> Option<&Storm> {
+        self.storm.as_ref()
     }
 
     /// What is wrong with its random numbers, shown in the text.
@@ -189,6 +201,10 @@ impl CaseFile {
         if let Some(value) = top.get(RANDOM) {
             let read = random::read(value);
             self.random = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
+        }
+        if let Some(value) = top.get(STORM) {
+            let read = random::read_storm(value);
+            self.storm = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
         }
         Ok(())
     }

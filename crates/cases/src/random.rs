@@ -11,17 +11,27 @@
 //! linear.
 
 mod answer;
+mod departure;
 mod document;
 mod draws;
+mod mechanics;
+mod over;
 mod point;
 mod problem;
 mod read;
 mod resolve;
+mod storm;
 mod text;
 
-pub use answer::{Chances, Happening, LifeChances, Method, Probability, ProbabilityError, Request};
+pub use answer::{
+    Chances, FirstDeparture, Happening, LifeChances, Method, Probability, ProbabilityError, Request,
+};
 pub use draws::{Drawn, Draws};
+pub use over::{Along, Fit, Fragility, Over};
 pub use standfast_probability::sample::{Effort, Estimate};
+
+pub use storm::{Exceeded, Pulse, Quantile, Rotating, Sliding, SlidingError, Storm, StormField};
+pub(crate) use storm::{STORM, read as read_storm};
 
 pub use problem::{Bias, Coordinate, Problem, Quantity};
 pub(crate) use read::read;

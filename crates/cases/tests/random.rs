@@ -2,7 +2,7 @@
 
 use standfast::Mode;
 use standfast::initiation::Chart;
-use standfast_cases::random::{Chances, Draws, Happening, Method, Probability, Request};
+use standfast_cases::random::{Chances, Draws, Happening, Method, Over, Probability, Request};
 use standfast_probability::normal::below;
 use standfast_probability::sample::Effort;
 
@@ -271,4 +271,215 @@ fn draws_ask_which_of_several_situations_is_meant() {
         assert_eq!(draws(Some(name)).unwrap().drawn.len(), 3);
     }
     assert!(draws(Some("pull")).unwrap_err().to_string().starts_with("no situation is called \"pull\""));
+}
+
+/// As the loads of the report's plane rise it slides first below μ_A and rocks above, whatever k is; the caisson turns first where
+/// λ_t P/(W' − λ_t U) is below μ, with λ_t = W't/(M_p + M_U) of Goda's moments about the heel.
+#[test]
+fn first_departures_part_at_the_load_that_turns() {
+    let random = "[random]\nmu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.0 }\n\
+                  k = { normal = { mean = 0.45, sd = 0.12 }, lower = 0.0 }\n";
+    let found = answer(&format!("{POINT}{random}"), Request::default());
+    let first = |chances: &Chances, mode: Mode| {
+        let modes = &chances.first_departure.modes;
+        modes.iter().find(|(happening, _)| *happening == Happening::Mode(mode)).unwrap().1.value
+    };
+    let k_a = Chart::new(0.8, 0.9167).unwrap().k_a();
+    let slides = (below((k_a - 0.6) / 0.1) - below(-6.0)) / below(6.0);
+    let chances = &found.situations[0];
+    assert_close("SL", first(chances, Mode::SlideLeft), slides, 1e-12);
+    assert_close("RO", first(chances, Mode::RockO), 1.0 - slides, 1e-12);
+    // But where the force is nothing at all.
+    assert!(chances.first_departure.never.value + chances.first_departure.at_once.value < 1e-15);
+
+    let text = goda("friction = { normal = { mean = 1.2, sd = 0.2 } }");
+    let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
+    let goda = &case.wave.unwrap().goda;
+    let weight = 2318640.0;
+    let turning = weight * 7.5 / (goda.force_moment + goda.uplift_moment);
+    let friction = turning * goda.force / (weight - turning * goda.uplift);
+    let slides = (below((friction - 1.2) / 0.2) - below(-6.0)) / below(6.0);
+    assert!((0.05..0.95).contains(&slides), "{slides}");
+    for method in [None, Some(Method::Sobol)] {
+        let found = answer(&text, Request { method, ..Request::default() });
+        assert_close("caisson", first(&found.situations[0], Mode::SlideLeft), slides, 1e-9);
+    }
+    let effort = Effort { points: 1 << 16, precision: 0.01, ..Effort::default() };
+    let drawn = answer(&text, Request { method: Some(Method::MonteCarlo), effort, years: None });
+    assert_close("drawn", first(&drawn.situations[0], Mode::SlideLeft), slides, 0.02);
+}
+
+/// A load that is there all the time moves the body at once where friction is below X/P.
+#[test]
+fn some_bodies_leave_rest_at_once() {
+    let text = "[body]\nwidth = 2\nheight = 1\nmass = 1000\nfriction = 0.5\n[[load]]\nname = \"rope\"\nforce = 3e3\n\
+        elevation = 0.2\npermanent = true\n[[load]]\nname = \"push\"\nforce = 1e3\nelevation = 0.2\n\
+        [random]\nfriction = { normal = { mean = 0.4, sd = 0.1 } }\n";
+    let found = answer(text, Request::default());
+    let at_once = found.situations[0].first_departure.at_once.value;
+    // Cut at zero, where no friction is.
+    let by_hand = (below((3e3 / 9810.0 - 0.4) / 0.1) - below(-4.0)) / below(4.0);
+    assert_close("at once", at_once, by_hand, 1e-10);
+    assert_close("at rest without the push", 1.0 - at_once, 1.0 - by_hand, 1e-10);
+}
+
+/// Years drawn one by one agree with the integral over two numbers; two more that hardly vary make the first way the only one. Friction
+/// drawn once is united over the years, drawn yearly it is multiplied.
+#[test]
+fn lives_of_more_numbers_are_drawn() {
+    let life = |every: &str, more: &str| {
+        let random = format!(
+            "[random]\nyears = 50\nmu = {{ lognormal = {{ mean = 0.6, cov = 0.15 }}{every} }}\n\
+             k = {{ gumbel = {{ mean = 0.3, sd = 0.06 }}, lower = 0.0, every = \"year\" }}\n{more}"
+        );
+        let effort = Effort { precision: 0.02, floor: 1e-3, ..Effort::default() };
+        let found = answer(&format!("{POINT}{random}"), Request { effort, ..Request::default() });
+        found.situations[0].life.clone().unwrap()
+    };
+    let more = "gamma = { normal = { mean = 0.8, cov = 1e-7 } }\n\
+        k_prime = { normal = { mean = 0.9167, cov = 1e-7 }, every = \"year\" }\n";
+    for every in ["", ", every = \"year\""] {
+        let (exact, drawn) = (life(every, ""), life(every, more));
+        assert_eq!((exact.method, drawn.method), (Method::Integrate, Method::Sobol));
+        let pairs = exact.modes.iter().zip(&drawn.modes).map(|((_, a), (_, b))| (a.value, *b));
+        for (exact, e) in pairs.chain([(exact.not_rest.value, drawn.not_rest)]) {
+            assert!(exact < 0.05 || e.high - e.low < 0.05 * e.value, "{e:?}");
+            assert!((e.value - exact).abs() <= e.high - e.low + 1e-12, "{e:?} {exact}");
+        }
+    }
+}
+
+const STORM: &str = "[storm]\nwaves = 1000\nheights = \"rayleigh\"\ntau0 = \"1.5 s\"\nforce_per_height = \"90 kN/m2\"\n\
+    uplift_per_height = \"45 kN/m2\"\nbuoyant_weight = \"2318.64 kN/m\"\nmass = \"402.45 t/m\"\n\
+    [random]\nyears = 50\nfriction = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.05 }\n\
+    bias.P = { lognormal = { mean = 0.91, cov = 0.19 } }\n\
+    significant_height = { gumbel = { mean = \"4.5 m\", sd = \"0.9 m\" }, lower = \"1 m\", every = \"year\" }\n";
+
+/// Fifty years of storms: 0.69 m is the mean, while 73 % of all lives slide less than 0.10 m, as printed where the method is
+/// described; the mean over the lives drawn is the integral.
+#[test]
+fn few_lives_slide_far() {
+    let effort = Effort { points: 1 << 20, ..Effort::default() };
+    let found = answer(STORM, Request { effort, ..Request::default() });
+    let sliding = found.sliding.unwrap();
+    assert!((sliding.mean.value - 0.69).abs() < 0.006, "{:?}", sliding.mean);
+    assert!(sliding.precise);
+    let less = 1.0 - sliding.exceedance[0].probability.value;
+    assert!((less - 0.73).abs() < 0.01, "{less}");
+    let drawn = sliding.drawn;
+    assert!((drawn.value - sliding.mean.value).abs() < drawn.high - drawn.low, "{drawn:?}");
+    assert_eq!(sliding.rotating.wave.value, 0.0);
+    // Any wave slides it with the chance that the waves of a life have on average.
+    assert_close("waves", sliding.waves.value, 50_000.0 * sliding.wave.value, 1e-12);
+}
+
+/// A caisson under one storm of given sea, with friction alone random: the mean by sums over frictions and heights, each wave by
+/// Goda's formulas for heights at the wall, its mode by the classical factors, its slide by the closed form of a triangular pulse.
+#[test]
+fn storms_of_a_case_are_sums_over_waves() {
+    let text = goda("friction = { uniform = { from = 0.35, to = 0.55 } }");
+    let text = text
+        .replace("[wave]", "[added_mass]\nmass = \"56.4 t/m\"\n\n[storm]\nwaves = 200\ntau0 = 1.5\n\n[wave]");
+    let effort = Effort { points: 1 << 16, ..Effort::default() };
+    let sliding = answer(&text, Request { effort, ..Request::default() }).sliding.unwrap();
+    let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
+    let waves = case.wave.unwrap();
+    let (significant, largest) = (waves.goda.h_13, waves.goda.h_max);
+    let level = |h: f64| (1.416 * h / significant).powi(2);
+    let all = 1.0 - (-level(largest)).exp();
+    let (weight, mass, τ) = (2318640.0, 402_450.0, 1.5);
+    let pulse = |s: f64| match s - 1.0 {
+        x if x <= 0.0 => 0.0,
+        x if x <= 0.5f64.sqrt() => (0.25 + 2f64.sqrt() / 6.0) * x.powi(3) / (s * s),
+        x => x * x / 8.0 - 1.0 / (96.0 * s * s),
+    };
+    let (steps, frictions) = (1500, 200);
+    let (mut mean, mut adds) = (0.0, 0.0);
+    // Smaller waves than the significant one do not slide it at these frictions.
+    for i in 0..steps {
+        let h = significant + (largest - significant) * (f64::from(i) + 0.5) / f64::from(steps);
+        let half = 0.5 * (largest - significant) / f64::from(steps);
+        let chance = ((-level(h - half)).exp() - (-level(h + half)).exp()) / all;
+        let heights = standfast::wave::Heights::Local { significant, maximum: h };
+        let goda = standfast::wave::goda(&waves.sea, &heights, &waves.section, &waves.choices).unwrap();
+        assert!(weight * 7.5 - goda.uplift_moment > goda.force_moment, "no wave turns it");
+        for j in 0..frictions {
+            let μ = 0.35 + 0.2 * (f64::from(j) + 0.5) / f64::from(frictions);
+            let s = (goda.force + μ * goda.uplift) / (μ * weight);
+            mean += chance * pulse(s) * μ * weight * τ * τ / mass / f64::from(frictions);
+            adds += chance * f64::from(u8::from(s > 1.0)) / f64::from(frictions);
+        }
+    }
+    assert!(mean > 0.0);
+    assert_close("mean", sliding.mean.value, 200.0 * mean, 3e-3);
+    assert_close("chance", sliding.wave.value, adds, 5e-3);
+    assert_eq!(sliding.rotating.wave.value, 0.0);
+    assert_eq!(sliding.years, 1.0);
+}
+
+/// A caisson on so much friction that waves turn it rather than slide it: those are counted apart.
+#[test]
+fn waves_that_begin_a_rotation_are_no_slides() {
+    let text = goda("friction = { uniform = { from = 1.5, to = 1.6 } }\n")
+        .replace("[wave]", "[storm]\nwaves = 200\ntau0 = 1.5\ncut = false\n\n[wave]");
+    let effort = Effort { points: 1 << 12, ..Effort::default() };
+    let sliding = answer(&text, Request { effort, ..Request::default() }).sliding.unwrap();
+    let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
+    let waves = case.wave.unwrap();
+    // The height at which W't − M_U = M_p, by bisection; that at this friction no smaller wave slides it.
+    let turns = |h: f64| {
+        let heights = standfast::wave::Heights::Local { significant: waves.goda.h_13, maximum: h };
+        let goda = standfast::wave::goda(&waves.sea, &heights, &waves.section, &waves.choices).unwrap();
+        assert!(goda.force < 1.5 * (2318640.0 - goda.uplift) || h > 12.0, "{h}");
+        2318640.0 * 7.5 - goda.uplift_moment < goda.force_moment
+    };
+    let (mut low, mut high) = (waves.goda.h_13, 40.0);
+    assert!(!turns(low) && turns(high));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if turns(middle) { high = middle } else { low = middle }
+    }
+    let chance = (-(1.416 * high / waves.goda.h_13).powi(2)).exp();
+    assert_close("turning", sliding.rotating.wave.value, chance, 1e-6);
+    assert_eq!(sliding.mean.value, 0.0);
+}
+
+/// Along the width, each point is the answer to the case of that width; the lognormal curve through a lognormal resistance is that
+/// law: a force that slides where it exceeds μW.
+#[test]
+fn probabilities_along_a_number_are_those_of_each_value() {
+    let goda = |width: &str| {
+        goda("friction = { lognormal = { mean = 0.636, cov = 0.15 } }")
+            .replace("width = \"15 m\"", &format!("width = \"{width}\""))
+            .replace("caisson_width = \"15 m\"\n", "")
+    };
+    let over = |over: &str| Some(over.parse::<Over>().unwrap());
+    let along = Probability::along(
+        "case.toml",
+        &goda("15 m"),
+        Request::default(),
+        over("width=14 m..18 m:3").as_ref(),
+    );
+    let fragility = along.unwrap().fragility.unwrap();
+    assert_eq!(fragility.points.iter().map(|point| point.value).collect::<Vec<_>>(), [14.0, 16.0, 18.0]);
+    // Mass and weight go with the width, as they do in `design`.
+    let heavier = goda("16 m").replace("346.05 t/m", "369.12 t/m").replace("2318.64 kN/m", "2473.216 kN/m");
+    let there = answer(&heavier, Request::default());
+    assert_close("16 m", fragility.points[1].not_rest.value, there.situations[0].not_rest.value, 1e-9);
+
+    let pushed = "[body]\nwidth = 4\nheight = 1\nmass = 1000\nfriction = 0.5\n[[load]]\nname = \"push\"\nforce = 1e3\n\
+        elevation = 0.1\n[random]\nfriction = { lognormal = { mean = 0.5, cov = 0.2 } }\n";
+    let asked = over("load.push.force=2000..8000:13");
+    let fragility = Probability::along("case.toml", pushed, Request::default(), asked.as_ref())
+        .unwrap()
+        .fragility
+        .unwrap();
+    let fit = fragility.fit.unwrap();
+    let dispersion = 1.04f64.ln().sqrt();
+    assert_close("median", fit.median, 0.5 / 1.04f64.sqrt() * 9810.0, 1e-8);
+    assert_close("dispersion", fit.dispersion, dispersion, 1e-8);
+    assert!(fit.misfit < 1e-9);
+    assert_eq!(fragility.points[4].value, 4000.0);
+    let by_hand = below((4000.0 / fit.median).ln() / dispersion);
+    assert_close("P", fragility.points[4].not_rest.value, by_hand, 1e-8);
 }

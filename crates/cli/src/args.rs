@@ -13,7 +13,7 @@ use standfast::{InputError, Point};
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
 use standfast_cases::motion::{SpectrumKind, Steps};
-use standfast_cases::random::Method;
+use standfast_cases::random::{Method, Over};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
 use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
@@ -208,7 +208,16 @@ pub enum Command {
         to); triangular (from, mode, to); max_of (count and a law). lower and upper truncate. every = \"life\" is drawn\n\
         once, \"year\" each year.\n\
         In place of a case: [point] with gamma, k_prime, k and mu, of which any may be random.\n\n\
-        Example:\n  standfast probability examples/goda-2000-random.toml"
+        How far the waves of a life slide a caisson, a storm each year:\n\
+        \u{20} [storm]\n\
+        \u{20} waves = 1000                # or duration and period; heights by Rayleigh's law, cut at H_max unless cut = false\n\
+        \u{20} tau0 = \"1.5 s\"              # how long a wave pushes; or \"shimosako-takahashi\"\n\
+        \u{20} pulse = \"triangle\"          # exact; or \"shimosako\", the published formula\n\
+        Without a [body] a [storm] has force_per_height, uplift_per_height, significant_height, buoyant_weight, mass and\n\
+        friction, of which any may be random.\n\n\
+        Examples:\n\
+        \u{20} standfast probability examples/goda-2000-random.toml\n\
+        \u{20} standfast probability examples/goda-2000-random.toml --over \"width=12 m..20 m:9\""
     )]
     Probability(ProbabilityArgs),
 
@@ -319,6 +328,9 @@ pub struct ProbabilityArgs {
     /// The years of a life, before those of the file
     #[arg(long, value_parser = time_step)]
     pub years: Option<f64>,
+    /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values
+    #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
+    pub over: Option<Over>,
     /// How many threads work; the answer does not depend on it [default: as many as the machine has cores]
     #[arg(long)]
     pub threads: Option<NonZeroUsize>,

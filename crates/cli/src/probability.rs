@@ -39,7 +39,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<String, ProbabilityCommandE
         threads: args.threads.map_or(plain.threads, NonZeroUsize::get),
     };
     let request = Request { method: args.method, effort, years: args.years };
-    let answer = Probability::of_text(&name, &text, request)?;
+    let answer = Probability::along(&name, &text, request, args.over.as_ref())?;
     Ok(match args.format {
         Format::Text => answer.text(),
         Format::Json => answer.json(),

@@ -65,6 +65,8 @@ struct Nest<'f, 'a, O> {
     sets: &'f [u64],
     /// From which depth on a year is integrated, and how many years follow each other.
     life: Option<(usize, f64)>,
+    /// What is too little to look at, whatever the integral.
+    negligible: f64,
     scratch: Scratch,
     point: Vec<f64>,
     evaluations: u64,
@@ -77,8 +79,16 @@ struct Sum {
     errors: Vec<f64>,
 }
 
-/// Relative to an integral, what a refinement may change it by.
-const PRECISION: f64 = 1e-10;
+/// The same where probabilities below `floor` need not be precise.
+///
+/// # Panics
+/// For more than [`MOST_DIMENSIONS`] inputs beside the line.
+pub fn integrate_above<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], floor: f64) -> Integrated {
+    Nest::to(&Frame::new(inputs, outcomes), sets, None, NEGLIGIBLE.max(PRECISION * floor))
+}
+
+/// Relative to an integral, what a refinement of one panel may change it by. What both halves leave is far less.
+const PRECISION: f64 = 1e-9;
 /// What is too little to look at, whatever the integral.
 const NEGLIGIBLE: f64 = 1e-22;
 /// Into how many steps |u| ≤ 12 is cut in search of kinks, and where only their list is asked for.
@@ -87,6 +97,8 @@ const INNER_SCAN: usize = 64;
 /// How near a kink is found, and how near to tell what comes after it.
 const LAST_BIT: f64 = 2e-16;
 const COARSE: f64 = 1e-7;
+/// How much a probability may change over a kink found coarsely: beyond this it is a step, and found to the last bit.
+const STEP: f64 = 1e-5;
 /// The widest panel to begin with.
 const WIDEST: f64 = 3.0;
 /// How often a panel may be halved.
@@ -94,10 +106,26 @@ const HALVINGS: u32 = 14;
 
 impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     fn of(frame: &'f Frame<'a, O>, sets: &'f [u64], life: Option<(usize, f64)>) -> Integrated {
+        Nest::to(frame, sets, life, NEGLIGIBLE)
+    }
+
+    fn to(
+        frame: &'f Frame<'a, O>,
+        sets: &'f [u64],
+        life: Option<(usize, f64)>,
+        negligible: f64,
+    ) -> Integrated {
         let n = frame.dimensions();
         assert!(n <= MOST_DIMENSIONS, "{n} inputs beside the line, at most {MOST_DIMENSIONS} are integrated");
-        let mut nest =
-            Nest { frame, sets, life, scratch: frame.scratch(), point: vec![0.0; n], evaluations: 0 };
+        let mut nest = Nest {
+            frame,
+            sets,
+            life,
+            negligible,
+            scratch: frame.scratch(),
+            point: vec![0.0; n],
+            evaluations: 0,
+        };
         let Sum { values, errors } = nest.from(0, 1.0);
         Integrated { probabilities: values, errors, evaluations: nest.evaluations }
     }
@@ -138,7 +166,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         let scale: Vec<f64> = (0..count)
             .map(|k| PRECISION * panels.iter().map(|(.., sum)| sum.values[k]).sum::<f64>())
             .collect();
-        let floor = NEGLIGIBLE / weight;
+        let floor = self.negligible / weight;
         let mut total = Sum { values: vec![0.0; count], errors: vec![0.0; count] };
         // From left to right, so that sums are added in one order.
         panels.reverse();
@@ -177,17 +205,37 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         sum
     }
 
-    /// Where the pattern changes along the normal with number `depth`, with the ends of its range.
+    /// Where the pattern changes along the normal with number `depth`, with the ends of its range. At a kink that is not quite met
+    /// nothing is lost but the square of what it is missed by; a step is found to the last bit.
     fn kinks(&mut self, depth: usize) -> Vec<f64> {
         let (mut ends, mut last) = (vec![-REACH], self.pattern(depth, -REACH));
         for i in 1..=SCAN {
             let (a, b) = (step(i - 1, SCAN), step(i, SCAN));
             let here = self.pattern(depth, b);
-            self.part(depth, LAST_BIT, (a, last), (b, here), &mut |kink, _| ends.push(kink));
+            let mut found = Vec::new();
+            self.part(depth, COARSE, (a, last), (b, here), &mut |kink, _| found.push(kink));
+            for kink in found {
+                let before = kink - COARSE * kink.abs().max(1.0);
+                if self.is_step(depth, before, kink) {
+                    let sides = [before, kink].map(|u| (u, self.pattern(depth, u)));
+                    self.part(depth, LAST_BIT, sides[0], sides[1], &mut |kink, _| ends.push(kink));
+                } else {
+                    ends.push(kink);
+                }
+            }
             last = here;
         }
         ends.push(REACH);
         ends
+    }
+
+    /// Whether probabilities differ between two values that are next to each other.
+    fn is_step(&mut self, depth: usize, a: f64, b: f64) -> bool {
+        let [one, other] = [a, b].map(|u| {
+            self.point[depth] = u;
+            self.from(depth + 1, normal::density(u).max(f64::MIN_POSITIVE)).values
+        });
+        one.iter().zip(&other).any(|(one, other)| (one - other).abs() > STEP)
     }
 
     /// Finds every change of the pattern between two values, from left to right, and tells where it is and what follows. Where

@@ -27,7 +27,7 @@ fn point(i: usize) -> (f64, f64) {
 }
 
 /// The abscissas of the rule in the panel from `a` to `b`, with their weights.
-pub(crate) fn panel(a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> {
+pub fn panel(a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
     RULE.iter().map(move |&(x, weight)| (middle + half * x, half * weight))
 }

@@ -11,6 +11,8 @@
 //! | [`sample::sobol`] | scrambled Sobol' points, with an interval | more inputs |
 //! | [`sample::importance`] | the same about design points | small probabilities |
 //! | [`sample::monte_carlo`] | everything drawn, hits counted | to be believed by anyone |
+//! | [`life`] | years drawn, intervals of the line united | at least once in a life |
+//! | [`sums`] | means integrated, lives drawn by what adds | sums over many events |
 //! | [`form`] | nearest points, β and α, without gradients | which input matters |
 //!
 //! Laws ([`law`]) and their correlation by a normal copula ([`copula`]) are accurate in both tails.
@@ -46,11 +48,13 @@ pub mod copula;
 pub mod form;
 pub mod integrate;
 pub mod law;
-mod legendre;
+pub mod legendre;
+pub mod life;
 pub mod normal;
 pub mod points;
 pub mod problem;
 pub mod sample;
+pub mod sums;
 
 /// How far out in standard normals is looked: beyond ±12 lies 4e-33.
 pub(crate) const REACH: f64 = 12.0;

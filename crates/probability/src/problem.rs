@@ -278,6 +278,29 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         signature
     }
 
+    /// The intervals of the line's normal, in independent units, on which each outcome holds at a point.
+    pub(crate) fn intervals(&self, point: &[f64], scratch: &mut Scratch, mut each: impl FnMut(Piece)) {
+        let (mean, deviation) = self.place(point, scratch);
+        let Scratch { values, pieces, .. } = scratch;
+        pieces.clear();
+        self.outcomes.along(values, pieces);
+        let law = &self.inputs.laws[self.outcomes.line()];
+        let reach = |x: f64| (law.z(x) - mean) / deviation;
+        for piece in pieces.iter() {
+            each(Piece { from: reach(piece.from), to: reach(piece.to), ..*piece });
+        }
+    }
+
+    /// The places of the inputs in the order of the frame's normals, the line last.
+    pub(crate) fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// By how much the line's normal depends on that of the input at each place of the order.
+    pub(crate) fn line_on(&self) -> &[f64] {
+        &self.factor[self.factor.len() - 1]
+    }
+
     /// The value of the line's normal nearest to 0 at which one of these outcomes holds (a bit for each), in independent units;
     /// none if none does.
     pub(crate) fn nearest(&self, point: &[f64], which: u64, scratch: &mut Scratch) -> Option<f64> {

@@ -47,6 +47,13 @@ pub struct Sampled {
     pub precise: bool,
 }
 
+impl Sampled {
+    /// No probability is above 1.
+    pub(crate) fn are_probabilities(&mut self) {
+        self.estimates.iter_mut().for_each(|e| e.high = e.high.min(1.0));
+    }
+}
+
 /// How many scrambles of the same sequence are taken: the spread of their means is the interval.
 pub const SCRAMBLES: usize = 32;
 /// The points of one scramble that are taken first.
@@ -98,57 +105,98 @@ const AT_ORIGIN: f64 = 0.1;
 fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], effort: &Effort) -> Sampled {
     let dimensions = frame.dimensions();
     let picked = usize::from(!about.is_empty());
-    let sequences: Vec<Sobol> = (0..SCRAMBLES as u64)
-        .map(|scramble| Sobol::new(dimensions + picked, effort.seed, scramble))
-        .collect();
-    let mut sums = vec![vec![0.0; sets.len()]; SCRAMBLES];
-    let mut taken = 0;
-    loop {
-        let next = if taken == 0 { FIRST } else { 2 * taken };
-        // One piece of work is a run of points of one scramble.
-        let runs: Vec<(usize, u64, u64)> = (0..SCRAMBLES)
-            .flat_map(|scramble| {
-                (taken..next)
-                    .step_by(BLOCK as usize)
-                    .map(move |from| (scramble, from, next.min(from + BLOCK)))
-            })
-            .collect();
-        let results = shared_out(effort.threads, runs.len(), || {
-            let mut scratch = frame.scratch();
-            let mut point = vec![0.0; dimensions];
-            let (runs, sequences) = (&runs, &sequences);
-            move |run: usize| {
-                let (scramble, from, to) = runs[run];
-                let mut sums = vec![0.0; sets.len()];
-                for index in from..to {
-                    let mut coordinates = sequences[scramble].point(index);
-                    let component = if picked == 1 { coordinates.next().unwrap_or(0.0) } else { 0.0 };
-                    for (u, p) in point.iter_mut().zip(coordinates) {
-                        *u = normal::quantile(p);
-                    }
-                    let weight = displaced(&mut point, component, about);
-                    frame.evaluate(&point, &mut scratch);
-                    for (sum, set) in sums.iter_mut().zip(sets) {
-                        *sum += weight * scratch.of_set(*set);
-                    }
-                }
-                sums
+    let averages = Averages {
+        dimensions: dimensions + picked,
+        first: FIRST,
+        cost: 1,
+        count: sets.len(),
+        precise: sets.len(),
+    };
+    let mut sampled = averages.take(effort, || {
+        let mut scratch = frame.scratch();
+        let mut point = vec![0.0; dimensions];
+        move |_: usize, _: u64, coordinates: &[f64], sums: &mut [f64]| {
+            let component = if picked == 1 { coordinates[0] } else { 0.0 };
+            for (u, p) in point.iter_mut().zip(&coordinates[picked..]) {
+                *u = normal::quantile(*p);
             }
-        });
-        for ((scramble, ..), result) in runs.iter().zip(results) {
-            sums[*scramble].iter_mut().zip(result).for_each(|(sum, part)| *sum += part);
+            let weight = displaced(&mut point, component, about);
+            frame.evaluate(&point, &mut scratch);
+            for (sum, set) in sums.iter_mut().zip(sets) {
+                *sum += weight * scratch.of_set(*set);
+            }
         }
-        taken = next;
-        let points = taken * SCRAMBLES as u64;
-        let estimates: Vec<Estimate> = (0..sets.len())
-            .map(|set| {
-                let means: Vec<f64> = sums.iter().map(|sum| sum[set] / taken as f64).collect();
-                Estimate::of_means(&means, points)
-            })
-            .collect();
-        let precise = estimates.iter().all(|e| e.is_precise(effort.precision, effort.floor));
-        if precise || 2 * points > effort.points || dimensions == 0 {
-            return Sampled { estimates, points, precise };
+    });
+    sampled.are_probabilities();
+    sampled
+}
+
+/// Means over scrambled Sobol' points, with the interval that their spread from scramble to scramble gives.
+pub(crate) struct Averages {
+    /// The coordinates of a point.
+    pub(crate) dimensions: usize,
+    /// The points of one scramble that are taken first.
+    pub(crate) first: u64,
+    /// How many points of an [`Effort`] each of these counts for.
+    pub(crate) cost: u64,
+    /// How many numbers are averaged.
+    pub(crate) count: usize,
+    /// How many of them, the first, have to be precise.
+    pub(crate) precise: usize,
+}
+
+impl Averages {
+    /// Takes points until the means are as precise as asked. A worker adds to the sums what a point of a scramble, the point's
+    /// number and its coordinates give.
+    pub(crate) fn take<W: FnMut(usize, u64, &[f64], &mut [f64])>(
+        &self,
+        effort: &Effort,
+        worker: impl Fn() -> W + Sync,
+    ) -> Sampled {
+        let Averages { dimensions, first, cost, count, precise } = *self;
+        let sequences: Vec<Sobol> =
+            (0..SCRAMBLES as u64).map(|scramble| Sobol::new(dimensions, effort.seed, scramble)).collect();
+        let mut sums = vec![vec![0.0; count]; SCRAMBLES];
+        let mut taken = 0;
+        loop {
+            let next = if taken == 0 { first } else { 2 * taken };
+            // One piece of work is a run of points of one scramble.
+            let runs: Vec<(usize, u64, u64)> = (0..SCRAMBLES)
+                .flat_map(|scramble| {
+                    (taken..next)
+                        .step_by(BLOCK as usize)
+                        .map(move |from| (scramble, from, next.min(from + BLOCK)))
+                })
+                .collect();
+            let results = shared_out(effort.threads, runs.len(), || {
+                let mut work = worker();
+                let mut point = vec![0.0; dimensions];
+                let (runs, sequences) = (&runs, &sequences);
+                move |run: usize| {
+                    let (scramble, from, to) = runs[run];
+                    let mut sums = vec![0.0; count];
+                    for index in from..to {
+                        point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
+                        work(scramble, index, &point, &mut sums);
+                    }
+                    sums
+                }
+            });
+            for ((scramble, ..), result) in runs.iter().zip(results) {
+                sums[*scramble].iter_mut().zip(result).for_each(|(sum, part)| *sum += part);
+            }
+            taken = next;
+            let points = taken * SCRAMBLES as u64;
+            let estimates: Vec<Estimate> = (0..count)
+                .map(|which| {
+                    let means: Vec<f64> = sums.iter().map(|sum| sum[which] / taken as f64).collect();
+                    Estimate::of_means(&means, points)
+                })
+                .collect();
+            let precise = estimates[..precise].iter().all(|e| e.is_precise(effort.precision, effort.floor));
+            if precise || 2 * points * cost > effort.points || dimensions == 0 {
+                return Sampled { estimates, points, precise };
+            }
         }
     }
 }
@@ -234,7 +282,7 @@ fn draw_block(inputs: &Inputs, seed: u64, block: u64, mut each: impl FnMut(&[f64
 }
 
 /// Does pieces of work on so many threads, each with a worker of its own, and gives the results in the order of the pieces.
-fn shared_out<R: Send, W: FnMut(usize) -> R>(
+pub(crate) fn shared_out<R: Send, W: FnMut(usize) -> R>(
     threads: usize,
     pieces: usize,
     worker: impl Fn() -> W + Sync,

@@ -125,6 +125,21 @@ impl Response {
 }
 
 impl Departure {
+    /// What follows from the mode under the permanent loads alone and the stage with which motion begins: the first of all if
+    /// the permanent loads move the body, else the first that is not rest.
+    pub(crate) fn of(begin: Option<Mode>, stage: Option<&Stage>) -> Departure {
+        if begin != Some(Mode::Rest) {
+            // As soon as anything is added, the mode may be another.
+            let mode = stage.map_or(begin, |stage| stage.mode).filter(|mode| *mode != Mode::Rest);
+            return Departure::AtOnce { mode: mode.or(begin), permanent: true };
+        }
+        match stage {
+            None => Departure::Never,
+            Some(Stage { from: 0.0, mode, .. }) => Departure::AtOnce { mode: *mode, permanent: false },
+            Some(Stage { from, mode, .. }) => Departure::At { factor: *from, mode: *mode },
+        }
+    }
+
     /// The mode that the body leaves rest into.
     pub fn mode(&self) -> Option<Mode> {
         match *self {
@@ -421,16 +436,8 @@ impl Situation {
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
         let begin = self.solve(permanent)?.mode();
-        if begin != Some(Mode::Rest) {
-            // As soon as anything is added, the mode may be another.
-            let mode = path.first().map_or(begin, |stage| stage.mode).filter(|mode| *mode != Mode::Rest);
-            return Ok(Departure::AtOnce { mode: mode.or(begin), permanent: true });
-        }
-        Ok(match path.iter().find(|stage| stage.mode != Some(Mode::Rest)) {
-            None => Departure::Never,
-            Some(Stage { from: 0.0, mode, .. }) => Departure::AtOnce { mode: *mode, permanent: false },
-            Some(Stage { from, mode, .. }) => Departure::At { factor: *from, mode: *mode },
-        })
+        let moves = |stage: &&Stage| begin != Some(Mode::Rest) || stage.mode != Some(Mode::Rest);
+        Ok(Departure::of(begin, path.iter().find(moves)))
     }
 }
 

@@ -7,15 +7,19 @@ use miette::Diagnostic;
 use standfast::Mode;
 use standfast_probability::form::{DesignPoint, design_point, generalized, local_design_points};
 use standfast_probability::integrate::{
-    Integrated, MOST_DIMENSIONS, integrate, integrate_known, integrate_life,
+    Integrated, MOST_DIMENSIONS, integrate, integrate_above, integrate_known, integrate_life,
 };
+use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
 use standfast_probability::sample::{Effort, Estimate, Sampled, importance, monte_carlo, sobol, sobol_known};
 use thiserror::Error;
 
+use super::departure::{self, AT_ONCE, Departures, NEVER};
+use super::over::Fragility;
 use super::point;
 use super::problem::{LIFTED, NO_MODE, NOT_A_BODY, NOT_UNIQUE, Problem, exclusive, not_rest};
-use super::read::{RandomProblem, Rate};
+use super::read::{Random, RandomProblem};
+use super::storm::{self, Sliding, SlidingError};
 use crate::error::CaseError;
 use crate::parse::CaseFile;
 
@@ -103,16 +107,12 @@ pub enum ProbabilityError {
         /// How many there are.
         numbers: usize,
     },
-    /// A life of more numbers than are integrated.
-    #[error(
-        "the probability over a life is integrated, over {most} random numbers at most, and the case has {numbers}"
-    )]
-    #[diagnostic(help("leave `years` out for the probability under the loads of one event"))]
-    LifeOfMany {
-        /// How many it takes.
-        most: usize,
-        /// How many there are.
-        numbers: usize,
+    /// A life of no whole number of years, of which some would have to be drawn.
+    #[error("a life of {years} years; expected a whole number, because its years are drawn one by one")]
+    #[diagnostic(help("up to three random numbers are integrated, over any number of years"))]
+    PartOfYear {
+        /// The years.
+        years: f64,
     },
     /// Which of several situations is meant is not said.
     #[error("{}; the case has {}", Asked(asked.as_deref()), known.join("; "))]
@@ -123,6 +123,18 @@ pub enum ProbabilityError {
         /// Those there are.
         known: Vec<String>,
     },
+    /// A number along which there are no probabilities.
+    #[error("no probabilities along `{name}`: {what}")]
+    Over {
+        /// The number.
+        name: String,
+        /// What is wrong.
+        what: String,
+    },
+    /// Storms that cannot be answered.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Sliding(#[from] SlidingError),
     /// A life in which nothing is drawn each year.
     #[error("a life of {years} years, and no random number is drawn yearly")]
     #[diagnostic(help(
@@ -165,12 +177,27 @@ pub struct Chances {
     pub not_unique: Estimate,
     /// That nothing presses the body on its base: part of the modes.
     pub lifted: Estimate,
+    /// Where it first leaves rest as the variable loads rise.
+    pub first_departure: FirstDeparture,
     /// The nearest point at which the body does not rest; none within reach.
     pub design_point: Option<DesignPoint>,
     /// The probability of not resting if one number were known to have its median, for each.
     pub known: Vec<Estimate>,
     /// Over the years of a life.
     pub life: Option<LifeChances>,
+}
+
+/// How likely each mode is to be the first as the variable loads rise without end; the parts add up to one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstDeparture {
+    /// The modes.
+    pub modes: Vec<(Happening, Estimate)>,
+    /// That the body rests under any multiple of the loads.
+    pub never: Estimate,
+    /// That it moves under the permanent loads alone, or under any share of the others, however small.
+    pub at_once: Estimate,
+    /// Whether every probability above the floor is as precise as asked.
+    pub precise: bool,
 }
 
 /// How likely it is over a life that something happens at least once.
@@ -182,6 +209,10 @@ pub struct LifeChances {
     pub not_rest: Estimate,
     /// Each mode, at least once.
     pub modes: Vec<(Happening, Estimate)>,
+    /// How it was found: years are integrated, or drawn.
+    pub method: Method,
+    /// Whether every probability above the floor is as precise as asked.
+    pub precise: bool,
 }
 
 /// What may come of it.
@@ -226,7 +257,12 @@ pub struct Probability {
     /// The number along which the modes are integrated, and whether in closed form.
     pub line: (String, bool),
     /// Under each set of loads that act together and each acceleration of the base, the least safe first.
+    /// None of a storm without a body.
     pub situations: Vec<Chances>,
+    /// How far storms slide the body.
+    pub sliding: Option<Sliding>,
+    /// The probabilities along a number, if they were asked for.
+    pub fragility: Option<Fragility>,
 }
 
 /// Above this index probabilities are looked for about the design points.
@@ -238,20 +274,33 @@ impl Probability {
     /// # Errors
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
     pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
-        Probability::of_problems(file.name(), problems_of(file, request.years)?, request)
+        let problems = problems_of(file, request.years)?;
+        let sliding = match file.storm() {
+            Some(storm) => Some(storm::of_case(storm, &problems, &request)?),
+            None => None,
+        };
+        Probability::of_problems(file.name(), problems, sliding, request)
     }
 
-    /// The answer to a file: a case, or a `[point]` of the report's plane, with a `[random]` table.
+    /// The answer to a file with a `[random]` table: a case, a `[point]` of the report's plane, or a `[storm]` without a body.
     ///
     /// # Errors
     /// As [`of`](Probability::of); or if the text is no such file.
     pub fn of_text(name: &str, text: &str, request: Request) -> Result<Probability, ProbabilityError> {
-        Probability::of_problems(name, problems(name, text, request.years)?, request)
+        if let Some((point, random)) = point::read_file(name, text)? {
+            let problem = problem_of_point(name, text, point, &random, request.years)?;
+            return Probability::of_problems(name, vec![problem], None, request);
+        }
+        if let Some(pure) = storm::read_file(name, text, request.years)? {
+            return pure.answer(name, request);
+        }
+        Probability::of(&CaseFile::parse(name, text)?, request)
     }
 
     fn of_problems(
         name: &str,
         problems: Vec<Problem>,
+        sliding: Option<Sliding>,
         request: Request,
     ) -> Result<Probability, ProbabilityError> {
         let mut situations: Vec<Chances> =
@@ -265,24 +314,34 @@ impl Probability {
             random: first.random().iter().map(|input| (input.name.clone(), input.cut)).collect(),
             line: (line.to_owned(), exact),
             situations,
+            sliding,
+            fragility: None,
         })
     }
+}
+
+/// The problem of a `[point]`.
+pub(super) fn problem_of_point(
+    name: &str,
+    text: &str,
+    point: [f64; 4],
+    random: &Random,
+    years: Option<f64>,
+) -> Result<Problem, ProbabilityError> {
+    let wrong = |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
+    Ok(Problem::of_point(point, random, years).map_err(wrong)?)
 }
 
 /// The problems of a file: a case, or a `[point]`, with a `[random]` table.
 pub(super) fn problems(name: &str, text: &str, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
     match point::read_file(name, text)? {
-        Some((point, random)) => {
-            let wrong =
-                |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
-            Ok(vec![Problem::of_point(point, &random, years).map_err(wrong)?])
-        }
+        Some((point, random)) => Ok(vec![problem_of_point(name, text, point, &random, years)?]),
         None => problems_of(&CaseFile::parse(name, text)?, years),
     }
 }
 
 /// The problems of a case file with a `[random]` table.
-fn problems_of(file: &CaseFile, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
+pub(super) fn problems_of(file: &CaseFile, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
     let random = file.random().ok_or(ProbabilityError::NoRandom)?;
     let case = file.case()?;
     if case.ground.is_some() {
@@ -296,7 +355,22 @@ fn sets() -> Vec<u64> {
     exclusive().map(|outcome| 1 << outcome).chain([not_rest(), 1 << NOT_UNIQUE, 1 << LIFTED]).collect()
 }
 
-fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityError> {
+/// The modes of an event and that the body does not rest, and nothing else.
+pub(super) fn event(
+    problem: &Problem,
+    request: &Request,
+) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
+    let (_, sampled, _) = sampled(problem, request)?;
+    let count = exclusive().count();
+    let modes = exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
+    Ok((modes, sampled.estimates[count]))
+}
+
+/// The method, the probabilities of all sets, and the nearest points at which the body does not rest.
+fn sampled(
+    problem: &Problem,
+    request: &Request,
+) -> Result<(Method, Sampled, Vec<DesignPoint>), ProbabilityError> {
     let laws = problem.laws();
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
@@ -329,6 +403,15 @@ fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityE
         }
         Method::MonteCarlo => monte_carlo(laws, problem, &sets, effort),
     };
+    Ok((method, sampled, points))
+}
+
+fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityError> {
+    let laws = problem.laws();
+    let numbers = laws.laws().len();
+    let few = numbers <= MOST_DIMENSIONS + 1;
+    let effort = &request.effort;
+    let (method, sampled, points) = sampled(problem, request)?;
     let known = (0..numbers).map(|number| {
         let set = [not_rest()];
         let found = if few {
@@ -351,29 +434,60 @@ fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityE
         not_unique: *not_unique,
         lifted: *lifted,
         known: if numbers > 1 { known.collect() } else { Vec::new() },
+        first_departure: first_departure(problem, method, effort, sampled.points),
         design_point: points.into_iter().next(),
-        life: life(problem)?,
+        life: life(problem, effort)?,
     })
 }
 
-fn life(problem: &Problem) -> Result<Option<LifeChances>, ProbabilityError> {
+/// Departures that are less likely than this are rounding in the answer, not in the body.
+const UNLIKELY: f64 = 1e-9;
+/// How many points at least may be taken for departures, however few the modes need.
+const OF_DEPARTURES: u64 = 1 << 17;
+
+fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {
+    let (laws, departures) = (problem.laws(), Departures(problem));
+    let codes: Vec<usize> = departure::exclusive().collect();
+    let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
+    // A mode that is next to never the first is not worth more points than all that is asked of the full load.
+    let effort = &Effort { points: points.max(OF_DEPARTURES).min(effort.points), ..*effort };
+    let found = match method {
+        Method::Integrate => estimates(&integrate_above(laws, &departures, &sets, UNLIKELY)),
+        // Which mode is first is seldom a rare event, and lies about no one point.
+        Method::Sobol | Method::Importance => sobol(laws, &departures, &sets, effort),
+        Method::MonteCarlo => monte_carlo(laws, &departures, &sets, effort),
+    };
+    let precise = found.precise;
+    let of = |outcome: usize| {
+        let place = codes.iter().position(|code| *code == outcome);
+        found.estimates[place.expect("one of the outcomes")]
+    };
+    let modes = codes.iter().filter(|code| ![NEVER, AT_ONCE].contains(code));
+    let modes = modes.map(|code| (Happening::of(*code), of(*code))).collect();
+    FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise }
+}
+
+fn life(problem: &Problem, effort: &Effort) -> Result<Option<LifeChances>, ProbabilityError> {
     let Some(life) = problem.life() else { return Ok(None) };
     let numbers = problem.random().len();
-    if problem.random().iter().all(|input| input.every == Rate::Life) {
-        return Err(ProbabilityError::NothingYearly { years: life.years });
-    }
-    let most = MOST_DIMENSIONS + 1;
-    if numbers > most {
-        return Err(ProbabilityError::LifeOfMany { most, numbers });
-    }
-    let Some(problem) = problem.along_yearly() else {
-        return Err(ProbabilityError::NothingYearly { years: life.years });
-    };
     let sets: Vec<u64> = exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
-    let found = estimates(&integrate_life(problem.laws(), &problem, &sets, &life));
+    let yearly = problem.along_yearly();
+    let (found, method) = match yearly {
+        None => return Err(ProbabilityError::NothingYearly { years: life.years }),
+        // A scan for each pair of the others would take minutes.
+        Some(problem) if numbers <= MOST_DIMENSIONS + usize::from(!problem.is_scanned()) => {
+            let integrated = integrate_life(problem.laws(), &problem, &sets, &life);
+            (estimates(&integrated), Method::Integrate)
+        }
+        Some(_) if life.years.fract() != 0.0 => {
+            return Err(ProbabilityError::PartOfYear { years: life.years });
+        }
+        Some(_) => (lives(problem.laws(), problem, &sets, &life, effort), Method::Sobol),
+    };
     let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };
     let modes = exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
-    Ok(Some(LifeChances { years: life.years, not_rest: *not_rest, modes }))
+    let (years, precise) = (life.years, found.precise);
+    Ok(Some(LifeChances { years, not_rest: *not_rest, modes, method, precise }))
 }
 
 /// Integrals with their errors as intervals.

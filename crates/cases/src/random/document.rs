@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use standfast_probability::sample::Estimate;
 
-use super::answer::{Chances, Happening, LifeChances, Probability};
+use super::answer::{Chances, Happening, Probability};
+use super::over::{Along, Fit, Fragility};
+use super::storm::{Exceeded, Quantile, Sliding};
 use crate::assess::SCHEMA;
 
 /// Every key is there in every answer, as docs/probability.schema.json has them: `null`, or an empty list, where there is no such
@@ -22,6 +24,91 @@ struct Document<'a> {
     worst: ChancesDocument<'a>,
     /// The others, where the case has several sets of loads.
     others: Vec<ChancesDocument<'a>>,
+    /// Of a case with storms.
+    sliding: Option<SlidingDocument>,
+    /// Along a number, where that is asked for.
+    fragility: Option<FragilityDocument<'a>>,
+}
+
+#[derive(Serialize)]
+struct FragilityDocument<'a> {
+    name: &'a str,
+    points: Vec<AlongDocument>,
+    fit: Option<FitDocument>,
+}
+
+#[derive(Serialize)]
+struct AlongDocument {
+    value: f64,
+    not_rest: Interval,
+    modes: Vec<ModeDocument>,
+}
+
+#[derive(Serialize)]
+struct FitDocument {
+    median: f64,
+    dispersion: f64,
+    misfit: f64,
+}
+
+impl FragilityDocument<'_> {
+    fn of(fragility: &Fragility) -> FragilityDocument<'_> {
+        let along = |point: &Along| AlongDocument {
+            value: point.value,
+            not_rest: interval(point.not_rest),
+            modes: modes(&point.modes),
+        };
+        let fit = fragility.fit.map(|Fit { median, dispersion, misfit }| FitDocument {
+            median,
+            dispersion,
+            misfit,
+        });
+        FragilityDocument { name: &fragility.name, points: fragility.points.iter().map(along).collect(), fit }
+    }
+}
+
+/// Slides over a life of storms, m.
+#[derive(Serialize)]
+struct SlidingDocument {
+    years: f64,
+    /// Of each year's storm.
+    waves: u64,
+    pulse: &'static str,
+    lives: u64,
+    mean: f64,
+    mean_low: f64,
+    mean_high: f64,
+    precise: bool,
+    /// Waves of a life that slide the body, on average.
+    sliding_waves: f64,
+    ever: Interval,
+    quantiles: Vec<QuantileDocument>,
+    exceedance: Vec<ExceededDocument>,
+    /// The share of the mean that comes of the worst twentieth of all lives.
+    of_worst_twentieth: f64,
+    rotating: RotatingDocument,
+}
+
+#[derive(Serialize)]
+struct QuantileDocument {
+    share: f64,
+    slide: f64,
+    low: f64,
+    high: f64,
+}
+
+#[derive(Serialize)]
+struct ExceededDocument {
+    slide: f64,
+    #[serde(flatten)]
+    interval: Interval,
+}
+
+/// Waves that begin a rotation, which the slides leave out: the chance of any wave, and that a life has one.
+#[derive(Serialize)]
+struct RotatingDocument {
+    wave: Interval,
+    life: Interval,
 }
 
 #[derive(Serialize)]
@@ -41,6 +128,7 @@ struct ChancesDocument<'a> {
     not_rest: Interval,
     not_unique: Interval,
     lifted: Interval,
+    first_departure: DepartureDocument,
     /// The distance of the nearest point at which the body does not rest, in standard normals; `null` where none is within reach.
     beta: Option<f64>,
     /// −Φ⁻¹ of the probability; `null` where that is 0 or 1.
@@ -56,6 +144,15 @@ struct Interval {
     probability: f64,
     low: f64,
     high: f64,
+}
+
+/// Into which mode it first leaves rest as the variable loads rise; the parts add up to one.
+#[derive(Serialize)]
+struct DepartureDocument {
+    modes: Vec<ModeDocument>,
+    never: Interval,
+    at_once: Interval,
+    precise: bool,
 }
 
 #[derive(Serialize)]
@@ -79,6 +176,8 @@ struct ImportanceDocument<'a> {
 #[derive(Serialize)]
 struct LifeDocument {
     years: f64,
+    method: &'static str,
+    precise: bool,
     not_rest: Interval,
     modes: Vec<ModeDocument>,
 }
@@ -95,6 +194,8 @@ impl Probability {
             integrated: &self.line.0,
             worst: self.document(worst),
             others: others.iter().map(|chances| self.document(chances)).collect(),
+            sliding: self.sliding.as_ref().map(SlidingDocument::of),
+            fragility: self.fragility.as_ref().map(FragilityDocument::of),
         })
     }
 
@@ -120,16 +221,56 @@ impl Probability {
             not_rest: interval(chances.not_rest),
             not_unique: interval(chances.not_unique),
             lifted: interval(chances.lifted),
+            first_departure: DepartureDocument {
+                modes: modes(&chances.first_departure.modes),
+                never: interval(chances.first_departure.never),
+                at_once: interval(chances.first_departure.at_once),
+                precise: chances.first_departure.precise,
+            },
             beta: point.map(|point| point.beta),
             beta_generalized: chances.generalized(),
             design_point: point.map(|point| names().zip(point.values.iter().copied()).collect()),
             at_change_of_formula: point.map(|point| point.at_change),
             importance: importance.collect(),
-            life: chances.life.as_ref().map(|LifeChances { years, not_rest, modes: of_life }| LifeDocument {
-                years: *years,
-                not_rest: interval(*not_rest),
-                modes: modes(of_life),
+            life: chances.life.as_ref().map(|life| LifeDocument {
+                years: life.years,
+                method: life.method.name(),
+                precise: life.precise,
+                not_rest: interval(life.not_rest),
+                modes: modes(&life.modes),
             }),
+        }
+    }
+}
+
+impl SlidingDocument {
+    fn of(sliding: &Sliding) -> SlidingDocument {
+        let quantile = |quantile: &Quantile| {
+            let Estimate { value, low, high } = quantile.slide;
+            QuantileDocument { share: quantile.share, slide: value, low, high }
+        };
+        let exceeded = |exceeded: &Exceeded| ExceededDocument {
+            slide: exceeded.slide,
+            interval: interval(exceeded.probability),
+        };
+        SlidingDocument {
+            years: sliding.years,
+            waves: sliding.storm.waves,
+            pulse: sliding.storm.pulse.name(),
+            lives: sliding.lives,
+            mean: sliding.mean.value,
+            mean_low: sliding.mean.low,
+            mean_high: sliding.mean.high,
+            precise: sliding.precise,
+            sliding_waves: sliding.waves.value,
+            ever: interval(sliding.ever),
+            quantiles: sliding.quantiles.iter().map(quantile).collect(),
+            exceedance: sliding.exceedance.iter().map(exceeded).collect(),
+            of_worst_twentieth: sliding.of_worst,
+            rotating: RotatingDocument {
+                wave: interval(sliding.rotating.wave),
+                life: interval(sliding.rotating.life),
+            },
         }
     }
 }

@@ -4,7 +4,8 @@ use standfast::Mode;
 use standfast_probability::sample;
 
 use super::answer::{Happening, ProbabilityError, problems};
-use super::problem::{Input, Mechanics, Problem};
+use super::mechanics::Mechanics;
+use super::problem::{Input, Problem};
 use crate::units::Dimension;
 
 /// Draws of the random numbers of a case, with the mode under each: those of plain Monte Carlo with the same seed, the first of
@@ -69,7 +70,7 @@ impl Problem {
         let Some(mechanics) = self.mechanics(values) else {
             return Drawn { effective: None, happens: Happening::NotABody };
         };
-        let modes = Problem::outcomes(&mechanics.block, &mechanics.wrench);
+        let modes = Problem::outcomes(&mechanics.block, &mechanics.wrench());
         Drawn { effective: mechanics.effective(), happens: Happening::reported(modes) }
     }
 }
@@ -77,7 +78,7 @@ impl Problem {
 impl Mechanics {
     /// The point of the report's plane, k and k', as [`Situation::effective`](standfast::Situation::effective) has it.
     fn effective(&self) -> Option<[f64; 2]> {
-        let (block, wrench) = (&self.block, &self.wrench);
+        let (block, wrench) = (&self.block, self.wrench());
         // A uniform body in air with one friction. Lengths are in B, so that only rounding parts them from 1.
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b;
         let uniform =

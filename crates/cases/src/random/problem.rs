@@ -4,13 +4,16 @@ use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use standfast::contact::{Block, friction, path, solve};
-use standfast::loads::{Earthquake, LoadSource};
-use standfast::{Mode, Modes, Point, Situation, Wrench};
+use standfast::loads::Earthquake;
+use standfast::wave::Heights;
+use standfast::{Mode, Modes, Point, Wrench};
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::{Inputs as Laws, Outcomes, Pieces};
 
+use super::mechanics::{Components, Mechanics, Quick};
 use super::read::{At, Random, Rate};
 use super::resolve::{Names, Resolve};
+use super::storm::StormField;
 use crate::case::{Acting, Case};
 use crate::couple::{Variable, vary};
 use crate::error::CaseError;
@@ -28,6 +31,8 @@ pub enum Quantity {
     Bias(Bias),
     /// One of the four numbers of the report's problem.
     Point(Coordinate),
+    /// A number of a pure problem of sliding.
+    Storm(StormField),
 }
 
 /// A number of the report's problem.
@@ -120,21 +125,28 @@ pub struct Problem {
     random: Vec<Input>,
     laws: Laws,
     years: Option<f64>,
-    line: Line,
+    pub(super) line: Line,
 }
 
 /// What the numbers are of.
 #[derive(Debug, Clone)]
 enum Model {
     /// A case, the loads of it that act, and how the base is shaken.
-    Case { inputs: Box<Inputs>, case: Box<Case>, acting: Acting, earthquake: Option<Earthquake> },
+    Case {
+        inputs: Box<Inputs>,
+        case: Box<Case>,
+        acting: Acting,
+        earthquake: Option<Earthquake>,
+        /// Where of the case's numbers wave heights alone are random.
+        quick: Option<Box<Quick>>,
+    },
     /// A point of the report's plane: γ, k', k, μ.
     Point([f64; 4]),
 }
 
 /// Along which number the modes are known, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Line {
+pub(super) enum Line {
     /// Friction: its place.
     Friction(usize),
     /// A number in which the wrench is linear.
@@ -151,11 +163,16 @@ pub(super) const LIFTED: usize = 17;
 pub(super) const NOT_A_BODY: usize = 18;
 /// No mode is consistent.
 pub(super) const NO_MODE: usize = 19;
-const COUNT: usize = 20;
+pub(super) const COUNT: usize = 20;
 
 /// The outcomes that exclude each other and add up to one.
 pub(super) fn exclusive() -> impl Iterator<Item = usize> {
-    (0..16).filter(|code| Mode::from_code(*code as u8).is_some()).chain([NO_MODE, NOT_A_BODY])
+    modes().chain([NO_MODE, NOT_A_BODY])
+}
+
+/// The codes of all modes.
+pub(super) fn modes() -> impl Iterator<Item = usize> {
+    (0..16).filter(|code| Mode::from_code(*code as u8).is_some())
 }
 
 /// Everything but rest: modes, and what is no body.
@@ -189,9 +206,11 @@ impl Problem {
                 if shaken.is_empty() { vec![None] } else { shaken.into_iter().map(Some).collect() };
             for earthquake in each {
                 let (inputs_of_case, case) = (Box::new(unnamed.clone()), Box::new(case.clone()));
+                let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, earthquake)).flatten();
+                let quick = quick.map(Box::new);
                 problems.push(Problem {
                     id: unique(),
-                    model: Model::Case { inputs: inputs_of_case, case, acting, earthquake },
+                    model: Model::Case { inputs: inputs_of_case, case, acting, earthquake, quick },
                     random: inputs.clone(),
                     laws: laws.clone(),
                     years: years.or(random.years),
@@ -215,6 +234,14 @@ impl Problem {
     /// What is random, in the order of the file.
     pub fn random(&self) -> &[Input] {
         &self.random
+    }
+
+    /// The case, if it is one, and the loads of it that act.
+    pub(super) fn case(&self) -> Option<(&Case, Acting)> {
+        match &self.model {
+            Model::Case { case, acting, .. } => Some((case, *acting)),
+            Model::Point(_) => None,
+        }
     }
 
     /// The laws of the random numbers and how they are correlated.
@@ -256,6 +283,11 @@ impl Problem {
         Some(Problem { line, ..self.clone() })
     }
 
+    /// Whether the number along which modes are known has to be scanned.
+    pub(super) fn is_scanned(&self) -> bool {
+        matches!(self.line, Line::Scan(_))
+    }
+
     /// Whether friction, or a load, is integrated in closed form; and the name of that number.
     pub(super) fn line_name(&self) -> (&str, bool) {
         let (place, exact) = match self.line {
@@ -276,17 +308,38 @@ impl Problem {
             let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
             (block.mu_s, block.mu_k) = (values[place], values[place] * ratio);
         }
-        let wrench = components.wrench(|bias| self.bias(bias, values));
-        Some(Mechanics { block, wrench, formulas: components.formulas })
+        let [permanent, variable] = components.wrenches(|bias| self.bias(bias, values));
+        Some(Mechanics { block, permanent, variable, formulas: components.formulas })
     }
 
-    fn bias(&self, bias: Bias, values: &[f64]) -> Option<f64> {
+    /// The same on the way to the full load: of the report's force, at any size, only the elevation counts.
+    pub(super) fn departing(&self, values: &[f64]) -> Option<Mechanics> {
+        let mut mechanics = self.mechanics(values)?;
+        if let Model::Point(point) = &self.model {
+            let with = |coordinate: Coordinate| {
+                let place = self.random.iter().position(|i| i.quantity == Quantity::Point(coordinate));
+                place.map_or(point[coordinate as usize], |place| values[place])
+            };
+            if with(Coordinate::K) > 0.0 {
+                let m = with(Coordinate::KPrime) * with(Coordinate::Gamma);
+                mechanics.variable = Wrench { x: -1.0, p: 0.0, m };
+            }
+        }
+        Some(mechanics)
+    }
+
+    /// A number that no other problem has.
+    pub(super) fn id(&self) -> u64 {
+        self.id
+    }
+
+    pub(super) fn bias(&self, bias: Bias, values: &[f64]) -> Option<f64> {
         let place = self.random.iter().position(|input| input.quantity == Quantity::Bias(bias));
         place.map(|place| values[place])
     }
 
     /// What acts, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
-    fn components(&self, values: &[f64]) -> Option<Components> {
+    pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
         let slow = |input: &&Input| input.variable().is_some() && !input.is_friction();
         let keys: Vec<f64> = self
             .random
@@ -306,7 +359,21 @@ impl Problem {
     }
 
     fn assembled(&self, values: &[f64]) -> Option<Components> {
-        let Model::Case { inputs, case, acting, earthquake } = &self.model else { return None };
+        let Model::Case { acting, earthquake, quick, .. } = &self.model else { return None };
+        if let Some(quick) = quick {
+            return quick.components(self.heights(values)?);
+        }
+        let case = self.case_with(values)?;
+        let formulas = case.wave.as_ref().map_or(0, |wave| wave.goda.formulas);
+        Some(Components::of(&case.situation(*acting, *earthquake).ok()?, formulas))
+    }
+
+    /// The case with these values of all numbers but friction; none if they do not go together.
+    pub(super) fn case_with(&self, values: &[f64]) -> Option<Case> {
+        let Model::Case { inputs, case, quick, .. } = &self.model else { return None };
+        if let Some(quick) = quick {
+            return quick.case(case, self.heights(values)?);
+        }
         let named: Vec<(&Variable, f64)> = self
             .random
             .iter()
@@ -315,9 +382,23 @@ impl Problem {
             .filter(|(input, _)| !input.is_friction())
             .filter_map(|(input, value)| Some((input.variable()?, *value)))
             .collect();
-        let case = Case::of(&vary(inputs, case, &named)).ok()?;
-        let formulas = case.wave.as_ref().map_or(0, |wave| wave.goda.formulas);
-        Some(Components::of(&case.situation(*acting, *earthquake).ok()?, formulas))
+        Case::of(&vary(inputs, case, &named)).ok()
+    }
+
+    /// The wave heights of the case, with these values of those that are random.
+    fn heights(&self, values: &[f64]) -> Option<Heights> {
+        let Model::Case { case, .. } = &self.model else { return None };
+        let mut heights = case.wave.as_ref()?.heights;
+        for (input, value) in self.random.iter().zip(values) {
+            let key = input.variable().map(|variable| variable.id().key);
+            match (&mut heights, key) {
+                (Heights::DeepWater(height), Some(Key::DeepWaterHeight)) => *height = *value,
+                (Heights::Local { significant, .. }, Some(Key::H13)) => *significant = *value,
+                (Heights::Local { maximum, .. }, Some(Key::Hmax)) => *maximum = *value,
+                _ => {}
+            }
+        }
+        Some(heights)
     }
 
     /// The report's problem with these values: X = −k, M = k k' γ.
@@ -329,8 +410,9 @@ impl Problem {
         }
         let [gamma, k_prime, k, mu] = point;
         Point::new(gamma, k_prime, k, mu).ok()?;
-        let wrench = Wrench { x: -k, p: 1.0, m: k * k_prime * gamma };
-        Some(Mechanics { block: Block::uniform(gamma, mu), wrench, formulas: 0 })
+        let permanent = Wrench { x: 0.0, p: 1.0, m: 0.0 };
+        let variable = Wrench { x: -k, p: 0.0, m: k * k_prime * gamma };
+        Some(Mechanics { block: Block::uniform(gamma, mu), permanent, variable, formulas: 0 })
     }
 
     /// The outcomes of a block under a wrench.
@@ -340,70 +422,6 @@ impl Problem {
             Ok(solution) => lifted | of_modes(solution.mode(), solution.modes),
             Err(_) => 1 << NOT_A_BODY,
         }
-    }
-}
-
-/// The contact problem that values make.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Mechanics {
-    pub(super) block: Block,
-    pub(super) wrench: Wrench,
-    /// Which of the waves' formulas applied.
-    formulas: u32,
-}
-
-/// What acts on a block, in its units: what each bias is on, and all else.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Components {
-    block: Block,
-    /// Which of the waves' formulas applied.
-    formulas: u32,
-    thrust: Wrench,
-    uplift: Wrench,
-    forces: Wrench,
-    others: Wrench,
-}
-
-impl Components {
-    fn of(situation: &Situation, formulas: u32) -> Components {
-        let nothing = Wrench::ZERO;
-        let block = situation.block();
-        let mut all = Components {
-            block,
-            formulas,
-            thrust: nothing,
-            uplift: nothing,
-            forces: nothing,
-            others: nothing,
-        };
-        for load in situation.loads() {
-            let part = match load.source {
-                LoadSource::WavePressure => &mut all.thrust,
-                LoadSource::WaveUplift => &mut all.uplift,
-                LoadSource::Force => &mut all.forces,
-                _ => &mut all.others,
-            };
-            *part = *part + situation.reduced_wrench(&situation.wrench_of(load));
-        }
-        all
-    }
-
-    /// Their sum, each times what it is biased by.
-    fn wrench(&self, bias: impl Fn(Bias) -> Option<f64>) -> Wrench {
-        let Block { b1, d, .. } = self.block;
-        let times = |wrench: Wrench, force: Bias, moment: Option<Bias>| {
-            let of_force = bias(force).unwrap_or(1.0);
-            let of_moment = moment.and_then(&bias).unwrap_or(of_force);
-            // About O, where engineers have M_p and M_U: C lies at (b₁, d) from it.
-            let lever = |x: f64, p: f64| -b1 * p - d * x;
-            let about_heel = (wrench.m + lever(wrench.x, wrench.p)) * of_moment;
-            let (x, p) = (wrench.x * of_force, wrench.p * of_force);
-            Wrench { x, p, m: about_heel - lever(x, p) }
-        };
-        self.others
-            + times(self.thrust, Bias::Thrust, Some(Bias::ThrustMoment))
-            + times(self.uplift, Bias::Uplift, Some(Bias::UpliftMoment))
-            + times(self.forces, Bias::Force, None)
     }
 }
 
@@ -450,10 +468,11 @@ impl Outcomes for Problem {
         match self.line {
             Line::Friction(place) => {
                 values[place] = 1.0;
-                let Some(Mechanics { block, wrench, formulas }) = self.mechanics(&values) else {
+                let Some(mechanics) = self.mechanics(&values) else {
                     return everywhere(pieces, NOT_A_BODY);
                 };
-                pieces.branch(u64::from(formulas));
+                let (block, wrench) = (mechanics.block, mechanics.wrench());
+                pieces.branch(u64::from(mechanics.formulas));
                 if wrench.p <= 0.0 {
                     everywhere(pieces, LIFTED);
                 }
@@ -473,8 +492,8 @@ impl Outcomes for Problem {
                     return everywhere(pieces, NOT_A_BODY);
                 };
                 pieces.branch(u64::from(with.formulas));
-                let (block, start) = (with.block, without.wrench);
-                let slope = with.wrench + start * -1.0;
+                let (block, start) = (with.block, without.wrench());
+                let slope = with.wrench() + start * -1.0;
                 let level = -start.p / slope.p;
                 match (start.p > 0.0, level > 0.0) {
                     (true, true) => pieces.push(level, f64::INFINITY, LIFTED),
@@ -502,13 +521,13 @@ impl Outcomes for Problem {
 
     fn at(&self, values: &[f64]) -> u64 {
         match self.mechanics(values) {
-            Some(Mechanics { block, wrench, .. }) => Problem::outcomes(&block, &wrench),
+            Some(mechanics) => Problem::outcomes(&mechanics.block, &mechanics.wrench()),
             None => 1 << NOT_A_BODY,
         }
     }
 }
 
-fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
+pub(super) fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
     (0..COUNT)
         .filter(|outcome| outcomes >> outcome & 1 == 1)
         .for_each(|outcome| pieces.push(from, to, outcome));
@@ -518,14 +537,19 @@ impl Input {
     pub(super) fn variable(&self) -> Option<&Variable> {
         match &self.quantity {
             Quantity::Key(variable) => Some(variable),
-            Quantity::Bias(_) | Quantity::Point(_) => None,
+            Quantity::Bias(_) | Quantity::Point(_) | Quantity::Storm(_) => None,
         }
     }
 
-    fn is_friction(&self) -> bool {
+    /// Whether it is this number of the case.
+    pub(super) fn is_of(&self, variable: &Variable) -> bool {
+        self.variable().is_some_and(|own| own.id() == variable.id())
+    }
+
+    pub(super) fn is_friction(&self) -> bool {
         match &self.quantity {
             Quantity::Key(variable) => variable.id() == Id::from(Key::Friction),
-            Quantity::Bias(_) => false,
+            Quantity::Bias(_) | Quantity::Storm(_) => false,
             Quantity::Point(coordinate) => *coordinate == Coordinate::Mu,
         }
     }
@@ -534,10 +558,17 @@ impl Input {
     fn is_linear(&self) -> bool {
         match &self.quantity {
             Quantity::Bias(_) | Quantity::Point(Coordinate::K) => true,
-            Quantity::Point(_) => false,
+            Quantity::Point(_) | Quantity::Storm(_) => false,
             Quantity::Key(variable) => variable.id().key == Key::Force,
         }
     }
+}
+
+/// Whether of a case's numbers, beside friction, only heights of waves are random.
+fn only_heights(inputs: &[Input]) -> bool {
+    let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
+    let of_case = inputs.iter().filter(|input| !input.is_friction()).filter_map(Input::variable);
+    of_case.into_iter().all(|variable| heights.contains(&variable.id().key))
 }
 
 fn line(inputs: &[Input]) -> Line {

@@ -206,7 +206,7 @@ pub(super) const LAWS: [&str; 8] =
 /// A problem and where it is.
 pub(crate) type At<T> = Result<T, (RandomProblem, Span<usize>)>;
 
-type Item<'a> = Spanned<DeValue<'a>>;
+pub(super) type Item<'a> = Spanned<DeValue<'a>>;
 
 /// Reads a `[random]` table.
 pub(crate) fn read(item: &Item<'_>) -> At<Random> {
@@ -236,13 +236,13 @@ pub(crate) fn read(item: &Item<'_>) -> At<Random> {
 }
 
 /// The entries of a table in the order in which they stand.
-fn in_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Item<'a>)> {
+pub(super) fn in_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Item<'a>)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(name, _)| name.span().start);
     entries.into_iter().map(|(name, value)| (name.get_ref().as_ref(), value)).collect()
 }
 
-fn wrong(
+pub(super) fn wrong(
     item: &Item<'_>,
     what: impl Into<String>,
     expected: impl Into<String>,
@@ -251,25 +251,25 @@ fn wrong(
     (RandomProblem::Type { what: what.into(), found, expected: expected.into() }, item.span())
 }
 
-fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
+pub(super) fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
     item.get_ref().as_table().ok_or_else(|| wrong(item, what, expected))
 }
 
-fn written(item: &Item<'_>) -> Option<Written> {
+pub(super) fn written(item: &Item<'_>) -> Option<Written> {
     match item.get_ref() {
         DeValue::String(text) => Some(Written::Text(text.to_string())),
         value => plain_number(value).map(Written::Number),
     }
 }
 
-fn number(item: &Item<'_>, what: &str) -> At<f64> {
+pub(super) fn number(item: &Item<'_>, what: &str) -> At<f64> {
     match written(item) {
         Some(Written::Number(number)) if number.is_finite() => Ok(number),
         _ => Err(wrong(item, what, "a number without unit or quotes")),
     }
 }
 
-fn positive(item: &Item<'_>, what: &str) -> At<f64> {
+pub(super) fn positive(item: &Item<'_>, what: &str) -> At<f64> {
     let number = number(item, what)?;
     if number > 0.0 {
         return Ok(number);

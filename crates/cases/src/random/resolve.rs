@@ -6,6 +6,7 @@ use standfast_probability::problem::Inputs as Laws;
 
 use super::problem::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
+use super::storm::StormField;
 use crate::case::Case;
 use crate::couple::Variable;
 use crate::key::Range;
@@ -21,6 +22,8 @@ pub(super) struct Resolve<'a>(pub(super) Names<'a>);
 pub(super) enum Names<'a> {
     Case(&'a CaseFile, &'a Case),
     Point([f64; 4]),
+    /// A storm without a body.
+    Storm([f64; 6]),
 }
 
 impl Resolve<'_> {
@@ -80,6 +83,7 @@ impl Resolve<'_> {
     fn quantity(&self, named: &Named) -> At<Quantity> {
         let (file, case) = match self.0 {
             Names::Case(file, case) => (file, case),
+            Names::Storm(_) => return of_storm(named),
             Names::Point(_) => {
                 let found = Coordinate::ALL.into_iter().find(|coordinate| coordinate.name() == named.name);
                 return found.map(Quantity::Point).ok_or_else(|| {
@@ -100,12 +104,7 @@ impl Resolve<'_> {
             let (name, known) = (named.name.clone(), known.to_owned());
             return Err((RandomProblem::NoNumber { name, suggestion: None, known }, named.span.clone()));
         }
-        // A load by its name.
-        let by_name = named.name.strip_prefix("load.").and_then(|rest| rest.rsplit_once('.'));
-        let spelled = by_name.and_then(|(load, key)| {
-            let place = case.forces.iter().position(|force| force.name.as_deref() == Some(load))?;
-            Some(format!("load[{}].{key}", place + 1))
-        });
+        let spelled = spelled(case, &named.name);
         let name = spelled.as_deref().unwrap_or(&named.name);
         match Variable::find(name, file.inputs()) {
             Ok(variable) => Ok(Quantity::Key(variable)),
@@ -173,6 +172,7 @@ impl Resolve<'_> {
             let own = match (quantity, self.0) {
                 (Quantity::Key(variable), Names::Case(file, case)) => variable.value(file.inputs(), case),
                 (Quantity::Point(coordinate), Names::Point(point)) => point[*coordinate as usize],
+                (Quantity::Storm(field), Names::Storm(values)) => values[*field as usize],
                 _ => 1.0,
             };
             let mean = measured("mean")?.unwrap_or(own);
@@ -249,6 +249,20 @@ impl Resolve<'_> {
                     )
                 })
             }
+            (Written::Text(text), Quantity::Storm(field), _) => {
+                let dimension = field.dimension();
+                dimension.and_then(|dimension| dimension.parse(text).ok()).ok_or_else(|| {
+                    let expected = match dimension {
+                        Some(dimension) => {
+                            format!("a number, or {} in {}", dimension.words(), dimension.understood())
+                        }
+                        None => "a number without unit or quotes".to_owned(),
+                    };
+                    let what = format!("`{}` of `{}`", parameter.name, named.name);
+                    let written = format!("\"{text}\"");
+                    (RandomProblem::Value { what, written, expected }, parameter.span.clone())
+                })
+            }
             _ => self.plain(named, parameter),
         }
     }
@@ -269,12 +283,39 @@ impl Resolve<'_> {
     }
 }
 
+/// The key of a load that is named by its name.
+fn spelled(case: &Case, name: &str) -> Option<String> {
+    let (load, key) = name.strip_prefix("load.")?.rsplit_once('.')?;
+    let place = case.forces.iter().position(|force| force.name.as_deref() == Some(load))?;
+    Some(format!("load[{}].{key}", place + 1))
+}
+
+/// The number of a case under a name.
+pub(super) fn find(file: &CaseFile, case: &Case, name: &str) -> Option<Variable> {
+    Variable::find(spelled(case, name).as_deref().unwrap_or(name), file.inputs()).ok()
+}
+
+/// What a name stands for in a storm without a body.
+fn of_storm(named: &Named) -> At<Quantity> {
+    let biases = [Bias::Thrust, Bias::Uplift];
+    if let Some(bias) = biases.into_iter().find(|bias| bias.name() == named.name) {
+        return Ok(Quantity::Bias(bias));
+    }
+    let found = StormField::ALL.into_iter().find(|field| field.name() == named.name);
+    found.map(Quantity::Storm).ok_or_else(|| {
+        let (what, name) = ("[random] of a [storm] without a [body]".to_owned(), named.name.clone());
+        let names = StormField::ALL.map(StormField::name).into_iter().chain(biases.map(Bias::name));
+        (RandomProblem::Name { what, name, allowed: names.map(str::to_owned).collect() }, named.span.clone())
+    })
+}
+
 /// Which values a random number can have.
 fn range(quantity: &Quantity) -> Range {
     match quantity {
         Quantity::Key(variable) => variable.range(),
         Quantity::Bias(_) => Range::NotNegative,
         Quantity::Point(coordinate) => coordinate.range(),
+        Quantity::Storm(field) => field.range(),
     }
 }
 

@@ -3,20 +3,91 @@
 use std::fmt::Write;
 
 use standfast::Mode;
-use standfast_probability::sample::Estimate;
+use standfast_probability::sample::{Effort, Estimate};
 
-use super::answer::{Chances, Happening, Method, Probability};
+use super::answer::{Chances, FirstDeparture, Happening, Method, Probability};
+use super::over::{Fit, Fragility};
+use super::storm::{Exceeded, Pulse, Quantile, Sliding};
 use crate::layout::{columns, digits, paragraph, row};
 
 impl Probability {
     /// The answer as text.
     pub fn text(&self) -> String {
         let mut text = String::new();
-        let [worst, others @ ..] = &self.situations[..] else { unreachable!("a case has loads") };
-        text += &self.chances(worst);
-        for chances in others {
+        if let Some(worst) = self.situations.first() {
+            text += &self.chances(worst);
+        }
+        for chances in self.situations.iter().skip(1) {
             let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
             text += &event_table(chances, self.floor());
+        }
+        if let Some(sliding) = &self.sliding {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text += &self.slides(sliding);
+        }
+        if let Some(fragility) = &self.fragility {
+            text += &along(fragility, self.floor());
+        }
+        text
+    }
+
+    /// How far storms slide the body.
+    fn slides(&self, sliding: &Sliding) -> String {
+        let Sliding { years, storm, mean, quantiles, exceedance, rotating, .. } = sliding;
+        let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
+        let mut text = paragraph(
+            &format!(
+                "Sliding in {of_years} (a storm of {} waves each; mean integrated, {} lives drawn, seed {})",
+                storm.waves,
+                grouped(sliding.lives),
+                self.request.effort.seed
+            ),
+            0,
+        );
+        let metres = |slide: f64| format!("{} m", digits(slide));
+        let within =
+            |e: Estimate, words: &dyn Fn(f64) -> String| format!("{} … {}", words(e.low), words(e.high));
+        let mut rows = vec![row!["mean", metres(mean.value), within(*mean, &metres)]];
+        rows.push(row!["slides at all", probability(sliding.ever.value), within(sliding.ever, &probability)]);
+        for Exceeded { slide, probability: p } in exceedance {
+            rows.push(row![
+                format!("more than {slide:.2} m"),
+                probability(p.value),
+                within(*p, &probability)
+            ]);
+        }
+        for Quantile { share, slide } in quantiles {
+            let words = format!("{} % of all lives stay below", digits(100.0 * share));
+            rows.push(row![words, metres(slide.value), within(*slide, &metres)]);
+        }
+        text += &columns(&rows, 2, &[1]);
+        if mean.value > 0.0 {
+            let words = format!(
+                "{} % of the mean comes of the worst 5 % of all lives; {} waves of a life slide the body on average.",
+                digits((1000.0 * sliding.of_worst).round() / 10.0),
+                digits(sliding.waves.value)
+            );
+            text += &paragraph(&words, 2);
+        }
+        if rotating.wave.value > 0.0 {
+            let words = format!(
+                "Waves that begin a rotation are left out, because the slide of a pulse does not hold for them: {} of all waves; {} of all lives have one.",
+                probability(rotating.wave.value),
+                probability(rotating.life.value)
+            );
+            text += &paragraph(&words, 2);
+        }
+        if storm.pulse == Pulse::Shimosako || storm.has_formula() {
+            text +=
+                &paragraph("Shimosako and Takahashi's formulas are recalled; the original was not read.", 2);
+        }
+        if !sliding.precise {
+            text += &paragraph(
+                "The mean is not as precise as it is asked to be: --samples takes more points.",
+                2,
+            );
         }
         text
     }
@@ -47,17 +118,10 @@ impl Probability {
             let _ = writeln!(text, "  under {situation}{least}");
         }
         text += &event_table(chances, self.floor());
+        text += &self.departures(chances);
         text += &self.index(chances);
         if !chances.precise {
-            let effort = &self.request.effort;
-            text += &paragraph(
-                &format!(
-                    "Not as precise as asked, {} % of every probability above {}: --samples takes more points.",
-                    digits(100.0 * effort.precision),
-                    digits(effort.floor)
-                ),
-                2,
-            );
+            text += &self.imprecise();
         }
         // Less is in the JSON alone.
         for (name, cut) in self.random.iter().filter(|(_, cut)| *cut >= 1e-12) {
@@ -72,14 +136,44 @@ impl Probability {
             // Rest is what a life begins with.
             let moved: Vec<_> =
                 life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::Mode(Mode::Rest)).collect();
-            text += &modes_table(chances, &moved, life.not_rest, self.floor());
+            text += &modes_table(life.method, &moved, life.not_rest, self.floor());
+            if !life.precise {
+                text += &self.imprecise();
+            }
         }
         text
+    }
+
+    fn imprecise(&self) -> String {
+        let Effort { precision, floor, .. } = self.request.effort;
+        let words = format!(
+            "Not as precise as asked, {} % of every probability above {}: --samples takes more points.",
+            digits(100.0 * precision),
+            digits(floor)
+        );
+        paragraph(&words, 2)
+    }
+
+    /// Into which mode it first leaves rest.
+    fn departures(&self, chances: &Chances) -> String {
+        let FirstDeparture { modes, never, at_once, .. } = &chances.first_departure;
+        let mut parts: Vec<(String, f64)> =
+            modes.iter().map(|(happening, e)| (happening.name(), e.value)).collect();
+        parts.push(("at once".to_owned(), at_once.value));
+        parts.push(("never".to_owned(), never.value));
+        parts.retain(|(_, p)| *p >= self.floor());
+        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let parts: Vec<String> =
+            parts.iter().map(|(name, p)| format!("{name} {}", probability(*p))).collect();
+        paragraph(&format!("First departure as the loads rise from nothing: {}.", parts.join(", ")), 2)
     }
 
     /// The reliability index beside the probability.
     fn index(&self, chances: &Chances) -> String {
         let Some(point) = &chances.design_point else {
+            if chances.not_rest.value > 0.0 {
+                return String::new();
+            }
             return paragraph("Nowhere within twelve deviations of the medians does it move.", 2);
         };
         let mut said = format!("β {}", digits(point.beta));
@@ -116,7 +210,7 @@ impl Probability {
 
 /// The modes under the loads of one event.
 fn event_table(chances: &Chances, floor: f64) -> String {
-    let mut text = modes_table(chances, &chances.modes, chances.not_rest, floor);
+    let mut text = modes_table(chances.method, &chances.modes, chances.not_rest, floor);
     let parts = [
         ("more than one consistent mode", chances.not_unique),
         ("nothing that presses the body down", chances.lifted),
@@ -128,12 +222,12 @@ fn event_table(chances: &Chances, floor: f64) -> String {
 }
 
 /// Modes with their probabilities; those below the floor together.
-fn modes_table(chances: &Chances, modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64) -> String {
+fn modes_table(method: Method, modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64) -> String {
     let mut shown: Vec<_> = modes.iter().filter(|(_, e)| e.value >= floor).collect();
     shown.sort_by(|a, b| b.1.value.total_cmp(&a.1.value));
     let mut rows: Vec<Vec<String>> =
-        shown.iter().map(|(happening, e)| line(&words(*happening), *e, chances.method)).collect();
-    rows.push(line("does not rest", not_rest, chances.method));
+        shown.iter().map(|(happening, e)| line(&words(*happening), *e, method)).collect();
+    rows.push(line("does not rest", not_rest, method));
     let mut text = columns(&rows, 2, &[1]);
     let below: Vec<_> = modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
     if !below.is_empty() {
@@ -176,4 +270,40 @@ fn grouped(n: u64) -> String {
         grouped.push(digit);
     }
     grouped
+}
+
+/// Probabilities along a number: a column for each mode that is likely enough anywhere.
+fn along(Fragility { name, unit, points, fit }: &Fragility, floor: f64) -> String {
+    let likely = |place: usize| points.iter().any(|point| point.modes[place].1.value >= floor);
+    let places: Vec<usize> =
+        (0..points.first().map_or(0, |point| point.modes.len())).filter(|i| likely(*i)).collect();
+    let head = unit.map_or_else(|| name.clone(), |unit| format!("{name} ({unit})"));
+    let names = places.iter().map(|place| points[0].modes[*place].0.name());
+    let mut rows = vec![[head].into_iter().chain(names).chain(["not RE".to_owned()]).collect::<Vec<_>>()];
+    for point in points {
+        let modes = places.iter().map(|place| probability(point.modes[*place].1.value));
+        rows.push(
+            [digits(point.value)]
+                .into_iter()
+                .chain(modes)
+                .chain([probability(point.not_rest.value)])
+                .collect(),
+        );
+    }
+    let right: Vec<usize> = (0..rows[0].len()).collect();
+    let mut text = format!("\n{}", columns(&rows, 0, &right));
+    text += &match fit {
+        Some(Fit { median, dispersion, misfit }) => paragraph(
+            &format!(
+                "A lognormal curve through what does not rest: median {}{}, dispersion {}; it misses by {} at most.",
+                digits(*median),
+                unit.map_or_else(String::new, |unit| format!(" {unit}")),
+                digits(*dispersion),
+                digits(*misfit)
+            ),
+            2,
+        ),
+        None => String::new(),
+    };
+    text
 }

@@ -20,7 +20,7 @@ const STUDENT: f64 = 2.039_513_446_396_408;
 
 impl Estimate {
     /// The mean of the means of all scrambles, with Student's interval; where all are zero, the bound of as many plain points.
-    pub(super) fn of_means(means: &[f64], points: u64) -> Estimate {
+    pub(crate) fn of_means(means: &[f64], points: u64) -> Estimate {
         debug_assert_eq!(means.len(), SCRAMBLES);
         let n = means.len() as f64;
         let value = means.iter().sum::<f64>() / n;
@@ -29,7 +29,16 @@ impl Estimate {
         }
         let variance = means.iter().map(|mean| (mean - value).powi(2)).sum::<f64>() / (n - 1.0);
         let half = STUDENT * (variance / n).sqrt();
-        Estimate { value, low: (value - half).max(0.0), high: (value + half).min(1.0) }
+        Estimate { value, low: (value - half).max(0.0), high: value + half }
+    }
+
+    /// A value with Student's interval of the spread of the groups' own.
+    pub(crate) fn about(value: f64, groups: &[f64]) -> Estimate {
+        let n = groups.len() as f64;
+        let mean = groups.iter().sum::<f64>() / n;
+        let variance = groups.iter().map(|group| (group - mean).powi(2)).sum::<f64>() / (n - 1.0);
+        let half = STUDENT * (variance / n).sqrt();
+        Estimate { value, low: (value - half).max(0.0), high: value + half }
     }
 
     /// The share of hits, with Clopper and Pearson's interval; one-sided where no point was a hit, or all were.

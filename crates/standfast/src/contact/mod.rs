@@ -59,6 +59,7 @@ mod explain;
 pub(crate) use conditions::{Numbers, Verdict};
 use conditions::{Rotation, conditions};
 
+pub mod departure;
 pub mod friction;
 pub mod path;
 pub mod plane;

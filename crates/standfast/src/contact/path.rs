@@ -8,6 +8,7 @@ use super::conditions::{COUNT, conditions};
 use super::{Block, numbers, solve};
 use crate::error::{InputError, LARGEST};
 use crate::mode::{Mode, Modes};
+use crate::situation::Departure;
 use crate::wrench::Wrench;
 
 /// A stretch of load factors with the same modes.
@@ -36,15 +37,30 @@ impl Stage {
 /// # Errors
 /// As [`solve`].
 pub fn stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Vec<Stage>, InputError> {
+    let mut stages: Vec<Stage> = Vec::new();
+    for stage in pieces(block, permanent, variable) {
+        let stage = stage?;
+        match stages.last_mut() {
+            Some(last) if (last.mode, last.modes) == (stage.mode, stage.modes) => last.to = stage.to,
+            _ => stages.push(stage),
+        }
+    }
+    Ok(stages)
+}
+
+/// The stretches between crossings, one by one; neighbours may have the same modes.
+fn pieces(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+) -> impl Iterator<Item = Result<Stage, InputError>> {
     let mut ends: Vec<f64> = crossings(block, permanent, variable).collect();
     ends.sort_by(f64::total_cmp);
     // One crossing, computed from two conditions.
     ends.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
     ends.push(f64::INFINITY);
-
-    let mut stages: Vec<Stage> = Vec::new();
     let mut from = 0.0;
-    for to in ends {
+    ends.into_iter().map(move |to| {
         // Beyond the last crossing any load factor will do.
         let inside = match to {
             f64::INFINITY if from == 0.0 => 1.0,
@@ -52,13 +68,39 @@ pub fn stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Ve
             to => from + (to - from) / 2.0,
         };
         let solution = solve(block, &(*permanent + *variable * inside))?;
-        match stages.last_mut() {
-            Some(last) if (last.mode, last.modes) == (solution.mode(), solution.modes) => last.to = to,
-            _ => stages.push(Stage { from, to, mode: solution.mode(), modes: solution.modes }),
-        }
+        let stage = Stage { from, to, mode: solution.mode(), modes: solution.modes };
         from = to;
-    }
-    Ok(stages)
+        Ok(stage)
+    })
+}
+
+/// Where a load that rises from zero beside `permanent` first moves the block, looked for no further than that.
+///
+/// # Errors
+/// As [`solve`].
+pub fn departure(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Departure, InputError> {
+    let begin = solve(block, permanent)?.mode();
+    let mut stages = pieces(block, permanent, variable);
+    let first = if begin == Some(Mode::Rest) {
+        stages.find(|stage| stage.as_ref().map_or(true, |stage| stage.mode != Some(Mode::Rest)))
+    } else {
+        stages.next()
+    };
+    Ok(Departure::of(begin, first.transpose()?.as_ref()))
+}
+
+/// The mode just beyond a load factor.
+pub(super) fn just_beyond(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+    factor: f64,
+) -> Result<Option<Mode>, InputError> {
+    let next = crossings(block, permanent, variable)
+        .filter(|λ| *λ - factor > 1e-12 * factor)
+        .fold(f64::INFINITY, f64::min);
+    let inside = if next.is_finite() { factor + (next - factor) / 2.0 } else { 2.0 * factor };
+    Ok(solve(block, &(*permanent + *variable * inside))?.mode())
 }
 
 /// The stages up to a load factor.

@@ -101,10 +101,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     section.check(sea)?;
     choices.check()?;
 
-    let Sea { water_depth: h, period, water_density: ρ, gravity: g, .. } = *sea;
-    let Section { base_depth, depth_above_berm: d, crest_height, caisson_width, .. } = *section;
-    let [λ1, λ2, λ3] = choices.lambda;
-
+    let Sea { water_depth: h, period, gravity: g, .. } = *sea;
     let l0 = deep_water_wavelength(period, g);
     let l = wavelength(period, h, g);
     let (computed, h_13, h_max) = match *heights {
@@ -114,6 +111,23 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
         }
         Heights::Local { significant, maximum } => (None, significant, maximum),
     };
+    let mut goda = pressures(sea, (l0, l), computed, [h_13, h_max], section, choices);
+    goda.warnings = Warning::all(sea, heights, section, &goda);
+    Ok(goda)
+}
+
+/// What follows from the wavelengths L₀ and L and the heights H_1/3 and H_max, but for warnings.
+fn pressures(
+    sea: &Sea,
+    (l0, l): (f64, f64),
+    computed: Option<DesignHeights>,
+    [h_13, h_max]: [f64; 2],
+    section: &Section,
+    choices: &Choices,
+) -> Goda {
+    let Sea { water_depth: h, water_density: ρ, gravity: g, .. } = *sea;
+    let Section { base_depth, depth_above_berm: d, crest_height, caisson_width, .. } = *section;
+    let [λ1, λ2, λ3] = choices.lambda;
     let h_b = breaking_depth(sea, h_13);
     let angle_deg = (sea.angle_deg - choices.turn_deg).max(0.0);
     let cos_β = angle_deg.to_radians().cos();
@@ -148,7 +162,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     ];
     let of_heights = computed.map_or(0, |heights| heights.formulas);
     let formulas = limits.iter().fold(of_heights, |formulas, limit| 2 * formulas + u32::from(*limit));
-    let mut goda = Goda {
+    Goda {
         angle_deg,
         heights: computed,
         h_13,
@@ -177,12 +191,32 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
         uplift_moment: 2.0 / 3.0 * uplift * caisson_width,
         formulas,
         warnings: Vec::new(),
-    };
-    goda.warnings = Warning::all(sea, heights, section, &goda);
-    Ok(goda)
+    }
 }
 
 impl Goda {
+    /// The pressures of the same sea with another deep-water height (m), without warnings; `None` where these were found from
+    /// heights at the wall, or the height is no number above zero. What depends on period and depth alone is not worked out again.
+    pub fn from_deep_water(
+        &self,
+        sea: &Sea,
+        section: &Section,
+        choices: &Choices,
+        height: f64,
+    ) -> Option<Goda> {
+        Heights::DeepWater(height).check().ok()?;
+        let computed = DesignHeights::shoaled(sea, self.heights?.shoaling, height);
+        let lengths = (self.deep_water_wavelength, self.wavelength);
+        let heights = [computed.significant, computed.maximum];
+        Some(pressures(sea, lengths, Some(computed), heights, section, choices))
+    }
+
+    /// The pressures under one wave of this height (m) in the same sea, whose H_1/3 and wavelength stay. Warnings are left out.
+    pub fn under_wave(&self, sea: &Sea, section: &Section, choices: &Choices, height: f64) -> Goda {
+        let lengths = (self.deep_water_wavelength, self.wavelength);
+        pressures(sea, lengths, self.heights, [self.h_13, height], section, choices)
+    }
+
     /// The pressures as loads on `body`, whose base lies `base_depth` below still water (m): on its right side, and under its
     /// base, where they press there.
     pub fn loads(&self, body: &Body, base_depth: f64) -> Vec<Load> {

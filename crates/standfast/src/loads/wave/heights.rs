@@ -38,9 +38,13 @@ impl DesignHeights {
     /// The heights for the equivalent deep-water height H₀' (m). Formulas for breaking waves hold for h/L₀ < 0.2;
     /// deeper water only shoals.
     pub(super) fn from_deep_water(sea: &Sea, height: f64) -> DesignHeights {
+        DesignHeights::shoaled(sea, shoaling(sea.period, sea.water_depth, sea.gravity), height)
+    }
+
+    /// The same with K_s, which depends on the sea alone.
+    pub(super) fn shoaled(sea: &Sea, k_s: f64, height: f64) -> DesignHeights {
         let Sea { water_depth: h, sea_bottom_slope: t, period, gravity, .. } = *sea;
         let l0 = deep_water_wavelength(period, gravity);
-        let k_s = shoaling(period, h, gravity);
         let steepness = height / l0;
         let may_break = h / l0 < 0.2;
         // min{β₀H₀' + β₁h, β_max H₀', K_s H₀'}, for H_1/3 at h and for H_max at h_b.

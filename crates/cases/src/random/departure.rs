@@ -1,0 +1,129 @@
+//! Into which mode a body leaves rest first as its variable loads rise, as intervals along the number that is not sampled.
+
+use std::cell::RefCell;
+
+use standfast::Departure;
+use standfast::contact::departure::{DepartureSpan, by_friction, by_share};
+use standfast::contact::path::departure;
+use standfast_probability::problem::{Outcomes, Pieces};
+
+use super::mechanics::Mechanics;
+use super::problem::{COUNT, Line, NO_MODE, NOT_A_BODY, Problem, modes};
+
+/// The body rests under any multiple of the variable loads.
+pub(super) const NEVER: usize = 16;
+/// It moves as soon as any share of the variable loads acts, or under the permanent loads alone.
+pub(super) const AT_ONCE: usize = 17;
+
+/// The outcomes that exclude each other and add up to one.
+pub(super) fn exclusive() -> impl Iterator<Item = usize> {
+    modes().filter(|code| *code != 0).chain([NO_MODE, NOT_A_BODY, NEVER, AT_ONCE])
+}
+
+/// First departures of a problem in place of modes under the full load.
+pub(super) struct Departures<'a>(pub(super) &'a Problem);
+
+fn outcome(departure: Departure) -> usize {
+    match departure {
+        Departure::Never => NEVER,
+        Departure::AtOnce { .. } => AT_ONCE,
+        Departure::At { mode, .. } => mode.map_or(NO_MODE, |mode| usize::from(mode.code())),
+    }
+}
+
+/// What spans are of: of a problem by its number, block and wrenches in their order.
+type Key = (u64, [f64; 15]);
+
+thread_local! {
+    /// The spans that were asked for last. Where all that is random leaves the direction of the loads, they are the same.
+    static LAST: RefCell<Option<(Key, Vec<DepartureSpan>)>> = const { RefCell::new(None) };
+}
+
+impl Departures<'_> {
+    /// The spans along friction, for block and loads as they were last or anew.
+    fn along_friction(&self, mechanics: &Mechanics, pieces: &mut Pieces) {
+        let Mechanics { block, permanent, variable, .. } = mechanics;
+        let of = [block.b1, block.b2, block.d, block.rho2, block.m_x, block.m_y, block.mu_s, block.mu_k];
+        let mut numbers = [0.0; 15];
+        numbers[..8].copy_from_slice(&of);
+        for (place, wrench) in [(8, permanent), (11, variable)] {
+            numbers[place..place + 3].copy_from_slice(&[wrench.x, wrench.p, wrench.m]);
+        }
+        let key = (self.0.id(), numbers);
+        LAST.with_borrow_mut(|last| {
+            let known = last.as_ref().is_some_and(|(of, _)| *of == key);
+            if !known {
+                *last = by_friction(block, permanent, variable).ok().map(|spans| (key, spans));
+            }
+            push(last.as_ref().map(|(_, spans)| spans.as_slice()), pieces);
+        });
+    }
+}
+
+fn push(spans: Option<&[DepartureSpan]>, pieces: &mut Pieces) {
+    match spans {
+        Some(spans) => spans.iter().for_each(|span| pieces.push(span.from, span.to, outcome(span.departure))),
+        None => pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY),
+    }
+}
+
+impl Outcomes for Departures<'_> {
+    fn count(&self) -> usize {
+        COUNT
+    }
+
+    fn line(&self) -> usize {
+        self.0.line()
+    }
+
+    fn is_quick(&self, input: usize) -> bool {
+        self.0.is_quick(input)
+    }
+
+    fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        let mut values = values.to_vec();
+        let nothing = |pieces: &mut Pieces| pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY);
+        match self.0.line {
+            Line::Friction(place) => {
+                values[place] = 1.0;
+                let Some(mechanics) = self.0.departing(&values) else { return nothing(pieces) };
+                pieces.branch(u64::from(mechanics.formulas));
+                self.along_friction(&mechanics, pieces);
+            }
+            Line::Load(place) => {
+                values[place] = 0.0;
+                let without = self.0.mechanics(&values);
+                values[place] = 1.0;
+                let (Some(without), Some(with)) = (without, self.0.mechanics(&values)) else {
+                    return nothing(pieces);
+                };
+                pieces.branch(u64::from(with.formulas));
+                if with.permanent != without.permanent {
+                    return self.scan(place, values, pieces);
+                }
+                let slope = with.variable + without.variable * -1.0;
+                let spans = by_share(&with.block, &with.permanent, &without.variable, &slope);
+                push(spans.ok().as_deref(), pieces);
+            }
+            Line::Scan(place) => self.scan(place, values, pieces),
+        }
+    }
+
+    fn at(&self, values: &[f64]) -> u64 {
+        let departs = |Mechanics { block, permanent, variable, .. }: Mechanics| {
+            departure(&block, &permanent, &variable).ok()
+        };
+        1 << self.0.departing(values).and_then(departs).map_or(NOT_A_BODY, outcome)
+    }
+}
+
+impl Departures<'_> {
+    fn scan(&self, place: usize, values: Vec<f64>, pieces: &mut Pieces) {
+        let values = RefCell::new(values);
+        pieces.scan(&self.0.laws().laws()[place], |x| {
+            let mut values = values.borrow_mut();
+            values[place] = x;
+            self.at(&values)
+        });
+    }
+}

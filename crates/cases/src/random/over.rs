@@ -1,0 +1,213 @@
+//! Probabilities along a number of the case: fragility over an acceleration, or P over a width.
+//!
+//! Each value makes a case of its own, with what goes with the number when it is varied; its laws are those of the file, and a mean
+//! that is left out is that case's. A limit state that is lognormal along the number has the curve
+//!
+//! ```text
+//! P(x) = Φ(ln(x/median)/dispersion)
+//! ```
+//!
+//! which is fitted by a straight line through Φ⁻¹(P) over ln x; its largest difference from the probabilities says whether it holds.
+
+use std::str::FromStr;
+
+use standfast_probability::normal;
+use standfast_probability::sample::Estimate;
+
+use super::answer::{
+    Happening, Probability, ProbabilityError, Request, event, problem_of_point, problems_of,
+};
+use super::point;
+use super::problem::{Coordinate, Problem};
+use super::resolve::find;
+use crate::couple::vary;
+use crate::parse::CaseFile;
+
+/// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Over {
+    name: String,
+    from: String,
+    to: String,
+    count: usize,
+}
+
+impl FromStr for Over {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Over, String> {
+        let parts = || {
+            let (name, range) = text.split_once('=')?;
+            let (values, count) = range.rsplit_once(':')?;
+            let (from, to) = values.split_once("..")?;
+            let count = count.trim().parse().ok().filter(|count| (2..=10_000).contains(count))?;
+            let [name, from, to] = [name, from, to].map(|part| part.trim().to_owned());
+            Some(Over { name, from, to, count })
+        };
+        parts().ok_or_else(|| {
+            "expected NAME=FROM..TO:COUNT with two values or more, as in width=12 m..20 m:9".to_owned()
+        })
+    }
+}
+
+/// Probabilities along a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fragility {
+    /// The number's name.
+    pub name: String,
+    /// Its unit in SI, where it has one.
+    pub unit: Option<&'static str>,
+    /// The probabilities at each value.
+    pub points: Vec<Along>,
+    /// The curve through the probabilities of not resting.
+    pub fit: Option<Fit>,
+}
+
+/// The probabilities at one value, under the least safe set of loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Along {
+    /// The value, SI.
+    pub value: f64,
+    /// That the body does not stay at rest.
+    pub not_rest: Estimate,
+    /// The modes, which add up to one.
+    pub modes: Vec<(Happening, Estimate)>,
+}
+
+/// A lognormal curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    /// Its median, SI.
+    pub median: f64,
+    /// Its logarithmic standard deviation.
+    pub dispersion: f64,
+    /// The largest difference from the probabilities.
+    pub misfit: f64,
+}
+
+/// Probabilities between these are fitted: of what is beyond Φ⁻¹ tells little.
+const FITTED: f64 = 1e-9;
+
+impl Fit {
+    /// The curve through points; none where fewer than two tell anything, or they do not rise.
+    fn through(points: &[Along]) -> Option<Fit> {
+        let told: Vec<(f64, f64)> = points
+            .iter()
+            .filter(|point| point.value > 0.0)
+            .filter(|point| (FITTED..1.0 - FITTED).contains(&point.not_rest.value))
+            .map(|point| (point.value.ln(), normal::quantile(point.not_rest.value)))
+            .collect();
+        let n = told.len() as f64;
+        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| told.iter().map(of).sum::<f64>() / n;
+        let (x, z) = (mean(&|(x, _)| *x), mean(&|(_, z)| *z));
+        let across = mean(&|(a, b)| (a - x) * (b - z));
+        let slope = across / mean(&|(a, _)| (a - x) * (a - x));
+        if told.len() < 2 || !slope.is_finite() || slope <= 0.0 {
+            return None;
+        }
+        let (dispersion, median) = (1.0 / slope, (x - z / slope).exp());
+        let difference = |point: &Along| {
+            let curve =
+                if point.value > 0.0 { normal::below((point.value / median).ln() / dispersion) } else { 0.0 };
+            (curve - point.not_rest.value).abs()
+        };
+        Some(Fit { median, dispersion, misfit: points.iter().map(difference).fold(0.0, f64::max) })
+    }
+}
+
+impl Probability {
+    /// The answer to a file as [`of_text`](Probability::of_text) has it, and along a number if one is asked for.
+    ///
+    /// # Errors
+    /// As [`of_text`](Probability::of_text); or if the number is none of the case, or random itself.
+    pub fn along(
+        name: &str,
+        text: &str,
+        request: Request,
+        over: Option<&Over>,
+    ) -> Result<Probability, ProbabilityError> {
+        let fragility = over.map(|over| over.fragility(name, text, &request)).transpose()?;
+        Ok(Probability { fragility, ..Probability::of_text(name, text, request)? })
+    }
+}
+
+impl Over {
+    fn wrong(&self, what: impl Into<String>) -> ProbabilityError {
+        ProbabilityError::Over { name: self.name.clone(), what: what.into() }
+    }
+
+    fn fragility(&self, name: &str, text: &str, request: &Request) -> Result<Fragility, ProbabilityError> {
+        let (unit, points) = match point::read_file(name, text)? {
+            Some((point, random)) => {
+                let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
+                let Some(coordinate) = coordinate else {
+                    return Err(self.wrong("it is none of gamma, k_prime, k and mu"));
+                };
+                if random.named.iter().any(|named| named.name == self.name) {
+                    return Err(self.wrong("it is random itself"));
+                }
+                let at = |value: f64| {
+                    if !coordinate.range().contains(value) {
+                        return Err(self.wrong(format!("{value} is not {}", coordinate.range().words())));
+                    }
+                    let mut moved = point;
+                    moved[coordinate as usize] = value;
+                    Ok(vec![problem_of_point(name, text, moved, &random, None)?])
+                };
+                let read = |text: &str| {
+                    text.parse::<f64>().map_err(|_| self.wrong(format!("\"{text}\" is no number")))
+                };
+                (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
+            }
+            None => {
+                let file = CaseFile::parse(name, text)?;
+                let case = file.case()?;
+                let variable = find(&file, &case, &self.name).ok_or_else(|| {
+                    self.wrong(
+                        "it is no number of the case; a load is named by its name, as in load.push.force",
+                    )
+                })?;
+                let read = |text: &str| {
+                    variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
+                };
+                // The problems as they are, for what is random.
+                let random = problems_of(&file, None)?;
+                let same = |problem: &Problem| problem.random().iter().any(|input| input.is_of(&variable));
+                if random.iter().any(same) {
+                    return Err(self.wrong("it is random itself"));
+                }
+                let at = |value: f64| {
+                    let changed = file.with_inputs(vary(file.inputs(), &case, &[(&variable, value)]));
+                    problems_of(&changed, None)
+                };
+                let unit = variable.dimension().map(crate::units::Dimension::si);
+                (unit, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
+            }
+        };
+        let fit = Fit::through(&points);
+        Ok(Fragility { name: self.name.clone(), unit, points, fit })
+    }
+
+    fn points(
+        &self,
+        from: f64,
+        to: f64,
+        request: &Request,
+        problems: impl Fn(f64) -> Result<Vec<Problem>, ProbabilityError>,
+    ) -> Result<Vec<Along>, ProbabilityError> {
+        let last = (self.count - 1) as f64;
+        (0..self.count)
+            .map(|i| from + (to - from) * (i as f64 / last))
+            .map(|value| {
+                let mut worst: Option<Along> = None;
+                for problem in problems(value)? {
+                    let (modes, not_rest) = event(&problem, request)?;
+                    if worst.as_ref().is_none_or(|worst| worst.not_rest.value < not_rest.value) {
+                        worst = Some(Along { value, not_rest, modes });
+                    }
+                }
+                worst.ok_or_else(|| self.wrong("the case has no loads"))
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,150 @@
+//! How far storms slide the body over a life.
+
+use miette::Diagnostic;
+use standfast_probability::integrate::Life;
+use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::sample::{Effort, Estimate};
+use standfast_probability::sums::{OfLife, expected, lives};
+use thiserror::Error;
+
+use super::{Slides, Storm, Storms};
+
+/// Slides over a life of storms, one a year; m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sliding {
+    /// The storm.
+    pub storm: Storm,
+    /// The years.
+    pub years: f64,
+    /// The mean over lives, integrated.
+    pub mean: Estimate,
+    /// Whether the mean is as precise as it is asked to be.
+    pub precise: bool,
+    /// The chance that a wave of any storm slides the body, integrated.
+    pub wave: Estimate,
+    /// The mean number of waves of a life that do.
+    pub waves: Estimate,
+    /// How many lives were drawn.
+    pub lives: u64,
+    /// That any wave of a life slides the body.
+    pub ever: Estimate,
+    /// Slides that shares of all lives stay below.
+    pub quantiles: Vec<Quantile>,
+    /// The chance that the slide of a life exceeds a value.
+    pub exceedance: Vec<Exceeded>,
+    /// The share of the mean that comes of the worst twentieth of all lives.
+    pub of_worst: f64,
+    /// The mean over the lives drawn: not the answer, but a check of both.
+    pub drawn: Estimate,
+    /// Waves that begin a rotation, for which the slide of a pulse says nothing.
+    pub rotating: Rotating,
+}
+
+/// A slide that a share of all lives stays below.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantile {
+    /// The share.
+    pub share: f64,
+    /// The slide, m.
+    pub slide: Estimate,
+}
+
+/// The chance that the slide of a life exceeds a value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exceeded {
+    /// The value, m.
+    pub slide: f64,
+    /// The chance.
+    pub probability: Estimate,
+}
+
+/// Waves that begin a rotation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotating {
+    /// The chance that a wave of any storm is one.
+    pub wave: Estimate,
+    /// That a life has one.
+    pub life: Estimate,
+}
+
+/// Why there are no slides.
+#[derive(Debug, Clone, PartialEq, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum SlidingError {
+    /// No waves.
+    #[error("the case has a [storm] and no [wave]")]
+    #[diagnostic(help("leave [body] out for a storm whose thrust is in proportion to the wave's height"))]
+    NoWaves,
+    /// More than one set of loads.
+    #[error("the case has a [storm] and leaves a choice of loads: {what}")]
+    #[diagnostic(help("storms are answered for a case whose loads all act together"))]
+    Choice {
+        /// What leaves it.
+        what: &'static str,
+    },
+    /// Two frictions.
+    #[error(
+        "friction to slip is {kinetic} and to stick {friction}: the slide of a wave's pulse takes one friction"
+    )]
+    TwoFrictions {
+        /// To slip.
+        kinetic: f64,
+        /// To stick.
+        friction: f64,
+    },
+    /// No whole number of years.
+    #[error("storms over {years} years; expected a whole number, because they come once a year")]
+    PartOfYear {
+        /// The years.
+        years: f64,
+    },
+}
+
+/// The shares of lives whose slides are told.
+const SHARES: [f64; 6] = [0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
+/// The slides whose exceedance is told, m: practice speaks of 0.10 and 0.30.
+const EXCEEDED: [f64; 2] = [0.10, 0.30];
+/// What part of all lives is the worst.
+const WORST: f64 = 0.05;
+/// The mean is a smooth integral, and quick to have to this.
+const PRECISION: f64 = 2e-3;
+
+/// The slides of storms with these laws.
+pub(in crate::random) fn sliding<S: Storms>(
+    storm: &Storm,
+    storms: &S,
+    laws: &Laws,
+    life: &Life,
+    effort: &Effort,
+) -> Result<Sliding, SlidingError> {
+    let years = life.years;
+    if years.fract() != 0.0 {
+        return Err(SlidingError::PartOfYear { years });
+    }
+    let slides = Slides(storms);
+    let smooth = Effort { precision: effort.precision.min(PRECISION), ..*effort };
+    let means = expected(laws, &slides, storm.waves as f64, &smooth);
+    let [mean, moving, turning] = means.estimates[..] else { unreachable!("three means") };
+    let times = |e: Estimate, by: f64| Estimate { value: e.value * by, low: e.low * by, high: e.high * by };
+    let drawn = lives(laws, &slides, storm.waves, life, effort);
+    let slid = |more: f64| drawn.chance(|life: &OfLife| life.sum > more);
+    Ok(Sliding {
+        storm: storm.clone(),
+        years,
+        // Where nothing was met the bound is one of a chance, and no slide follows from it.
+        mean: if mean.value == 0.0 { Estimate { high: 0.0, ..mean } } else { times(mean, years) },
+        precise: means.precise,
+        wave: Estimate { high: moving.high.min(1.0), ..moving },
+        waves: times(moving, years * storm.waves as f64),
+        lives: drawn.count() as u64,
+        ever: slid(0.0),
+        quantiles: SHARES.map(|share| Quantile { share, slide: drawn.quantile(share) }).to_vec(),
+        exceedance: EXCEEDED.iter().map(|&slide| Exceeded { slide, probability: slid(slide) }).collect(),
+        of_worst: drawn.of_worst(WORST),
+        drawn: drawn.mean(|life| life.sum),
+        rotating: Rotating {
+            wave: Estimate { high: turning.high.min(1.0), ..turning },
+            life: drawn.chance(|life| life.others > 0),
+        },
+    })
+}

@@ -1,0 +1,281 @@
+//! A pure problem of sliding: thrust and uplift in proportion to the wave's height, no body that could turn.
+//!
+//! ```toml
+//! [storm]
+//! waves = 1000
+//! tau0 = "1.5 s"
+//! significant_height = "4.5 m"
+//! force_per_height = "90 kN/m2"     # kN/m of thrust for each metre of height
+//! uplift_per_height = "45 kN/m2"
+//! buoyant_weight = "2318.64 kN/m"
+//! mass = "402.45 t/m"               # with the water that moves along
+//! friction = 0.6
+//!
+//! [random]
+//! years = 50
+//! friction = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.05 }
+//! significant_height = { gumbel = { mean = "4.5 m", sd = "0.9 m" }, lower = "1 m", every = "year" }
+//! ```
+//!
+//! A wave slides the body where P + μU > μW'.
+
+use standfast::Mode;
+use standfast_probability::integrate::Life;
+use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::sample::Estimate;
+use toml::de::DeTable;
+
+use super::answer::sliding;
+use super::read::{KEYS, STORM, measured, of_all, only};
+use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
+use crate::error::CaseError;
+use crate::key::Range;
+use crate::random::RANDOM;
+use crate::random::answer::{
+    Chances, FirstDeparture, Happening, LifeChances, Method, Probability, ProbabilityError, Request,
+};
+use crate::random::problem::{Bias, Input, Quantity, exclusive};
+use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table};
+use crate::random::resolve::{Names, Resolve};
+use crate::units::Dimension;
+
+/// A number of a pure problem of sliding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StormField {
+    /// H_1/3 of the storm, m.
+    SignificantHeight,
+    /// P for each metre of a wave's height, N/m².
+    ForcePerHeight,
+    /// U for each metre of a wave's height, N/m².
+    UpliftPerHeight,
+    /// W', N per metre run.
+    BuoyantWeight,
+    /// m, with the water that moves along, kg per metre run.
+    Mass,
+    /// μ.
+    Friction,
+}
+
+impl StormField {
+    /// All of them.
+    pub const ALL: [StormField; 6] = [
+        StormField::SignificantHeight,
+        StormField::ForcePerHeight,
+        StormField::UpliftPerHeight,
+        StormField::BuoyantWeight,
+        StormField::Mass,
+        StormField::Friction,
+    ];
+
+    /// Its name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            StormField::SignificantHeight => "significant_height",
+            StormField::ForcePerHeight => "force_per_height",
+            StormField::UpliftPerHeight => "uplift_per_height",
+            StormField::BuoyantWeight => "buoyant_weight",
+            StormField::Mass => "mass",
+            StormField::Friction => "friction",
+        }
+    }
+
+    /// What it measures; none of a plain number.
+    pub fn dimension(self) -> Option<Dimension> {
+        match self {
+            StormField::SignificantHeight => Some(Dimension::Length),
+            StormField::ForcePerHeight | StormField::UpliftPerHeight => Some(Dimension::Pressure),
+            StormField::BuoyantWeight => Some(Dimension::Force),
+            StormField::Mass => Some(Dimension::Mass),
+            StormField::Friction => None,
+        }
+    }
+
+    /// Which values it takes.
+    pub(in crate::random) fn range(self) -> Range {
+        match self {
+            StormField::ForcePerHeight | StormField::UpliftPerHeight => Range::NotNegative,
+            _ => Range::Positive,
+        }
+    }
+}
+
+/// A pure problem of sliding with random numbers.
+pub(in crate::random) struct PureStorm {
+    pub(in crate::random) storm: Storm,
+    values: [f64; 6],
+    tau0: f64,
+    pub(in crate::random) random: Vec<Input>,
+    pub(in crate::random) laws: Laws,
+    years: Option<f64>,
+}
+
+/// The problem, if the text is of a storm without a body; none if it is of a case, or is no TOML.
+pub(in crate::random) fn read_file(
+    name: &str,
+    text: &str,
+    years: Option<f64>,
+) -> Result<Option<PureStorm>, CaseError> {
+    let Ok(document) = DeTable::parse(text) else { return Ok(None) };
+    let top = document.get_ref();
+    let Some(item) = top.get(STORM).filter(|_| top.get("body").is_none()) else { return Ok(None) };
+    let wrong = |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
+    let allowed = ["title", "note", STORM, RANDOM];
+    if let Some((key, _)) = top.iter().find(|(key, _)| !allowed.contains(&key.get_ref().as_ref())) {
+        let (what, name) = ("a file with a [storm] and no [body]".to_owned(), key.get_ref().to_string());
+        let allowed = allowed.map(str::to_owned).to_vec();
+        return Err(wrong((RandomProblem::Name { what, name, allowed }, key.span())));
+    }
+    let random = match top.get(RANDOM) {
+        Some(value) => read_random(value).map_err(wrong)?,
+        None => return Err(wrong((RandomProblem::Nothing, item.span()))),
+    };
+    let storm = table(item, "`storm`", "a table").and_then(|table| {
+        let fields = StormField::ALL.map(StormField::name);
+        only(table, &KEYS.into_iter().chain(fields).collect::<Vec<_>>())?;
+        let storm = of_all(item, table)?;
+        let Tau0::Given(tau0) = storm.tau0 else {
+            let message = "\"shimosako-takahashi\" takes the waves of a case; expected a time".to_owned();
+            return Err((RandomProblem::Other(message), item.span()));
+        };
+        let mut values = [1.0; 6];
+        for field in StormField::ALL {
+            let name = field.name();
+            let is_random = random.named.iter().any(|named| named.name == name);
+            values[field as usize] = match table.get(name) {
+                Some(value) => measured(value, name, field.dimension())?,
+                // Its law says what it is.
+                None if is_random => 1.0,
+                None if field == StormField::UpliftPerHeight => 0.0,
+                None => {
+                    let message = format!("[storm] lacks `{name}`, which is not random either");
+                    return Err((RandomProblem::Other(message), item.span()));
+                }
+            };
+        }
+        PureStorm::of(storm, values, tau0, &random, years)
+    });
+    storm.map(Some).map_err(wrong)
+}
+
+impl PureStorm {
+    fn of(storm: Storm, values: [f64; 6], tau0: f64, random: &Random, years: Option<f64>) -> At<PureStorm> {
+        let (inputs, laws) = Resolve(Names::Storm(values)).all(random)?;
+        Ok(PureStorm { storm, values, tau0, random: inputs, laws, years: years.or(random.years) })
+    }
+
+    /// The answer: the modes of any one wave of a storm, and the slides of a life.
+    pub(in crate::random) fn answer(
+        &self,
+        name: &str,
+        request: Request,
+    ) -> Result<Probability, ProbabilityError> {
+        let life = self.life();
+        let sliding = sliding(&self.storm, self, &self.laws, &life, &request.effort)?;
+        let nothing = Estimate { value: 0.0, low: 0.0, high: 0.0 };
+        let rests = |e: Estimate| Estimate { value: 1.0 - e.value, low: 1.0 - e.high, high: 1.0 - e.low };
+        let all = |slides: Estimate| -> Vec<(Happening, Estimate)> {
+            let of = |happening| match happening {
+                Happening::Mode(Mode::Rest) => rests(slides),
+                Happening::Mode(Mode::SlideLeft) => slides,
+                _ => nothing,
+            };
+            exclusive().map(Happening::of).map(|happening| (happening, of(happening))).collect()
+        };
+        let first = all(Estimate { value: 1.0, low: 1.0, high: 1.0 });
+        let chances = Chances {
+            situation: Some("any one wave of a storm".to_owned()),
+            method: Method::Sobol,
+            points: sliding.lives * life.years as u64,
+            precise: sliding.precise,
+            modes: all(sliding.wave),
+            not_rest: sliding.wave,
+            not_unique: nothing,
+            lifted: nothing,
+            first_departure: FirstDeparture {
+                modes: first
+                    .into_iter()
+                    .filter(|(happening, _)| *happening != Happening::Mode(Mode::Rest))
+                    .collect(),
+                never: nothing,
+                at_once: nothing,
+                precise: true,
+            },
+            design_point: None,
+            known: Vec::new(),
+            life: self.years.map(|years| LifeChances {
+                years,
+                not_rest: sliding.ever,
+                // Any wave that does not slide it is one at rest.
+                modes: all(sliding.ever)
+                    .into_iter()
+                    .map(|(h, e)| (h, if h == Happening::Mode(Mode::Rest) { rests(nothing) } else { e }))
+                    .collect(),
+                method: Method::Sobol,
+                precise: true,
+            }),
+        };
+        Ok(Probability {
+            case: name.to_owned(),
+            request,
+            random: self.random.iter().map(|input| (input.name.clone(), input.cut)).collect(),
+            line: ("the height of waves".to_owned(), true),
+            situations: vec![chances],
+            sliding: Some(sliding),
+            fragility: None,
+        })
+    }
+
+    /// The life that is asked for; one year where none is.
+    pub(in crate::random) fn life(&self) -> Life {
+        let yearly = self.random.iter().map(|input| input.every == Rate::Year).collect();
+        Life { years: self.years.unwrap_or(1.0), yearly }
+    }
+}
+
+/// A wave whose thrust is in proportion to its height.
+pub(in crate::random) struct Proportional {
+    /// F_S/R for each metre of height.
+    slope: f64,
+    significant: f64,
+    /// Rτ₀²/m, m.
+    scale: f64,
+    pulse: Pulse,
+}
+
+impl Slide for Proportional {
+    fn slide(&self, level: f64) -> f64 {
+        self.scale * self.pulse.slide(self.slope * height(level, self.significant))
+    }
+}
+
+impl Storms for PureStorm {
+    type Wave = Proportional;
+
+    fn storm(&self, drawn: &[f64]) -> Option<Year<Proportional>> {
+        let mut values = self.values;
+        let (mut of_force, mut of_uplift) = (1.0, 1.0);
+        for (input, value) in self.random.iter().zip(drawn) {
+            match input.quantity {
+                Quantity::Storm(field) => values[field as usize] = *value,
+                Quantity::Bias(Bias::Thrust) => of_force = *value,
+                Quantity::Bias(Bias::Uplift) => of_uplift = *value,
+                _ => {}
+            }
+        }
+        let [significant, force, uplift, weight, mass, μ] = values;
+        let resistance = μ * weight;
+        let slope = (of_force * force + μ * of_uplift * uplift) / resistance;
+        let least = level(1.0 / slope, significant);
+        // e⁻⁷⁰⁰ is no chance, and a slope of zero no slide.
+        if least.is_nan() || least > 700.0 {
+            return None;
+        }
+        let scale = resistance * self.tau0 * self.tau0 / mass;
+        Some(Year {
+            slides: vec![(least, f64::INFINITY)],
+            turns: Vec::new(),
+            cut: f64::INFINITY,
+            wave: Proportional { slope, significant, scale, pulse: self.storm.pulse },
+        })
+    }
+}

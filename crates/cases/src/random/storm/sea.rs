@@ -1,0 +1,189 @@
+//! The storm of a case: each wave by Goda's formulas, its mode by the contact problem.
+
+use standfast::contact::{Block, solve};
+use standfast::wave::Goda;
+use standfast::{Mode, Wrench};
+use standfast_probability::integrate::Life;
+
+use super::answer::{Sliding, SlidingError, sliding};
+use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
+use crate::case::{Acting, Case, Waves};
+use crate::random::answer::Request;
+use crate::random::mechanics::Components;
+use crate::random::problem::{Bias, Problem};
+
+/// The storms of a case with random numbers.
+pub(in crate::random) struct SeaStorm<'a> {
+    pub(in crate::random) problem: &'a Problem,
+    pub(in crate::random) storm: &'a Storm,
+}
+
+/// A wave by Goda's formulas.
+pub(in crate::random) struct GodaWave {
+    waves: Waves,
+    /// Everything that acts, the waves' part that of the largest.
+    components: Components,
+    block: Block,
+    biases: [Option<f64>; Bias::ALL.len()],
+    /// m g, N, and half the width, m.
+    scale: (f64, f64),
+    gravity: f64,
+    tau0: Tau0,
+    pulse: Pulse,
+}
+
+/// What a wave does to the body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Effect {
+    Nothing,
+    Slides,
+    Turns,
+}
+
+impl GodaWave {
+    fn of(problem: &Problem, storm: &Storm, case: &Case, values: &[f64]) -> Option<GodaWave> {
+        let components = problem.components(values)?;
+        let block = problem.mechanics(values)?.block;
+        let weight = case.body.mass() * case.gravity;
+        Some(GodaWave {
+            waves: case.wave.clone()?,
+            components,
+            block,
+            biases: Bias::ALL.map(|bias| problem.bias(bias, values)),
+            scale: (weight, case.body.width() / 2.0),
+            gravity: case.gravity,
+            tau0: storm.tau0,
+            pulse: storm.pulse,
+        })
+    }
+
+    fn goda(&self, height: f64) -> Goda {
+        let Waves { sea, section, choices, goda, .. } = &self.waves;
+        goda.under_wave(sea, section, choices, height)
+    }
+
+    /// All that acts under a wave, and without any.
+    fn wrench(&self, goda: &Goda) -> Wrench {
+        let [thrust, uplift] = Components::of_wave(goda, &self.block, self.scale);
+        self.sum(Components { thrust, uplift, ..self.components })
+    }
+
+    fn still(&self) -> Wrench {
+        self.sum(Components { thrust: Wrench::ZERO, uplift: Wrench::ZERO, ..self.components })
+    }
+
+    fn sum(&self, components: Components) -> Wrench {
+        let [permanent, variable] = components.wrenches(|bias| self.biases[bias as usize]);
+        permanent + variable
+    }
+
+    fn effect(&self, level: f64) -> Effect {
+        let wrench = self.wrench(&self.goda(height(level, self.waves.goda.h_13)));
+        match solve(&self.block, &wrench).ok().and_then(|solution| solution.mode()) {
+            Some(Mode::Rest) => Effect::Nothing,
+            Some(Mode::SlideLeft) => Effect::Slides,
+            _ => Effect::Turns,
+        }
+    }
+}
+
+impl Slide for GodaWave {
+    fn slide(&self, level: f64) -> f64 {
+        let height = height(level, self.waves.goda.h_13);
+        let goda = self.goda(height);
+        let (still, all) = (self.still(), self.wrench(&goda));
+        let (x, p) = (all.x - still.x, all.p - still.p);
+        let μ = self.block.mu_k;
+        // To the left: F_S = −x − μp of the wave, and R = X + μP of everything else.
+        let resistance = still.x + μ * still.p;
+        let thrust = -x - μ * p;
+        let acceleration = resistance * self.gravity / self.block.m_x;
+        let tau0 = match self.tau0 {
+            Tau0::Given(tau0) => tau0,
+            Tau0::Formula => {
+                let standing =
+                    (0.5 - height / (8.0 * self.waves.sea.water_depth)).max(0.4) * self.waves.sea.period;
+                standing / (goda.alpha_star.powf(0.3) + 1.0).powi(2)
+            }
+        };
+        acceleration * tau0 * tau0 * self.pulse.slide(thrust / resistance)
+    }
+}
+
+/// The slides of a case's storms.
+pub(in crate::random) fn of_case(
+    storm: &Storm,
+    problems: &[Problem],
+    request: &Request,
+) -> Result<Sliding, SlidingError> {
+    let [problem] = problems else {
+        return Err(SlidingError::Choice {
+            what: "its combinations, loads that act alone, or an earthquake",
+        });
+    };
+    let Some((case, acting)) = problem.case().filter(|(case, _)| case.wave.is_some()) else {
+        return Err(SlidingError::NoWaves);
+    };
+    if matches!(acting, Acting::Combination(_)) {
+        return Err(SlidingError::Choice { what: "a combination, which multiplies its waves" });
+    }
+    let (kinetic, friction) = (case.kinetic_friction, case.friction);
+    if kinetic != friction {
+        return Err(SlidingError::TwoFrictions { kinetic, friction });
+    }
+    let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()] };
+    let life = problem.life().unwrap_or(plain);
+    let storms = SeaStorm { problem, storm };
+    sliding(storm, &storms, problem.laws(), &life, &request.effort)
+}
+
+/// Into how many steps the heights up to the cut are parted in search of changes of mode.
+const SCAN: u32 = 16;
+
+impl Storms for SeaStorm<'_> {
+    type Wave = GodaWave;
+
+    fn storm(&self, values: &[f64]) -> Option<Year<GodaWave>> {
+        let case = self.problem.case_with(values)?;
+        let wave = GodaWave::of(self.problem, self.storm, &case, values)?;
+        let goda = &wave.waves.goda;
+        // No wave is drawn beyond e⁻⁴⁰.
+        let cut = if self.storm.is_cut { level(goda.h_max, goda.h_13) } else { f64::INFINITY };
+        let last = cut.min(40.0);
+        if wave.effect(last) == Effect::Nothing {
+            return None;
+        }
+        let mut year = Year { slides: Vec::new(), turns: Vec::new(), cut, wave };
+        let end = last.sqrt();
+        let (mut from, mut here) = (0.0, year.wave.effect(0.0));
+        for step in 1..=SCAN {
+            let root = |part: f64| end * (f64::from(step - 1) + part) / f64::from(SCAN);
+            let (mut low, then) = (0.0, year.wave.effect(root(1.0).powi(2)));
+            while here != then {
+                // The first change, by height: what follows it may change again before the step ends.
+                let (mut high, mut beyond) = (1.0, then);
+                while high - low > 1e-10 {
+                    let middle = 0.5 * (low + high);
+                    let there = year.wave.effect(root(middle).powi(2));
+                    if there == here { low = middle } else { (high, beyond) = (middle, there) }
+                }
+                let to = root(high).powi(2);
+                year.add(here, from, to);
+                (from, low, here) = (to, high, beyond);
+            }
+        }
+        let to = if self.storm.is_cut { cut } else { f64::INFINITY };
+        year.add(here, from, to);
+        Some(year)
+    }
+}
+
+impl Year<GodaWave> {
+    fn add(&mut self, effect: Effect, from: f64, to: f64) {
+        match effect {
+            Effect::Slides => self.slides.push((from, to)),
+            Effect::Turns => self.turns.push((from, to)),
+            Effect::Nothing => {}
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Lives: what is drawn once, what is drawn anew each year, and what happens at least once.
+//!
+//! A life is drawn year by year. Given everything else that is drawn once, an outcome is met at least once if the line lies in the
+//! *union* of its intervals over all years; a line that is drawn yearly misses it with the product of the probabilities of the
+//! years. So the line is not sampled here either. What is drawn once comes from scrambled Sobol' points, the years from a stream of
+//! each life's own.
+
+use crate::integrate::Life;
+use crate::normal;
+use crate::points::Stream;
+use crate::problem::{Frame, Inputs, Outcomes};
+use crate::sample::{Averages, Effort, Sampled};
+
+/// The lives of one scramble that are taken first.
+const FIRST: u64 = 16;
+/// What is no dependence of the line on what is drawn yearly.
+const NONE: f64 = 1e-12;
+
+/// The probability that each set of outcomes (a bit for each outcome) is met at least once in a life, for any number of inputs.
+/// Points count years.
+///
+/// # Panics
+/// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
+pub fn lives<O: Outcomes>(
+    inputs: &Inputs,
+    outcomes: &O,
+    sets: &[u64],
+    life: &Life,
+    effort: &Effort,
+) -> Sampled {
+    assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
+    assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
+    let line = outcomes.line();
+    let frame = &Frame::last(inputs, outcomes, |input| life.yearly[input]);
+    let once = frame.order().iter().filter(|input| **input != line && !life.yearly[**input]).count();
+    let others = frame.dimensions();
+    // What is drawn yearly depends on what is drawn once. If that is the line, it has to be drawn before.
+    let line_first = !life.yearly[line] && frame.line_on()[once..others].iter().any(|on| on.abs() > NONE);
+    let years = life.years as u64;
+    let drawn = Drawn { inputs, outcomes, sets, life, years };
+    // One coordinate at least: a life is no fixed number, even if nothing is drawn once.
+    let dimensions = (once + usize::from(line_first)).max(1);
+    let averages = Averages { dimensions, first: FIRST, cost: years, count: sets.len(), precise: sets.len() };
+    let mut sampled = if line_first {
+        averages.take(effort, || drawn.worker(effort.seed))
+    } else {
+        averages.take(effort, || {
+            let mut scratch = frame.scratch();
+            let mut point = vec![0.0; others];
+            let mut met: Vec<Vec<(f64, f64)>> = vec![Vec::new(); sets.len()];
+            let mut missed = vec![0.0; sets.len()];
+            move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
+                point[..once].iter_mut().zip(coordinates).for_each(|(u, p)| *u = normal::quantile(*p));
+                let mut stream = stream(effort.seed, scramble, index);
+                met.iter_mut().for_each(Vec::clear);
+                missed.fill(0.0);
+                for _ in 0..years {
+                    point[once..].iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
+                    if life.yearly[line] {
+                        frame.evaluate(&point, &mut scratch);
+                        for (missed, set) in missed.iter_mut().zip(sets) {
+                            *missed += libm::log1p(-scratch.of_set(*set).min(1.0));
+                        }
+                    } else {
+                        frame.intervals(&point, &mut scratch, |piece| {
+                            let holds =
+                                sets.iter().zip(&mut met).filter(|(set, _)| *set >> piece.outcome & 1 == 1);
+                            holds.for_each(|(_, met)| met.push((piece.from, piece.to)));
+                        });
+                    }
+                }
+                for ((sum, met), missed) in sums.iter_mut().zip(&mut met).zip(&missed) {
+                    *sum += if life.yearly[line] { -libm::expm1(*missed) } else { measure(met) };
+                }
+            }
+        })
+    };
+    sampled.points *= years;
+    sampled.are_probabilities();
+    sampled
+}
+
+/// The stream of a life. Those of plain draws have small numbers.
+pub(crate) fn stream(seed: u64, scramble: usize, index: u64) -> Stream {
+    Stream::new(seed, 1 << 63 | (scramble as u64) << 48 | index)
+}
+
+/// The probability that a standard normal lies in any of these intervals.
+fn measure(intervals: &mut [(f64, f64)]) -> f64 {
+    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut sum, mut reached) = (0.0, f64::NEG_INFINITY);
+    for &(from, to) in intervals.iter() {
+        if to > reached {
+            sum += normal::between(from.max(reached), to);
+            reached = to;
+        }
+    }
+    sum.min(1.0)
+}
+
+/// Lives of which everything is drawn.
+struct Drawn<'a, O> {
+    inputs: &'a Inputs,
+    outcomes: &'a O,
+    sets: &'a [u64],
+    life: &'a Life,
+    years: u64,
+}
+
+impl<O: Outcomes> Drawn<'_, O> {
+    fn worker(&self, seed: u64) -> impl FnMut(usize, u64, &[f64], &mut [f64]) {
+        let mut values = Values::new(self.inputs, &self.life.yearly);
+        move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {
+            let mut stream = stream(seed, scramble, index);
+            values.begin(coordinates);
+            let met = (0..self.years).fold(0, |met, _| met | self.outcomes.at(values.of_year(&mut stream)));
+            for (sum, set) in sums.iter_mut().zip(self.sets) {
+                *sum += f64::from(u8::from(met & set != 0));
+            }
+        }
+    }
+}
+
+/// Values of all inputs, what is drawn once apart from what is drawn yearly.
+pub(crate) struct Values<'a> {
+    inputs: &'a Inputs,
+    /// Those that are drawn once, and then the others.
+    order: Vec<usize>,
+    factor: Vec<Vec<f64>>,
+    once: usize,
+    u: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl<'a> Values<'a> {
+    pub(crate) fn new(inputs: &'a Inputs, yearly: &[bool]) -> Values<'a> {
+        let n = inputs.laws().len();
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by_key(|input| yearly[*input]);
+        let factor = inputs.copula().factor(&order).expect("a copula is positive definite in any order");
+        let once = yearly.iter().filter(|yearly| !**yearly).count();
+        Values { inputs, order, factor, once, u: vec![0.0; n], values: vec![0.0; n] }
+    }
+
+    /// Begins a life with the chances of what is drawn once.
+    pub(crate) fn begin(&mut self, chances: &[f64]) {
+        self.u[..self.once].iter_mut().zip(chances).for_each(|(u, p)| *u = normal::quantile(*p));
+        (0..self.once).for_each(|place| self.set(place));
+    }
+
+    /// Begins a life with the standard normals of what is drawn once.
+    pub(crate) fn begin_at(&mut self, u: &[f64]) {
+        self.u[..self.once].copy_from_slice(&u[..self.once]);
+        (0..self.once).for_each(|place| self.set(place));
+    }
+
+    /// The values as they are.
+    pub(crate) fn all(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The values of the next year.
+    pub(crate) fn of_year(&mut self, stream: &mut Stream) -> &[f64] {
+        for place in self.once..self.order.len() {
+            self.u[place] = normal::quantile(stream.draw());
+            self.set(place);
+        }
+        &self.values
+    }
+
+    fn set(&mut self, place: usize) {
+        let input = self.order[place];
+        let z = self.factor[place].iter().zip(&self.u[..=place]).map(|(a, u)| a * u).sum();
+        self.values[input] = self.inputs.laws()[input].value(z);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unions_count_what_is_covered_once() {
+        let whole = (f64::NEG_INFINITY, f64::INFINITY);
+        assert_eq!(measure(&mut [whole, (0.0, 1.0)]), 1.0);
+        let apart = normal::between(-1.0, 0.0) + normal::between(1.0, 2.0);
+        assert!((measure(&mut [(1.0, 1.5), (-1.0, 0.0), (-0.5, -0.2), (1.2, 2.0)]) - apart).abs() < 1e-16);
+        assert_eq!(measure(&mut []), 0.0);
+    }
+}

@@ -1,0 +1,283 @@
+//! Sums over lives: each year has many events, few of which add anything.
+//!
+//! For given values of all inputs an event adds something with a small chance, and then an amount that depends on how rare an event
+//! it is. Two answers, of which the first needs no event at all:
+//!
+//! * the *mean* is linear in events and years: E[sum] = years · events · E[amount of an event], an integral over the inputs;
+//! * the *law* of the sum is that of lives drawn year by year. Of a year's events only those that add something are drawn: their
+//!   number is binomial, their amounts those of the tail.
+
+use crate::integrate::Life;
+use crate::life::{Values, stream};
+use crate::normal;
+use crate::points::{Sobol, Stream};
+use crate::problem::Inputs;
+use crate::sample::{Averages, Effort, Estimate, SCRAMBLES, Sampled, shared_out};
+
+/// What each event of one year may add.
+pub trait Sums: Sync {
+    /// What a year's values make of its events.
+    type Year;
+
+    /// The year with these values; none if no event of it can add anything or be of the other kind.
+    fn year(&self, values: &[f64]) -> Option<Self::Year>;
+
+    /// The chances of one event.
+    fn of_event(&self, year: &Self::Year) -> OfEvent;
+
+    /// What an event adds of which this share in (0, 1) of those that add anything is rarer.
+    fn amount(&self, year: &Self::Year, share: f64) -> f64;
+}
+
+/// What one event is likely to add.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct OfEvent {
+    /// The mean of what it adds.
+    pub mean: f64,
+    /// The chance that it adds anything.
+    pub adds: f64,
+    /// The chance that it is of another kind, which adds nothing and is counted.
+    pub other: f64,
+}
+
+/// Means of one year's events: what they add in all, the chance that one adds anything, and that one is of the other kind. The first
+/// is what has to be as precise as the effort asks. A few years add most, far out in what is drawn: nine tenths of the points are
+/// taken where a first look has found the sum to come from, and each is weighed by what it is taken too often.
+pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort) -> Sampled {
+    let n = inputs.laws().len();
+    let yearly = vec![false; n];
+    let of = |values: &mut Values, u: &[f64]| {
+        values.begin_at(u);
+        sums.year(values.all()).map_or(OfEvent::default(), |year| sums.of_event(&year))
+    };
+    let about = About::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
+    let averages = Averages { dimensions: n + 1, first: 128, cost: 1, count: 3, precise: 1 };
+    averages.take(effort, || {
+        let mut values = Values::new(inputs, &yearly);
+        let mut u = vec![0.0; n];
+        let about = &about;
+        move |_: usize, _: u64, coordinates: &[f64], totals: &mut [f64]| {
+            u.iter_mut().zip(&coordinates[1..]).for_each(|(u, p)| *u = normal::quantile(*p));
+            let weight = about.place(&mut u, coordinates[0]);
+            let OfEvent { mean, adds, other } = of(&mut values, &u);
+            totals.iter_mut().zip([events * mean, adds, other]).for_each(|(sum, of)| *sum += weight * of);
+        }
+    })
+}
+
+/// Where in standard normals a mean comes from: about a centre, so far to each side.
+struct About {
+    centre: Vec<f64>,
+    spread: Vec<f64>,
+}
+
+/// The share of points that are left about the origin.
+const AT_ORIGIN: f64 = 0.1;
+
+impl About {
+    /// The moments of the function times the density, by two rounds of points: about the origin twice as wide, and then about what was
+    /// found. Nothing is lost if they are rough, because every point is weighed.
+    fn found(n: usize, seed: u64, f: impl Fn(&[f64]) -> f64) -> About {
+        const POINTS: u64 = 2048;
+        const WIDER: [f64; 2] = [2.0, 1.5];
+        let mut about = About { centre: vec![0.0; n], spread: vec![1.0; n] };
+        // No scramble of the points that follow.
+        let sobol = Sobol::new(n, seed, u64::MAX);
+        for wider in WIDER {
+            let points: Vec<(f64, Vec<f64>)> = (1..=POINTS)
+                .map(|index| {
+                    let z: Vec<f64> = sobol.point(index).map(normal::quantile).collect();
+                    let u: Vec<f64> =
+                        (0..n).map(|i| about.centre[i] + wider * about.spread[i] * z[i]).collect();
+                    let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
+                    (f(&u) * (0.5 * (square(&z) - square(&u))).exp(), u)
+                })
+                .collect();
+            let total: f64 = points.iter().map(|(weight, _)| weight).sum();
+            if total.is_nan() || total <= 0.0 {
+                break;
+            }
+            let mean =
+                |of: &dyn Fn(&[f64]) -> f64| points.iter().map(|(w, u)| w * of(u)).sum::<f64>() / total;
+            let centre: Vec<f64> = (0..n).map(|i| mean(&|u| u[i])).collect();
+            // Not much narrower than the law: tails must not be missed.
+            let spread = (0..n).map(|i| (1.2 * mean(&|u| (u[i] - centre[i]).powi(2)).sqrt()).max(0.5));
+            about.spread = spread.collect();
+            about.centre = centre;
+        }
+        about
+    }
+
+    /// Moves a standard normal point about the centre or leaves it, by a number in (0, 1), and gives its weight.
+    fn place(&self, u: &mut [f64], component: f64) -> f64 {
+        let sides = || self.centre.iter().zip(&self.spread);
+        if component >= AT_ORIGIN {
+            u.iter_mut().zip(sides()).for_each(|(u, (centre, spread))| *u = centre + spread * *u);
+        }
+        let parts = u
+            .iter()
+            .zip(sides())
+            .map(|(u, (centre, spread))| 0.5 * (u * u - ((u - centre) / spread).powi(2)) - spread.ln());
+        (AT_ORIGIN + (1.0 - AT_ORIGIN) * parts.sum::<f64>().exp()).recip()
+    }
+}
+
+/// One life.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct OfLife {
+    /// What all its events have added.
+    pub sum: f64,
+    /// How many added anything.
+    pub adding: u64,
+    /// How many were of the other kind.
+    pub others: u64,
+}
+
+/// Lives drawn year by year: as many in each of 32 groups, which are independent of each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lives {
+    /// The lives of each group.
+    pub groups: Vec<Vec<OfLife>>,
+}
+
+/// Draws lives with so many events a year, as many as a power of two for each group that the points of the effort are years for.
+///
+/// # Panics
+/// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
+pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effort: &Effort) -> Lives {
+    assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
+    assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
+    let once = life.yearly.iter().filter(|yearly| !**yearly).count();
+    let years = life.years as u64;
+    let most = (effort.points / (years * SCRAMBLES as u64)).max(16);
+    let each = 1 << most.ilog2();
+    let sequences: Vec<Sobol> =
+        (0..SCRAMBLES as u64).map(|scramble| Sobol::new(once, effort.seed, scramble)).collect();
+    const RUN: u64 = 64;
+    let runs: Vec<(usize, u64)> = (0..SCRAMBLES)
+        .flat_map(|scramble| (0..each).step_by(RUN as usize).map(move |from| (scramble, from)))
+        .collect();
+    let results = shared_out(effort.threads, runs.len(), || {
+        let mut values = Values::new(inputs, &life.yearly);
+        let mut point = vec![0.0; once];
+        let (runs, sequences) = (&runs, &sequences);
+        move |run: usize| {
+            let (scramble, from) = runs[run];
+            let of_index = |index: u64| {
+                point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
+                values.begin(&point);
+                let mut stream = stream(effort.seed, scramble, index);
+                let mut of_life = OfLife::default();
+                for _ in 0..years {
+                    if let Some(year) = sums.year(values.of_year(&mut stream)) {
+                        draw(sums, &year, events, &mut stream, &mut of_life);
+                    }
+                }
+                of_life
+            };
+            (from..each.min(from + RUN)).map(of_index).collect::<Vec<OfLife>>()
+        }
+    });
+    let mut groups = vec![Vec::new(); SCRAMBLES];
+    for ((scramble, _), result) in runs.iter().zip(results) {
+        groups[*scramble].extend(result);
+    }
+    Lives { groups }
+}
+
+/// The events of one year that add something, and how many are of the other kind.
+fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, life: &mut OfLife) {
+    let OfEvent { adds, other, .. } = sums.of_event(year);
+    let adding = binomial(events, adds, stream);
+    for _ in 0..adding {
+        life.sum += sums.amount(year, stream.draw());
+    }
+    life.adding += adding;
+    life.others += binomial(events - adding, other / (1.0 - adds), stream);
+}
+
+/// How many of so many events happen that have this chance each: by the gaps between them, which are geometric.
+fn binomial(events: u64, chance: f64, stream: &mut Stream) -> u64 {
+    if chance.is_nan() || chance <= 0.0 {
+        return 0;
+    }
+    if chance >= 1.0 {
+        return events;
+    }
+    let log = libm::log1p(-chance);
+    let (mut count, mut at) = (0, 0.0);
+    loop {
+        at += (stream.draw().ln() / log).floor() + 1.0;
+        if at > events as f64 {
+            return count;
+        }
+        count += 1;
+    }
+}
+
+impl Lives {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.groups.iter().map(Vec::len).sum()
+    }
+
+    /// A mean of something over lives, with the interval that its spread from group to group gives.
+    pub fn mean(&self, of: impl Fn(&OfLife) -> f64) -> Estimate {
+        let means: Vec<f64> =
+            self.groups.iter().map(|group| group.iter().map(&of).sum::<f64>() / group.len() as f64).collect();
+        Estimate::of_means(&means, self.count() as u64)
+    }
+
+    /// The chance of something, in [0, 1].
+    pub fn chance(&self, of: impl Fn(&OfLife) -> bool) -> Estimate {
+        let e = self.mean(|life| f64::from(u8::from(of(life))));
+        Estimate { high: e.high.min(1.0), ..e }
+    }
+
+    /// The sum that a share of all lives stays below or at, with the interval that the groups' own give.
+    pub fn quantile(&self, share: f64) -> Estimate {
+        let of = |sums: &mut Vec<f64>| {
+            sums.sort_by(f64::total_cmp);
+            sums[((share * sums.len() as f64).ceil() as usize).clamp(1, sums.len()) - 1]
+        };
+        let mut all: Vec<f64> = self.groups.iter().flatten().map(|life| life.sum).collect();
+        let value = of(&mut all);
+        let each: Vec<f64> =
+            self.groups.iter().map(|group| of(&mut group.iter().map(|life| life.sum).collect())).collect();
+        Estimate::about(value, &each)
+    }
+
+    /// Which share of all sums comes of the worst lives, of which these are a share.
+    pub fn of_worst(&self, share: f64) -> f64 {
+        let mut all: Vec<f64> = self.groups.iter().flatten().map(|life| life.sum).collect();
+        all.sort_by(|a, b| b.total_cmp(a));
+        let total: f64 = all.iter().sum();
+        let worst = (share * all.len() as f64).round() as usize;
+        if total > 0.0 { all[..worst].iter().sum::<f64>() / total } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Counts of a binomial law: their frequencies against n!/(k!(n−k)!) pᵏ(1−p)ⁿ⁻ᵏ, and their mean where all or none are likely.
+    #[test]
+    fn gaps_make_the_binomial_law() {
+        let mut stream = Stream::new(1, 0);
+        let (n, p, draws) = (10u64, 0.3, 200_000);
+        let mut counted = [0u32; 11];
+        (0..draws).for_each(|_| counted[binomial(n, p, &mut stream) as usize] += 1);
+        let mut expected = 0.7f64.powi(10);
+        for (k, counted) in counted.into_iter().enumerate() {
+            let share = f64::from(counted) / f64::from(draws);
+            let error = (expected * (1.0 - expected) / f64::from(draws)).sqrt();
+            assert!((share - expected).abs() < 5.0 * error, "{k}: {share} {expected}");
+            expected *= (n - k as u64) as f64 / (k as f64 + 1.0) * p / (1.0 - p);
+        }
+        assert_eq!(binomial(7, 0.0, &mut stream), 0);
+        assert_eq!(binomial(7, 1.0, &mut stream), 7);
+        let rare: u64 = (0..100_000).map(|_| binomial(1000, 1e-5, &mut stream)).sum();
+        assert!((rare as f64 / 1e5 - 0.01).abs() < 5.0 * (0.01f64 / 1e5).sqrt());
+    }
+}

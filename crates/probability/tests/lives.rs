@@ -1,0 +1,169 @@
+//! Lives and sums over many events, against integrals written out here and against events drawn one by one.
+
+use standfast_probability::copula::{Copula, Correlation, Measure};
+use standfast_probability::integrate::{Life, integrate_life};
+use standfast_probability::law::Law;
+use standfast_probability::life::lives;
+use standfast_probability::normal::below;
+use standfast_probability::points::Stream;
+use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::sample::Effort;
+use standfast_probability::sums::{OfEvent, Sums, expected, lives as sums_of_lives};
+
+/// Fails where a resistance, the first input, is below the sum of the others; the line is one of them.
+struct Fails {
+    line: usize,
+}
+
+impl Outcomes for Fails {
+    fn count(&self) -> usize {
+        1
+    }
+    fn line(&self) -> usize {
+        self.line
+    }
+    fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        let loads: f64 = (1..values.len()).filter(|i| *i != self.line).map(|i| values[i]).sum();
+        match self.line {
+            0 => pieces.push(f64::NEG_INFINITY, loads, 0),
+            _ => pieces.push(values[0] - loads, f64::INFINITY, 0),
+        }
+    }
+    fn at(&self, values: &[f64]) -> u64 {
+        u64::from(values[0] < values[1..].iter().sum())
+    }
+}
+
+const YEARS: f64 = 20.0;
+
+/// ∫ φ(z) f(z) dz by the trapezoidal rule; no code of the crate.
+fn mean(f: impl Fn(f64) -> f64) -> f64 {
+    let h = 1.0 / 256.0;
+    let density = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
+    (-2304..=2304).map(|i| f64::from(i) * h).map(|z| h * density(z) * f(z)).sum()
+}
+
+/// A resistance N(3.8, 0.5) for life and yearly loads N(1, 0.4) and N(1.2, 0.3), whose sum is N(2.2, 0.5).
+fn inputs(correlation: f64) -> Inputs {
+    let law = |mean, sd| Law::normal(mean, sd).unwrap().into();
+    let laws = vec![law(3.8, 0.5), law(1.0, 0.4), law(1.2, 0.3)];
+    let correlations = [Correlation { first: 0, second: 1, measure: Measure::Normal(correlation) }];
+    let copula = Copula::new(&laws, &correlations).unwrap();
+    Inputs::new(laws, copula)
+}
+
+fn effort(points: u64) -> Effort {
+    Effort { precision: 0.01, points, threads: 2, ..Effort::default() }
+}
+
+/// Whether the line is the resistance, whose intervals are united over the years, or a load, of which years are multiplied: it is
+/// E[1 − Φ((R − 2.2)/0.5)ⁿ].
+#[test]
+fn a_life_is_as_weak_as_its_worst_year() {
+    let life = Life { years: YEARS, yearly: vec![false, true, true] };
+    let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2) / 0.5).powf(YEARS));
+    let integrated = integrate_life(&inputs(0.0), &Fails { line: 1 }, &[1], &life).probabilities[0];
+    assert!((integrated / by_hand - 1.0).abs() < 1e-8, "{integrated} {by_hand}");
+    for line in [0, 1] {
+        let found = lives(&inputs(0.0), &Fails { line }, &[1], &life, &effort(1 << 22));
+        let e = found.estimates[0];
+        assert!(found.precise && e.high - e.low < 0.03 * by_hand);
+        assert!((e.value - by_hand).abs() < e.high - e.low, "line {line}: {e:?} {by_hand}");
+    }
+}
+
+/// A load that depends on the resistance: R is drawn before the years are, which no line can be then.
+#[test]
+fn what_a_year_depends_on_is_drawn_before_it() {
+    let rho = 0.6f64;
+    let life = Life { years: YEARS, yearly: vec![false, true, true] };
+    // Given z of R, a load is N(1 + 0.4ρz, 0.4√(1 − ρ²)).
+    let deviation = (0.4f64.powi(2) * (1.0 - rho * rho) + 0.3f64.powi(2)).sqrt();
+    let by_hand = mean(|z| 1.0 - below((3.8 + 0.5 * z - 2.2 - 0.4 * rho * z) / deviation).powf(YEARS));
+    for line in [0, 1] {
+        let e = lives(&inputs(rho), &Fails { line }, &[1], &life, &effort(1 << 22)).estimates[0];
+        assert!((e.value - by_hand).abs() < e.high - e.low, "line {line}: {e:?} {by_hand}");
+    }
+}
+
+/// More threads, the same bytes.
+#[test]
+fn threads_do_not_matter() {
+    let life = Life { years: YEARS, yearly: vec![false, true, true] };
+    let of = |threads| {
+        let effort = Effort { threads, ..effort(1 << 18) };
+        lives(&inputs(0.0), &Fails { line: 0 }, &[1], &life, &effort)
+    };
+    assert_eq!(of(1), of(3));
+    let sums = |threads| {
+        let effort = Effort { threads, ..effort(1 << 14) };
+        let of_life = Life { years: 4.0, yearly: vec![false, true, true] };
+        sums_of_lives(&inputs(0.0), &Exceeds, 30, &of_life, &effort)
+    };
+    assert_eq!(sums(1), sums(3));
+}
+
+/// Each event is an exponential variable with mean 1, and adds what it has above a level: the first input less the second.
+struct Exceeds;
+
+impl Sums for Exceeds {
+    type Year = f64;
+    fn year(&self, values: &[f64]) -> Option<f64> {
+        Some((values[0] - values[1]).max(0.0))
+    }
+    fn of_event(&self, level: &f64) -> OfEvent {
+        // Of a lack of memory the mean is that of all, and one event in ten of the others is of another kind.
+        let adds = (-level).exp();
+        OfEvent { mean: adds, adds, other: 0.1 * (1.0 - adds) }
+    }
+    fn amount(&self, _: &f64, share: f64) -> f64 {
+        -share.ln()
+    }
+}
+
+/// The mean is years · events · E[exp(−max(R − S, 0))], and lives have the law of events drawn one by one.
+#[test]
+fn sums_are_those_of_every_event() {
+    let inputs = inputs(0.0);
+    let (years, events) = (4.0, 30u64);
+    let life = Life { years, yearly: vec![false, true, true] };
+    // R − S is N(2.8, √(0.5² + 0.4²)).
+    let spread = 0.41f64.sqrt();
+    let by_hand = years * events as f64 * mean(|z| (-(2.8 + spread * z).max(0.0)).exp());
+    let found = expected(&inputs, &Exceeds, events as f64, &Effort { precision: 1e-3, ..effort(1 << 22) });
+    let e = found.estimates[0];
+    assert!((years * e.value / by_hand - 1.0).abs() < 1e-3, "{e:?} {by_hand}");
+    let drawn = sums_of_lives(&inputs, &Exceeds, events, &life, &effort(1 << 19));
+    let m = drawn.mean(|life| life.sum);
+    assert!((m.value - by_hand).abs() < m.high - m.low, "{m:?} {by_hand}");
+
+    // Every event of every life, one by one.
+    let mut stream = Stream::new(7, 0);
+    let law = |place: usize, p: f64| inputs.laws()[place].value_of_chance(p);
+    let (n, more) = (60_000, 4.0);
+    let (mut exceeding, mut others) = (0u32, 0u32);
+    for _ in 0..n {
+        let resistance = law(0, stream.draw());
+        let (mut sum, mut other) = (0.0, false);
+        for _ in 0..years as usize {
+            let level = (resistance - law(1, stream.draw())).max(0.0);
+            for _ in 0..events {
+                let event = -stream.draw().ln();
+                sum += (event - level).max(0.0);
+                other |= event <= level && stream.draw() < 0.1;
+            }
+        }
+        exceeding += u32::from(sum > more);
+        others += u32::from(other);
+    }
+    let share = f64::from(exceeding) / f64::from(n);
+    let error = (share * (1.0 - share) / f64::from(n)).sqrt();
+    let p = drawn.chance(|life| life.sum > more);
+    assert!((p.value - share).abs() < 4.0 * error + 0.5 * (p.high - p.low), "{p:?} {share}");
+    let q = drawn.quantile(1.0 - share).value;
+    assert!((q / more - 1.0).abs() < 0.05, "{q}");
+    let with_other = drawn.chance(|life| life.others > 0).value;
+    assert!((with_other - f64::from(others) / f64::from(n)).abs() < 0.01, "{with_other}");
+    // The worst of all lives have everything.
+    assert!((drawn.of_worst(1.0) - 1.0).abs() < 1e-12 && drawn.of_worst(0.05) > 0.05);
+}
