@@ -12,13 +12,21 @@ from typing import Literal
 from ._answer import Answer, ByMode, by_mode, part, parts
 
 __all__ = [
+    "Along",
     "Chance",
     "Chances",
+    "Exceeded",
+    "FirstDeparture",
+    "Fit",
+    "Fragility",
     "Importance",
     "Interval",
     "Life",
     "ProbabilityDocument",
+    "Quantile",
     "Random",
+    "Rotating",
+    "Sliding",
 ]
 
 
@@ -110,6 +118,30 @@ class Importance(Answer):
         return self._document["probability_if_known"]
 
 
+class FirstDeparture(Answer):
+    """Into which mode the body first leaves rest; the parts add up to one."""
+
+    @property
+    def modes(self) -> ByMode[Chance]:
+        """The modes, "no mode" and "not a body"."""
+        return by_mode(Chance, self._document["modes"])
+
+    @property
+    def never(self) -> Interval:
+        """That it rests under any multiple of the variable loads."""
+        return part(Interval, self._document["never"])
+
+    @property
+    def at_once(self) -> Interval:
+        """That the permanent loads alone, or any share of the others, move it."""
+        return part(Interval, self._document["at_once"])
+
+    @property
+    def precise(self) -> bool:
+        """Whether every probability above the floor is as precise as asked."""
+        return self._document["precise"]
+
+
 class Life(Answer):
     """What happens at least once in the years of a life."""
 
@@ -117,6 +149,16 @@ class Life(Answer):
     def years(self) -> float:
         """The years."""
         return self._document["years"]
+
+    @property
+    def method(self) -> Literal["integrate", "sobol"]:
+        """Whether years are integrated, or drawn."""
+        return self._document["method"]
+
+    @property
+    def precise(self) -> bool:
+        """Whether every probability above the floor is as precise as asked."""
+        return self._document["precise"]
 
     @property
     def not_rest(self) -> Interval:
@@ -127,6 +169,200 @@ class Life(Answer):
     def modes(self) -> ByMode[Chance]:
         """Each mode, at least once."""
         return by_mode(Chance, self._document["modes"])
+
+
+class Quantile(Answer):
+    """a slide that a share of all lives stays below."""
+
+    @property
+    def share(self) -> float:
+        """The share."""
+        return self._document["share"]
+
+    @property
+    def slide(self) -> float:
+        """The slide."""
+        return self._document["slide"]
+
+    @property
+    def low(self) -> float:
+        """The lower end of its interval, 95 %."""
+        return self._document["low"]
+
+    @property
+    def high(self) -> float:
+        """The upper end."""
+        return self._document["high"]
+
+
+class Exceeded(Answer):
+    """How likely a life slides the body by more than a value."""
+
+    @property
+    def slide(self) -> float:
+        """The value."""
+        return self._document["slide"]
+
+    @property
+    def probability(self) -> float:
+        """The probability."""
+        return self._document["probability"]
+
+    @property
+    def low(self) -> float:
+        """The lower end of its interval, 95 %."""
+        return self._document["low"]
+
+    @property
+    def high(self) -> float:
+        """The upper end."""
+        return self._document["high"]
+
+
+class Rotating(Answer):
+    """Waves that begin a rotation."""
+
+    @property
+    def wave(self) -> Interval:
+        """That a wave of any storm is one."""
+        return part(Interval, self._document["wave"])
+
+    @property
+    def life(self) -> Interval:
+        """That a life has one."""
+        return part(Interval, self._document["life"])
+
+
+class Sliding(Answer):
+    """Slides over a life of storms, in m."""
+
+    @property
+    def years(self) -> float:
+        """The years, each with a storm."""
+        return self._document["years"]
+
+    @property
+    def waves(self) -> int:
+        """The waves of a storm."""
+        return self._document["waves"]
+
+    @property
+    def pulse(self) -> Literal["triangle", "shimosako"]:
+        """How the slide of a wave is found: exactly for a triangular pulse, or by the published formula."""
+        return self._document["pulse"]
+
+    @property
+    def lives(self) -> int:
+        """How many lives are drawn."""
+        return self._document["lives"]
+
+    @property
+    def mean(self) -> float:
+        """The mean over lives, integrated."""
+        return self._document["mean"]
+
+    @property
+    def mean_low(self) -> float:
+        """The lower end of its interval, 95 %."""
+        return self._document["mean_low"]
+
+    @property
+    def mean_high(self) -> float:
+        """The upper end."""
+        return self._document["mean_high"]
+
+    @property
+    def precise(self) -> bool:
+        """Whether the mean is as precise as it is asked to be."""
+        return self._document["precise"]
+
+    @property
+    def sliding_waves(self) -> float:
+        """How many waves of a life slide the body on average."""
+        return self._document["sliding_waves"]
+
+    @property
+    def ever(self) -> Interval:
+        """That any wave of a life slides it."""
+        return part(Interval, self._document["ever"])
+
+    @property
+    def quantiles(self) -> list[Quantile]:
+        """The slides that shares of all lives stay below."""
+        return parts(Quantile, self._document["quantiles"])
+
+    @property
+    def exceedance(self) -> list[Exceeded]:
+        """How likely a life slides it by more than a value."""
+        return parts(Exceeded, self._document["exceedance"])
+
+    @property
+    def of_worst_twentieth(self) -> float:
+        """The share of the mean that comes of the worst 5 % of all lives."""
+        return self._document["of_worst_twentieth"]
+
+    @property
+    def rotating(self) -> Rotating:
+        """Waves that begin a rotation, which the slides leave out."""
+        return part(Rotating, self._document["rotating"])
+
+
+class Along(Answer):
+    """The probabilities at one value."""
+
+    @property
+    def value(self) -> float:
+        """The value, in SI units."""
+        return self._document["value"]
+
+    @property
+    def not_rest(self) -> Interval:
+        """That the body does not stay at rest."""
+        return part(Interval, self._document["not_rest"])
+
+    @property
+    def modes(self) -> ByMode[Chance]:
+        """The modes, "no mode" and "not a body", which add up to one."""
+        return by_mode(Chance, self._document["modes"])
+
+
+class Fit(Answer):
+    """a lognormal curve Φ(ln(value/median)/dispersion)."""
+
+    @property
+    def median(self) -> float:
+        """Its median, in SI units."""
+        return self._document["median"]
+
+    @property
+    def dispersion(self) -> float:
+        """Its logarithmic standard deviation."""
+        return self._document["dispersion"]
+
+    @property
+    def misfit(self) -> float:
+        """The largest difference from the probabilities."""
+        return self._document["misfit"]
+
+
+class Fragility(Answer):
+    """The probabilities along a number of the case, under the least safe set of loads for each value."""
+
+    @property
+    def name(self) -> str:
+        """The number's name."""
+        return self._document["name"]
+
+    @property
+    def points(self) -> list[Along]:
+        """Its values, in order."""
+        return parts(Along, self._document["points"])
+
+    @property
+    def fit(self) -> Fit | None:
+        """a lognormal curve through the probabilities that the body does not rest; None where they do not rise or there are too
+        few."""
+        return None if self._document["fit"] is None else part(Fit, self._document["fit"])
 
 
 class Chances(Answer):
@@ -172,6 +408,11 @@ class Chances(Answer):
     def lifted(self) -> Interval:
         """That nothing presses the body on its base; part of the modes."""
         return part(Interval, self._document["lifted"])
+
+    @property
+    def first_departure(self) -> FirstDeparture:
+        """Into which mode it first leaves rest as the variable loads rise without end."""
+        return part(FirstDeparture, self._document["first_departure"])
 
     @property
     def beta(self) -> float | None:
@@ -277,6 +518,11 @@ class ProbabilityDocument(Answer):
         return part(Interval, self._document["lifted"])
 
     @property
+    def first_departure(self) -> FirstDeparture:
+        """Into which mode it first leaves rest as the variable loads rise without end."""
+        return part(FirstDeparture, self._document["first_departure"])
+
+    @property
     def beta(self) -> float | None:
         """The distance of the nearest point at which the body does not rest, in standard normals; None where none is within
         reach. Not to be turned into a probability."""
@@ -313,3 +559,13 @@ class ProbabilityDocument(Answer):
     def others(self) -> list[Chances]:
         """The answers under the other sets of loads."""
         return parts(Chances, self._document["others"])
+
+    @property
+    def sliding(self) -> Sliding | None:
+        """How far storms slide the body over a life; None of a case without storms."""
+        return None if self._document["sliding"] is None else part(Sliding, self._document["sliding"])
+
+    @property
+    def fragility(self) -> Fragility | None:
+        """The probabilities along a number of the case; None where none is asked for."""
+        return None if self._document["fragility"] is None else part(Fragility, self._document["fragility"])
