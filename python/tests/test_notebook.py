@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import inspect
 import pickle
 import re
 import warnings
@@ -106,7 +107,7 @@ def test_notebooks_are_not_flooded() -> None:
 @pytest.mark.parametrize("kind", [standfast.Onset, standfast.OnsetArrays, standfast.Contact, standfast.ContactArrays,
                                   standfast.LimitStates, standfast.LimitStatesArrays])  # fmt: skip
 def test_help_says_what_each_field_is(kind: Any) -> None:
-    said = re.findall(r"^        (\w+): .", kind.__doc__, re.MULTILINE)
+    said = re.findall(r"^    (\w+): .", inspect.getdoc(kind) or "", re.MULTILINE)
     assert tuple(said) == kind._fields
 
 
@@ -114,7 +115,7 @@ def test_words_of_limit_states_are_those_of_the_library() -> None:
     """One text in two languages: the equations and the formulas of each limit state are the same."""
     source = (ROOT / "crates/standfast/src/initiation/limits.rs").read_text(encoding="utf-8")
     rust = dict((name, words) for words, name in re.findall(r"    /// (.*)\n    pub (\w+): f64,", source))
-    python = dict(re.findall(r"^        (\w+): (.*)$", standfast.LimitStates.__doc__ or "", re.MULTILINE))
+    python = dict(re.findall(r"^    (\w+): (.*)$", inspect.getdoc(standfast.LimitStates) or "", re.MULTILINE))
     page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
     assert [name.lower() for name in python] == [name.lower() for name in rust]
     for name, words in python.items():

@@ -20,6 +20,7 @@ float64) in pandas, and as null in Arrow and polars.
 
 from __future__ import annotations
 
+import inspect
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -57,7 +58,9 @@ class Fields(tuple[_T, ...]):
         cls._fields = tuple(cls.__annotations__)
         if fields_of is not None and cls.__doc__ and fields_of.__doc__:
             heading = "Attributes:"
-            cls.__doc__ = f"{cls.__doc__.rstrip()}\n\n    {heading}{fields_of.__doc__.partition(heading)[2]}"
+            # Python 3.13 takes the indentation away where a class is made, and others do not.
+            own, said = inspect.cleandoc(cls.__doc__), inspect.cleandoc(fields_of.__doc__)
+            cls.__doc__ = f"{own}\n\n{heading}{said.partition(heading)[2]}"
 
     def __new__(cls, values: Mapping[str, _T]) -> Self:
         self = super().__new__(cls, values.values())
