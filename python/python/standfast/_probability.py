@@ -93,8 +93,8 @@ def probability(
     >>> found = probability(plane)
     >>> found.method, round(sum(chance.probability for chance in found.modes.values()), 12)
     ('integrate', 1.0)
-    >>> found.modes["RE"].probability > 0.98, found.modes[Mode.SLIDE_LEFT] is found.modes["SL"] or found.modes["SL"].probability < 0.02
-    (True, True)
+    >>> round(found.modes["RE"].probability + found.not_rest.probability, 12)
+    1.0
     """
     if method is not None and not isinstance(method, str):
         raise TypeError(f"method is {method!r}; expected the name of a method")

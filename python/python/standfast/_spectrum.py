@@ -134,9 +134,9 @@ def spectrum(
     records = records_of(base, dt, unit)
     with shown(progress, "motions") as told:
         asked = _Asked(kind, **steps, threads=run(threads).threads, progress=told)
-        *found, si = _standfast.spectrum((*case_text(case), folder_of(case), {}), records, asked)
-    check_unit(records, unit, si)
-    return Spectrum(*found, si)
+        found = _standfast.spectrum((*case_text(case), folder_of(case), {}), records, asked)
+    check_unit(records, unit, found[-1])
+    return Spectrum(*found)
 
 
 def _steps(given: Any, name: str) -> tuple[float, float, int]:
