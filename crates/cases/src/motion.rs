@@ -149,6 +149,10 @@ fn found(case: &BlockCase, outcome: &Outcome) -> Vec<MotionWarning> {
         );
         warnings.push(MotionWarning { name: "added-mass-turns", words });
     }
+    if case.uplift && outcome.max_theta > 0.0 {
+        let words = "water under the base presses as before while the base is lifted: how its pressure changes there is left out".to_owned();
+        warnings.push(MotionWarning { name: "uplift-kept", words });
+    }
     if outcome.impulse_left_base {
         let words = "the impulse that the measured ratio asks for acts beside the base: no base can give it"
             .to_owned();

@@ -333,3 +333,37 @@ fn at_the_first_instant_the_peaks_act() {
     );
     assert!(still_case("case.toml", &elastic, &no_file).unwrap().is_none());
 }
+
+/// Shimosako and Takahashi's duration of Goda's caisson by hand: T = 11.4 s, H = 8.05 m, h = 10.1 m, α* = 0.3223 give 1.557 s, and so the
+/// slide of the example, which has that number. The answer says that the formulas are recalled.
+#[test]
+fn a_duration_by_the_waves() {
+    let text = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
+    let plain = &follow(text)[0].1;
+    let by_waves =
+        text.replace("rise = \"0.7785 s\", duration = \"1.557 s\"", "duration = \"shimosako-takahashi\"");
+    assert_ne!(text, by_waves);
+    let answers = follow(&by_waves);
+    let (case, followed) = &answers[0];
+    close(followed.outcome.slide, plain.outcome.slide, 1e-3);
+    let period: f64 = 11.4 * f64::max(0.4, 0.5 - 8.05 / (8.0 * 10.1));
+    let expected = period / (0.3223_f64.powf(0.3) + 1.0).powi(2);
+    close(*case.problem.loads.last().unwrap().history.times().last().unwrap(), expected, 2e-4);
+    let recalled = followed.warnings.iter().find(|warning| warning.name == "duration-recalled").unwrap();
+    assert!(recalled.words.contains("1.557") && recalled.words.contains("not read"), "{}", recalled.words);
+    for (wrong, expected) in [
+        ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako-takahashi\"", "`rise` does not go"),
+        ("shape = \"rect\", duration = \"shimosako-takahashi\"", "is that of a triangle"),
+        ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako\"", "`duration` is"),
+    ] {
+        let case = text.replace("shape = \"triangle\", rise = \"0.7785 s\", duration = \"1.557 s\"", wrong);
+        let error = body_cases("case.toml", &case, &no_file).unwrap_err().to_string();
+        assert!(error.contains(expected), "{wrong}: {error}");
+    }
+    // A caisson so heavy and rough that it rocks: the uplift stays, which is said.
+    let rocks = text.replace("friction = 0.6", "friction = 3").replace("wave = 1.5", "wave = 2.2");
+    let answers = follow(&rocks);
+    let followed = &answers[0].1;
+    assert!(followed.outcome.max_theta > 0.0, "{:?}", followed.outcome.events);
+    assert!(followed.warnings.iter().any(|warning| warning.name == "uplift-kept"));
+}

@@ -21,6 +21,8 @@ pub struct BlockCase {
     pub problem: Problem,
     /// The crest above the base, for its figures; of a `[block]` twice that of C.
     pub height: f64,
+    /// Whether water presses up on the base.
+    pub uplift: bool,
     /// Whether it is in SI units.
     pub si: bool,
     /// What may be a slip.
@@ -134,7 +136,7 @@ fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase,
     let title = top.words("title")?.map(str::to_owned);
     top.words("note")?;
     let height = 2.0 * problem.block.d;
-    Ok(BlockCase { title, situation: None, problem, height, si: false, warnings })
+    Ok(BlockCase { title, situation: None, problem, height, uplift: false, si: false, warnings })
 }
 
 /// What [motion] says beside the base.

@@ -224,8 +224,11 @@ fn read(
         warnings.extend(read.warnings);
         read.history
     };
-    let wave =
-        in_time.wave.as_ref().map(|section| history::read(section, file).map(&mut taken)).transpose()?;
+    let wave = in_time
+        .wave
+        .as_ref()
+        .map(|section| history::read_wave(section, file, case.wave.as_ref()).map(&mut taken))
+        .transpose()?;
     let mut loads = Vec::new();
     for section in &in_time.loads {
         loads.push(section.as_ref().map(|section| history::read(section, file).map(&mut taken)).transpose()?);
@@ -258,6 +261,10 @@ fn read(
     for acts in &case.acting() {
         let situation = case.situation(*acts, None).map_err(|error| refused(in_time, &error.into()))?;
         let block = block(situation.body(), &situation);
+        let uplift = situation.loads().iter().any(|load| {
+            matches!(load.source, LoadSource::WaveUplift | LoadSource::Uplift)
+                && load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO
+        });
         let mut problem = Problem::new(block, case.gravity);
         let mass = situation.body().mass();
         if !situation.loads().iter().any(|load| load.source == LoadSource::Weight && load.factor == 1.0) {
@@ -319,7 +326,15 @@ fn read(
         let situation = case.acting_name(*acts);
         let title = case.title.clone();
         let height = case.body.height();
-        cases.push(BlockCase { title, situation, problem, height, si: true, warnings: warnings.clone() });
+        cases.push(BlockCase {
+            title,
+            situation,
+            problem,
+            height,
+            uplift,
+            si: true,
+            warnings: warnings.clone(),
+        });
     }
     Ok(cases)
 }

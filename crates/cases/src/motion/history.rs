@@ -7,6 +7,7 @@ use standfast_motion::{History, MotionError, Problematic};
 use super::error::Wrong;
 use super::table::Section;
 use super::{MotionWarning, ReadFile};
+use crate::case::Waves;
 
 /// A shape, with the keys it has beside `shape` and `start`.
 const SHAPES: [(&str, &[&str]); 9] = [
@@ -98,6 +99,43 @@ pub(crate) fn read(section: &Section<'_>, file: &ReadFile<'_>) -> Result<Read, W
     let history =
         history.and_then(|history| history.starting(start)).map_err(|error| refused(section, &error))?;
     Ok(Read { history, warnings, step: None })
+}
+
+/// A duration that the waves give: Shimosako and Takahashi's of an impulsive thrust, a triangle with its peak in the middle, for
+/// τ₀F = max(0.4, 0.5 − H/(8h)) T and k = 1/(α*^0.3 + 1)², α* the larger of α₂ and α_I, of k τ₀F. Both formulas are recalled; the
+/// original was not read.
+const BY_WAVES: &str = "shimosako-takahashi";
+
+/// The history of a wave; `waves` is what its duration may follow from.
+pub(crate) fn read_wave(
+    section: &Section<'_>,
+    file: &ReadFile<'_>,
+    waves: Option<&Waves>,
+) -> Result<Read, Wrong> {
+    let asked = section.get("duration").and_then(|value| value.get_ref().as_str());
+    let (Some(BY_WAVES), Some(waves)) = (asked, waves) else { return read(section, file) };
+    if section.words("shape")? != Some("triangle") {
+        let message = format!("duration = \"{BY_WAVES}\" is that of a triangle");
+        return Err(Wrong::new(message, section.place("shape")).help("shape = \"triangle\""));
+    }
+    let keys = ["shape", "start", "peak", "duration"];
+    if let Some(key) = KEYS.iter().find(|key| section.get(key).is_some() && !keys.contains(key)) {
+        let message =
+            format!("`{key}` does not go with duration = \"{BY_WAVES}\", whose peak is in the middle");
+        return Err(Wrong::new(message, section.place(key)));
+    }
+    let goda = &waves.goda;
+    let period = waves.sea.period * (0.5 - goda.h_max / (8.0 * waves.sea.water_depth)).max(0.4);
+    let share = 1.0 / (goda.alpha_2.max(goda.alpha_impulsive).powf(0.3) + 1.0).powi(2);
+    let duration = share * period;
+    let (start, peak) = (section.number("start")?.unwrap_or(0.0), section.number("peak")?.unwrap_or(1.0));
+    let history =
+        History::triangle(peak, 0.5 * duration, duration).and_then(|history| history.starting(start));
+    let history = history.map_err(|error| refused(section, &error))?;
+    let words = format!(
+        "the wave's thrust lasts {duration:.4} s by formulas of Shimosako and Takahashi that are recalled: the original was not read"
+    );
+    Ok(Read { history, warnings: vec![MotionWarning { name: "duration-recalled", words }], step: None })
 }
 
 fn longest(times: &[f64]) -> Option<f64> {

@@ -7,7 +7,6 @@ use standfast::{Mode, Modes, Slip};
 use crate::history::Piece;
 use crate::outcome::{End, Event, Outcome, Why};
 use crate::problem::{Initial, Problem};
-use crate::roots::first_root;
 
 /// A share of what is compared below which nothing is decided here.
 const TIE: f64 = 1e-9;
@@ -120,11 +119,17 @@ pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
         Found { events: Vec::new(), x: 0.0, v: 0.0, slip: None, work: 0.0, way: 0.0, max_slide: [0.0; 2] };
     found.say(0.0, Why::Start);
     let mut before: Option<f64> = None;
+    let quiet = (constant.sticks * (1.0 - TIE)).min(-constant.within[0]).min(constant.within[1]);
     for (piece, pair) in pieces.iter().zip(times.windows(2)) {
         let Piece::Line { value, slope } = *piece else { return None };
         let length = pair[1] - pair[0];
         let x = [constant.x - value, -slope];
         let last = x[0] + x[1] * length;
+        if found.slip.is_none() && x[0].abs() < quiet && last.abs() < quiet {
+            // It rests, whether the load jumps there or not.
+            before = Some(last);
+            continue;
+        }
         if constant.tips(x[0]) || constant.tips(last) {
             return None;
         }
@@ -206,11 +211,12 @@ fn over(constant: &Constant, found: &mut Found, x: [f64; 2], t: f64, length: f64
             None => {
                 let slip = if x[1] > 0.0 { Slip::Right } else { Slip::Left };
                 let s = slip.sign();
-                let Some(τ) = first_root(&[constant.sticks - s * now, -s * x[1]], left) else {
+                let τ = (constant.sticks - s * now) / (s * x[1]);
+                if s * (now + x[1] * left) < constant.sticks {
                     return Some(());
-                };
+                }
                 // One that begins with the piece, or that the next one takes back, is for the general machine.
-                if τ <= 0.0 || τ >= left {
+                if !(τ > 0.0 && τ < left) {
                     return None;
                 }
                 at += τ;
@@ -222,17 +228,20 @@ fn over(constant: &Constant, found: &mut Found, x: [f64; 2], t: f64, length: f64
                 let (over, rise) = (s * (now - s * constant.slips) / constant.m_x, s * x[1] / constant.m_x);
                 let speed = s * found.v;
                 let begins = speed == 0.0;
-                let powers = [speed, over, rise / 2.0];
                 let root = if begins {
                     // Its own beginning divided out; with one friction it begins without acceleration too.
-                    match powers[1].abs() <= TIE * constant.p {
-                        true if powers[2] <= 0.0 => return None,
+                    match over.abs() <= TIE * constant.p {
+                        true if rise <= 0.0 => return None,
                         true => None,
-                        false => first_root(&powers[1..], left),
+                        false => Some(-2.0 * over / rise).filter(|_| rise < 0.0),
                     }
                 } else {
-                    first_root(&powers, left)
+                    // The first zero of speed + over τ + rise τ²/2.
+                    let square = over * over - 2.0 * rise * speed;
+                    let ways = square.sqrt() - over;
+                    (square >= 0.0 && ways > 0.0).then(|| 2.0 * speed / ways)
                 };
+                let root = root.filter(|τ| *τ <= left);
                 let τ = root.unwrap_or(left);
                 if root.is_some() && τ <= 0.0 {
                     return None;
