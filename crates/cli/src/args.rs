@@ -159,7 +159,8 @@ pub enum Command {
         \u{20} [motion.initial]           # theta, omega, vx, vy, gap\n\
         \u{20} [motion.base]\n\
         \u{20} horizontal = { shape = \"file\", file = \"record.AT2\", factor = 1 }   # and vertical\n\n\
-        Shapes, each with start: constant (peak), rect (peak, duration), triangle (peak, rise, duration), decay,\n\
+        Shapes, each with start: constant (peak), rect (peak, duration), triangle (peak, rise, duration; of a\n\
+        [wave] also duration = \"shimosako-takahashi\"), decay,\n\
         half-sine (peak, duration), sine (peak, angular_frequency or period, phase, duration), church-roof (peak,\n\
         rise, impact_duration, tail, duration), points (times, values, peak), file (file, column of a CSV, dt where\n\
         it has no times, factor or target_peak, baseline = \"mean\" or \"linear\").\n\n\
