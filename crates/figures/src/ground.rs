@@ -358,7 +358,7 @@ fn length(part: &[(f64, f64)]) -> f64 {
 }
 
 /// A polyline as what labels keep off.
-fn arcs(part: &[(f64, f64)]) -> Vec<Arc> {
+pub(crate) fn arcs(part: &[(f64, f64)]) -> Vec<Arc> {
     let rising = part
         .windows(2)
         .map(|pair| if pair[0].0 < pair[1].0 { (pair[0], pair[1]) } else { (pair[1], pair[0]) });

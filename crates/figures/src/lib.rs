@@ -16,7 +16,7 @@
 //!
 //! | question | module |
 //! |---|---|
-//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `feasible` (two quantities of a design) |
+//! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
 //! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
@@ -55,6 +55,7 @@ mod plot;
 #[cfg(feature = "render")]
 mod render;
 mod report;
+mod rotation;
 mod scale;
 mod scene;
 mod screen;
@@ -83,6 +84,7 @@ pub use plot::View;
 #[cfg(feature = "render")]
 pub use render::RenderError;
 pub use report::{FigureId, UnknownFigure, report_figure, sketch_on_screen};
+pub use rotation::{RotationCurve, rotation_curve};
 #[doc(hidden)]
 pub use scene::Label;
 pub use scene::Rect;

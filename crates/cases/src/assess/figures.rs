@@ -4,7 +4,8 @@ use standfast::ground::bearing::BearingPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundPlane, LoadPlane, diagram, ground_diagram, load_plane,
+    DesignPoint, DiagramContent, Figure, GroundPlane, LoadPlane, RotationCurve, diagram, ground_diagram,
+    load_plane, rotation_curve,
 };
 
 use super::{Assessed, Assessment, View, section};
@@ -31,6 +32,8 @@ pub enum Drawn {
     Diagram,
     /// The path of the rising loads in the plane of load factor and friction.
     LoadPath,
+    /// The moment of an elastic base over its rotation.
+    Rotation,
     /// The body to scale, with what stands beside it and presses on it.
     Section,
 }
@@ -88,6 +91,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
         if assessed.rises() && assessed.situation.in_air().is_none() && !assessed.is_on_ground() {
             figures.push(path(assessment, assessed, &suffix, view.up_to)?);
         }
+        figures.extend(rotation(assessment, assessed, &suffix)?);
     }
     figures.push(CaseFigure {
         suffix: "-section".to_owned(),
@@ -152,24 +156,57 @@ impl Plane {
     }
 }
 
+/// The name of the case and of a situation.
+fn title(assessment: &Assessment, assessed: &Assessed) -> String {
+    let parts: Vec<_> = assessment.case.title.iter().cloned().chain(assessment.name(assessed)).collect();
+    parts.join(", ")
+}
+
+/// Words with the situation's name behind them, where there are several.
+fn named(words: &str, assessment: &Assessment, assessed: &Assessed, suffix: &str) -> String {
+    match (suffix.is_empty(), assessment.name(assessed)) {
+        (false, Some(name)) => format!("{words} ({name})"),
+        _ => words.to_owned(),
+    }
+}
+
+/// Moment and rotation of an elastic base; none of a base that cannot carry the weight.
+fn rotation(
+    assessment: &Assessment,
+    assessed: &Assessed,
+    suffix: &str,
+) -> Result<Option<CaseFigure>, InputError> {
+    let Some(elastic) = assessed.ground.as_ref().and_then(|ground| ground.elastic.as_ref()) else {
+        return Ok(None);
+    };
+    let figure = rotation_curve(&RotationCurve {
+        base: elastic.base,
+        height: assessed.situation.body().centroid_height(),
+        moment: elastic.moment,
+        title: &title(assessment, assessed),
+    })?;
+    Ok(figure.map(|figure| CaseFigure {
+        suffix: format!("{suffix}-rotation"),
+        words: named("Moment and rotation", assessment, assessed, suffix),
+        drawn: Drawn::Rotation,
+        figure,
+    }))
+}
+
 fn path(
     assessment: &Assessment,
     assessed: &Assessed,
     suffix: &str,
     up_to: f64,
 ) -> Result<CaseFigure, InputError> {
-    let title: Vec<_> = assessment.case.title.iter().cloned().chain(assessment.name(assessed)).collect();
     let figure = load_plane(&LoadPlane {
         regions: &assessed.situation.plane(up_to)?,
         up_to,
         friction: assessed.situation.static_friction(),
         stages: &assessed.outcome.path,
-        title: &title.join(", "),
+        title: &title(assessment, assessed),
     });
-    let words = match (suffix.is_empty(), assessment.name(assessed)) {
-        (false, Some(name)) => format!("Load path ({name})"),
-        _ => "Load path".to_owned(),
-    };
+    let words = named("Load path", assessment, assessed, suffix);
     let suffix = format!("{suffix}-path");
     Ok(CaseFigure { suffix, words, drawn: Drawn::LoadPath, figure })
 }

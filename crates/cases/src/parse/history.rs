@@ -50,6 +50,12 @@ impl Written<'_> {
     fn read(&self) -> Result<TimeShape, At> {
         let seconds = |name| self.number(name, Some(Dimension::Time), Range::Positive);
         let rise = || self.number("rise", Some(Dimension::Time), Range::NotNegative);
+        let or = |name, dimension, range, otherwise| match self.table.get(name) {
+            Some(_) => self.number(name, dimension, range),
+            None => Ok(otherwise),
+        };
+        let peak = or("peak", None, Range::Finite, 1.0)?;
+        let start = or("start", Some(Dimension::Time), Range::NotNegative, 0.0)?;
         let course = match self.shape {
             "constant" => Course::Constant,
             "rect" => Course::Rect { duration: seconds("duration")? },
@@ -62,19 +68,16 @@ impl Written<'_> {
             "church-roof" => {
                 let (rise, impact_duration) = (rise()?, seconds("impact_duration")?);
                 self.in_order(rise, "impact_duration", impact_duration, "no less than `rise`")?;
-                let tail = self.number("tail", None, Range::Share)?;
+                let tail = or("tail", None, Range::Finite, 0.0)?;
+                if !(0.0..=peak.abs()).contains(&(tail * peak.signum())) {
+                    return Err(self.wrong("tail", self.found("tail")?, "a number from zero to `peak`"));
+                }
                 let duration = seconds("duration")?;
                 self.in_order(impact_duration, "duration", duration, "no less than `impact_duration`")?;
                 Course::ChurchRoof { rise, impact_duration, tail, duration }
             }
             _ => Course::Points { points: self.points()? },
         };
-        let or = |name, dimension, range, otherwise| match self.table.get(name) {
-            Some(_) => self.number(name, dimension, range),
-            None => Ok(otherwise),
-        };
-        let peak = or("peak", None, Range::Finite, 1.0)?;
-        let start = or("start", Some(Dimension::Time), Range::NotNegative, 0.0)?;
         Ok(TimeShape { course, peak, start })
     }
 
@@ -147,6 +150,9 @@ impl Written<'_> {
         let values = list("values", None, Range::Finite)?;
         if times.len() != values.len() {
             return Err(self.wrong("values", self.found("values")?, "as many numbers as `times` has"));
+        }
+        if times.len() < 2 {
+            return Err(self.wrong("times", self.found("times")?, "two moments or more"));
         }
         if times.windows(2).any(|pair| pair[1] < pair[0]) {
             return Err(self.wrong("times", self.found("times")?, "times that do not fall"));

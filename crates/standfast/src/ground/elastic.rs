@@ -126,9 +126,24 @@ impl ElasticBase {
         self.omega
     }
 
-    /// θ of τ = 1.
-    fn unit_rotation(&self) -> f64 {
+    /// θ of τ = 1: P/(k_nB²), rad.
+    pub fn unit_rotation(&self) -> f64 {
         self.p / (self.stiffness * self.half_width * self.half_width)
+    }
+
+    /// The rotations (rad), rising, at which the way in which the base is pressed changes: one where it does not yield, two where it does,
+    /// none from ω = 1 on.
+    ///
+    /// ```
+    /// use standfast::ground::elastic::ElasticBase;
+    ///
+    /// let base = ElasticBase::new(7.5, 2.2e6, 50e6)?;
+    /// assert_eq!(base.joints(), [0.5 * base.unit_rotation()]);
+    /// # Ok::<(), standfast::InputError>(())
+    /// ```
+    pub fn joints(&self) -> Vec<f64> {
+        let real = joints(self.omega).into_iter().filter(|τ| *τ > 0.0 && τ.is_finite());
+        real.map(|τ| τ * self.unit_rotation()).collect()
     }
 
     /// The moment about the middle of the base at a `rotation` (rad), N·m per metre run; of the same sign.

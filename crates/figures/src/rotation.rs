@@ -1,0 +1,317 @@
+//! Moment and rotation of an elastic base: the curve in closed form, its joints, and the most it stands while the weight leans with it.
+//!
+//! Two plots where one would hide the beginning: the contact changes first at a rotation that may be a hundredth of that of the
+//! largest moment.
+
+use standfast::InputError;
+use standfast::ground::elastic::{ContactState, ElasticBase, LargestMoment};
+
+use crate::canvas::{Canvas, FORMULA};
+use crate::caption::{SIZE, SMALL};
+use crate::ground::arcs;
+use crate::margins::{self, Axes, Numbers};
+use crate::number::digits;
+use crate::palette::{BEHIND, FAINT, INK, MARK};
+use crate::plot::{Frame, View};
+use crate::scene::{Path, Pen, Rect};
+use crate::text::Text;
+use crate::{DesignPoint, Figure};
+
+const CURVE: Pen = Pen::solid(INK, 1.7);
+const LEFT_FOR_LOAD: Pen = Pen { colour: INK, width: 1.1, dashes: "5 3.4" };
+const LIMIT: Pen = Pen::solid(BEHIND, 1.1);
+const FULL_LOAD: Pen = Pen { colour: MARK, width: 0.8, dashes: "2.5 2.2" };
+const PLOT: (f64, f64) = (300.0, 250.0);
+const TOP: f64 = 54.0;
+/// Between the plots: the name of one axis and the numbers of the other.
+const GAP: f64 = 112.0;
+const AXES: Axes = Axes { right: "$θ$, mrad", up: "$M/(PB)$", origin: "$0$" };
+/// The beginning has a plot of its own if it takes less than this share of the whole.
+const HIDDEN: f64 = 0.22;
+
+/// An elastic base under a load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotationCurve<'a> {
+    /// The base and the weight on it.
+    pub base: ElasticBase,
+    /// Where the weight acts, above the base, m.
+    pub height: f64,
+    /// The moment of the full load about the middle of the base, N·m per metre run; its sign is not drawn.
+    pub moment: f64,
+    /// What it is of, in a line; not markup.
+    pub title: &'a str,
+}
+
+/// Moment over rotation of an elastic base: the full load (diamond), the joints of the curve (dots), and dashed what is left for a load that
+/// is raised slowly while the weight leans with the body, with its largest value. `None` of a base that cannot carry the weight.
+///
+/// ```
+/// use standfast::ground::elastic::ElasticBase;
+/// use standfast_figures::{RotationCurve, rotation_curve};
+///
+/// let base = ElasticBase::new(7.5, 2.2e6, 50e6)?;
+/// let curve = RotationCurve { base, height: 5.25, moment: 4.8e6, title: "Caisson" };
+/// let figure = rotation_curve(&curve)?.unwrap();
+/// assert!(figure.caption().contains("full contact up to 0.3911 mrad"));
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+///
+/// # Errors
+/// If `height` is not above zero.
+pub fn rotation_curve(given: &RotationCurve<'_>) -> Result<Option<Figure>, InputError> {
+    if given.base.omega() >= 1.0 {
+        return Ok(None);
+    }
+    let draft = Draft {
+        given,
+        largest: given.base.largest_moment(given.height)?,
+        design: given.base.rotation(given.moment.abs()),
+        joints: given.base.joints(),
+    };
+    draft.figure().map(Some)
+}
+
+struct Draft<'a> {
+    given: &'a RotationCurve<'a>,
+    largest: LargestMoment,
+    /// The rotation under the full load, rad; `None` where none bears it.
+    design: Option<f64>,
+    joints: Vec<f64>,
+}
+
+/// A plot: how far it goes, rad, and what it is called.
+struct Panel {
+    to: f64,
+    heading: &'static str,
+}
+
+impl Draft<'_> {
+    /// M/(PB) of a moment.
+    fn share(&self, moment: f64) -> f64 {
+        moment.abs() / (self.given.base.p() * self.given.base.half_width())
+    }
+
+    fn stands(&self) -> bool {
+        self.largest.moment > 0.0
+    }
+
+    /// The end of full contact, rad.
+    fn first_joint(&self) -> f64 {
+        self.joints.first().copied().unwrap_or(self.given.base.unit_rotation())
+    }
+
+    fn panels(&self) -> Vec<Panel> {
+        let design = self.design.unwrap_or_default();
+        let first = 3.0 * self.first_joint();
+        let whole = (1.35 * self.largest.rotation).max(first).max(1.25 * design);
+        // The full load belongs to the beginning if it is there at all.
+        let begin = if 1.25 * design < HIDDEN * whole { first.max(1.25 * design) } else { first };
+        if begin < HIDDEN * whole {
+            let one = Panel { to: begin, heading: "The beginning" };
+            vec![one, Panel { to: whole, heading: "As far as it stands" }]
+        } else {
+            vec![Panel { to: whole, heading: "" }]
+        }
+    }
+
+    fn figure(&self) -> Result<Figure, InputError> {
+        let mut canvas: Option<Canvas> = None;
+        let mut left = 78.0;
+        let mut bottom = 0.0_f64;
+        for panel in self.panels() {
+            let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
+            let frame = Frame { area, window: View::from_origin(1e3 * panel.to, 1.13) };
+            let mut own = Canvas::new(frame);
+            // One page for all.
+            if let Some(before) = canvas.take() {
+                own.scene = before.scene;
+            }
+            bottom = bottom.max(self.panel(&mut own, &panel)?);
+            canvas = Some(own);
+            left = area.x1 + GAP;
+        }
+        let mut canvas = canvas.expect("there is a plot");
+        let width = left - GAP + 84.0;
+        let edges = (16.0, width - 16.0);
+        let title = match self.given.title {
+            "" => "Moment and rotation of the elastic base".to_owned(),
+            title => format!("Moment and rotation of the elastic base: {title}"),
+        };
+        let heading: Vec<_> = title
+            .split_whitespace()
+            .map(|word| Text::verbatim(&crate::caption::shortened(word), SIZE))
+            .collect();
+        let details = margins::words(&self.caption()?, SMALL);
+        let below = margins::paragraph(&mut canvas.scene, &heading, edges, bottom + 16.0, SIZE);
+        let below = margins::paragraph(&mut canvas.scene, &details, edges, below + 5.0, SMALL);
+        let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
+        let size = (width.ceil(), (below + 10.0).ceil());
+        let description = format!(
+            "Chart of the moment about the middle of the base in P B, upwards, over the rotation in mrad, to the right. {caption}"
+        );
+        let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
+        Ok(Figure { svg, title, caption, labels, size })
+    }
+
+    /// One plot; gives the y below it.
+    fn panel(&self, canvas: &mut Canvas, panel: &Panel) -> Result<f64, InputError> {
+        let frame = canvas.board.frame;
+        let base = &self.given.base;
+        for limit in self.limits() {
+            let ends = [(0.0, limit), (frame.window.k_max, limit)];
+            line(canvas, &ends, LIMIT);
+        }
+        let points: Vec<_> =
+            base.curve(panel.to)?.iter().map(|[turn, m]| (1e3 * turn, self.share(*m))).collect();
+        line(canvas, &points, CURVE);
+        let lean = base.p() * self.given.height / 1e3 / (base.p() * base.half_width());
+        if self.stands() {
+            let left: Vec<_> = points.iter().map(|(turn, m)| (*turn, m - lean * turn)).collect();
+            // Below zero it stands no more.
+            let left: Vec<_> = left.into_iter().take_while(|(_, m)| *m >= 0.0).collect();
+            line(canvas, &left, LEFT_FOR_LOAD);
+        }
+        margins::axes(&mut canvas.scene, &frame, &AXES);
+        let heading = Text::new(panel.heading, SMALL);
+        let middle = (frame.area.x0 + frame.area.x1 - heading.width) / 2.0;
+        canvas.scene.text(&heading, middle, frame.area.y0 - 12.0, FAINT);
+        self.marks(canvas, panel)?;
+        Ok(Numbers::of(&frame.window, PLOT.0, PLOT.1).draw(&mut canvas.scene, &frame))
+    }
+
+    /// What a base that does not give, and one of its strength alone, bear.
+    fn limits(&self) -> Vec<f64> {
+        let omega = self.given.base.omega();
+        if omega > 0.0 { vec![1.0, 1.0 - omega] } else { vec![1.0] }
+    }
+
+    fn marks(&self, canvas: &mut Canvas, panel: &Panel) -> Result<(), InputError> {
+        let frame = canvas.board.frame;
+        let base = &self.given.base;
+        for turn in self.joints.iter().filter(|turn| **turn <= panel.to) {
+            let at = frame.at(1e3 * turn, self.share(base.moment(*turn)?));
+            canvas.scene.dot(at, 2.6, INK, None);
+            canvas.board.reserve(Rect::around(at.0, at.1, 6.5, 6.5));
+        }
+        if self.stands() && self.largest.rotation <= panel.to {
+            let (turn, m) = (1e3 * self.largest.rotation, self.share(self.largest.moment));
+            let at = frame.at(turn, m);
+            canvas.scene.dot(at, 3.2, INK, None);
+            canvas.board.reserve(Rect::around(at.0, at.1, 7.5, 7.5));
+            canvas.letter(&Text::new("largest", FORMULA), at);
+        }
+        // The moment of the full load, from its axis to where the base bears it.
+        let share = self.share(self.given.moment);
+        let to = self.design.map_or(frame.window.k_max, |turn| (1e3 * turn).min(frame.window.k_max));
+        if share < frame.window.mu_max {
+            line(canvas, &[(0.0, share), (to, share)], FULL_LOAD);
+        }
+        let beyond = 2.0 * frame.window.k_max;
+        let turn = self.design.map_or(beyond, |turn| 1e3 * turn);
+        let point = DesignPoint { k: turn, mu: share, label: "full load".into(), mirrored: false };
+        canvas.design_points(&[point]);
+        self.names(canvas, panel)
+    }
+
+    /// What the pieces and the lines are called.
+    fn names(&self, canvas: &mut Canvas, panel: &Panel) -> Result<(), InputError> {
+        let base = &self.given.base;
+        let frame = canvas.board.frame;
+        let mut ends = vec![0.0];
+        ends.extend(self.joints.iter().copied().filter(|turn| *turn < panel.to));
+        ends.push(panel.to);
+        for pair in ends.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let place = |share: f64| {
+                let turn = from + share * (to - from);
+                base.moment(turn).map(|m| frame.at(1e3 * turn, self.share(m)))
+            };
+            let places = [0.5, 0.65, 0.35, 0.8, 0.2].map(place);
+            let places = places.into_iter().collect::<Result<Vec<_>, _>>()?;
+            let length = (frame.x(1e3 * to) - frame.x(1e3 * from)).abs();
+            if length > 12.0 {
+                let text = Text::new(words(base.state((from + to) / 2.0)?), FORMULA);
+                canvas.joined(places, &text);
+            }
+        }
+        for (limit, name) in self.limits().into_iter().zip(["rigid", "strength alone"]) {
+            let at = [0.75, 0.5, 0.25, 0.9].map(|share| frame.at(share * frame.window.k_max, limit));
+            canvas.joined(at, &Text::new(name, FORMULA));
+        }
+        Ok(())
+    }
+
+    /// In markup.
+    fn caption(&self) -> Result<String, InputError> {
+        let base = &self.given.base;
+        let mrad = |turn: f64| format!("${}$ mrad", digits(1e3 * turn));
+        let mut parts = vec![format!("$τ = θ k_n B^2/P$ is 1 at {}", mrad(base.unit_rotation()))];
+        let mut pieces = Vec::new();
+        let mut from = 0.0;
+        for turn in self.joints.iter().copied().chain([f64::INFINITY]) {
+            let middle = if turn.is_finite() { (from + turn) / 2.0 } else { 2.0 * from };
+            let state = base.state(middle)?;
+            let formula = formula(state);
+            let end = if turn.is_finite() { format!(" up to {}", mrad(turn)) } else { String::new() };
+            pieces.push(format!("{}{end}, {formula}", words(state)));
+            from = turn;
+        }
+        parts.push(format!("$M/(PB)$: {}", pieces.join("; ")));
+        let full = digits(self.share(self.given.moment));
+        parts.push(match self.design {
+            Some(turn) => {
+                let most = self.largest.moment;
+                let falls = if most > 0.0 && self.given.moment.abs() > most {
+                    ", more than is left for a load that is raised slowly: it overturns"
+                } else {
+                    ""
+                };
+                format!("Full load (diamond): ${full}$ at {}{falls}", mrad(turn))
+            }
+            None => format!("Full load (at the edge): ${full}$, which no rotation bears"),
+        });
+        let kappa = base.p() * self.given.height / (base.p() * base.half_width()) * base.unit_rotation();
+        let kappa = format!("$κ = P d/(k_n B^3) = {}$", digits(kappa));
+        parts.push(if self.stands() {
+            let (m, turn) = (digits(self.share(self.largest.moment)), mrad(self.largest.rotation));
+            format!("Dashed: what is left for a load that is raised slowly while the weight leans with the body, $κτ$ less, {kappa}; the largest is ${m}$ at {turn}")
+        } else {
+            format!("{kappa}, $2/3$ or more: the body does not stand on springs so soft")
+        });
+        parts.push(match base.omega() {
+            0.0 => "Grey: a rigid base".to_owned(),
+            omega => format!(
+                "Grey: a rigid base, 1, and one of its strength alone, $1 − ω = {}$",
+                digits(1.0 - omega)
+            ),
+        });
+        Ok(parts.join(". ") + ".")
+    }
+}
+
+/// Draws a line, and keeps labels off it.
+fn line(canvas: &mut Canvas, points: &[(f64, f64)], pen: Pen) {
+    let frame = canvas.board.frame;
+    let places: Vec<_> = points.iter().map(|&(k, mu)| frame.at(k, mu)).collect();
+    canvas.scene.stroke(&Path::through(&places), pen);
+    canvas.board.arcs.extend(arcs(points));
+}
+
+fn words(state: ContactState) -> &'static str {
+    match state {
+        ContactState::Full => "full contact",
+        ContactState::Uplift => "uplift",
+        ContactState::Yield => "yield, full contact",
+        ContactState::UpliftAndYield => "uplift and yield",
+    }
+}
+
+/// M/(PB), in markup.
+fn formula(state: ContactState) -> &'static str {
+    match state {
+        ContactState::Full => "$2τ/3$",
+        ContactState::Uplift => "$1 − (2/(9τ))^{½}$",
+        ContactState::Yield => "$A (1 − (2A/(9τ))^{½})$ with $A = (1 − ω)/ω$",
+        ContactState::UpliftAndYield => "$1 − ω − 1/(192 ω^3 τ^2)$",
+    }
+}
