@@ -6,7 +6,7 @@
 //! | `a b`, `a/b`, `a b/c d` | product, fraction; from left to right: (a b)/c times d |
 //! | `a÷b` | the same, drawn on one line with a slash |
 //! | `x^2`, `(a + b)`, `\|x\|` | power, group, absolute value |
-//! | `cos(x)`, `min(a, b)`, `sqrt(x)` | functions: cos, tan, sinh, cosh, tanh, exp, min, max, sqrt |
+//! | `cos(x)`, `min(a, b)`, `sqrt(x)` | functions: sin, cos, tan, sinh, cosh, tanh, exp, min, max, sqrt |
 //! | `p_u`, `k'_eff`, `α*`, `λ1` | names with subscripts, primes and stars |
 
 use std::collections::BTreeMap;
@@ -66,7 +66,7 @@ fn place(text: &str, at: usize) -> String {
     }
 }
 
-const FUNCTIONS: [&str; 9] = ["cos", "tan", "sinh", "cosh", "tanh", "exp", "min", "max", "sqrt"];
+const FUNCTIONS: [&str; 10] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "min", "max", "sqrt"];
 
 impl Formula {
     /// Reads a formula.

@@ -57,6 +57,7 @@ units! {
     SPRING_OF_OBJECT = Unit::other("N/m");
     TURNING = Unit::other("N");
     TURNING_OF_OBJECT = Unit::other("N m");
+    PER_SECOND = Unit::other("1/s");
     SQUARE = Unit::other("1/s²");
     FOURTH = Unit::other("1/s⁴");
     ACCELERATION = Unit::of(Dimension::Acceleration);

@@ -8,6 +8,7 @@ use common::{cases, document, html, select, si};
 use scraper::{ElementRef, Html};
 use standfast::Mode;
 use standfast::ground::GroundDeparture;
+use standfast_cases::case::Limit;
 use standfast_cases::{Assessment, CaseFile, Drawn, Key, View};
 use standfast_sheet::{Sheet, SheetOptions};
 
@@ -106,12 +107,8 @@ fn departure_and_friction_are_steps_with_formulas() {
                     format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
                 select(&html, &selector).len()
             };
-            // Where the ground fails no formula on a line gives it.
-            let departs =
-                matches!(assessed.departure(), GroundDeparture::At { .. }) && !assessed.is_on_ground();
-            if !assessed.is_on_ground() {
-                assert_eq!(of("λ_d"), usize::from(departs), "{name}");
-            }
+            let departs = matches!(assessed.departure(), GroundDeparture::At { .. });
+            assert_eq!(of("λ_d"), usize::from(departs), "{name}");
             departures += usize::from(departs);
             let slides_here = matches!(assessed.mode(), Some(Mode::SlideLeft | Mode::SlideRight))
                 && assessed.situation.kinetic_friction() > 0.0;
@@ -122,6 +119,55 @@ fn departure_and_friction_are_steps_with_formulas() {
         }
     }
     assert!(departures > 20 && slides > 3, "{departures} {slides}");
+}
+
+/// What the base bears is told by formulas: the quadratic of one that crushes, R/V = 1 put in where ground fails, both modes of loads in time.
+#[test]
+fn what_the_base_bears_has_formulas() {
+    let mut counts = [0; 4];
+    for (name, text) in cases() {
+        let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
+        let assessment = Assessment::of(&case).unwrap();
+        let html = document(&name, &text);
+        for assessed in assessment.shown(&View::default()) {
+            let Some(ground) = assessed.ground.as_ref().filter(|ground| ground.reaction.is_some()) else {
+                continue;
+            };
+            let of = |symbol: &str| {
+                let selector =
+                    format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
+                select(&html, &selector).len()
+            };
+            let real = |factor: f64| factor > 0.0 && factor.is_finite();
+            let factor = ground.load_factors.is_some_and(|factors| real(factors.given));
+            let impact = ground.elastic.as_ref().and_then(|elastic| elastic.impact.as_ref());
+            let told = match ground.limit {
+                Some(Limit::Strength(_)) => {
+                    [("λ_R", factor), ("k_BF", ground.k_bf.is_some_and(f64::is_finite))]
+                }
+                Some(Limit::Ground(_)) => [("F_RR", factor), ("F_Rk", ground.k_bf.is_some_and(real))],
+                None => {
+                    let one = !name.starts_with("springs under loads of two courses");
+                    let has = |factor: Option<f64>| factor.is_some() && one;
+                    [
+                        ("D_X", has(impact.and_then(|i| i.d_shear))),
+                        ("D_M", has(impact.and_then(|i| i.d_moment))),
+                    ]
+                }
+            };
+            for (symbol, is_there) in told {
+                assert_eq!(of(symbol), usize::from(is_there), "{name}: {symbol}");
+            }
+            let kind = [
+                factor && ground.omega.is_some(),
+                factor && ground.omega.is_none(),
+                told[1].1,
+                impact.is_some(),
+            ];
+            counts.iter_mut().zip(kind).for_each(|(count, is)| *count += usize::from(is));
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 2), "{counts:?}");
 }
 
 #[test]

@@ -59,7 +59,7 @@ fn situation(
     acting::steps(steps, assessment, assessed);
     loads::steps(steps, case, assessed, &components);
     classical::steps(steps, case, assessed, &components);
-    ground::steps(steps, case, inputs, assessed);
+    ground::steps(steps, case, inputs, assessed, &components);
     let full = &assessed.outcome.full;
     let in_air = assessed.situation.in_air().is_some();
     match &full.effective {

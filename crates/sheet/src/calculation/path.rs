@@ -40,7 +40,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Compon
 }
 
 /// A term of a condition of rest: its sign, its factor, its symbol, and its value with both.
-type Term = (bool, &'static str, &'static str, f64);
+pub(super) type Term = (bool, &'static str, &'static str, f64);
 
 /// A condition of rest where it is crossed: (what of the permanent loads is left of it)/(what the variable ones take of it).
 struct Condition {
@@ -65,12 +65,17 @@ fn departure(steps: &mut Steps, assessed: &Assessed, components: &[Component], f
         let at = value(&condition.permanent) / value(&condition.variable);
         (at - factor).abs() <= 1e-9 * factor
     });
+    let of_ground = assessed.ground.as_ref().and_then(|ground| ground.load_factors).map(|found| found.given);
+    if found.is_none() && of_ground.is_some_and(|given| (given - factor).abs() <= 1e-9 * factor) {
+        let about = format!("{ABOUT}: the base does not bear more");
+        return steps.add(&about, "", [NAME, "λ_R"], factor, NONE, KEY);
+    }
     let Some(condition) = found else {
         let words = "the least λ at which a condition of rest is crossed";
         return steps.told(ABOUT, NAME, factor, NONE, words, KEY);
     };
-    sums(steps, components, ("permanent", true), &condition.permanent, &permanent);
-    sums(steps, components, ("variable", false), &condition.variable, &variable);
+    sums(steps, components, true, &condition.permanent, &permanent);
+    sums(steps, components, false, &condition.variable, &variable);
     let about = format!("{ABOUT}: the least at which a condition of rest is crossed, {}", condition.words);
     let formula = format!("{}/{}", written(&condition.permanent), written(&condition.variable));
     steps.add(&about, "", [NAME, &formula], factor, NONE, KEY);
@@ -139,13 +144,14 @@ fn written(terms: &[Term; 3]) -> String {
 }
 
 /// The sums that the terms name, of the loads that are permanent or not.
-fn sums(
+pub(super) fn sums(
     steps: &mut Steps,
     components: &[Component],
-    (words, permanent): (&str, bool),
+    permanent: bool,
     terms: &[Term; 3],
     total: &Wrench,
 ) {
+    let words = if permanent { "permanent" } else { "variable" };
     let mut about = format!("The {words} loads together");
     for (_, _, name, _) in terms.iter().filter(|(_, _, _, value)| *value != 0.0) {
         let (which, part, unit): (usize, fn(&Wrench) -> f64, _) = match name.chars().next() {

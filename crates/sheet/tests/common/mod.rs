@@ -138,6 +138,18 @@ fn more() -> Vec<(String, String)> {
         ("springs that lift and yield", format!("{body}[ground]\nstiffness = 5e7\nstrength = 900e3\n[[load]]\nforce = 440e3\nelevation = 5\n")),
         ("springs in time", format!("{body}[ground]\nstiffness = 8e7\ntangential_stiffness = 4e7\n[added_mass]\nmass = 10e3\n[[load]]\nforce = 400e3\nelevation = 4\n\
             history = {{ shape = \"triangle\", rise = 0.1, duration = 0.3 }}\n")),
+        ("springs under a church roof, and what stands", format!("{body}length = 2\n[ground]\nstiffness = 8e7\ntangential_stiffness = 4e7\nstrength = 1e6\n\
+            [[load]]\nname = \"wave\"\nforce = 500e3\nelevation = 2.5\ntogether = true\nhistory = {{ shape = \"church-roof\", rise = 0.02, impact_duration = 0.09, \
+            tail = 0.3, duration = 0.6, start = 0.1 }}\n[[load]]\nname = \"wind\"\nforce = 50e3\nelevation = 6\ntogether = true\npermanent = true\n")),
+        ("springs under loads of two courses", format!("{body}[ground]\nstiffness = 8e7\ntangential_stiffness = 4e7\n\
+            [[load]]\nname = \"one\"\nforce = 100e3\nelevation = 4\ntogether = true\nhistory = {{ shape = \"decay\", duration = 0.3 }}\n\
+            [[load]]\nname = \"other\"\nforce = 100e3\nelevation = 2\ntogether = true\nhistory = {{ shape = \"points\", times = [0, 0.1, 0.2], values = [0, 1, 0.5] }}\n")),
+        ("crushing under uplift that grows", format!("{body}base_left = 2.5\n[ground]\nstrength = 300e3\n[uplift]\nleft = 10e3\nright = 40e3\ngrows = true\n\
+            [[load]]\nforce = 130e3\nelevation = 5\ntogether = true\n")),
+        ("crushing, pushed to the right against a lean", format!("{body}centroid_offset = -0.4\n[ground]\nstrength = 400e3\n[[load]]\nforce = 230e3\nelevation = 5\n\
+            direction = \"right\"\n")),
+        ("sand under uplift that grows", format!("{body}[ground]\nfriction_angle_deg = 38\nunit_weight = 9e3\n[uplift]\nleft = 5e3\nright = 30e3\ngrows = true\n\
+            [[load]]\nforce = 60e3\nelevation = 4\n")),
         ("effective pressure of a rigid base", format!("{body}[[load]]\nforce = 1e5\nelevation = 4\n[criteria]\neffective_pressure_max = \"200 kPa\"\n")),
         ("lifted off sand", format!("{body}[ground]\nfriction_angle_deg = 40\nunit_weight = 1e4\n[[load]]\nforce = 2e6\ndirection = \"up\"\ndistance = 3\n")),
         ("no standing pressure", format!("{caisson}{wave}depth_above_berm = 5.6\nberm_width = 8\nlambda = [0, 1, 0.5]\n")),
@@ -230,7 +242,7 @@ pub fn steps(html: &Html) -> Vec<Step> {
 fn unit(text: &str) -> f64 {
     match text.replace(['\u{a0}', '\u{202f}', ' '], " ").trim() {
         "" | "m" | "s" | "m²" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
-        "kg" | "N" | "kg m²" | "N m" | "N/m²" | "N/m³" | "rad" | "1/s²" | "1/s⁴" => 1.0,
+        "kg" | "N" | "kg m²" | "N m" | "N/m²" | "N/m³" | "rad" | "1/s" | "1/s²" | "1/s⁴" => 1.0,
         "kN/m³" => 1e3,
         "MN/m³" => 1e6,
         "mrad" => 1e-3,
@@ -472,6 +484,7 @@ impl Reader<'_> {
                     }
                     (_, Token::Value(x, _)) => {
                         let value = match name.as_str() {
+                            "sin" => x.sin(),
                             "cos" => x.cos(),
                             "tan" => x.tan(),
                             "sinh" => x.sinh(),

@@ -105,11 +105,17 @@ impl History {
         low + (high - low) * (t - from) / (to - from)
     }
 
+    /// Moment, s, and share there; two of one moment are a step.
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
     fn end(&self) -> f64 {
         self.points[self.points.len() - 1][0]
     }
 
-    fn changes(&self) -> Vec<Change> {
+    /// What changes, moment by moment: the load is the sum of what they add from there on.
+    pub fn changes(&self) -> Vec<Change> {
         let mut changes = vec![Change { at: self.points[0][0], step: self.points[0][1], slope: 0.0 }];
         let mut slope = 0.0;
         for pair in self.points.windows(2) {
@@ -128,11 +134,14 @@ impl History {
 }
 
 /// From a moment on, so much more and so much steeper.
-#[derive(Debug, Clone, Copy)]
-struct Change {
-    at: f64,
-    step: f64,
-    slope: f64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// The moment, s.
+    pub at: f64,
+    /// The share that is added at once.
+    pub step: f64,
+    /// What is added to the slope, 1/s.
+    pub slope: f64,
 }
 
 /// a + bτ + Σ (c cos ωτ + s sin ωτ) from a moment on.
@@ -268,6 +277,8 @@ pub struct ImpactResponse {
     pub d_shear: Option<f64>,
     /// D_moment, of the moment about the middle of the base; `None` if none varies.
     pub d_moment: Option<f64>,
+    /// When the largest shear and the largest moment are borne, s; zero where there is none.
+    pub largest_at: [f64; 2],
     /// Slip, lift, and yield if the base has a strength.
     pub events: Vec<EventFound>,
     /// How long the response was followed, s.
@@ -405,9 +416,12 @@ impl ElasticBody {
                 .collect(),
         };
         let amplified = |c: [f64; 3], most: f64| {
-            let value = |c| signal(c, 0.0).largest().0;
-            (most > 0.0).then(|| value(c).max(value(c.map(|c| -c))) / most)
+            let [one, other] = [c, c.map(|c| -c)].map(|c| signal(c, 0.0).largest());
+            let (value, at) = if other.0 > one.0 { other } else { one };
+            if most > 0.0 { (Some(value / most), at) } else { (None, 0.0) }
         };
+        let (d_shear, shear_at) = amplified([1.0, 0.0, 0.0], applied(&|w| w.x));
+        let (d_moment, moment_at) = amplified([0.0, 0.0, 1.0], applied(&about));
         let b = self.half_width;
         let found = |event: ImpactEvent, level: f64, sides: [[f64; 3]; 2]| {
             let mut found = EventFound { event, time: None, load_factor: f64::INFINITY };
@@ -436,8 +450,9 @@ impl ElasticBody {
         Ok(ImpactResponse {
             periods: [TAU / ω[0], TAU / ω[1]],
             heave_period: TAU / ω[2],
-            d_shear: amplified([1.0, 0.0, 0.0], applied(&|w| w.x)),
-            d_moment: amplified([0.0, 0.0, 1.0], applied(&about)),
+            d_shear,
+            d_moment,
+            largest_at: [shear_at, moment_at],
             events,
             until,
         })

@@ -1,0 +1,172 @@
+//! What ground that fails bears, at one reaction after the other.
+
+use standfast::ground::bearing::{BearingFactors, Ground, Reaction};
+use standfast_cases::Key;
+use standfast_cases::case::{COUPLING, Limit, T_H, T_M};
+
+use super::Sheet;
+use crate::measured::{DEGREE, KILONEWTON, KILOPASCAL, NONE, UNIT_WEIGHT};
+use crate::steps::Steps;
+
+/// A reaction at which R is worked out, under the names that its quantities have.
+pub(super) struct At<'a> {
+    pub reaction: Reaction,
+    /// Vertical force, inclination without cohesion, effective width, and eccentricity over half the base.
+    pub vertical: &'a str,
+    pub push: &'a str,
+    pub width: &'a str,
+    pub share: &'a str,
+    /// What is appended to the names of what is worked out; empty under the full load.
+    pub of: &'a str,
+    /// The key of R.
+    pub key: &'a str,
+}
+
+impl At<'_> {
+    /// A name that belongs to this reaction.
+    fn name(&self, letter: &str) -> String {
+        match (self.of, letter.contains('_')) {
+            ("", _) => letter.to_owned(),
+            (of, true) => format!("{letter}{of}"),
+            (of, false) => format!("{letter}_{of}"),
+        }
+    }
+}
+
+const ENVELOPE: &str = "Butterfield and Gottardi";
+
+impl Sheet<'_> {
+    pub(super) fn soil(&self) -> Option<Ground> {
+        match self.ground.limit {
+            Some(Limit::Ground(ground)) => Some(ground),
+            _ => None,
+        }
+    }
+
+    fn is_hansen(&self) -> bool {
+        self.inputs.choice(Key::GroundLaw) == Some("hansen")
+    }
+
+    fn law(&self) -> &'static str {
+        if self.is_hansen() { "Brinch Hansen, API RP 2GEO" } else { "EN 1997-1, Annex D" }
+    }
+
+    fn given(&self, key: Key) -> f64 {
+        self.inputs.number(key).unwrap_or_default()
+    }
+
+    /// What is the same for all reactions.
+    pub(super) fn of_ground(&self, steps: &mut Steps) {
+        match self.soil().and_then(|ground| ground.factors()) {
+            Some(factors) => self.bearing_factors(steps, factors),
+            None => {
+                let or = |key, otherwise| self.inputs.number(key).unwrap_or(otherwise);
+                steps.know("V_0", self.given(Key::CentricResistance), KILONEWTON);
+                steps.know("t_h", or(Key::EnvelopeHorizontal, T_H), NONE);
+                steps.know("t_m", or(Key::EnvelopeMoment, T_M), NONE);
+                steps.know("C_e", or(Key::EnvelopeCoupling, COUPLING), NONE);
+            }
+        }
+    }
+
+    fn bearing_factors(&self, steps: &mut Steps, factors: BearingFactors) {
+        let law = self.law();
+        steps.know("φ", self.given(Key::GroundAngle), DEGREE);
+        steps.know("γ'", self.given(Key::UnitWeight), UNIT_WEIGHT);
+        steps.know("q'", self.given(Key::Surcharge), KILOPASCAL);
+        steps.know("c'", self.given(Key::Cohesion), KILOPASCAL);
+        let formula = ["N_q", "exp(π tan(φ)) (tan(φ) + 1/cos(φ))^2"];
+        steps.add("Bearing factors", law, formula, factors.n_q, NONE, "");
+        let slope = if self.is_hansen() { "1.5 (N_q − 1) tan(φ)" } else { "2 (N_q − 1) tan(φ)" };
+        steps.add("", law, ["N_γ", slope], factors.n_gamma, NONE, "");
+        if self.given(Key::Cohesion) > 0.0 {
+            steps.add("", law, ["N_c", "(N_q − 1)/tan(φ)"], factors.n_c, NONE, "");
+        }
+    }
+
+    /// R at a reaction.
+    pub(super) fn bears(&self, steps: &mut Steps, at: &At<'_>) {
+        let Some(ground) = self.soil() else { return };
+        let resistance = self.whole(ground.resistance(&at.reaction));
+        let name = at.name("R");
+        if at.reaction.effective_width() == 0.0 {
+            let about = "What the ground bears at this eccentricity and inclination";
+            return steps.told(about, &name, resistance, KILONEWTON, "the resultant misses the base", at.key);
+        }
+        match ground.factors() {
+            Some(factors) => self.by_factors(steps, at, factors, resistance),
+            None => self.by_envelope(steps, at, resistance),
+        }
+    }
+
+    fn by_factors(&self, steps: &mut Steps, at: &At<'_>, factors: BearingFactors, resistance: f64) {
+        let law = self.law();
+        let (surcharge, cohesion) = (self.given(Key::Surcharge), self.given(Key::Cohesion));
+        let tan = self.given(Key::GroundAngle).to_radians().tan();
+        let At { reaction, vertical, push, width, .. } = at;
+        let inclination = reaction.x().abs() / (reaction.p() + reaction.effective_width() * cohesion / tan);
+        let formula = match cohesion {
+            0.0 => format!("{push}/{vertical}"),
+            _ => format!("{push}/({vertical} + {width}{} c'/tan(φ))", self.long),
+        };
+        let [η, i_q, i_c, i_gamma] = ["η", "i_q", "i_c", "i_γ"].map(|letter| at.name(letter));
+        steps.add("Inclination of the resultant", law, [&η, &formula], inclination, NONE, "");
+        let share = |share: f64, n: i32| (1.0 - share * inclination).max(0.0).powi(n);
+        let power = |factor: &str, n: i32| format!("max(0, 1 − {factor}{η})^{n}");
+        let [of_q, of_gamma] = match self.is_hansen() {
+            true => [(power("0.5 ", 5), share(0.5, 5)), (power("0.7 ", 5), share(0.7, 5))],
+            false => [(power("", 2), share(1.0, 2)), (power("", 3), share(1.0, 3))],
+        };
+        let mut terms = Vec::new();
+        if cohesion > 0.0 || surcharge > 0.0 {
+            steps.add("Inclination factors", law, [&i_q, &of_q.0], of_q.1, NONE, "");
+        }
+        if cohesion > 0.0 {
+            let value = (of_q.1 - (1.0 - of_q.1) / (factors.n_c * tan)).max(0.0);
+            let formula = format!("max(0, {i_q} − (1 − {i_q})/(N_c tan(φ)))");
+            steps.add("", law, [&i_c, &formula], value, NONE, "");
+            terms.push(format!("c' N_c {i_c}"));
+        }
+        if surcharge > 0.0 {
+            terms.push(format!("q' N_q {i_q}"));
+        }
+        terms.push(format!("γ' {width}/2 N_γ {i_gamma}"));
+        steps.add("Inclination factor", law, [&i_gamma, &of_gamma.0], of_gamma.1, NONE, "");
+        let formula = format!("{width}{} ({})", self.long, terms.join(" + "));
+        let about = match at.of {
+            "" => {
+                "What the ground bears at this eccentricity and inclination; depth, shape and slope have no factors"
+            }
+            _ => "What the ground bears there",
+        };
+        steps.add(about, law, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
+    }
+
+    fn by_envelope(&self, steps: &mut Steps, at: &At<'_>, resistance: f64) {
+        let or = |key, otherwise| self.inputs.number(key).unwrap_or(otherwise);
+        let (t_h, t_m, coupling) = (
+            or(Key::EnvelopeHorizontal, T_H),
+            or(Key::EnvelopeMoment, T_M),
+            or(Key::EnvelopeCoupling, COUPLING),
+        );
+        let At { reaction, vertical, push, share, .. } = at;
+        let (η, against) = (reaction.inclination(), reaction.x() * reaction.e() < 0.0);
+        let ε = if against { -reaction.eccentricity_share() } else { reaction.eccentricity_share() };
+        let names = ["η", "ε_b", "r_b"].map(|letter| at.name(letter));
+        let [inclination, eccentricity, radius] = names.each_ref().map(String::as_str);
+        let formula = format!("{push}/{vertical}");
+        steps.add("Inclination of the resultant", ENVELOPE, [inclination, &formula], η, NONE, "");
+        let formula = if against { format!("−{share}") } else { (*share).to_owned() };
+        let about = "Its eccentricity in half widths, positive towards the side that X pushes to";
+        steps.add(about, ENVELOPE, [eccentricity, &formula], ε, NONE, "");
+        let squared = (η / t_h).powi(2) + (ε / (2.0 * t_m)).powi(2) - coupling * η * ε / (t_h * t_m);
+        let formula = format!(
+            "sqrt(max(0, ({inclination}/t_h)^2 + ({eccentricity}/(2 t_m))^2 − C_e {inclination} {eccentricity}/(t_h t_m)))"
+        );
+        let about = "Radius on the envelope";
+        steps.add(about, ENVELOPE, [radius, &formula], squared.max(0.0).sqrt(), NONE, "");
+        let formula = format!("V_0 max(0, 1 − {radius})");
+        let about = "What the ground bears there";
+        steps.add(about, ENVELOPE, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
+    }
+}
