@@ -252,7 +252,7 @@ impl Explorer {
     /// The body under all loads.
     fn body(&self, size: (f64, f64)) -> Option<(figures::Figure, figures::Pose)> {
         let reduced = self.state.all_loads()?;
-        let body = figures::FreeBody { point: reduced.point, mirrored: reduced.mirrored };
+        let body = figures::FreeBody { point: reduced.point, mirrored: reduced.mirrored, omega: 0.0 };
         Some(figures::free_body(&body, size))
     }
 }

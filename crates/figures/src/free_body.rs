@@ -3,10 +3,12 @@
 //! Solid arrows are forces, dashed ones accelerations; each kind has a scale of its own. A dashed outline shows where
 //! the motion takes the body, exaggerated.
 
+use standfast::ground::GroundVerdict;
+use standfast::ground::strength::{CrushPoint, Span};
 use standfast::{Corner, CornerAcceleration, Mode, Motion, Point};
 
 use crate::Figure;
-use crate::palette::{FAINT, INK, MARK, PUSH, symbol, tint};
+use crate::palette::{FAINT, INK, MARK, PAPER, PUSH, verdict_symbol, verdict_tint};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -17,13 +19,15 @@ pub struct FreeBody {
     pub point: Point,
     /// Whether the force points right, so that all of it is to be drawn in a mirror.
     pub mirrored: bool,
+    /// ω of a base that crushes, P/(2B q_u); 0 of a rigid one. Not negative.
+    pub omega: f64,
 }
 
 /// Where the motion that begins takes the body, exaggerated: it slides by `shift` and turns by `turn` about `pivot`, which
 /// slides with it. Accelerations are constant at first, so at a share s of the time it is there by s².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
-    /// The corner it turns about, or the middle of the base.
+    /// What it turns about: a corner, on a base that crushes the neutral point; or the middle of the base.
     pub pivot: (f64, f64),
     /// To the right, in units of the drawing.
     pub shift: f64,
@@ -48,26 +52,49 @@ pub fn free_body(given: &FreeBody, (width, height): (f64, f64)) -> (Figure, Pose
     sketch.ghost(&mut scene, &pose);
     sketch.body(&mut scene);
     sketch.force(&mut scene);
+    sketch.bearing(&mut scene);
     sketch.reactions(&mut scene);
     sketch.accelerations(&mut scene);
     sketch.corners(&mut scene);
-    let mode = Text::inline(symbol(sketch.mode), LABEL).plain;
-    let title = format!("The body, to scale, as it {} ({mode})", sketch.mode.words().replace('\'', "′"));
-    let description = format!(
-        "The force F points {} at {} of the body's height above its base. The reaction has f_x and f_y, which act {} \
-         half-widths right of the centre. Dashed: accelerations of the corners O, left, and O′, right, and an exaggerated \
-         picture of the motion that begins.",
+    let mode = Text::inline(verdict_symbol(sketch.verdict), LABEL).plain;
+    let title = format!("The body, to scale, as it {} ({mode})", sketch.verdict.words().replace('\'', "′"));
+    let force = format!(
+        "The force F points {} at {} of the body's height above its base.",
         if given.mirrored { "right" } else { "left" },
         crate::number::digits((1.0 + given.point.k_prime()) / 2.0),
-        crate::number::digits(sketch.motion.xi),
     );
+    let crushed = match (sketch.pressed, sketch.neutral) {
+        (Some(pressed), Some(neutral)) => format!(
+            " The base is crushed over {} half-widths (blue), up to the neutral point (circle) {} right of the centre.",
+            crate::number::digits(pressed.width()),
+            crate::number::digits(neutral),
+        ),
+        (Some(pressed), None) => format!(
+            " The base bears it with its strength over {} half-widths (blue).",
+            crate::number::digits(pressed.width()),
+        ),
+        (None, _) => String::new(),
+    };
+    let description = match sketch.verdict {
+        GroundVerdict::BearingFailure => format!("{force} The base cannot carry the body."),
+        GroundVerdict::Begins(_) => format!(
+            "{force} The reaction has f_x and f_y, which act {} \
+             half-widths right of the centre.{crushed} Dashed: accelerations of the corners O, left, and O′, right, and an exaggerated \
+             picture of the motion that begins.",
+            crate::number::digits(sketch.motion.xi),
+        ),
+    };
     let (svg, labels) = scene.finish(width, height, &title, &description);
     (Figure { svg, title, caption: String::new(), labels, size: (width, height) }, pose)
 }
 
 struct Sketch {
-    mode: Mode,
+    verdict: GroundVerdict,
+    /// Nothing where the base cannot carry the body.
     motion: Motion,
+    /// Where a base that crushes bears with its strength, and the neutral point of a body that turns; in B, right of the centre.
+    pressed: Option<Span>,
+    neutral: Option<f64>,
     k: f64,
     /// −1 if the force points left.
     towards: f64,
@@ -85,10 +112,14 @@ struct Sketch {
 
 impl Sketch {
     fn new(given: &FreeBody, width: f64, height: f64) -> Sketch {
-        let FreeBody { point, mirrored } = *given;
+        let FreeBody { point, mirrored, omega } = *given;
         let gamma = point.gamma();
-        let (mode, motion) = (point.mode(), point.motion());
-        let (mode, motion) = if mirrored { (mode.mirrored(), motion.mirrored()) } else { (mode, motion) };
+        let on_base = CrushPoint::of(point, omega.max(0.0)).unwrap_or_else(|_| CrushPoint::rigid(point));
+        let verdict = on_base.verdict();
+        let begun = on_base.motion().map(|begun| if mirrored { begun.mirrored() } else { begun });
+        let verdict = if mirrored { verdict.mirrored() } else { verdict };
+        let motion = begun.map_or(Motion::default(), |begun| begun.motion);
+        let crushes = begun.filter(|_| on_base.omega() > 0.0);
         let elevation = point.k_prime().clamp(LOWEST, HIGHEST);
         let heights = gamma * (2.0_f64).max(1.0 + elevation);
         let scale = ((width - 2.0 * SIDE) / 2.0).min((height - TOP - BOTTOM) / heights).max(1e-3);
@@ -96,8 +127,10 @@ impl Sketch {
         let largest = point.k().max(motion.f_x.abs()).max(motion.f_y);
         let fastest = motion.slip.abs().max(motion.lift_o).max(motion.lift_o_prime);
         Sketch {
-            mode,
+            verdict,
             motion,
+            pressed: crushes.map(|begun| begun.pressed),
+            neutral: crushes.and_then(|begun| begun.neutral),
             k: point.k(),
             towards: if mirrored { 1.0 } else { -1.0 },
             centre: width / 2.0,
@@ -137,7 +170,11 @@ impl Sketch {
         // θ is counter-clockwise, and lengths are in B.
         let (shift, turn) = (slip * time * self.half, -(theta_ddot * time).to_degrees());
         Pose {
-            pivot: self.mode.corner().map_or((self.centre, self.base), |corner| self.corner(corner)),
+            pivot: match (self.neutral, self.verdict.mode().and_then(Mode::corner)) {
+                (Some(neutral), _) => (self.centre + neutral * self.half, self.base),
+                (None, Some(corner)) => self.corner(corner),
+                (None, None) => (self.centre, self.base),
+            },
             shift,
             turn,
         }
@@ -175,7 +212,7 @@ impl Sketch {
         path.close();
         let middle = (self.centre, self.base - self.tall / 2.0);
         scene.open("class=\"body\"");
-        scene.fill(&path, tint(self.mode));
+        scene.fill(&path, verdict_tint(self.verdict));
         scene.stroke(&path, Pen::solid(INK, 1.5));
         scene.dot(middle, 2.4, INK, None);
         if self.half > 22.0 && self.tall > 44.0 {
@@ -209,7 +246,27 @@ impl Sketch {
         label(scene, "$F$", (tail.0 - self.towards * 11.0, tip.1), MARK);
     }
 
+    /// Where a base that crushes bears, and the neutral point.
+    fn bearing(&self, scene: &mut Scene) {
+        const BAND: f64 = 6.0;
+        if let Some(Span { from, to }) = self.pressed {
+            let [from, to] = [from, to].map(|x| self.centre + x * self.half);
+            let corners =
+                [(from, self.base), (to, self.base), (to, self.base + BAND), (from, self.base + BAND)];
+            let mut band = Path::through(&corners);
+            band.close();
+            scene.stroke(&band, Pen::solid(PUSH, 1.4));
+        }
+        if let Some(neutral) = self.neutral {
+            let at = (self.centre + neutral * self.half, self.base);
+            scene.dot(at, 3.2, PAPER, Some(Pen::solid(PUSH, 1.4)));
+        }
+    }
+
     fn reactions(&self, scene: &mut Scene) {
+        if self.verdict == GroundVerdict::BearingFailure {
+            return;
+        }
         let Motion { f_x, f_y, xi, .. } = self.motion;
         let x = self.centre + xi * self.half;
         let strong = Pen::solid(PUSH, 2.0);

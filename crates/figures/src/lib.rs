@@ -89,7 +89,9 @@ pub use rotation::{RotationCurve, rotation_curve};
 pub use scene::Label;
 pub use scene::Rect;
 pub use screen::{Axis, Map, Picture, tint_on_screen};
-pub use section::{Arrow, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section};
+pub use section::{
+    Arrow, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section,
+};
 
 /// A drawing with its caption.
 #[derive(Debug, Clone, PartialEq)]

@@ -113,6 +113,19 @@ pub struct Mound {
     pub berm_width: f64,
 }
 
+/// The reaction of the base, and what of the base bears it; m from mid-width.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BaseReaction {
+    /// Where it acts.
+    pub at: f64,
+    /// The ends of what bears it; the same twice where that is an edge.
+    pub pressed: (f64, f64),
+    /// The point about which the body turns, if it does.
+    pub neutral: Option<f64>,
+    /// Its size as it is written.
+    pub label: String,
+}
+
 /// What is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section<'a> {
@@ -136,6 +149,8 @@ pub struct Section<'a> {
     pub heights: Vec<Vec<Measure>>,
     /// What the body stands on; a floor if none.
     pub mound: Option<Mound>,
+    /// Where the base bears.
+    pub reaction: Option<BaseReaction>,
     /// Sentences below the legend; not markup.
     pub notes: Vec<String>,
 }
@@ -161,6 +176,7 @@ pub struct Section<'a> {
 ///     widths: Vec::new(),
 ///     heights: Vec::new(),
 ///     mound: None,
+///     reaction: None,
 ///     notes: vec!["1 m by 2 m".to_owned()],
 /// });
 /// assert_eq!(figure.title(), "Section: Block");

@@ -1,5 +1,6 @@
 //! Pictures for a screen: labels apart, colours left to the page, values where the picture says.
 
+use standfast::ground::strength::CrushPoint;
 use standfast::initiation::{Chart, ChartCase};
 use standfast::{Diagram, Point};
 use standfast_figures::{
@@ -142,7 +143,7 @@ fn a_body_moves_the_way_its_accelerations_point() {
     ] {
         for mirrored in [false, true] {
             let point = Point::new(gamma, k_prime, k, mu).unwrap();
-            let (figure, pose) = free_body(&FreeBody { point, mirrored }, (400.0, 270.0));
+            let (figure, pose) = free_body(&FreeBody { point, mirrored, omega: 0.0 }, (400.0, 270.0));
             let motion = if mirrored { point.motion().mirrored() } else { point.motion() };
             let sign = |number: f64| if number == 0.0 { 0.0 } else { number.signum() };
             assert_eq!(sign(pose.shift), sign(motion.slip));
@@ -161,4 +162,30 @@ fn a_body_moves_the_way_its_accelerations_point() {
             }
         }
     }
+}
+
+/// On a base that crushes the drawing is of its motion: it turns about the neutral point, and says so; one that cannot carry the body has no
+/// motion; ω → 0 is the rigid base.
+#[test]
+fn a_body_on_a_base_that_crushes_turns_about_its_neutral_point() {
+    let point = Point::new(0.8, 0.9167, 0.61, 0.6).unwrap();
+    let size = (400.0, 270.0);
+    let drawn = |omega: f64, mirrored: bool| free_body(&FreeBody { point, mirrored, omega }, size);
+    let (rigid, _) = drawn(0.0, false);
+    assert!(rigid.title().contains("(SL)"), "{}", rigid.title());
+    // RO, as the diagram of the same numbers has it; the neutral point is 2ωN from the edge O.
+    let begun = CrushPoint::of(point, 0.08).unwrap().motion().unwrap();
+    for mirrored in [false, true] {
+        let (figure, pose) = drawn(0.08, mirrored);
+        assert!(figure.title().contains(if mirrored { "(RO′)" } else { "(RO)" }), "{}", figure.title());
+        let half = (size.0 - 2.0 * 84.0) / 2.0;
+        let half = half.min((size.1 - 34.0 - 78.0) / (0.8 * 2.0));
+        let inside = 2.0 * 0.08 * begun.motion.f_y;
+        let neutral = size.0 / 2.0 + if mirrored { 1.0 } else { -1.0 } * (1.0 - inside) * half;
+        assert!((pose.pivot.0 - neutral).abs() < 1e-9, "{} {neutral}", pose.pivot.0);
+        assert_eq!(pose.shift, 0.0);
+        assert_themed(&figure);
+    }
+    let (crushed, pose) = drawn(1.0, false);
+    assert!(crushed.title().contains("BF") && (pose.shift, pose.turn) == (0.0, 0.0), "{}", crushed.title());
 }

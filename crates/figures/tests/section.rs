@@ -2,7 +2,8 @@
 
 use standfast::loads::Face;
 use standfast_figures::{
-    Arrow, Figure, Level, Material, Measure, Mound, Outline, Pressed, Rect, Section, Side, section,
+    Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Rect, Section, Side,
+    section,
 };
 
 /// Numbers from 0 to 1, the same in every run.
@@ -40,6 +41,7 @@ fn bare(parts: &[Outline], width: f64) -> Section<'_> {
         widths: Vec::new(),
         heights: Vec::new(),
         mound: None,
+        reaction: None,
         notes: Vec::new(),
     }
 }
@@ -97,6 +99,15 @@ fn random(dice: &mut Dice, parts: &[Outline], (width, height): (f64, f64)) -> Fi
             bed: -height * dice.roll(),
             berm: height * (dice.roll() - 0.5),
             berm_width: 3.0 * width * dice.roll(),
+        }),
+        reaction: (dice.roll() < 0.5).then(|| {
+            let (one, other) = (width * (dice.roll() - 0.5), width * (dice.roll() - 0.5));
+            BaseReaction {
+                at: (one + other) / 2.0,
+                pressed: (one.min(other), one.max(other)),
+                neutral: (dice.roll() < 0.5).then_some(one.max(other)),
+                label: "2319 kN/m".to_owned(),
+            }
         }),
         centroid: (0.3 * width * (dice.roll() - 0.5), height * (0.2 + 0.6 * dice.roll())),
         notes: vec!["A sentence below all.".to_owned()],

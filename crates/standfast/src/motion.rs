@@ -15,7 +15,7 @@ pub struct CornerAcceleration {
 ///
 /// In the report's problem lengths are in B, accelerations in g, θ̈ in g/B and forces in m g; in the
 /// [general contact problem](crate::contact) they have the units of its input.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion {
     /// ẍ of the centre of mass, to the right.

@@ -97,7 +97,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
         suffix: "-section".to_owned(),
         words: "Section".to_owned(),
         drawn: Drawn::Section,
-        figure: section::figure(&assessment.case)?,
+        figure: section::figure(assessment)?,
     });
     Ok(figures)
 }

@@ -1,10 +1,15 @@
 //! The section of a case: its body, levels and loads as the figure draws them.
 
+use standfast::ground::GroundVerdict;
 use standfast::loads::{Action, Face, Load, LoadSource, PressureAt};
-use standfast::{BaseEdges, InputError, Situation};
-use standfast_figures::{Arrow, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side};
+use standfast::{BaseEdges, InputError, Mode, Situation};
+use standfast_figures::{
+    Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
+};
 
+use super::ground::OnGround;
 use super::loads::load_words;
+use super::{Assessed, Assessment};
 use crate::case::{Acting, Case, Waves};
 use crate::layout::digits;
 use crate::units::Extent;
@@ -15,12 +20,19 @@ const EQUAL: &str = "Water stands equally high on both sides: its pressures ther
 const SLOPES: &str = "How steep the mound is, the case does not say.";
 const SHAKEN: &str = "The earthquake is drawn as it is given; the other directions are tried as well.";
 
-/// The section of a case under all of its loads.
-pub(super) fn figure(case: &Case) -> Result<Figure, InputError> {
+/// The section of a case under all of its loads, with the reaction of the base in the worst of its situations where the case says what the
+/// base bears.
+pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
+    let case = &assessment.case;
+    let worst = assessment.governing();
+    let reaction = worst.ground.as_ref().and_then(|ground| reaction(case, worst, ground));
     let situation = case.situation(Acting::All, None)?;
     let extent = case.extent;
     let BaseEdges { left, right } = case.body.base_edges();
-    let (widths, heights) = dimensions(case);
+    let (mut widths, heights) = dimensions(case);
+    widths.splice(0..0, reaction.iter().filter_map(pressed_width).map(|measure| vec![measure]));
+    let mut notes = notes(case);
+    notes.extend(worst.ground.as_ref().map(|_| reaction_words(assessment, worst, reaction.as_ref())));
     let section = Section {
         title: case.title.as_deref().unwrap_or_default(),
         parts: &parts(case),
@@ -32,9 +44,66 @@ pub(super) fn figure(case: &Case) -> Result<Figure, InputError> {
         widths,
         heights,
         mound: case.wave.as_ref().and_then(mound),
-        notes: notes(case),
+        reaction,
+        notes,
     };
     Ok(standfast_figures::section(&section))
+}
+
+/// Where the base bears as what begins under the full load begins; `None` if nothing presses, the resultant misses the base, or the body
+/// flies.
+fn reaction(case: &Case, assessed: &Assessed, ground: &OnGround) -> Option<BaseReaction> {
+    let body = &case.body;
+    let BaseEdges { left, right } = body.base_edges();
+    let (centre, middle) = (body.centroid_offset(), (right - left) / 2.0);
+    let standing = ground.reaction.filter(|reaction| reaction.effective_width() > 0.0);
+    let (at, force) = match assessed.motion() {
+        Some(motion) if motion.f_y > 0.0 => (centre + motion.xi, motion.f_y),
+        Some(_) => return None,
+        None => {
+            let reaction = standing?;
+            let length = body.plan().side(body.width());
+            (middle + reaction.e(), reaction.p() * length)
+        }
+    };
+    let crush = ground.crush.as_ref().filter(|crush| crush.neutral.is_some());
+    let pressed = match crush {
+        Some(crush) => (centre + crush.pressed.from, centre + crush.pressed.to),
+        None => {
+            let half = (body.base_width() / 2.0 - (at - middle).abs()).max(0.0);
+            (at - half, at + half)
+        }
+    };
+    let neutral = crush.and_then(|crush| crush.neutral).map(|neutral| centre + neutral);
+    Some(BaseReaction { at, pressed, neutral, label: case.extent.kilonewtons(force) })
+}
+
+/// The width that bears the reaction; none of an edge.
+fn pressed_width(reaction: &BaseReaction) -> Option<Measure> {
+    let (from, to) = reaction.pressed;
+    let name = if reaction.neutral.is_some() { "crushed" } else { "B′" };
+    (to > from).then(|| Measure { ends: (from, to), label: format!("{name} {}", metres(to - from)) })
+}
+
+/// What is said of the reaction below the drawing.
+fn reaction_words(assessment: &Assessment, assessed: &Assessed, reaction: Option<&BaseReaction>) -> String {
+    let of = assessment.name(assessed).map_or(String::new(), |name| format!(" of {name}"));
+    let Some(reaction) = reaction else {
+        return format!("Under the full load{of} no reaction of the base holds the body: none is drawn.");
+    };
+    let bears = match (reaction.neutral, reaction.pressed.1 > reaction.pressed.0) {
+        (Some(_), _) => {
+            ", the part of the base that it crushes, and as a circle the neutral point about which the body turns"
+        }
+        (None, true) => " and the effective width that has it in its middle",
+        (None, false) => ", at the edge about which the body turns",
+    };
+    let when = match assessed.verdict() {
+        Some(GroundVerdict::BearingFailure) => "; the ground does not bear it",
+        Some(GroundVerdict::Begins(Mode::Rest)) | None => "",
+        Some(GroundVerdict::Begins(_)) => ", as the motion begins",
+    };
+    format!("Blue, under the base: the reaction to the full load{of}{bears}{when}.")
 }
 
 /// The outlines of the body, or of its parts.

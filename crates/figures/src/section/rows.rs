@@ -4,10 +4,10 @@ use standfast::loads::Face;
 
 use super::columns::{ANYWHERE, APART, FORCE, GAP, MOVED, Spot, Stalk, numbers};
 use super::paint::{Painter, THIN};
-use super::{Arrow, LABEL, Pressed, tag};
+use super::{Arrow, BaseReaction, LABEL, Pressed, tag};
 use crate::labels::spread;
-use crate::palette::{INK, MARK};
-use crate::scene::Pen;
+use crate::palette::{INK, MARK, PAPER, PUSH, WET};
+use crate::scene::{Path, Pen, Rect};
 use crate::text::Text;
 
 /// Room between the words of a row.
@@ -53,12 +53,37 @@ impl Painter<'_> {
         let base = self.place(0.0, 0.0).1;
         let given = self.given;
         let mut y = base + GAP - APART;
+        if let Some(reaction) = &given.reaction {
+            y = self.reaction(reaction, cellar);
+        }
         for (index, pressed) in given.pressures.iter().enumerate() {
             if pressed.face == Face::Base {
                 y = self.pressure_along(index, pressed, y + APART, cellar, DOWN);
             }
         }
         y.max(cellar)
+    }
+
+    /// The reaction with what bears it, and the neutral point; gives where its label ends.
+    fn reaction(&mut self, reaction: &BaseReaction, cellar: f64) -> f64 {
+        const BAND: f64 = 7.0;
+        let [(x, base), (from, _), (to, _)] =
+            [reaction.at, reaction.pressed.0, reaction.pressed.1].map(|x| self.place(x, 0.0));
+        if to > from {
+            let corners = [(from, base), (to, base), (to, base + BAND), (from, base + BAND)];
+            let mut band = Path::through(&corners);
+            band.close();
+            self.drawn.scene.fill(&band, WET);
+            self.drawn.scene.stroke(&band, Pen::solid(PUSH, 1.0));
+        }
+        let tail = (x, base + BAND + FORCE);
+        self.drawn.scene.arrow(tail, (x, base + BAND + 1.5), Pen::solid(PUSH, 2.0));
+        self.hold(&Rect { x0: from.min(x - 6.0), y0: base, x1: to.max(x + 6.0), y1: tail.1 });
+        if let Some(neutral) = reaction.neutral {
+            self.drawn.scene.dot(self.place(neutral, 0.0), 3.4, PAPER, Some(Pen::solid(PUSH, 1.4)));
+        }
+        let text = Text::verbatim(&reaction.label, LABEL);
+        self.row(vec![Spot { at: tail, text, colour: PUSH }], tail.1.max(cellar), DOWN)
     }
 
     /// A pressure on the base or the top as a diagram on a line of its own, beginning at `start`; gives where it ends.

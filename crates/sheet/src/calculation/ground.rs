@@ -40,7 +40,7 @@ pub(super) fn steps(
     };
     steps.heading("Ground");
     for note in left_out(case) {
-        steps.note(note);
+        steps.note(&note.replace("k_n and k_t", "`k_n` and `k_t`").replace("q_u", "`q_u`"));
     }
     let Some(reaction) = &ground.reaction else {
         steps.note("Nothing presses on the base: there is no resistance and no factor.");

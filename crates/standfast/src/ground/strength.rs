@@ -61,6 +61,7 @@
 
 mod chart;
 mod conditions;
+mod events;
 mod path;
 mod point;
 mod situated;

@@ -2,12 +2,13 @@
 //!
 //! The wrench is `permanent` + λ `variable`. Friction is linear in it; the condition at an edge, b P ∓ (Xd − M) − P²/2q ≥ 0, is a
 //! concave quadratic in λ: it is crossed twice at most, in closed form, and the load factors at which the body rests are
-//! one interval. Between rock and slide-rock the boundary is no such polynomial; it is found by bisection of the decision, to
-//! neighbouring numbers. A stage of such a mode that is narrower than 1/16 of the stretch between closed crossings may be missed.
+//! one interval. Where modes that turn change, the load factors are zeros of [resultants](super::events), near which the decision is bisected to
+//! neighbouring numbers. What holds between two neighbouring ones of all these is decided exactly, once.
 
 use std::ops::Range;
 
 use super::conditions::{CORNERS, SLIPS, enumerate};
+use super::events::events;
 use super::{Loaded, solve};
 use crate::contact::Block;
 use crate::error::{InputError, LARGEST};
@@ -149,14 +150,20 @@ pub fn stages(
     solve(block, permanent, strength)?;
     solve(block, variable, strength)?;
     let largest = variable.x.abs().max(variable.p.abs()).max(variable.m.abs());
-    let all = conditions(block, permanent, variable, strength);
-    let mut ends: Vec<f64> = all.into_iter().flat_map(Quadratic::zeros).collect();
-    ends.retain(|λ| *λ > 0.0 && *λ * largest < LARGEST / 4.0);
-    ends.sort_by(f64::total_cmp);
-    ends.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
-    // Beyond the last, as far again as eight times that: there nothing of the boundaries' curves is left but their end.
-    let last = ends.last().copied().unwrap_or(1.0);
-    ends.extend([8.0 * last, f64::INFINITY]);
+    let closed = conditions(block, permanent, variable, strength).into_iter().flat_map(Quadratic::zeros);
+    let turning = events(block, permanent, variable, strength);
+    let mut ends: Vec<End> = closed.map(|at| End { at, is_closed: true }).collect();
+    ends.extend(turning.into_iter().map(|at| End { at, is_closed: false }));
+    ends.retain(|end| end.at > 0.0 && end.at * largest < LARGEST / 4.0);
+    // Of two that are one the closed one stays.
+    ends.sort_by(|one, other| one.at.total_cmp(&other.at).then(other.is_closed.cmp(&one.is_closed)));
+    ends.dedup_by(|later, earlier| {
+        let one = later.at - earlier.at <= 16.0 * f64::EPSILON * later.at;
+        if one && later.is_closed && !earlier.is_closed {
+            *earlier = *later;
+        }
+        one
+    });
 
     let at = |λ: f64| {
         let wrench = *permanent + *variable * λ;
@@ -169,32 +176,32 @@ pub fn stages(
             Some(last) if (last.verdict, last.modes) == (verdict, modes) => last.to = to,
             _ => stages.push(CrushStage { from, to, verdict, modes }),
         };
-    let mut from = 0.0;
-    for to in ends {
-        if to == f64::INFINITY {
-            add(from, to, at(2.0 * from));
-            break;
+    // Between two ends, and beyond the last.
+    let middle = |from: f64, to: f64| from + (to - from) / 2.0;
+    let beyond = ends.last().map_or(1.0, |last| 2.0 * last.at);
+    let mut place = ends.first().map_or(beyond, |first| middle(0.0, first.at));
+    let (mut from, mut now) = (0.0, at(place));
+    for (i, end) in ends.iter().enumerate() {
+        let next = ends.get(i + 1).map_or(beyond, |next| middle(end.at, next.at));
+        let then = at(next);
+        if then != now {
+            let to = if end.is_closed { end.at } else { end_of(place, next, |λ| at(λ) == now) };
+            add(from, to, now);
+            from = to;
         }
-        let place = |i: i32| from + (to - from) * (f64::from(i) + 0.5) / f64::from(SAMPLES);
-        let (mut begin, mut low) = (from, (place(0), at(place(0))));
-        for i in 1..SAMPLES {
-            let high = (place(i), at(place(i)));
-            while low.1 != high.1 {
-                let end = end_of(low.0, high.0, |λ| at(λ) == low.1);
-                add(begin, end, low.1);
-                begin = end;
-                low = (end, at(end));
-            }
-            low = high;
-        }
-        add(begin, to, low.1);
-        from = to;
+        (place, now) = (next, then);
     }
+    add(from, f64::INFINITY, now);
     Ok(stages)
 }
 
-/// How many load factors are asked for between two closed crossings.
-const SAMPLES: i32 = 16;
+/// A load factor at which a mode may begin or end.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    at: f64,
+    /// Whether it is the zero of a condition that stands alone.
+    is_closed: bool,
+}
 
 /// Where what `holds` at `low` and not at `high` ends: a number at which it does not, and does at the one before.
 fn end_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {

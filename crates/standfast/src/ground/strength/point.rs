@@ -90,6 +90,11 @@ impl CrushPoint {
         Ok(CrushPoint { point, omega: InputError::not_negative(Quantity::Omega, omega)? })
     }
 
+    /// A point of the report's plane on a rigid base, ω = 0.
+    pub fn rigid(point: Point) -> CrushPoint {
+        CrushPoint { point, omega: 0.0 }
+    }
+
     /// The point on a rigid base.
     pub fn point(&self) -> &Point {
         &self.point
