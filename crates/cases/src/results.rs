@@ -154,7 +154,7 @@ listed! {
         "what friction leaves of the horizontal force, μ(W' − U) − P: negative where the body cannot rest for want of friction, and where it is lifted",
         |a| ResultValue::Number(margins(a).sliding));
     MarginOverturning = number("margin_overturning", Some(Dimension::Moment),
-        "the lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and where the body is lifted; with `margin_sliding` not negative, the body can rest",
+        "the lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and where the body is lifted; with `margin_sliding` not negative, the body can rest on a rigid base; `ground_margin` is that of another",
         |a| ResultValue::Number(margins(a).overturning()));
     MarginOverturningHeel = number("margin_overturning_heel", Some(Dimension::Moment), "the same about the heel, W' t − M_U − M_p",
         |a| ResultValue::Number(margins(a).overturning_about_heel));
@@ -211,6 +211,9 @@ listed! {
     GroundResistance = number("ground_resistance", Some(Dimension::Force),
         "R, what the ground bears at the eccentricity and inclination of the resultant, no partial factor applied", |a| ground(a, |g| g.resistance));
     GroundFactor = number("ground_factor", None, "R/P, what the ground bears over what presses on it", |a| ground(a, |g| g.factor));
+    GroundMargin = number("ground_margin", Some(Dimension::Force),
+        "R − P, what the ground leaves: negative where it does not bear a body at rest; with `margin_sliding` not negative either, the body can rest on this base",
+        |a| ground(a, |g| g.margin));
     LoadFactorGround = number("load_factor_ground", None,
         "where R/P falls to 1 under a body that friction holds, as a multiple of the variable loads; 0 under the permanent loads alone",
         |a| failing(a, |f| Some(f.given)));
@@ -261,6 +264,7 @@ impl ResultName {
         match self {
             ResultName::GroundResistance => Some("resistance"),
             ResultName::GroundFactor => Some("factor"),
+            ResultName::GroundMargin => Some("margin"),
             ResultName::Period1 | ResultName::Period2 => Some("periods"),
             result => Some(result.name()).filter(|_| result.is_of_ground()),
         }

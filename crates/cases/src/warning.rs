@@ -10,7 +10,9 @@ use standfast::{Slip, wave};
 use crate::key::{Id, Key, Table};
 use crate::layout::{apart, digits};
 use crate::units::Extent;
-use found::{BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, SHAKING, WATER};
+use found::{
+    BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, SHAKING, STIFFNESS, STRENGTH, UNIT_WEIGHT, WATER,
+};
 
 /// A warning about a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,6 +90,13 @@ pub enum Warning {
         /// Pa.
         pressure: f64,
     },
+    /// Ground that is softer, weaker, lighter or heavier than ground is.
+    UnusualGround {
+        /// What of it.
+        key: Key,
+        /// In SI units.
+        value: f64,
+    },
     /// The base is shaken with more than the acceleration of gravity.
     StrongEarthquake {
         /// Along the base, or vertically.
@@ -161,6 +170,7 @@ impl Warning {
             Warning::LoadInNoCombination { .. } => "load-in-no-combination",
             Warning::LoadBesideBody { .. } => "load-beside-body",
             Warning::SmallBearing { .. } => "small-bearing",
+            Warning::UnusualGround { .. } => "unusual-ground",
             Warning::StrongEarthquake { .. } => "strong-earthquake",
             Warning::WaveHeightRatio { .. } => "wave-height-ratio",
             Warning::BuoyantAboveWeight { .. } => "buoyant-above-weight",
@@ -269,6 +279,18 @@ impl fmt::Display for Warning {
                 "criteria.bearing_max = {} kPa; {BEARING} kPa at least is usual, and a number without unit is in Pa",
                 digits(*pressure / 1e3)
             ),
+            Warning::UnusualGround { key, value } => {
+                let (usual, unit, scale, plain) = match key {
+                    Key::Strength => (STRENGTH, "kPa", 1e3, "Pa"),
+                    Key::UnitWeight => (UNIT_WEIGHT, "kN/m³", 1e3, "N/m³"),
+                    _ => (STIFFNESS, "MN/m³", 1e6, "N/m³"),
+                };
+                let value = beyond(*value / scale, usual.limit(*value / scale));
+                write!(
+                    f,
+                    "{key} = {value} {unit}; {usual} {unit} is usual, and a number without unit is in {plain}"
+                )
+            }
             Warning::StrongEarthquake { key, acceleration, share } => write!(
                 f,
                 "{key} = {} m/s² is {} g; the ground is seldom shaken with more than {SHAKING} g, and a number without \

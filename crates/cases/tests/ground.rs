@@ -455,3 +455,60 @@ fn nothing_rigid_is_said_of_ground_that_is_not() {
         assert!(text.lines().all(|line| !line.contains("(3.") && !line.contains("(4.")), "{text}");
     }
 }
+
+/// R − P by hand, and whether a body can rest on its base is told by it and by what friction leaves.
+#[test]
+fn the_margins_say_whether_the_body_can_rest() {
+    let body = "gravity = 10\n[body]\nwidth = 10\nheight = 8\nmass = 200e3\nfriction = 0.6\n";
+    let grounds = [
+        "strength = 500e3",
+        "strength = 190e3",
+        "friction_angle_deg = 35\nunit_weight = 10e3",
+        "law = \"envelope\"\ncentric_resistance = 6e6",
+    ];
+    let mut rests = [0, 0];
+    for ground in grounds {
+        for force in [0.0, 300e3, 700e3, 1100e3, 1300e3, 2000e3] {
+            let text = format!("{body}[ground]\n{ground}\n[[load]]\nforce = {force}\nelevation = 4\n");
+            let found = situation(&text);
+            let number = |value: &Value| value.as_f64().unwrap();
+            let ground = &found["ground"];
+            let margin = number(&ground["resistance"]) - 2000e3;
+            assert!((number(&ground["margin"]) - margin).abs() < 1e-3, "{text}: {ground}");
+            let can_rest = margin >= 0.0 && number(&found["margin_sliding"]) >= 0.0;
+            assert_eq!(can_rest, found["mode"] == "RE", "{text}");
+            rests[usize::from(can_rest)] += 1;
+        }
+    }
+    assert!(rests[0] > 5 && rests[1] > 5, "{rests:?}");
+}
+
+/// A unit that is left out makes ground that is none: the warning shows the value; usual ground has no warning.
+#[test]
+fn ground_that_no_unit_was_given_for_is_warned_of() {
+    let body = "[body]\nwidth = 15\nheight = 10\nmass = 300e3\nfriction = 0.6\n[[load]]\nforce = 1e5\nelevation = 5\n";
+    let warned = |ground: &str| {
+        let file = CaseFile::parse("case.toml", &format!("{body}[ground]\n{ground}\n")).unwrap();
+        let case = file.case().unwrap();
+        case.warnings().iter().map(|w| (w.name(), w.to_string())).collect::<Vec<_>>()
+    };
+    for (ground, value) in [
+        ("stiffness = 50", "ground.stiffness = 5e-5 MN/m³"),
+        ("stiffness = 50e6\ntangential_stiffness = 25", "ground.tangential_stiffness = 2.5e-5 MN/m³"),
+        ("strength = 600", "ground.strength = 0.6 kPa"),
+        ("friction_angle_deg = 35\nunit_weight = 10", "ground.unit_weight = 0.01 kN/m³"),
+        ("strength = 2e9", "ground.strength = 2000000 kPa"),
+    ] {
+        let found = warned(ground);
+        assert_eq!(found.len(), 1, "{ground}: {found:?}");
+        assert!(found[0].0 == "unusual-ground" && found[0].1.starts_with(value), "{ground}: {found:?}");
+    }
+    for ground in [
+        "stiffness = \"50 MN/m3\"\nstrength = \"600 kPa\"",
+        "friction_angle_deg = 35\nunit_weight = \"10 kN/m3\"",
+        "strength = \"200 MPa\"",
+        "law = \"envelope\"\ncentric_resistance = \"20 MN/m\"",
+    ] {
+        assert_eq!(warned(ground), [], "{ground}");
+    }
+}

@@ -407,7 +407,7 @@ class CaseWarning(Answer):
     ) -> Literal[
         "base-beyond-body", "weight-beside-base", "mean-density", "part-density", "water-density", "high-friction",
         "unusual-gravity", "buoyant-above-weight", "buoyant-beside-displacement", "buoyant-beside-parts",
-        "load-in-no-combination", "load-beside-body", "small-bearing", "strong-earthquake",
+        "load-in-no-combination", "load-beside-body", "small-bearing", "unusual-ground", "strong-earthquake",
         "earthquake-without-added-mass", "wave-height-ratio", "uplift-beside-wave", "impulsive-breaking",
         "deep-water", "higher-than-breaking", "no-pressure-at-base", "base-below-bed", "berm-below-base",
         "long-period", "steep-bed"
@@ -767,7 +767,8 @@ class Situation(Answer):
     @property
     def margin_overturning(self) -> float:
         """The lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and
-        where the body is lifted; with ``margin_sliding`` not negative, the body can rest, N m/m."""
+        where the body is lifted; with ``margin_sliding`` not negative, the body can rest on a rigid base; ``ground_margin`` is
+        that of another, N m/m."""
         return self._document["margin_overturning"]
 
     @property
@@ -946,6 +947,12 @@ class Ground(Answer):
     def factor(self) -> float | None:
         """R/P, what the ground bears over what presses on it."""
         return self._document["factor"]
+
+    @property
+    def margin(self) -> float | None:
+        """R − P, what the ground leaves: negative where it does not bear a body at rest; with ``margin_sliding`` not negative
+        either, the body can rest on this base, N/m."""
+        return self._document["margin"]
 
     @property
     def load_factor_ground(self) -> float | None:
@@ -1288,7 +1295,8 @@ class OnlySituation:
     @property
     def margin_overturning(self) -> float:
         """The lesser of both corners' moments that press the body on its base: negative where the resultant misses the base, and
-        where the body is lifted; with ``margin_sliding`` not negative, the body can rest, N m/m."""
+        where the body is lifted; with ``margin_sliding`` not negative, the body can rest on a rigid base; ``ground_margin`` is
+        that of another, N m/m."""
         return self._only().margin_overturning
 
     @property

@@ -33,6 +33,8 @@ pub struct OnGround {
     pub resistance: Option<f64>,
     /// R/P.
     pub factor: Option<f64>,
+    /// R − P, N per metre run or of the whole object.
+    pub margin: Option<f64>,
     /// Where R/P falls to 1 as the variable loads rise.
     pub load_factors: Option<LoadFactors>,
     /// |X|/P at which R/P is 1 if both X and the moment grow as they stand to each other under the full load.
@@ -95,6 +97,7 @@ impl OnGround {
             crush: None,
             resistance: None,
             factor: None,
+            margin: None,
             load_factors: None,
             k_bf: None,
             elastic: None,
@@ -114,6 +117,7 @@ impl OnGround {
                 answer.load_factors = Some(outcome.load_factors);
                 answer.resistance = reaction.map(|reaction| ground.resistance(&reaction) * length);
                 answer.factor = reaction.map(|reaction| ground.factor(&reaction));
+                answer.margin = reaction.map(|at| (ground.resistance(&at) - at.p()) * length);
                 answer.k_bf = match reaction.and_then(|reaction| Some((reaction, ray(&reaction)?))) {
                     Some((reaction, ray)) => {
                         // Of G₁ = γ(1 + k') any γ and k' will do.
@@ -147,6 +151,7 @@ impl OnGround {
             let resistance = reaction.effective_width() * strength;
             self.resistance = Some(resistance * length);
             self.factor = Some(resistance / reaction.p());
+            self.margin = Some((resistance - reaction.p()) * length);
             self.k_bf = ray(reaction).map(|ray| (1.0 - outcome.omega).max(0.0) / ray.abs());
         }
         self.crush = outcome.motion;

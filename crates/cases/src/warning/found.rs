@@ -68,6 +68,15 @@ const SLACK: f64 = 1e-6;
 /// The smallest pressure that the ground of a structure is asked to bear, kPa: soft clay's.
 pub(super) const BEARING: f64 = 20.0;
 
+/// What a base bears before it crushes, from soft clay to the strongest stone, kPa.
+pub(super) const STRENGTH: Usual = Usual { from: 20.0, to: 1e6 };
+
+/// Pressure over settlement, from the softest ground under a wide base to a joint in stone, MN/m³.
+pub(super) const STIFFNESS: Usual = Usual { from: 0.1, to: 1e6 };
+
+/// Effective unit weight of ground, from peat under water to dense gravel above it, kN/m³.
+pub(super) const UNIT_WEIGHT: Usual = Usual { from: 1.0, to: 30.0 };
+
 /// How far a weight may be off by the rounding of its digits, as a share of m g.
 const ROUNDED: f64 = 1e-3;
 
@@ -90,6 +99,7 @@ impl Case {
         warnings.extend(self.waves());
         warnings.extend(self.forces());
         warnings.extend(self.asked());
+        warnings.extend(self.ground());
         warnings.extend(self.unused().into_iter().filter_map(|place| match place {
             Place::Table(table, index) => Some(Warning::LoadInNoCombination { table, index }),
             Place::Key(_) => None,
@@ -117,6 +127,22 @@ impl Case {
             Bound::AtMost(pressure) if pressure < BEARING * 1e3 => Some(Warning::SmallBearing { pressure }),
             _ => None,
         }
+    }
+
+    /// About what the base bears.
+    fn ground(&self) -> Vec<Warning> {
+        let Some(ground) = &self.ground else { return Vec::new() };
+        let given = [
+            (Key::Strength, STRENGTH, 1e3, ground.strength()),
+            (Key::UnitWeight, UNIT_WEIGHT, 1e3, ground.soil().and_then(|soil| soil.unit_weight())),
+            (Key::Stiffness, STIFFNESS, 1e6, ground.stiffness),
+            (Key::TangentialStiffness, STIFFNESS, 1e6, ground.tangential_stiffness),
+        ];
+        let unusual = given.into_iter().filter_map(|(key, usual, unit, value)| {
+            let value = value.filter(|value| !usual.contains(*value / unit))?;
+            Some(Warning::UnusualGround { key, value })
+        });
+        unusual.collect()
     }
 
     /// About what the body stands on.

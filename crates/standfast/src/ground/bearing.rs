@@ -297,6 +297,14 @@ impl Ground {
         }
     }
 
+    /// The effective unit weight, N/m³; `None` for an envelope.
+    pub fn unit_weight(&self) -> Option<f64> {
+        match self.0 {
+            Kind::Soil { unit_weight, .. } => Some(unit_weight),
+            Kind::Envelope { .. } => None,
+        }
+    }
+
     /// N_q, N_c, N_γ; `None` for an envelope.
     pub fn factors(&self) -> Option<BearingFactors> {
         match self.0 {

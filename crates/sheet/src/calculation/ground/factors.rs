@@ -28,6 +28,10 @@ impl Sheet<'_> {
         if let Some(factor) = self.ground.factor {
             steps.add("Factor of the ground", "", ["F_R", "R/V"], factor, NONE, "ground_factor");
         }
+        if let Some(margin) = self.ground.margin {
+            let about = "What the ground leaves; rest needs 0 or more, beside what friction leaves";
+            steps.add(about, "", ["Z_ground", "R − V"], margin, KILONEWTON, "ground_margin");
+        }
         match (self.foundation.strength(), self.ground.load_factors) {
             (Some(strength), Some(factors)) => self.crushed_at(steps, strength, factors.given),
             (None, Some(_)) => {
