@@ -13,9 +13,10 @@ use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
 use super::table::Section;
 use super::{GivenBase, MotionWarning, ReadFile};
-use crate::case::{Acting, Case};
+use crate::case::{Acting, Case, Foundation};
 use crate::error::CaseError;
 use crate::parse::CaseFile;
+use crate::units::Dimension;
 
 /// Why the motion of a case was not followed.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -75,6 +76,15 @@ pub(super) fn body_cases_on(
     }
     let case_file = CaseFile::parse(name, &rest)?;
     let case = case_file.case()?;
+    if let Some(strength) = case.ground.as_ref().and_then(Foundation::strength) {
+        let table = document.get_ref().get("ground").and_then(|value| value.get_ref().as_table());
+        let place = table.and_then(|table| table.get("strength")).map_or(0..0, |value| value.span());
+        let words = format!(
+            "`strength` of [ground] is {}: once its edge is crushed the body stands on another base, whose motion is not computed",
+            Dimension::Pressure.written(strength)
+        );
+        return Err(shown(Wrong::new(words, place).help("leave it out, and the body moves on a rigid base")));
+    }
     read(&case, &in_time, file, given).map_err(shown)
 }
 
