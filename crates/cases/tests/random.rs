@@ -483,3 +483,24 @@ fn probabilities_along_a_number_are_those_of_each_value() {
     let by_hand = below((4000.0 / fit.median).ln() / dispersion);
     assert_close("P", fragility.points[4].not_rest.value, by_hand, 1e-8);
 }
+
+/// A rare failure of six numbers, about whose design points points are taken: modes still add up to one, and none is more than that.
+#[test]
+fn modes_add_up_to_one_about_design_points() {
+    let rare = "friction = { normal = { mean = 0.62, sd = 0.06 }, lower = 0 }\n\
+        bias.P = { lognormal = { mean = 0.91, cov = 0.1 } }\nbias.U = { lognormal = { mean = 0.77, cov = 0.2 } }\n\
+        wave.deep_water_height = { gumbel = { mean = 4.5, sd = 0.6 }, lower = 1 }\n";
+    let text = goda(rare).replace("2318.64 kN/m", "2700 kN/m");
+    let effort = Effort { points: 1 << 14, ..Effort::default() };
+    let found = answer(&text, Request { effort, ..Request::default() });
+    let chances = &found.situations[0];
+    assert_eq!(chances.method, Method::Importance);
+    let sum: f64 = chances.modes.iter().map(|(_, e)| e.value).sum();
+    assert!((sum - 1.0).abs() < 1e-12, "{sum}");
+    assert!(
+        chances
+            .modes
+            .iter()
+            .all(|(_, e)| 0.0 <= e.low && e.low <= e.value && e.value <= e.high && e.high <= 1.0)
+    );
+}

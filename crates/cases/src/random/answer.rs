@@ -391,7 +391,7 @@ fn sampled(
     }
     let sets = sets();
     let effort = &request.effort;
-    let sampled = match method {
+    let mut sampled = match method {
         Method::Integrate => estimates(&integrate(laws, problem, &sets)),
         Method::Sobol => sobol(laws, problem, &sets, effort),
         Method::Importance => {
@@ -403,6 +403,14 @@ fn sampled(
         }
         Method::MonteCarlo => monte_carlo(laws, problem, &sets, effort),
     };
+    if method == Method::Importance {
+        // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
+        let of_moved = sampled.estimates[exclusive().count()];
+        if let Some(place) = exclusive().position(|outcome| outcome == usize::from(Mode::Rest.code())) {
+            let Estimate { value, low, high } = of_moved;
+            sampled.estimates[place] = Estimate { value: 1.0 - value, low: 1.0 - high, high: 1.0 - low };
+        }
+    }
     Ok((method, sampled, points))
 }
 
