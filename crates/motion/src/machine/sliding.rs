@@ -288,10 +288,10 @@ mod tests {
         };
         let friction = 0.1 + 0.4 * unit();
         let mut block = Block::uniform(0.2, friction);
-        if seed % 3 == 0 {
+        if seed.is_multiple_of(3) {
             block.mu_s *= 1.2;
         }
-        if seed % 4 == 0 {
+        if seed.is_multiple_of(4) {
             block.m_x = 1.3;
         }
         let mut problem = Problem::new(block, 9.81);
@@ -305,7 +305,7 @@ mod tests {
             })
             .collect();
         problem.base.horizontal = Some(History::samples(0.01 + 0.02 * unit(), &values).unwrap());
-        if seed % 2 == 0 {
+        if seed.is_multiple_of(2) {
             let history = History::constant(2.0 * friction).unwrap();
             problem.loads.push(Load {
                 at: [0.1, 0.05],
