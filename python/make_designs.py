@@ -44,10 +44,10 @@ a number without bound is ``math.inf``.
             ("End", "design.schema.json", "#/$defs/end", None),
             ("Stretch", "design.schema.json", "#/$defs/stretch", None),
             ("Sensitivity", "design.schema.json", "#/$defs/sensitivity", None),
-            ("DesignDocument", "design.schema.json", "#", "what ``design`` answers with one quantity"),
+            ("DesignDocument", "design.schema.json", "#", "what `design` answers with one quantity"),
             ("Quantity", "boundary.schema.json", "#/$defs/quantity", None),
             ("Column", "boundary.schema.json", "#/$defs/column", None),
-            ("BoundaryDocument", "boundary.schema.json", "#", "what ``design`` answers with two quantities"),
+            ("BoundaryDocument", "boundary.schema.json", "#", "what `design` answers with two quantities"),
         ),
     ),
     "motions.py": File(
@@ -60,8 +60,8 @@ Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that
         (
             ("Moment", "simulate.schema.json", "#/$defs/moment", None),
             ("Note", "simulate.schema.json", "#/$defs/note", None),
-            ("MotionDocument", "simulate.schema.json", "#", "what ``simulate`` answers in one situation of a case"),
-            ("SpectrumDocument", "spectrum.schema.json", "#", "what ``spectrum`` answers"),
+            ("MotionDocument", "simulate.schema.json", "#", "what `simulate` answers in one situation of a case"),
+            ("SpectrumDocument", "spectrum.schema.json", "#", "what `spectrum` answers"),
         ),
     ),
     "chances.py": File(
@@ -84,7 +84,7 @@ Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that
             ("Fit", "probability.schema.json", "#/$defs/fit", None),
             ("Fragility", "probability.schema.json", "#/$defs/fragility", None),
             ("Chances", "probability.schema.json", "#/$defs/chances", None),
-            ("ProbabilityDocument", "probability.schema.json", "#", "what ``probability`` answers"),
+            ("ProbabilityDocument", "probability.schema.json", "#", "what `probability` answers"),
         ),
     ),
 }

@@ -21,6 +21,7 @@ mod history;
 mod json;
 mod rows;
 mod series;
+mod slips;
 mod spectrum;
 mod table;
 mod text;

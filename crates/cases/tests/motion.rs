@@ -367,3 +367,29 @@ fn a_duration_by_the_waves() {
     assert!(followed.outcome.max_theta > 0.0, "{:?}", followed.outcome.events);
     assert!(followed.warnings.iter().any(|warning| warning.name == "uplift-kept"));
 }
+
+/// What is possible but surely a slip is said of a case in metres as of a block: a record in cm/s² read as m/s², points too far apart for so
+/// small a body, an impact without loss.
+#[test]
+fn slips_are_named_in_both_kinds_of_case() {
+    let file = |_: &str| Ok("time_s,a_m_s2\n0,0\n0.1,80\n0.2,-60\n0.3,0\n".to_owned());
+    let motion = "[motion]\nimpact = { law = \"ratio\", ratio = 0.9995 }\n\
+        [motion.base]\nhorizontal = { shape = \"file\", file = \"record.csv\" }\n";
+    let body =
+        format!("[body]\nwidth = 0.4\nheight = 1.2\nmass = 100\nlength = 0.4\nfriction = 0.6\n{motion}");
+    let block =
+        format!("[block]\nb1 = 0.2\nb2 = 0.2\nd = 0.6\nrho2 = 0.13\nmu_s = 0.6\ngravity = 9.81\n{motion}");
+    let named = |warnings: &[standfast_cases::motion::MotionWarning]| {
+        let find = |name| warnings.iter().find(|w| w.name == name).map(|w| w.words.clone());
+        ["violent-base", "coarse-record", "lossless-impact"]
+            .map(|name| find(name).unwrap_or_else(|| panic!("{name} is not in {warnings:?}")))
+    };
+    let body = &body_cases("case.toml", &body, &file).unwrap()[0];
+    let block = &BlockCase::parse("case.toml", &block, &file).unwrap();
+    let words = named(&body.warnings);
+    assert_eq!(words, named(&block.warnings));
+    assert!(words[0].contains("8.2 times gravity"), "{words:?}");
+    // 0.1 s over √(0.2 m/9.81 m/s²).
+    assert!(words[1].contains("0.100 apart, 0.70 of"), "{words:?}");
+    assert!(words[2].contains("0.9995"), "{words:?}");
+}

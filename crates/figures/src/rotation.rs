@@ -52,7 +52,7 @@ pub struct RotationCurve<'a> {
 /// let base = ElasticBase::new(7.5, 2.2e6, 50e6)?;
 /// let curve = RotationCurve { base, height: 5.25, moment: 4.8e6, title: "Caisson" };
 /// let figure = rotation_curve(&curve)?.unwrap();
-/// assert!(figure.caption().contains("full contact up to 0.3911 mrad"));
+/// assert!(figure.caption().contains("full contact up to 0.391"));
 /// # Ok::<(), standfast::InputError>(())
 /// ```
 ///

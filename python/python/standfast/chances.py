@@ -449,7 +449,7 @@ class Chances(Answer):
 
 
 class ProbabilityDocument(Answer):
-    """What ````probability```` answers."""
+    """What ``probability`` answers."""
 
     @property
     def schema(self) -> Literal[1]:

@@ -227,7 +227,7 @@ class Sensitivity(Answer):
 
 
 class DesignDocument(Answer):
-    """What ````design```` answers with one quantity."""
+    """What ``design`` answers with one quantity."""
 
     @property
     def schema(self) -> Literal[1]:
@@ -359,7 +359,7 @@ class Column(Answer):
 
 
 class BoundaryDocument(Answer):
-    """What ````design```` answers with two quantities."""
+    """What ``design`` answers with two quantities."""
 
     @property
     def schema(self) -> Literal[1]:

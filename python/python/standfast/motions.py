@@ -63,13 +63,13 @@ class Note(Answer):
         return self._document["name"]
 
     @property
-    def words(self) -> str:
+    def message(self) -> str:
         """What is so, with its number."""
-        return self._document["words"]
+        return self._document["message"]
 
 
 class MotionDocument(Answer):
-    """What ````simulate```` answers in one situation of a case."""
+    """What ``simulate`` answers in one situation of a case."""
 
     @property
     def schema(self) -> Literal[1]:
@@ -221,7 +221,7 @@ class MotionDocument(Answer):
 
 
 class SpectrumDocument(Answer):
-    """What ````spectrum```` answers."""
+    """What ``spectrum`` answers."""
 
     @property
     def schema(self) -> Literal[1]:

@@ -2,11 +2,12 @@
 
 use standfast::contact::Block;
 use standfast::{InputError, Quantity};
-use standfast_motion::{Base, History, Impact, Initial, Load, MotionError, Problem};
+use standfast_motion::{Base, Impact, Initial, Load, MotionError, Problem};
 use toml::de::DeTable;
 
 use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
+use super::slips::slips;
 use super::table::Section;
 use super::{GivenBase, MotionWarning, ReadFile};
 
@@ -79,7 +80,7 @@ fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase,
     let mut problem = Problem::new(body(&block)?, gravity);
     problem.mu_impact = block.number("mu_impact")?;
     let mut warnings = Vec::new();
-    let (mut steps, mut violent): (Vec<f64>, Vec<MotionWarning>) = (Vec::new(), Vec::new());
+    let mut steps: Vec<f64> = Vec::new();
     let mut taken = |read: history::Read| {
         warnings.extend(read.warnings);
         steps.extend(read.step);
@@ -111,28 +112,8 @@ fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase,
         section.map(|section| history::read(&section, file).map(&mut taken)).transpose()
     };
     problem.base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
-    for (key, history) in [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)] {
-        if let Some(peak) = history.as_ref().map(History::peak).filter(|peak| *peak > 5.0 * gravity) {
-            let words =
-                format!("the {key} acceleration of the base reaches {:.1} times gravity", peak / gravity);
-            violent.push(MotionWarning { name: "violent-base", words });
-        }
-    }
     problem.check().map_err(|error| refused(&block, motion.as_ref(), &error))?;
-    warnings.extend(violent);
-    let time = (problem.block.b1.max(problem.block.b2) / gravity).sqrt();
-    if let Some(step) = steps.into_iter().reduce(f64::max).filter(|step| *step > 0.05 * time) {
-        let words = format!("points are up to {step:.3} apart, {:.2} of √(B/g)", step / time);
-        warnings.push(MotionWarning { name: "coarse-record", words });
-    }
-    if let Impact::Ratio(ratio) = problem.impact
-        && ratio > 0.999
-    {
-        let words = format!(
-            "a ratio of {ratio} leaves almost all of the energy at an impact; measured ones lose more"
-        );
-        warnings.push(MotionWarning { name: "lossless-impact", words });
-    }
+    warnings.extend(slips(&problem, steps.into_iter().reduce(f64::max)));
     let title = top.words("title")?.map(str::to_owned);
     top.words("note")?;
     let height = 2.0 * problem.block.d;

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue};
 use super::block::{BlockCase, MOTION, settings};
 use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
+use super::slips::slips;
 use super::table::Section;
 use super::{GivenBase, MotionWarning, ReadFile};
 use crate::case::{Acting, Case, Foundation};
@@ -230,8 +231,10 @@ fn read(
     given: &GivenBase,
 ) -> Result<Vec<BlockCase>, Wrong> {
     let mut warnings: Vec<MotionWarning> = Vec::new();
+    let mut steps: Vec<f64> = Vec::new();
     let mut taken = |read: history::Read| {
         warnings.extend(read.warnings);
+        steps.extend(read.step);
         read.history
     };
     let wave = in_time
@@ -267,6 +270,7 @@ fn read(
                 .to_owned();
         warnings.push(MotionWarning { name: "ground-left-out", words });
     }
+    let step = steps.into_iter().reduce(f64::max);
     let mut cases = Vec::new();
     for acts in &case.acting() {
         let situation = case.situation(*acts, None).map_err(|error| refused(in_time, &error.into()))?;
@@ -333,6 +337,7 @@ fn read(
             settings(motion, &mut problem)?;
         }
         problem.check().map_err(|error| refused(in_time, &error))?;
+        let slips = slips(&problem, step);
         let situation = case.acting_name(*acts);
         let title = case.title.clone();
         let height = case.body.height();
@@ -343,7 +348,7 @@ fn read(
             height,
             uplift,
             si: true,
-            warnings: warnings.clone(),
+            warnings: warnings.iter().cloned().chain(slips).collect(),
         });
     }
     Ok(cases)

@@ -4,7 +4,7 @@ use serde::Serialize;
 use standfast::Mode;
 use standfast_motion::{End, Outcome};
 
-use super::{BlockCase, Followed};
+use super::{BlockCase, Followed, MotionWarning};
 
 /// Every key is there in every answer, as docs/simulate.schema.json has them: `null`, or an empty list, where there is no such thing.
 #[derive(Serialize)]
@@ -50,9 +50,15 @@ struct EventEntry {
 }
 
 #[derive(Serialize)]
-struct WarningEntry<'a> {
+pub(super) struct WarningEntry<'a> {
     name: &'a str,
-    words: &'a str,
+    message: &'a str,
+}
+
+impl<'a> From<&'a MotionWarning> for WarningEntry<'a> {
+    fn from(warning: &'a MotionWarning) -> WarningEntry<'a> {
+        WarningEntry { name: warning.name, message: &warning.words }
+    }
 }
 
 /// How a motion ended, in a word.
@@ -115,7 +121,7 @@ impl BlockCase {
             unique: outcome.unique,
             sensitivity: followed.sensitivity,
             events: events.collect(),
-            warnings: warnings.map(|w| WarningEntry { name: w.name, words: &w.words }).collect(),
+            warnings: warnings.map(WarningEntry::from).collect(),
             figures: &[],
             others: Vec::new(),
         }

@@ -140,7 +140,7 @@ pub enum SpectrumError {
     )]
     NoShaking,
     /// What is asked for belongs to another kind.
-    #[error("{option} does not go with a {kind} spectrum; it has {has}")]
+    #[error("{option} does not belong to the {kind} spectrum; it has {has}")]
     Foreign {
         /// What was given.
         option: &'static str,

@@ -7,7 +7,7 @@ use standfast_motion::spectrum::Rocked;
 
 use super::{Spectrum, SpectrumPoints};
 use crate::layout::{columns, paragraph, significant};
-use crate::motion::json::end_word;
+use crate::motion::json::{WarningEntry, end_word};
 
 /// At most so many rows of a table are printed.
 const SHOWN: usize = 13;
@@ -24,12 +24,6 @@ struct Document<'a> {
     points: Vec<Entry>,
     warnings: Vec<WarningEntry<'a>>,
     figures: &'a [String],
-}
-
-#[derive(Serialize)]
-struct WarningEntry<'a> {
-    name: &'a str,
-    words: &'a str,
 }
 
 #[derive(Serialize)]
@@ -118,7 +112,7 @@ impl Spectrum {
 
     /// The spectrum as a JSON document, in the units of the case, with the files of its figures if there are any.
     pub fn json(&self, figures: &[String]) -> String {
-        let warnings = self.warnings.iter().map(|w| WarningEntry { name: w.name, words: &w.words });
+        let warnings = self.warnings.iter().map(WarningEntry::from);
         let stretches = match &self.points {
             SpectrumPoints::Overturning { stretches, .. } => Some(&stretches[..]),
             _ => None,
