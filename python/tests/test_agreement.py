@@ -319,7 +319,7 @@ def compare_table(name: str, document: dict[str, Any]) -> None:
     governing = document["situations"][document["governing"]]
     expected = {key: value for key, value in governing.items() if key not in ("criteria", "earthquake")}
     if ground := governing["ground"]:
-        expected |= {{"factor": "ground_factor", "resistance": "ground_resistance"}.get(key, key): ground[key] for key in ground}
+        expected |= {{"factor": "ground_factor", "resistance": "ground_resistance", "margin": "ground_margin"}.get(key, key): ground[key] for key in ground}
         expected |= dict(zip(("period_1", "period_2"), ground["periods"] or (None, None)))
     if document["criteria"]:
         first = document["criteria"][0]
@@ -359,7 +359,7 @@ def compare(program: list[str], name: str, *figures: str) -> bool:
     document = json.loads(answer("--format", "json").stdout)
     # Python writes no files, and the text of the program ends with those it wrote.
     assert json.loads(found.to_json()) == document | {"figures": []}
-    assert re.sub(r"\n(Diagram|k–μ diagram|Load path|Section)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
+    assert re.sub(r"\n(Diagram|k–μ diagram|Load path|Moment and rotation|Section)[^\n]* written to [^\n]*", "", shown.stdout).rstrip() == str(found).rstrip()
     per = {"per-metre": "/m", "whole": ""}[document["extent"]]
     if len(document["situations"]) > 1:
         parts = str(found).split(RULE)[1 : len(document["situations"]) + 1]

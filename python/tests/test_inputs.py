@@ -155,6 +155,8 @@ def test_quantities_of_pint() -> None:
     assert standfast.classify(1, 0.4, 0.5, friction).tolist() == standfast.classify(1, 0.4, 0.5, [0.25, 2.5]).tolist() == [1, 0]
     refused("mu is a quantity in meter; expected a ratio, which has no unit", 1, 0.4, 0.5, unit.Quantity([0.6], "m"))
     refused("gamma is a quantity in kilonewton", unit.Quantity(1, "kN"), 0.4, 0.5, 0.6)
+    # A friction angle is no coefficient of friction, though pint finds no dimension in it.
+    refused("mu is a quantity in degree; expected a ratio", 1, 0.4, 0.5, unit.Quantity(31, "degree"))
     message = refused("mu is <Quantity(250.0, 'millimeter / meter')>, a Quantity at index 0", 1, 0.4, 0.5, list(friction))
     assert "Quantity.from_list" in message
     assert standfast.classify(1, 0.4, 0.5, unit.Quantity.from_list(list(friction))).tolist() == [1, 0]

@@ -207,9 +207,14 @@ def series_of(series: Any, name: str) -> Numbers:
     raise TypeError(f"{name} is a pandas Series of dtype {dtype}; expected real numbers, as float64")
 
 
+def is_ratio(quantity: Any) -> bool:
+    """Whether a pint quantity is a plain number, a percentage or the like. To pint an angle has no dimension either."""
+    return not quantity.dimensionality and quantity.to_base_units().unitless
+
+
 def _magnitude(quantity: Any, name: str) -> Any:
     """The number of a pint quantity without dimension, as 1 in the unit it is a ratio of."""
-    if quantity.dimensionality:
+    if not is_ratio(quantity):
         raise TypeError(f"{name} is a quantity in {quantity.units}; expected a ratio, which has no unit")
     return quantity.to_base_units().magnitude
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _standfast
 from ._advice import Advice, is_of, is_plain
-from ._columns import check_leaf, column_of, series_of
+from ._columns import check_leaf, column_of, is_ratio, series_of
 from ._frames import Form, Missing
 
 _ADVICE = Advice("assess_table")
@@ -20,7 +20,7 @@ def array_of(value: Any, name: str, null: bool) -> tuple[NDArray[Any], Missing]:
     """The numbers of one entry of a dict as float64, or its texts as objects; with ``null``, what is no value is no error here."""
     if isinstance(value, str):
         return np.array(_text(value, name, (), null), dtype=object), None
-    if is_of(value, "pint", "Quantity") and value.dimensionality:
+    if is_of(value, "pint", "Quantity") and not is_ratio(value):
         # Which unit a number is in is said once, by the name.
         raise TypeError(
             f'{name} is a quantity of pint, in {value.units}; expected numbers, with the unit behind the name: "{name} [m]" and '
