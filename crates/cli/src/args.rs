@@ -249,7 +249,7 @@ pub enum Command {
     /// it is said at the end. The results are those of the situation that governs, under the names and in the SI units of
     /// `assess --format json`.
     ///
-    /// A case with [motion] or [block] is followed in time for every row: a column is called by the place of what it varies in the file,
+    /// A case with a table `motion` or `block` is followed in time for every row: a column is called by the place of what it varies in the file,
     /// as in block.mu_s or motion.base.horizontal.file, and the results are end, slide, max_slide, max_theta,
     /// max_theta_of_balance, overturned, past_balance, impacts, t_rest, t_final, unique, situation and warnings. Such tables are CSV.
     ///

@@ -3,7 +3,7 @@
 //! For given values of all inputs an event adds something with a small chance, and then an amount that depends on how rare an event
 //! it is. Two answers, of which the first needs no event at all:
 //!
-//! * the *mean* is linear in events and years: E[sum] = years · events · E[amount of an event], an integral over the inputs;
+//! * the *mean* is linear in events and years: `E[sum] = years · events · E[amount of an event]`, an integral over the inputs;
 //! * the *law* of the sum is that of lives drawn year by year. Of a year's events only those that add something are drawn: their
 //!   number is binomial, their amounts those of the tail.
 
