@@ -332,7 +332,7 @@ fn lives_of_more_numbers_are_drawn() {
             "[random]\nyears = 50\nmu = {{ lognormal = {{ mean = 0.6, cov = 0.15 }}{every} }}\n\
              k = {{ gumbel = {{ mean = 0.3, sd = 0.06 }}, lower = 0.0, every = \"year\" }}\n{more}"
         );
-        let effort = Effort { precision: 0.02, floor: 1e-3, ..Effort::default() };
+        let effort = Effort { precision: 0.04, floor: 0.02, ..Effort::default() };
         let found = answer(&format!("{POINT}{random}"), Request { effort, ..Request::default() });
         found.situations[0].life.clone().unwrap()
     };
@@ -343,7 +343,7 @@ fn lives_of_more_numbers_are_drawn() {
         assert_eq!((exact.method, drawn.method), (Method::Integrate, Method::Sobol));
         let pairs = exact.modes.iter().zip(&drawn.modes).map(|((_, a), (_, b))| (a.value, *b));
         for (exact, e) in pairs.chain([(exact.not_rest.value, drawn.not_rest)]) {
-            assert!(exact < 0.05 || e.high - e.low < 0.05 * e.value, "{e:?}");
+            assert!(exact < 0.05 || e.high - e.low < 0.1 * e.value, "{e:?}");
             assert!((e.value - exact).abs() <= e.high - e.low + 1e-12, "{e:?} {exact}");
         }
     }
