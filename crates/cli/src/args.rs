@@ -278,6 +278,11 @@ pub enum Command {
     },
 }
 
+/// How many threads work: those asked for, or one for each core.
+pub(crate) fn threads(asked: Option<NonZeroUsize>) -> usize {
+    asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
+}
+
 /// Arguments of `assess`.
 #[derive(Debug, Args)]
 pub struct AssessArgs {

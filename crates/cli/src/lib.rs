@@ -31,7 +31,6 @@ pub mod title_block;
 pub mod write;
 
 use std::io::{self, Write};
-use std::num::NonZeroUsize;
 
 use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
@@ -147,7 +146,6 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
             return print(&batch::motion::motions(args, path, &text)?);
         }
     }
-    let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
     let plain = TableOptions::new(&name);
     let (case, columns) = match &args.case {
         Some(case) => (Some(batch::case(case, &args.columns)?.into()), Vec::new()),
@@ -162,7 +160,7 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         map: args.map.clone(),
         columns,
         on_error: args.on_error,
-        threads: args.threads.map_or_else(all, NonZeroUsize::get),
+        threads: args::threads(args.threads),
         ..plain
     };
     let summary = batch::process(&args.input, &args.output, &options)?;

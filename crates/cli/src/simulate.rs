@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use standfast_cases::motion::{
-    BlockCase, BodyCaseError, Follow, Followed, MotionCaseError, all_json, body_cases, follow_all, has_block,
-    series_csv,
+    BlockCase, BodyCaseError, Follow, Followed, GivenBase, all_json, cases_on, follow_all, series_csv,
 };
 use thiserror::Error;
 
@@ -26,11 +25,7 @@ pub enum SimulateError {
     /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Case(#[from] MotionCaseError),
-    /// The case with a body makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Body(#[from] BodyCaseError),
+    Case(#[from] BodyCaseError),
     /// The motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] standfast_cases::motion::MotionError),
@@ -70,11 +65,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
     let name = case_file::name(&args.case);
     let text = case_file::read(&args.case)?;
     let read = record_reader(&args.case);
-    let cases = if has_block(&text) {
-        vec![BlockCase::parse(&name, &text, &read)?]
-    } else {
-        body_cases(&name, &text, &read)?
-    };
+    let cases = cases_on(&name, &text, &read, &GivenBase::default())?;
     let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
     let follow = Follow { sensitivity: args.sensitivity, series: !args.no_figures || args.series.is_some() };
     let answers = follow_all(cases, &follow)?;

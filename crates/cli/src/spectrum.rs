@@ -1,17 +1,14 @@
 //! `standfast spectrum`: many motions under one shaking.
 
 use std::io::{self, Write};
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use miette::Diagnostic;
-use standfast_cases::motion::{
-    BlockCase, BodyCaseError, MotionCaseError, SpectrumError, SpectrumRequest, body_cases, has_block,
-};
+use standfast_cases::motion::{BodyCaseError, GivenBase, SpectrumError, SpectrumRequest, cases_on};
 use thiserror::Error;
 
-use crate::args::SpectrumArgs;
+use crate::args::{SpectrumArgs, threads};
 use crate::case_file::{self, CaseFileError};
 use crate::format::Format;
 use crate::progress::Motions;
@@ -28,11 +25,7 @@ pub enum SpectrumCommandError {
     /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Case(#[from] MotionCaseError),
-    /// The case with a body makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Body(#[from] BodyCaseError),
+    Case(#[from] BodyCaseError),
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
@@ -56,19 +49,14 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
     let name = case_file::name(&args.case);
     let text = case_file::read(&args.case)?;
     let read = record_reader(&args.case);
-    let case = if has_block(&text) {
-        Some(BlockCase::parse(&name, &text, &read)?)
-    } else {
-        body_cases(&name, &text, &read)?.into_iter().next()
-    };
-    let Some(case) = case else { return Err(SpectrumError::NoShaking.into()) };
-    let all = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let cases = cases_on(&name, &text, &read, &GivenBase::default())?;
+    let Some(case) = cases.into_iter().next() else { return Err(SpectrumError::NoShaking.into()) };
     let request = SpectrumRequest {
         size: args.size,
         slenderness: args.slenderness,
         ratio: args.ratio,
         scale: args.scale,
-        threads: args.threads.map_or_else(all, NonZeroUsize::get),
+        threads: threads(args.threads),
         ..SpectrumRequest::new(args.kind)
     };
     let progress = Arc::new(Motions::shown());

@@ -8,19 +8,6 @@ use standfast::contact::{Block, path};
 use standfast::initiation::Chart;
 use standfast::{Departure, Mode, Wrench};
 
-fn block(random: &mut Random, ratio: f64) -> Block {
-    Block {
-        b1: 0.3 + random.uniform(0.0, 1.0),
-        b2: 0.3 + random.uniform(0.0, 1.0),
-        d: 0.2 + 3.0 * random.uniform(0.0, 1.0),
-        rho2: 0.1 + random.uniform(0.0, 1.0),
-        m_x: 1.0 + random.uniform(0.0, 1.0),
-        m_y: 1.0,
-        mu_s: 1.0,
-        mu_k: ratio,
-    }
-}
-
 fn wrench(random: &mut Random, sizes: [f64; 3]) -> Wrench {
     let [x, p, m] = sizes.map(|size| random.uniform(-size, size));
     Wrench { x, p, m }
@@ -49,7 +36,7 @@ fn by_friction_they_are_those_of_the_load_path() {
     let mut random = Random(57);
     for _ in 0..common::tries(3000) {
         let ratio = if random.uniform(0.0, 1.0) < 0.5 { 1.0 } else { random.uniform(0.0, 1.0) };
-        let block = block(&mut random, ratio);
+        let block = random.block(ratio);
         let mut permanent = wrench(&mut random, [0.3, 0.5, 0.3]);
         permanent.p += 0.8;
         let variable = wrench(&mut random, [2.0, 1.0, 3.0]);
@@ -76,7 +63,7 @@ fn by_share_they_are_those_of_the_load_path() {
     let mut random = Random(58);
     for _ in 0..common::tries(3000) {
         let ratio = if random.uniform(0.0, 1.0) < 0.5 { 1.0 } else { random.uniform(0.0, 1.0) };
-        let mut block = block(&mut random, ratio);
+        let mut block = random.block(ratio);
         let μ = random.uniform(0.1, 1.5);
         (block.mu_s, block.mu_k) = (μ, μ * ratio);
         let mut permanent = wrench(&mut random, [0.1, 0.5, 0.1]);

@@ -14,16 +14,7 @@ fn spans_are_the_contact_problem_at_every_friction() {
     let mut random = Random(23);
     for _ in 0..common::tries(4000) {
         let ratio = if random.uniform(0.0, 1.0) < 0.5 { 1.0 } else { random.uniform(0.0, 1.0) };
-        let block = Block {
-            b1: 0.3 + random.uniform(0.0, 1.0),
-            b2: 0.3 + random.uniform(0.0, 1.0),
-            d: 0.2 + 3.0 * random.uniform(0.0, 1.0),
-            rho2: 0.1 + random.uniform(0.0, 1.0),
-            m_x: 1.0 + random.uniform(0.0, 1.0),
-            m_y: 1.0,
-            mu_s: 1.0,
-            mu_k: ratio,
-        };
+        let block = random.block(ratio);
         let signed = |random: &mut Random, size: f64| random.uniform(-size, size);
         let wrench =
             Wrench { x: signed(&mut random, 2.0), p: signed(&mut random, 1.5), m: signed(&mut random, 3.0) };

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -14,7 +13,7 @@ use standfast_cases::suggest::closest;
 use standfast_tables::{OnError, TableFormat};
 use thiserror::Error;
 
-use crate::args::BatchArgs;
+use crate::args::{BatchArgs, threads};
 use crate::case_file;
 use crate::progress::Motions;
 use crate::simulate::record_reader;
@@ -103,8 +102,7 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
     }
     let results = results(&args.columns)?;
     let file = cached(case.to_owned());
-    let cores = || std::thread::available_parallelism().ok();
-    let threads = args.threads.or_else(cores).map_or(1, NonZeroUsize::get);
+    let threads = threads(args.threads);
     let progress = Motions::shown();
     let answers = in_order(&records, threads, &|progressed| progress.tell(progressed), |record| {
         rows.answer(&record.iter().collect::<Vec<_>>(), &file)

@@ -4,6 +4,7 @@
 
 use std::sync::LazyLock;
 
+use standfast::contact::Block;
 use standfast::initiation::{Chart, PointName};
 
 /// The share of its random points that a test takes: all, or what `STANDFAST_TRIES` says (0.01: one in a hundred), for runs that
@@ -47,6 +48,20 @@ impl Random {
 
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[self.bits() as usize % from.len()]
+    }
+
+    /// A block of any proportions with μ_s = 1, and so with μ_k its ratio of slip to stick.
+    pub fn block(&mut self, ratio: f64) -> Block {
+        Block {
+            b1: 0.3 + self.uniform(0.0, 1.0),
+            b2: 0.3 + self.uniform(0.0, 1.0),
+            d: 0.2 + 3.0 * self.uniform(0.0, 1.0),
+            rho2: 0.1 + self.uniform(0.0, 1.0),
+            m_x: 1.0 + self.uniform(0.0, 1.0),
+            m_y: 1.0,
+            mu_s: 1.0,
+            mu_k: ratio,
+        }
     }
 
     /// γ, k', k, μ over the whole range the library is checked on: ordinary bodies, extreme ones, small fractions
