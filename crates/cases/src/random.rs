@@ -14,6 +14,7 @@ mod answer;
 mod departure;
 mod document;
 mod draws;
+mod figures;
 mod mechanics;
 mod over;
 mod point;
@@ -27,6 +28,7 @@ pub use answer::{
     Chances, FirstDeparture, Happening, LifeChances, Method, Probability, ProbabilityError, Request,
 };
 pub use draws::{Drawn, Draws};
+pub use figures::ProbabilityFigure;
 pub use over::{Along, Fit, Fragility, Over};
 pub use standfast_probability::sample::{Effort, Estimate};
 

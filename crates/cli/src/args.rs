@@ -316,6 +316,13 @@ pub struct ProbabilityArgs {
     /// The case file (TOML) with a table `random`; - reads standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
+    /// Where to put the figures; made if it is not there [default: beside the case file, or here if it is read from
+    /// standard input, then as case-modes.svg and so on]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Draw nothing: the answer alone
+    #[arg(long, conflicts_with = "output")]
+    pub no_figures: bool,
     /// How: integrate (three random numbers at most), sobol, importance or monte-carlo [default: the best that takes as many]
     #[arg(long)]
     pub method: Option<Method>,

@@ -70,7 +70,14 @@ pub fn run(cli: Cli) -> Result<Ended> {
             sheet::sheet(&args.case, &args.output, &options, args.paper)?;
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
-        Command::Probability(args) => print(&probability::probability(&args)?),
+        Command::Probability(args) => {
+            let probability::Answered { answer, undrawn } = probability::probability(&args)?;
+            print(&answer)?;
+            match undrawn {
+                Some(error) => Err(error.into()),
+                None => Ok(()),
+            }
+        }
         Command::Simulate(args) => {
             let simulate::Simulated { answer, undrawn } = simulate::simulate(&args)?;
             print(&answer)?;

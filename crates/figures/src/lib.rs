@@ -18,6 +18,7 @@
 //! |---|---|
 //! | What does a chart show? | `sheet`, `map` (all modes), `report` (the report's 26), `plane` (load factor and friction), `ground` (the k–μ plane where the base gives way), `rotation` (moment and rotation of an elastic base), `feasible` (two quantities of a design) |
 //! | What stands where, and what presses on it? | [`section`](fn@section) |
+//! | How likely is each mode? | `chances`: bars, what matters, lines with intervals, clouds of draws |
 //! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
 //! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
@@ -34,6 +35,7 @@
 mod canvas;
 mod caption;
 mod cases;
+mod chances;
 mod chart;
 mod drawing;
 mod feasible;
@@ -69,6 +71,10 @@ use standfast::diagram::Window;
 use standfast::region::Region;
 
 pub use cases::cases_on_screen;
+pub use chances::{
+    Chance, ChanceBar, ChanceBars, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, CloudPanel,
+    Importance, LineLook, Tornado, chance_bars, chance_cloud, chance_lines, chance_tornado,
+};
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};

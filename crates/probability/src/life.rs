@@ -76,6 +76,7 @@ pub fn lives<O: Outcomes>(
         })
     };
     sampled.points *= years;
+    sampled.course.iter_mut().for_each(|(points, _)| *points *= years);
     sampled.are_probabilities();
     sampled
 }

@@ -45,12 +45,15 @@ pub struct Sampled {
     pub points: u64,
     /// Whether every probability above the floor is as precise as asked.
     pub precise: bool,
+    /// The estimates each time the points were doubled, the last those above, with their number of points.
+    pub course: Vec<(u64, Vec<Estimate>)>,
 }
 
 impl Sampled {
     /// No probability is above 1.
     pub(crate) fn are_probabilities(&mut self) {
-        self.estimates.iter_mut().for_each(|e| e.high = e.high.min(1.0));
+        let of_course = self.course.iter_mut().flat_map(|(_, estimates)| estimates);
+        self.estimates.iter_mut().chain(of_course).for_each(|e| e.high = e.high.min(1.0));
     }
 }
 
@@ -158,6 +161,7 @@ impl Averages {
             (0..SCRAMBLES as u64).map(|scramble| Sobol::new(dimensions, effort.seed, scramble)).collect();
         let mut sums = vec![vec![0.0; count]; SCRAMBLES];
         let mut taken = 0;
+        let mut course = Vec::new();
         loop {
             let next = if taken == 0 { first } else { 2 * taken };
             // One piece of work is a run of points of one scramble.
@@ -194,8 +198,9 @@ impl Averages {
                 })
                 .collect();
             let precise = estimates[..precise].iter().all(|e| e.is_precise(effort.precision, effort.floor));
+            course.push((points, estimates.clone()));
             if precise || 2 * points * cost > effort.points || dimensions == 0 {
-                return Sampled { estimates, points, precise };
+                return Sampled { estimates, points, precise, course };
             }
         }
     }
@@ -221,6 +226,7 @@ fn displaced(point: &mut [f64], component: f64, about: &[Vec<f64>]) -> f64 {
 pub fn monte_carlo<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
     let mut hits = vec![0u64; sets.len()];
     let mut blocks = 0;
+    let mut course = Vec::new();
     loop {
         let next = if blocks == 0 { 4 } else { 2 * blocks };
         let results = shared_out(effort.threads, (next - blocks) as usize, || {
@@ -240,8 +246,9 @@ pub fn monte_carlo<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], eff
         let points = blocks * BLOCK;
         let estimates: Vec<Estimate> = hits.iter().map(|&hits| Estimate::of_hits(hits, points)).collect();
         let precise = estimates.iter().all(|e| e.is_precise(effort.precision, effort.floor));
+        course.push((points, estimates.clone()));
         if precise || 2 * points > effort.points {
-            return Sampled { estimates, points, precise };
+            return Sampled { estimates, points, precise, course };
         }
     }
 }

@@ -569,3 +569,8 @@ class ProbabilityDocument(Answer):
     def fragility(self) -> Fragility | None:
         """The probabilities along a number of the case; None where none is asked for."""
         return None if self._document["fragility"] is None else part(Fragility, self._document["fragility"])
+
+    @property
+    def figures(self) -> list[str]:
+        """The files of the figures that were written."""
+        return list(self._document["figures"])

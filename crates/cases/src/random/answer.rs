@@ -185,6 +185,8 @@ pub struct Chances {
     pub known: Vec<Estimate>,
     /// Over the years of a life.
     pub life: Option<LifeChances>,
+    /// That the body does not rest, each time the points were doubled, with their number; empty where none were drawn.
+    pub course: Vec<(u64, Estimate)>,
 }
 
 /// How likely each mode is to be the first as the variable loads rise without end; the parts add up to one.
@@ -445,6 +447,7 @@ fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityE
         first_departure: first_departure(problem, method, effort, sampled.points),
         design_point: points.into_iter().next(),
         life: life(problem, effort)?,
+        course: sampled.course.iter().map(|(points, e)| (*points, e[exclusive().count()])).collect(),
     })
 }
 
@@ -508,6 +511,7 @@ fn estimates(integrated: &Integrated) -> Sampled {
         estimates: integrated.probabilities.iter().zip(&integrated.errors).map(with).collect(),
         points: integrated.evaluations,
         precise: true,
+        course: Vec::new(),
     }
 }
 

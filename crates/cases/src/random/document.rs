@@ -28,6 +28,8 @@ struct Document<'a> {
     sliding: Option<SlidingDocument>,
     /// Along a number, where that is asked for.
     fragility: Option<FragilityDocument<'a>>,
+    /// The files of the figures that were written.
+    figures: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -185,6 +187,11 @@ struct LifeDocument {
 impl Probability {
     /// The answer as a JSON document, at full precision: of the least safe set of loads, and behind it of the others.
     pub fn json(&self) -> String {
+        self.json_with(&[])
+    }
+
+    /// The same with the files of figures that were written.
+    pub fn json_with(&self, figures: &[String]) -> String {
         let [worst, others @ ..] = &self.situations[..] else { unreachable!("a case has loads") };
         crate::json(&Document {
             schema: SCHEMA,
@@ -196,6 +203,7 @@ impl Probability {
             others: others.iter().map(|chances| self.document(chances)).collect(),
             sliding: self.sliding.as_ref().map(SlidingDocument::of),
             fragility: self.fragility.as_ref().map(FragilityDocument::of),
+            figures,
         })
     }
 

@@ -66,7 +66,7 @@ fn one(problems: Vec<Problem>, situation: Option<&str>) -> Result<Problem, Proba
 }
 
 impl Problem {
-    fn drawn(&self, values: &[f64]) -> Drawn {
+    pub(super) fn drawn(&self, values: &[f64]) -> Drawn {
         let Some(mechanics) = self.mechanics(values) else {
             return Drawn { effective: None, happens: Happening::NotABody };
         };
@@ -77,7 +77,7 @@ impl Problem {
 
 impl Mechanics {
     /// The point of the report's plane, k and k', as [`Situation::effective`](standfast::Situation::effective) has it.
-    fn effective(&self) -> Option<[f64; 2]> {
+    pub(super) fn effective(&self) -> Option<[f64; 2]> {
         let (block, wrench) = (&self.block, self.wrench());
         // A uniform body in air with one friction. Lengths are in B, so that only rounding parts them from 1.
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b;

@@ -92,7 +92,7 @@ impl Probability {
         text
     }
 
-    fn floor(&self) -> f64 {
+    pub(super) fn floor(&self) -> f64 {
         self.request.effort.floor
     }
 
@@ -246,7 +246,7 @@ fn line(words: &str, e: Estimate, method: Method) -> Vec<String> {
     row![words, probability(e.value), interval]
 }
 
-fn words(happening: Happening) -> String {
+pub(super) fn words(happening: Happening) -> String {
     match happening {
         Happening::Mode(Mode::Rest) => "stays at rest, RE".to_owned(),
         Happening::Mode(mode) => format!("{}, {mode}", mode.words()),

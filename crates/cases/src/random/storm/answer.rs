@@ -4,7 +4,7 @@ use miette::Diagnostic;
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::Inputs as Laws;
 use standfast_probability::sample::{Effort, Estimate};
-use standfast_probability::sums::{OfLife, expected, lives};
+use standfast_probability::sums::{Lives, OfLife, expected, lives};
 use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
@@ -32,6 +32,8 @@ pub struct Sliding {
     pub quantiles: Vec<Quantile>,
     /// The chance that the slide of a life exceeds a value.
     pub exceedance: Vec<Exceeded>,
+    /// The same at slides between the least and the greatest that can be told, by equal factors.
+    pub course: Vec<Exceeded>,
     /// The share of the mean that comes of the worst twentieth of all lives.
     pub of_worst: f64,
     /// The mean over the lives drawn: not the answer, but a check of both.
@@ -109,6 +111,24 @@ const WORST: f64 = 0.05;
 /// The mean is a smooth integral, and quick to have to this.
 const PRECISION: f64 = 2e-3;
 
+/// A tenth of a millimetre is no slide that anybody sees.
+const LEAST: f64 = 1e-4;
+/// How many slides a decade has in the course of the exceedance.
+const EACH_DECADE: f64 = 16.0;
+
+/// The chance that the slide of a life exceeds slides by equal factors, up to the greatest that was drawn.
+fn course(drawn: &Lives) -> Vec<Exceeded> {
+    let greatest = drawn.groups.iter().flatten().map(|life| life.sum).fold(0.0, f64::max);
+    if greatest <= LEAST {
+        return Vec::new();
+    }
+    let count = (EACH_DECADE * (greatest / LEAST).log10()).ceil();
+    let slide = |i: usize| LEAST * (greatest / LEAST).powf(i as f64 / count);
+    let exceeded = |slide: f64| Exceeded { slide, probability: drawn.chance(|life| life.sum > slide) };
+    // Nothing exceeds the greatest.
+    (0..count as usize).map(slide).map(exceeded).collect()
+}
+
 /// The slides of storms with these laws.
 pub(in crate::random) fn sliding<S: Storms>(
     storm: &Storm,
@@ -140,6 +160,7 @@ pub(in crate::random) fn sliding<S: Storms>(
         ever: slid(0.0),
         quantiles: SHARES.map(|share| Quantile { share, slide: drawn.quantile(share) }).to_vec(),
         exceedance: EXCEEDED.iter().map(|&slide| Exceeded { slide, probability: slid(slide) }).collect(),
+        course: course(&drawn),
         of_worst: drawn.of_worst(WORST),
         drawn: drawn.mean(|life| life.sum),
         rotating: Rotating {

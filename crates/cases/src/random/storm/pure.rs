@@ -202,6 +202,7 @@ impl PureStorm {
             },
             design_point: None,
             known: Vec::new(),
+            course: Vec::new(),
             life: self.years.map(|years| LifeChances {
                 years,
                 not_rest: sliding.ever,

@@ -1,0 +1,98 @@
+//! Draws as dots in the colours of their modes.
+
+use standfast::Mode;
+
+use super::plot::{Edge, Plot, up_width};
+use super::{LEFT, finished, key};
+use crate::Figure;
+use crate::margins::NUMBER;
+use crate::motion::SpectrumAxis;
+use crate::palette::{FAINT, INK, tint};
+use crate::scene::{Path, Pen, Rect, Scene};
+use crate::text::Text;
+
+const TOP: f64 = 36.0;
+const DOWN: f64 = 280.0;
+/// One plot, or several side by side.
+const ALONE: f64 = 470.0;
+const BESIDE: f64 = 300.0;
+const GAP: f64 = 30.0;
+
+/// One view of the draws.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CloudPanel<'a> {
+    /// The quantity to the right.
+    pub across: SpectrumAxis<'a>,
+    /// The quantity upwards.
+    pub up: SpectrumAxis<'a>,
+    /// Each draw's place, in the order of the modes.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Draws in one view or more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChanceCloud<'a> {
+    /// What it is of, in a line; not markup.
+    pub title: &'a str,
+    /// What is shown, in sentences; not markup.
+    pub caption: &'a str,
+    /// The views, side by side.
+    pub panels: &'a [CloudPanel<'a>],
+    /// The mode of each draw; none of what is no mode, which is drawn as a hollow dot.
+    pub modes: &'a [Option<Mode>],
+}
+
+/// Draws a cloud of draws; the rarest mode lies on top.
+pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
+    let mut scene = Scene::default();
+    let mut order: Vec<(usize, Option<Mode>)> = Vec::new();
+    for mode in Mode::ALL.into_iter().map(Some).chain([None]) {
+        let count = chart.modes.iter().filter(|other| **other == mode).count();
+        if count > 0 {
+            order.push((count, mode));
+        }
+    }
+    order.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let wide = if chart.panels.len() > 1 { BESIDE } else { ALONE };
+    let (mut left, mut right, mut bottom) = (LEFT, LEFT, TOP);
+    for panel in chart.panels {
+        let (across, up) = (Edge::of(&panel.across), Edge::of(&panel.up));
+        let x0 = left + up_width(&up, DOWN) + 9.0;
+        let area = Rect { x0, x1: x0 + wide, y0: TOP, y1: TOP + DOWN };
+        let plot = Plot { area, across, up };
+        plot.grid(&mut scene);
+        for (_, mode) in &order {
+            let of_mode = panel.points.iter().zip(chart.modes).filter(|(_, other)| *other == mode);
+            let shown = of_mode.filter(|((x, y), _)| plot.across.shows(*x) && plot.up.shows(*y));
+            let mut dots = Path::default();
+            for ((x, y), _) in shown {
+                let (x, y) = (plot.x(*x), plot.y(*y));
+                dots.move_to(x, y);
+                dots.line_to(x + 0.1, y);
+            }
+            // A tint on paper is seen by its rim.
+            scene.stroke(&dots, Pen { colour: FAINT, width: 4.6, dashes: "0 9" });
+            let inner = mode.map_or(crate::palette::PAPER, tint);
+            scene.stroke(&dots, Pen { colour: inner, width: 3.4, dashes: "0 9" });
+        }
+        let below = plot.draw(&mut scene);
+        let [name, up_name] = [panel.across.name, panel.up.name].map(|name| Text::inline(name, NUMBER));
+        scene.text(&up_name, left, TOP - 14.0, INK);
+        scene.text(&name, (area.x0 + area.x1 - name.width) / 2.0, below + 14.0, INK);
+        (right, bottom) = (area.x1 + 18.0, below + 24.0);
+        left = area.x1 + GAP;
+    }
+    let modes: Vec<Mode> =
+        Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m))).collect();
+    let below = key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
+    let axes: Vec<String> = chart
+        .panels
+        .iter()
+        .map(|panel| {
+            let [across, up] = [panel.across.name, panel.up.name].map(|n| Text::inline(n, NUMBER).plain);
+            format!("{up} over {across}")
+        })
+        .collect();
+    let description = format!("Draws as dots: {}.", axes.join("; "));
+    finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
+}

@@ -1,0 +1,107 @@
+//! Which number matters: its share α² in the direction of the design point, and the probability if it were known.
+
+use super::plot::{Edge, across_ticks, below};
+use super::{LEFT, finished, rectangle};
+use crate::Figure;
+use crate::caption::{SMALL, shortened};
+use crate::margins::NUMBER;
+use crate::motion::SpectrumAxis;
+use crate::number::{digits, significant};
+use crate::palette::{BEHIND, FAINT, INK, MARK};
+use crate::scene::{Pen, Rect, Scene};
+use crate::text::Text;
+
+const ROW: f64 = 26.0;
+const THICK: f64 = 13.0;
+const SHARES: f64 = 150.0;
+const KNOWN: f64 = 250.0;
+const TOP: f64 = 44.0;
+const LEAST: f64 = 1e-12;
+/// Bars: of α², and of a probability that knowing lowers or raises.
+const LOWERS: &str = "#8fb4d6";
+const RAISES: &str = "#e2a5b5";
+
+/// A random number and what it does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Importance<'a> {
+    /// Its name; not markup.
+    pub name: &'a str,
+    /// α².
+    pub alpha2: f64,
+    /// The probability if it were known to have its median.
+    pub known: f64,
+}
+
+/// What matters of several random numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tornado<'a> {
+    /// What it is of, in a line; not markup.
+    pub title: &'a str,
+    /// What is shown, in sentences; not markup.
+    pub caption: &'a str,
+    /// The probability as it is.
+    pub probability: f64,
+    /// The numbers, from above.
+    pub numbers: &'a [Importance<'a>],
+}
+
+/// Draws what matters: bars of α², and beside them bars from the probability to what it would be if the number were known.
+pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
+    let mut scene = Scene::default();
+    let names: Vec<Text> = chart.numbers.iter().map(|n| Text::verbatim(&shortened(n.name), NUMBER)).collect();
+    let widest = names.iter().fold(60.0, |most: f64, name| most.max(name.width));
+    let (a0, gap) = (LEFT + widest + 56.0, 48.0);
+    let (k0, k1) = (a0 + SHARES + gap, a0 + SHARES + gap + KNOWN);
+    let all = || chart.numbers.iter().map(|n| n.known).chain([chart.probability]);
+    let least = all().filter(|p| *p > 0.0).fold(1.0, f64::min).max(LEAST);
+    let most = all().fold(least, f64::max);
+    let from = 10f64.powf((0.6 * least).log10().floor());
+    let to = 10f64.powf((1.5 * most).log10().ceil()).min(1.0);
+    let shares = Edge::of(&SpectrumAxis { name: "", from: 0.0, to: 1.0, logarithmic: false });
+    let known = Edge::of(&SpectrumAxis { name: "", from, to, logarithmic: true });
+    let bottom = TOP + ROW * chart.numbers.len() as f64 + 4.0;
+    let share = |value: f64| a0 + shares.share(value) * SHARES;
+    let place = |p: f64| k0 + known.share(p) * KNOWN;
+    for (edge, x0, length) in [(&shares, a0, SHARES), (&known, k0, KNOWN)] {
+        for (value, _) in across_ticks(edge, length).iter().filter(|(_, text)| text.is_some()) {
+            let x = x0 + edge.share(*value) * length;
+            scene.line((x, TOP), (x, bottom), Pen::solid(BEHIND, 0.35));
+        }
+        let frame = Rect { x0, x1: x0 + length, y0: TOP, y1: bottom };
+        scene.stroke(&rectangle(&frame), Pen::solid(INK, 0.9));
+        below(&mut scene, edge, (x0, x0 + length), bottom);
+    }
+    for (i, (number, name)) in chart.numbers.iter().zip(&names).enumerate() {
+        let y = TOP + 4.0 + ROW * i as f64;
+        let middle = y + ROW / 2.0 - 2.0;
+        let bar = |x: f64, to: f64| Rect {
+            x0: x.min(to),
+            x1: x.max(to).max(x.min(to) + 0.8),
+            y0: middle - THICK / 2.0,
+            y1: middle + THICK / 2.0,
+        };
+        scene.text(name, LEFT, middle + 4.0, INK);
+        let text = Text::new(&format!("${:.2}$", number.alpha2), NUMBER);
+        scene.text(&text, a0 - 12.0 - text.width, middle + 4.0, INK);
+        let parts = [(bar(a0, share(number.alpha2)), BEHIND), {
+            let colour = if number.known <= chart.probability { LOWERS } else { RAISES };
+            (bar(place(chart.probability), place(number.known)), colour)
+        }];
+        for (rect, colour) in parts {
+            scene.fill(&rectangle(&rect), colour);
+            scene.stroke(&rectangle(&rect), Pen::solid(FAINT, 0.6));
+        }
+        let text = Text::new(&format!("${}$", significant(number.known, 3)), NUMBER);
+        scene.text(&text, k1 + 10.0, middle + 4.0, INK);
+    }
+    let x = place(chart.probability);
+    scene.line((x, TOP - 3.0), (x, bottom), Pen::solid(MARK, 1.4));
+    let said = Text::new(&format!("$P = {}$", digits(chart.probability)), SMALL);
+    let left = (x - said.width / 2.0).clamp(k0, (k1 - said.width).max(k0));
+    scene.text(&said, left, TOP - 8.0, MARK);
+    let [left, right] = [Text::new("share $α^2$", NUMBER), Text::new("$P$ if it were known", NUMBER)];
+    scene.text(&left, a0 + (SHARES - left.width) / 2.0, bottom + 36.0, INK);
+    scene.text(&right, k0 + (KNOWN - right.width) / 2.0, bottom + 36.0, INK);
+    let description = "Bars of the shares of random numbers, and of the probability if each were known.";
+    finished(scene, (chart.title, chart.caption), (k1 + 84.0, bottom + 50.0), description)
+}
