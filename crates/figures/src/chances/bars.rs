@@ -134,7 +134,7 @@ fn row(scene: &mut Scene, bar: &ChanceBar<'_>, edge: &Edge, (x0, x1): (f64, f64)
     scene.text(&said, x1 + 12.0, middle + 4.0, INK);
     let wide = value > 0.0 && high - low > 1e-6 * value;
     if wide {
-        let text = format!("${}$ … ${}$", significant(low, 3), significant(high, 3));
+        let text = format!("${}$ … ${}$", significant(low, 4), significant(high, 4));
         scene.text(&Text::new(&text, 10.5), x1 + 12.0, middle + 18.0, FAINT);
     }
 }
