@@ -58,6 +58,7 @@ Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that
 """,
         ("from typing import Literal", "", "from ._answer import Answer, mode, modes, parts", "from ._modes import Mode, Modes"),
         (
+            ("Requirement", "simulate.schema.json", "#/$defs/requirement", None),
             ("Moment", "simulate.schema.json", "#/$defs/moment", None),
             ("Note", "simulate.schema.json", "#/$defs/note", None),
             ("MotionDocument", "simulate.schema.json", "#", "what `simulate` answers in one situation of a case"),

@@ -1,8 +1,12 @@
 //! A case assessed: the program's answer as text, JSON and figures, each made when it is asked for.
 
+use std::fs;
+use std::path::Path;
+
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
+use standfast_cases::motion::Timed;
 use standfast_cases::{Assessment, CaseFile, Face, UpToError, View, check_up_to, report};
 
 use crate::invalid;
@@ -37,6 +41,16 @@ impl CaseAnswer {
     }
 }
 
+/// Reads the records that a case names, beside its file; those of a dict in the working directory.
+pub(crate) fn beside(name: &str) -> impl Fn(&str) -> Result<String, String> {
+    let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
+    move |file| {
+        let bytes = fs::read(folder.join(file)).map_err(|cause| cause.to_string())?;
+        // Old records have letters of other alphabets in their headers, and no meaning in them.
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
 /// How far a rising load is followed, as Python says it.
 pub(crate) fn checked_up_to(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let words = |error: UpToError| {
@@ -61,9 +75,15 @@ pub(crate) fn assess(
 ) -> PyResult<CaseAnswer> {
     let up_to = checked_up_to(up_to)?;
     py.detach(|| {
-        let file = CaseFile::parse(name, text);
-        let answered =
-            file.and_then(|file| Assessment::owning(file.case()?).map_err(|error| file.refused(error)));
+        let records = beside(name);
+        let timed = Timed::of(name, text, &records);
+        let answered = timed.and_then(|timed| match timed {
+            Some(timed) => timed.assess(None),
+            None => {
+                let file = CaseFile::parse(name, text)?;
+                Ok(Assessment::owning(file.case()?).map_err(|error| file.refused(error))?)
+            }
+        });
         let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
         Ok(CaseAnswer { assessment, view: View { up_to, all, face: Face::Python } })
     })

@@ -4,8 +4,10 @@ use miette::Diagnostic;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
+use standfast_cases::motion::Timed;
 use standfast_cases::{CaseFile, report};
 
+use crate::assess::beside;
 use crate::watch::patiently;
 
 /// What errors call the arguments of `standfast.design`.
@@ -47,6 +49,11 @@ pub(crate) fn design(
 ) -> PyResult<(String, String)> {
     let request = request(vary, target, greatest, ends)?;
     patiently(py, move || {
+        let records = beside(&file.0);
+        if let Some(timed) = Timed::of(&file.0, &file.1, &records).map_err(|error| refused(&error))? {
+            let design = Design::of_timed(&timed, request).map_err(|error| refused(&error))?;
+            return Ok((design.text(), design.json()));
+        }
         let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
         let design = Design::of(&file, request).map_err(|error| refused(&error))?;
         Ok((design.text(), design.json()))
@@ -69,11 +76,17 @@ pub(crate) fn boundary(
 ) -> PyResult<Rendered> {
     let design = request(vary, target, greatest, ends)?;
     patiently(py, move || {
-        let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
-        let boundary = Boundary::of(&file, request).map_err(|error| refused(&error))?;
-        let svg = boundary.figure().map(|figure| figure.svg().to_owned());
-        Ok((boundary.text(), boundary.json(), boundary.csv(), svg))
+        let records = beside(&file.0);
+        let rendered = |boundary: Boundary<'_>| {
+            let svg = boundary.figure().map(|figure| figure.svg().to_owned());
+            (boundary.text(), boundary.json(), boundary.csv(), svg)
+        };
+        if let Some(timed) = Timed::of(&file.0, &file.1, &records).map_err(|error| refused(&error))? {
+            return Boundary::of_timed(&timed, request).map(rendered).map_err(|error| refused(&error));
+        }
+        let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
+        Boundary::of(&file, request).map(rendered).map_err(|error| refused(&error))
     })?
 }

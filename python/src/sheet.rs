@@ -4,10 +4,11 @@ use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use standfast_cases::key::TITLE_BLOCK;
+use standfast_cases::motion::Timed;
 use standfast_cases::report;
-use standfast_sheet::{Date, Paper, Sheet, SheetOptions};
+use standfast_sheet::{Date, Paper, Sheet, SheetError, SheetOptions};
 
-use crate::assess::checked_up_to;
+use crate::assess::{beside, checked_up_to};
 use crate::watch::patiently;
 
 /// The keys of the title block.
@@ -41,8 +42,13 @@ pub(crate) fn sheet(
     let paper: Paper =
         paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
     let (html, pdf) = patiently(py, move || -> PyResult<_> {
+        let records = beside(&file.0);
         let sheet =
-            Sheet::of(&file.0, &file.1, &options).map_err(|error| PyValueError::new_err(report(&error)))?;
+            Timed::of(&file.0, &file.1, &records).map_err(SheetError::from).and_then(|timed| match timed {
+                Some(timed) => Sheet::of_timed(&timed, &options),
+                None => Sheet::of(&file.0, &file.1, &options),
+            });
+        let sheet = sheet.map_err(|error| PyValueError::new_err(report(&error)))?;
         let print = |paper| sheet.pdf(paper).map_err(|error| PyRuntimeError::new_err(report(&error)));
         Ok((sheet.html().to_owned(), is_pdf.then_some(paper).map(print).transpose()?))
     })??;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 import pickle
@@ -9,11 +10,13 @@ import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pandas as pd
 import polars as pl
 import pyarrow as pa
+import pyarrow.parquet
 import pytest
 import standfast
 from test_schema import EVERY_MOTION, errors
@@ -50,6 +53,79 @@ def test_figures_are_those_of_the_program(program: list[str], tmp_path: Path) ->
     assert {figure.svg for figure in found.figures} == drawn and len(drawn) == len(found.figures) >= 3
     assert found["figures"] == [] and found._repr_svg_() == found.figures[0].svg
     assert [figure.title for figure in found.figures] == ["Histories", "Positions", "Animation"] and "<animate" in found.figures[2].svg
+
+
+def test_a_notebook_shows_histories_and_the_motion_itself() -> None:
+    found = standfast.simulate(MOTION / "caisson-breaking-wave.toml")
+    page = ElementTree.fromstring(found._repr_html_())
+    pictures = [image.attrib["src"].removeprefix("data:image/svg+xml;base64,") for image in page.iter("img")]
+    assert [base64.b64decode(picture).decode() for picture in pictures] == [found.figures[0].svg, found.figures[2].svg]
+    said = "".join(page.itertext())
+    assert "comes to rest; slide -0.08467 m" in said
+
+
+def test_criteria_are_typed_and_checked(program: list[str], tmp_path: Path) -> None:
+    case = (MOTION / "caisson-breaking-wave.toml").read_text(encoding="utf-8")
+    path = tmp_path / "case.toml"
+    path.write_text(case + '\n[criteria]\nslide = "8 cm"\noverturned = false\nSF_sliding = 0.5\n', encoding="utf-8")
+    found = standfast.simulate(path)
+    assert found.met is False and [(c.name, c.met) for c in found.criteria] == [("slide", False), ("overturned", True)]
+    slide = found.criteria[0]
+    assert slide.required == 0.08 and slide.value == abs(found.slide) and slide.utilisation == pytest.approx(abs(found.slide) / 0.08)
+    assert not errors(json.loads(found.to_json()), "simulate.schema.json")
+    assert str(found) == printed(program, path)
+    checked = subprocess.run([*program, "simulate", "--no-figures", "--check", path], capture_output=True, check=False)
+    assert checked.returncode == 3
+    instant = standfast.assess(path)
+    text = subprocess.run([*program, "assess", "--no-figures", path], capture_output=True, encoding="utf-8", check=True).stdout
+    assert str(instant) == text and [c.name for c in instant.criteria] == ["slide", "SF_sliding", "overturned"]
+    assert not errors(json.loads(instant.to_json()), "answer.schema.json")
+    assert instant.in_time is not None and "simulate" in instant.in_time and instant.criteria[2].required is False
+    less = standfast.design(path, vary="mass", target="slide=8cm")
+    assert less.found.slide is not None and 0.0799 < less.found.slide <= 0.08 and less.present.slide == abs(found.slide)
+    assert not errors(json.loads(less.to_json()), "design.schema.json")
+    assert "5 Motion in time" in standfast.sheet(path)
+
+
+@pytest.mark.parametrize("format", ["parquet", "arrow", "arrows", "xlsx", "csv"])
+def test_a_series_is_written_in_every_format(program: list[str], tmp_path: Path, format: str) -> None:
+    file = tmp_path / f"motion.{format}"
+    path = MOTION / "statue-earthquake.toml"
+    subprocess.run([*program, "simulate", path, "--no-figures", "--series", file, "--dt", "0.05"], capture_output=True, check=True)
+    read = {
+        "parquet": lambda: pyarrow.parquet.read_table(file).to_pandas(),
+        "arrow": lambda: pa.ipc.open_file(file).read_all().to_pandas(),
+        "arrows": lambda: pa.ipc.open_stream(file).read_all().to_pandas(),
+        "xlsx": lambda: pd.read_excel(file),
+        "csv": lambda: pd.read_csv(file, float_precision="round_trip"),
+    }
+    table = read[format]()
+    series = standfast.simulate(path).series(0.05)
+    assert list(table.columns) == ["t", "slide", "x", "y", "theta", "omega", "state"] and len(table) > 100
+    for name in table.columns[:-1]:
+        np.testing.assert_allclose(table[name], series[name].to_numpy(), rtol=1e-15 if format == "xlsx" else 0)
+    assert [standfast.Mode(code).symbol for code in series.state.to_pylist()] == list(table.state)
+
+
+def test_tables_of_motions_are_written_in_every_format(program: list[str], tmp_path: Path) -> None:
+    rows = tmp_path / "rows.csv"
+    rows.write_text("id,motion.base.horizontal.target_peak\na,0.1 g\nb,0.5 g\n", encoding="utf-8")
+    case = MOTION / "statue-earthquake.toml"
+    if "target_peak" not in case.read_text(encoding="utf-8"):
+        rows.write_text("id,body.friction\n1,0.5\n2,0.05\n", encoding="utf-8")
+    tables = {}
+    for format in ("csv", "parquet", "arrow", "xlsx"):
+        out = tmp_path / f"out.{format}"
+        subprocess.run([*program, "batch", rows, "--case", case, "-o", out], capture_output=True, check=True)
+        tables[format] = out
+    plain = pd.read_csv(tables["csv"], float_precision="round_trip")
+    columns = pyarrow.parquet.read_table(tables["parquet"])
+    assert columns.equals(pa.ipc.open_file(tables["arrow"]).read_all())
+    assert str(columns.schema.field("slide").type) == "double" and str(columns.schema.field("overturned").type) == "bool"
+    assert str(columns.schema.field("impacts").type) == "int64"
+    for table in (columns.to_pandas(), pd.read_excel(tables["xlsx"])):
+        for name in ("slide", "max_slide", "max_theta", "t_final", "impacts", "overturned"):
+            np.testing.assert_allclose(table[name].astype(float), plain[name].astype(float), rtol=1e-15)
 
 
 def test_answers_are_typed() -> None:

@@ -22,10 +22,12 @@ use standfast::{InputError, Outcome, Situation};
 use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
 use crate::face::Face;
+use crate::motion::{BlockCase, Followed, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks};
 use crate::units::Extent;
 pub use figures::{CaseFigure, Drawn};
 pub use ground::OnGround;
-pub(crate) use json::SCHEMA;
+pub(crate) use json::{SCHEMA, optional_number_or_word};
+pub(crate) use loads::load_words;
 pub use loads::{Component, left_out, share};
 pub use text::criteria_met;
 pub(crate) use text::heading;
@@ -43,6 +45,28 @@ pub struct Assessment {
     pub case: Case,
     /// Its situations: one for each combination, or each force that acts alone, or the only one.
     pub all: Vec<Assessed>,
+    /// What belongs to time, of a case that says how its loads go with it: [`Timed::assess`](crate::motion::Timed::assess) has it.
+    pub in_time: Option<InTime>,
+}
+
+/// A case in time beside its first instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InTime {
+    /// What is answered of the first instant: a sentence without its stop.
+    pub note: String,
+    /// What is asked of the motion.
+    pub criteria: Vec<MotionCriterion>,
+    /// The motion in every situation, the worst first; empty where it was not followed, because nothing is asked of it.
+    pub motions: Vec<(BlockCase, Followed)>,
+}
+
+/// A criterion of a case where it is met worst, be it of the first instant or of the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AnyCheck<'a> {
+    /// Of the first instant.
+    Instant(CaseCheck<'a>),
+    /// Of the motion, and the place of the situation.
+    Motion(MotionCheck, usize),
 }
 
 /// A situation of a case with everything that is said about it.
@@ -128,7 +152,7 @@ impl Assessment {
         let acting = case.acting().into_iter().enumerate();
         let all =
             acting.map(|(index, acting)| Assessed::of(&case, index, acting)).collect::<Result<_, _>>()?;
-        Ok(Assessment { case, all })
+        Ok(Assessment { case, all, in_time: None })
     }
 
     /// All situations under all accelerations of the base that were tried.
@@ -182,9 +206,48 @@ impl Assessment {
         worst_checks(criteria, || self.tried())
     }
 
+    /// The criteria of the motion, each in the situation that meets it worst; the governing one first.
+    pub fn motion_checks(&self) -> Vec<(MotionCheck, usize)> {
+        self.in_time.as_ref().map_or_else(Vec::new, |in_time| self.motion_checks_of(&in_time.criteria))
+    }
+
+    /// The same of other criteria than those of the case.
+    pub(crate) fn motion_checks_of(&self, criteria: &[MotionCriterion]) -> Vec<(MotionCheck, usize)> {
+        let Some(in_time) = &self.in_time else { return Vec::new() };
+        let checks = worst_motion_checks(criteria, &in_time.motions).into_iter();
+        checks.map(|(check, place)| (check, self.place_of(&in_time.motions[place].0))).collect()
+    }
+
+    /// The place among the situations of the one that a motion is of.
+    fn place_of(&self, motion: &BlockCase) -> usize {
+        self.all.iter().position(|assessed| self.name(assessed) == motion.situation).unwrap_or(0)
+    }
+
+    /// All criteria, of the first instant and of the motion; the governing one first.
+    pub fn all_checks(&self) -> Vec<AnyCheck<'_>> {
+        let motion = self.motion_checks().into_iter().map(|(check, place)| AnyCheck::Motion(check, place));
+        let mut checks: Vec<_> = self.checks().into_iter().map(AnyCheck::Instant).chain(motion).collect();
+        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        checks
+    }
+
+    /// The criteria of a situation, of the first instant and of the motion; the governing one first.
+    pub(crate) fn checks_in<'a>(&'a self, assessed: &'a Assessed) -> Vec<AnyCheck<'a>> {
+        let mut checks: Vec<_> = assessed.checks(&self.case).into_iter().map(AnyCheck::Instant).collect();
+        for (case, followed) in self.in_time.iter().flat_map(|in_time| &in_time.motions) {
+            if self.place_of(case) == assessed.index {
+                let found = case.checks(&followed.outcome).into_iter();
+                checks.extend(found.map(|check| AnyCheck::Motion(check, assessed.index)));
+            }
+        }
+        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        checks
+    }
+
     /// Whether all criteria are met; `None` where there is none.
     pub fn met(&self) -> Option<bool> {
-        (!self.case.criteria.is_empty()).then(|| self.checks().iter().all(|check| check.check.met))
+        let checks = self.all_checks();
+        (!checks.is_empty()).then(|| checks.iter().all(AnyCheck::is_met))
     }
 
     /// The answer for reading, in lines of at most 88 characters.
@@ -204,6 +267,70 @@ impl Assessment {
     /// If a figure's numbers are out of range.
     pub fn figures(&self, view: &View) -> Result<Vec<CaseFigure>, InputError> {
         figures::all(self, view)
+    }
+}
+
+impl AnyCheck<'_> {
+    /// The name of the criterion.
+    pub fn name(&self) -> &'static str {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, .. }) => check.criterion.name(),
+            AnyCheck::Motion(check, _) => check.criterion.name(),
+        }
+    }
+
+    /// What it asks for, in words.
+    pub fn words(&self) -> &'static str {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, .. }) => check.criterion.words(),
+            AnyCheck::Motion(check, _) => check.criterion.words(),
+        }
+    }
+
+    /// Bound, value and utilisation as they are read, and whether it is met.
+    pub fn cells(&self) -> [String; 4] {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, assessed }) => [
+                check.criterion.required(),
+                check.value_words(assessed),
+                check.utilisation_words(),
+                check.met_words().to_owned(),
+            ],
+            AnyCheck::Motion(check, _) => [
+                check.criterion.required(check.si),
+                check.value_words(),
+                check.utilisation_words(),
+                check.met_words().to_owned(),
+            ],
+        }
+    }
+
+    /// Whether it is met.
+    pub fn is_met(&self) -> bool {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, .. }) => check.met,
+            AnyCheck::Motion(check, _) => check.met,
+        }
+    }
+
+    /// The situation that meets it worst.
+    pub fn assessed<'a>(&'a self, assessment: &'a Assessment) -> &'a Assessed {
+        match self {
+            AnyCheck::Instant(CaseCheck { assessed, .. }) => assessed,
+            AnyCheck::Motion(_, place) => &assessment.all[*place],
+        }
+    }
+
+    /// Whether it is of another acceleration of the base than the one that is reported.
+    pub fn is_of_another_shaking(&self) -> bool {
+        matches!(self, AnyCheck::Instant(CaseCheck { assessed, .. }) if !assessed.is_reported)
+    }
+
+    fn urgency(&self) -> f64 {
+        match self {
+            AnyCheck::Instant(CaseCheck { check, .. }) => check.urgency(),
+            AnyCheck::Motion(check, _) => check.urgency(),
+        }
     }
 }
 

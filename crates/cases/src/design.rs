@@ -21,12 +21,12 @@ pub use target::{Target, TargetError};
 use std::fmt;
 
 use crate::assess::verdict::predicate;
-use crate::assess::{Assessed, Assessment};
+use crate::assess::{Assessed, Assessment, InTime};
 use crate::case::Case;
 use crate::couple::{Variable, vary};
-use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::layout::digits;
+use crate::motion::{BodyCaseError, Follow, MotionCriterion, MotionValue, Timed};
 use crate::parse::CaseFile;
 use quantity::{Ends, Quantity};
 use set::{Beyond, End, Search, Stretch};
@@ -156,9 +156,10 @@ impl Request {
     }
 
     /// Refuses a target that the case cannot be asked for.
-    fn answerable(&self, case: &Case) -> Result<(), DesignError> {
+    fn answerable(&self, case: &Case, timed: Option<&Timed<'_>>) -> Result<(), DesignError> {
+        let asks = timed.is_some_and(|timed| !timed.criteria().is_empty());
         match self.target {
-            target @ Target::Utilisation(_) if case.criteria.is_empty() => {
+            target @ Target::Utilisation(_) if case.criteria.is_empty() && !asks => {
                 Err(DesignError::NoCriteria { target })
             }
             _ => Ok(()),
@@ -166,10 +167,49 @@ impl Request {
     }
 }
 
+/// A case whose motion is followed for each value that is tried.
+struct Moving<'a> {
+    timed: &'a Timed<'a>,
+    /// The case without peaks of the base in place of its motion.
+    case: Case,
+}
+
+impl<'a> Moving<'a> {
+    /// Of a target that asks for the motion; `None` of another.
+    fn of(target: Target, timed: Option<&'a Timed<'a>>) -> Result<Option<Moving<'a>>, DesignError> {
+        let Some(timed) = timed else {
+            return match target {
+                Target::Motion(criterion) => Err(DesignError::NotInTime { name: criterion.name() }),
+                _ => Ok(None),
+            };
+        };
+        let asks = match target {
+            Target::Motion(_) => true,
+            Target::Utilisation(_) => !timed.criteria().is_empty(),
+            _ => false,
+        };
+        Ok(if asks { Some(Moving { timed, case: timed.moving().case()? }) } else { None })
+    }
+
+    /// The motion in every situation, with numbers changed.
+    fn in_time(&self, changes: &[(&Variable, f64)]) -> Result<InTime, BodyCaseError> {
+        let file = self.timed.moving();
+        let case = || {
+            let inputs = vary(file.inputs(), &self.case, changes);
+            Case::of(&inputs).map_err(|fault| file.error(fault))
+        };
+        let motions = self.timed.follow_case(&case, &Follow::default())?;
+        let (note, criteria) = (self.timed.note().to_owned(), self.timed.criteria().to_vec());
+        Ok(InTime { note, criteria, motions })
+    }
+}
+
 /// A case that is varied.
 struct Varied<'a> {
     file: &'a CaseFile,
     case: &'a Case,
+    /// Its motion, where that is asked for.
+    moving: Option<&'a Moving<'a>>,
     /// Another quantity that is held at a value.
     held: Option<(&'a Variable, f64)>,
 }
@@ -179,11 +219,22 @@ impl Varied<'_> {
         self.file.inputs()
     }
 
-    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
+    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, BodyCaseError> {
         let changes: Vec<_> = [(variable, value)].into_iter().chain(self.held).collect();
         let inputs = vary(self.inputs(), self.case, &changes);
         let case = Case::of(&inputs).map_err(|fault| self.file.error(fault))?;
-        Assessment::of(&case).map_err(|error| self.file.refused(error))
+        self.assess(case, &changes)
+    }
+
+    /// The answer without any change.
+    fn present(&self) -> Result<Assessment, BodyCaseError> {
+        self.assess(self.case.clone(), &[])
+    }
+
+    fn assess(&self, case: Case, changes: &[(&Variable, f64)]) -> Result<Assessment, BodyCaseError> {
+        let mut answer = Assessment::owning(case).map_err(|error| self.file.refused(error))?;
+        answer.in_time = self.moving.map(|moving| moving.in_time(changes)).transpose()?;
+        Ok(answer)
     }
 }
 
@@ -207,6 +258,30 @@ fn least(assessment: &Assessment, of: fn(&Assessed) -> f64) -> f64 {
     of(assessment.least(of))
 }
 
+/// The largest displacement along the base at the end, of all situations; none if the body overturns in one, or its motion is not
+/// followed to the end.
+fn farthest(answer: &Assessment) -> Option<f64> {
+    worst_of(answer, MotionCriterion::Slide(f64::MAX))
+}
+
+/// The largest angle of all situations; none of a body that overturns, or whose motion is not followed to the end.
+fn steepest(answer: &Assessment) -> Option<f64> {
+    if overturns(answer)? { None } else { worst_of(answer, MotionCriterion::MaxTheta(f64::MAX)) }
+}
+
+/// Whether the body overturns in any situation; none if no motion was followed.
+fn overturns(answer: &Assessment) -> Option<bool> {
+    let motions = answer.in_time.as_ref().map(|in_time| &in_time.motions).filter(|all| !all.is_empty())?;
+    Some(motions.iter().any(|(_, followed)| followed.outcome.overturned()))
+}
+
+fn worst_of(answer: &Assessment, criterion: MotionCriterion) -> Option<f64> {
+    match answer.motion_checks_of(&[criterion]).first()?.0.value {
+        MotionValue::Number(value) => Some(value),
+        _ => None,
+    }
+}
+
 /// The least or the greatest value that meets a target, with what it rests on.
 pub struct Design<'a> {
     file: &'a CaseFile,
@@ -218,6 +293,8 @@ pub struct Design<'a> {
     /// Which of them has the end that is wanted.
     at: usize,
     sensitivities: Vec<Sensitivity>,
+    /// Of a case in time, what is answered of its first instant.
+    note: Option<String>,
 }
 
 impl<'a> Design<'a> {
@@ -227,11 +304,28 @@ impl<'a> Design<'a> {
     /// If the case makes no sense or lacks the quantity, or the target cannot be met, or is met without an end on the side that is
     /// wanted.
     pub fn of(file: &'a CaseFile, request: Request) -> Result<Design<'a>, DesignError> {
+        Design::in_time(file, None, request)
+    }
+
+    /// Designs a case in time: what asks for its motion is asked of the motion, everything else of its first instant.
+    ///
+    /// # Errors
+    /// As [`of`](Design::of), and if the motion cannot be followed.
+    pub fn of_timed(timed: &'a Timed<'a>, request: Request) -> Result<Design<'a>, DesignError> {
+        Design::in_time(timed.still(), Some(timed), request)
+    }
+
+    fn in_time(
+        file: &'a CaseFile,
+        timed: Option<&'a Timed<'a>>,
+        request: Request,
+    ) -> Result<Design<'a>, DesignError> {
         let case = file.case()?;
-        let varied = Varied { file, case: &case, held: None };
-        request.answerable(&case)?;
+        let moving = Moving::of(request.target, timed)?;
+        let varied = Varied { file, case: &case, moving: moving.as_ref(), held: None };
+        request.answerable(&case, timed)?;
         let quantity = request.quantity(file, &case)?;
-        let present = Assessment::of(&case).map_err(|error| file.refused(error))?;
+        let present = varied.present()?;
         let search = Search { varied: &varied, quantity: &quantity, target: request.target, parts: PARTS };
         if request.target.asks_for_rise() && !search.rises() {
             return Err(DesignError::NothingRises { target: request.target });
@@ -244,7 +338,8 @@ impl<'a> Design<'a> {
             return Err(no_end(&request, &quantity, &stretches[at]));
         }
         let sensitivities = sensitivity::all(&varied, Some(&present));
-        Ok(Design { file, request, quantity, present, stretches, at, sensitivities })
+        let note = timed.map(|timed| timed.note().to_owned());
+        Ok(Design { file, request, quantity, present, stretches, at, sensitivities, note })
     }
 
     /// The end that is wanted.
@@ -258,7 +353,8 @@ impl<'a> Design<'a> {
         let present = self.present.case.warnings();
         let new =
             self.found().answer.case.warnings().into_iter().filter(|warning| !present.contains(warning));
-        let moves = moves_though_met(&self.found().answer);
+        let of_motion = matches!(self.request.target, Target::Motion(_));
+        let moves = if of_motion { None } else { moves_though_met(&self.found().answer) };
         moves.into_iter().chain(self.unrisen()).chain(new.map(|warning| warning.to_string())).collect()
     }
 
@@ -274,7 +370,9 @@ impl<'a> Design<'a> {
     }
 
     fn notes(&self) -> Vec<String> {
-        self.quantity.variable.notes(self.file.inputs(), &self.present.case)
+        let mut notes = self.quantity.variable.notes(self.file.inputs(), &self.present.case);
+        notes.extend(self.note.as_deref().map(in_time_note));
+        notes
     }
 
     /// The design for reading.
@@ -286,6 +384,11 @@ impl<'a> Design<'a> {
     pub fn json(&self) -> String {
         json::render(self)
     }
+}
+
+/// What is answered of the first instant of a case in time, as a sentence.
+fn in_time_note(note: &str) -> String {
+    format!("Factors, modes and what else is of the first instant: {note}.")
 }
 
 /// That a target is met by a body that does not stay at rest, where the worst situation is one of these.

@@ -11,6 +11,7 @@ use thiserror::Error;
 use crate::excerpt::Excerpt;
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::{digits, plain, shortened};
+use crate::motion::MOTION_CRITERIA;
 use crate::random::{RANDOM, RandomProblem, STORM};
 use crate::suggest::closest;
 use crate::units::{Dimension, Extent, UnitError};
@@ -455,9 +456,13 @@ impl Problem {
             Problem::Empty { .. } => SKELETON.to_owned(),
             Problem::NoTables { table } => format!("remove it, or add for example\n{}", table.example()),
             Problem::UnknownKey { table, name } => known(*table, name),
+            Problem::Unanswerable { name, .. } if MOTION_CRITERIA.contains(name) => {
+                "`standfast simulate` follows the motion of a case with a [motion], or whose loads have histories on a rigid base: \
+                 of such a case it is a criterion"
+                    .to_owned()
+            }
             Problem::Unanswerable { .. } => format!(
-                "it takes the motion in time or random inputs, neither of which this version has; the criteria that can be \
-                 answered: {}",
+                "it takes random inputs; the criteria that can be answered: {}",
                 names(Table::Criteria).join(", ")
             ),
             Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),

@@ -15,6 +15,7 @@
 
 mod block;
 mod body;
+mod criteria;
 mod error;
 mod figures;
 mod history;
@@ -25,22 +26,27 @@ mod slips;
 mod spectrum;
 mod table;
 mod text;
+mod timed;
 
-pub use block::{BlockCase, has_block, is_in_time};
-pub use body::{BodyCaseError, body_cases, still_case};
+pub use block::{BlockCase, LoadPeak, has_block, is_in_time};
+pub use body::{BodyCaseError, body_cases};
+pub use criteria::{MOTION_CRITERIA, MotionCheck, MotionCriterion, MotionValue};
+pub(crate) use criteria::{met_words, worst_checks};
 pub use error::MotionCaseError;
 pub use figures::MotionFigure;
 pub use json::all_json;
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
-pub use series::series_csv;
+pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
     Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps, in_order,
 };
+pub use text::Rows;
+pub use timed::{Timed, still_case};
 
-use standfast_motion::{Keep, Outcome, sensitivity, simulate};
+use standfast_motion::{Keep, sensitivity, simulate};
 
-pub use standfast_motion::MotionError;
 pub use standfast_motion::record::{Record, RecordUnit};
+pub use standfast_motion::{MotionError, Outcome, Position};
 
 /// Reads the text of a file that a case names, or says why it cannot.
 pub type ReadFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
@@ -110,7 +116,8 @@ pub struct MotionWarning {
     pub words: String,
 }
 
-/// Follows the motion in every situation of a case; the worst first: overturned, past balance, by the largest slide.
+/// Follows the motion in every situation of a case; the worst first: by what is used of the criteria, overturned, past balance, by the
+/// largest slide.
 ///
 /// # Errors
 /// If a problem is refused.
@@ -118,9 +125,12 @@ pub fn follow_all(cases: Vec<BlockCase>, follow: &Follow) -> Result<Vec<(BlockCa
     let follow = |case: BlockCase| case.follow(follow).map(|followed| (case, followed));
     let mut answers = cases.into_iter().map(follow).collect::<Result<Vec<_>, _>>()?;
     let rank = |outcome: &Outcome| (!outcome.overturned(), !outcome.past_balance);
-    answers.sort_by(|(_, one), (_, two)| {
+    let used =
+        |case: &BlockCase, outcome: &Outcome| case.checks(outcome).first().map_or(0.0, MotionCheck::urgency);
+    answers.sort_by(|(case, one), (other, two)| {
         let (one, two) = (&one.outcome, &two.outcome);
-        rank(one).cmp(&rank(two)).then(two.max_slide.total_cmp(&one.max_slide))
+        let by_criteria = used(other, two).total_cmp(&used(case, one));
+        by_criteria.then(rank(one).cmp(&rank(two))).then(two.max_slide.total_cmp(&one.max_slide))
     });
     Ok(answers)
 }

@@ -368,8 +368,9 @@ pub struct SimulateArgs {
     /// Draw nothing: the answer alone
     #[arg(long, conflicts_with = "output")]
     pub no_figures: bool,
-    /// Write the motion at even steps of time to a CSV file; - writes to standard output in place of the answer
-    #[arg(long, value_name = "OUT.csv", requires = "dt")]
+    /// Write the motion at even steps of time to a file, CSV, Parquet, Arrow or Excel by its extension; - writes CSV to standard output
+    /// in place of the answer
+    #[arg(long, value_name = "OUT", requires = "dt")]
     pub series: Option<PathBuf>,
     /// The step of time of --series
     #[arg(long, value_name = "DT", requires = "series", value_parser = time_step)]
@@ -380,6 +381,9 @@ pub struct SimulateArgs {
     /// Show every event
     #[arg(long)]
     pub all: bool,
+    /// End with exit code 3 if a criterion of the motion is not met
+    #[arg(long)]
+    pub check: bool,
     /// How to print the answer; json is always complete
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -5,11 +5,9 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use miette::Diagnostic;
-use standfast_cases::motion::{BodyCaseError, still_case};
+use standfast_cases::motion::{BodyCaseError, ReadFile, Timed};
 use standfast_cases::{CaseError, CaseFile};
 use thiserror::Error;
-
-use crate::simulate::record_reader;
 
 /// Why a case file was not read.
 #[derive(Debug, Error, Diagnostic)]
@@ -73,16 +71,24 @@ pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
     Ok(CaseFile::parse(&name(path), &read(path)?)?)
 }
 
-/// A case file at the first instant: of one that says how loads go with time, all at their peaks, with a sentence that says so.
+/// A case file as one at the first instant.
+pub enum Still<'a> {
+    /// One that says nothing of time.
+    Still(Box<CaseFile>),
+    /// One that says how loads go with time: all at their peaks.
+    InTime(Box<Timed<'a>>),
+}
+
+/// Reads a case file as one at the first instant; `records` reads those that it names.
 ///
 /// # Errors
 /// If it, or a record that it names, cannot be read, or is not understood.
-pub fn parse_still(path: &Path) -> Result<(CaseFile, Option<String>), CaseFileError> {
+pub fn parse_still<'a>(path: &Path, records: &'a ReadFile<'a>) -> Result<Still<'a>, CaseFileError> {
     let (name, text) = (name(path), read(path)?);
-    match still_case(&name, &text, &record_reader(path))? {
-        Some((still, note)) => Ok((CaseFile::parse(&name, &still)?, Some(note))),
-        None => Ok((CaseFile::parse(&name, &text)?, None)),
-    }
+    Ok(match Timed::of(&name, &text, records)? {
+        Some(timed) => Still::InTime(Box::new(timed)),
+        None => Still::Still(Box::new(CaseFile::parse(&name, &text)?)),
+    })
 }
 
 /// The text of a case file.

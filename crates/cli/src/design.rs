@@ -10,9 +10,10 @@ use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Ex
 use thiserror::Error;
 
 use crate::args::DesignArgs;
-use crate::case_file::{self, CaseFileError};
+use crate::case_file::{self, CaseFileError, Still};
 use crate::draw::{DrawError, PictureFile};
 use crate::format::Format;
+use crate::simulate::record_reader;
 use crate::write::{self, ExtensionError, WriteError};
 
 /// A file for the boundary of two quantities, whose extension says what is written.
@@ -91,7 +92,8 @@ pub enum DesignCommandError {
 /// # Errors
 /// If the case file cannot be read or makes no sense, there is no design, or a file cannot be written.
 pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
-    let file = case_file::parse(&args.case)?;
+    let read = record_reader(&args.case);
+    let still = case_file::parse_still(&args.case, &read)?;
     let request = Request {
         vary: args.vary.clone(),
         target: args.target,
@@ -101,7 +103,10 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
         spelling: &Spelling::PROGRAM,
     };
     let Some(and) = args.and.clone() else {
-        let design = Design::of(&file, request)?;
+        let design = match &still {
+            Still::InTime(timed) => Design::of_timed(timed, request)?,
+            Still::Still(file) => Design::of(file, request)?,
+        };
         return Ok(match args.format {
             Format::Text => design.text(),
             Format::Json => design.json(),
@@ -109,7 +114,10 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
     };
     let request =
         BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
-    let boundary = Boundary::of(&file, request)?;
+    let boundary = match &still {
+        Still::InTime(timed) => Boundary::of_timed(timed, request)?,
+        Still::Still(file) => Boundary::of(file, request)?,
+    };
     let written = files(args, &boundary)?;
     Ok(match args.format {
         Format::Text => boundary.text() + &written,

@@ -21,6 +21,7 @@ pub mod case_file;
 pub mod design;
 pub mod draw;
 pub mod features;
+pub mod figures;
 pub mod format;
 pub mod probability;
 mod progress;
@@ -44,7 +45,7 @@ use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
 
 use args::{Cli, Command};
-use assess::Diagrams;
+use figures::Figures;
 use format::Format;
 
 /// How a command ended that did what it was asked.
@@ -79,12 +80,9 @@ pub fn run(cli: Cli) -> Result<Ended> {
             }
         }
         Command::Simulate(args) => {
-            let simulate::Simulated { answer, undrawn } = simulate::simulate(&args)?;
-            print(&answer)?;
-            match undrawn {
-                Some(error) => Err(error.into()),
-                None => Ok(()),
-            }
+            let simulated = simulate::simulate(&args)?;
+            print(&simulated.answer)?;
+            return ended(simulated.undrawn.map(Into::into), args.check, simulated.met);
         }
         Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
@@ -127,16 +125,17 @@ pub fn run(cli: Cli) -> Result<Ended> {
 
 fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
     let view = View { up_to: args.up_to, all: args.all, ..View::default() };
-    let diagrams = match &args.output {
-        _ if args.no_figures => Diagrams::None,
-        Some(directory) => Diagrams::Into(directory),
-        None => Diagrams::Beside,
-    };
-    let answered = assess::assess(&args.case, diagrams, &view, args.format, args.check)?;
+    let figures = Figures::asked(args.output.as_deref(), args.no_figures);
+    let answered = assess::assess(&args.case, figures, &view, args.format, args.check)?;
     print(&answered.answer)?;
-    match answered.undrawn {
-        Some(error) => Err(error.into()),
-        None if args.check && answered.met == Some(false) => Ok(Ended::NotMet),
+    ended(answered.undrawn.map(Into::into), args.check, answered.met)
+}
+
+/// How a command ended that printed its answer, which may have figures that could not be written and criteria that are not met.
+fn ended(undrawn: Option<miette::Report>, check: bool, met: Option<bool>) -> Result<Ended> {
+    match undrawn {
+        Some(error) => Err(error),
+        None if check && met == Some(false) => Ok(Ended::NotMet),
         None => Ok(Ended::Done),
     }
 }

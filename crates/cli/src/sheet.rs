@@ -8,7 +8,8 @@ use miette::Diagnostic;
 use standfast_sheet::{Paper, PrintError, Sheet, SheetError, SheetOptions};
 use thiserror::Error;
 
-use crate::case_file::{self, CaseFileError};
+use crate::case_file::{self, CaseFileError, Still};
+use crate::simulate::record_reader;
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a sheet is written.
@@ -81,7 +82,11 @@ pub fn sheet(
     options: &SheetOptions,
     paper: Paper,
 ) -> Result<(), SheetCommandError> {
-    let sheet = Sheet::of_file(&case_file::parse(case)?, options)?;
+    let read = record_reader(case);
+    let sheet = match case_file::parse_still(case, &read)? {
+        Still::InTime(timed) => Sheet::of_timed(&timed, options)?,
+        Still::Still(file) => Sheet::of_file(&file, options)?,
+    };
     if case_file::is_at(case, &file.path) {
         return Err(SheetCommandError::Overwrite { path: case.to_owned() });
     }

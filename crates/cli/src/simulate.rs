@@ -6,12 +6,16 @@ use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use standfast_cases::motion::{
-    BlockCase, BodyCaseError, Follow, Followed, GivenBase, all_json, cases_on, follow_all, series_csv,
+    BodyCaseError, Follow, GivenBase, Outcome, Position, SERIES, all_json, cases_on, follow_all, series,
+    series_csv,
 };
+use standfast_tables::{TableFormat, WrittenColumn, written};
 use thiserror::Error;
 
 use crate::args::SimulateArgs;
+use crate::batch::{self, BatchCommandError};
 use crate::case_file::{self, CaseFileError};
+use crate::figures::{self, FigureError, Figures};
 use crate::format::Format;
 use crate::write::{self, WriteError};
 
@@ -35,17 +39,33 @@ pub enum SimulateError {
         /// The case file.
         path: PathBuf,
     },
-    /// A figure would replace the case file.
-    #[error("the figure would be written over the case file {}", path.display())]
-    #[diagnostic(help("rename the case file to end in .toml, or choose another directory with -o DIR"))]
-    FigureOverwrite {
+    /// There are no criteria to check.
+    #[error("--check finds no [criteria] of the motion in {}", path.display())]
+    #[diagnostic(help(
+        "add for example\n[criteria]\nslide = \"0.10 m\"\nmax_theta = \"50 mrad\"\noverturned = false"
+    ))]
+    NothingToCheck {
         /// The case file.
         path: PathBuf,
     },
-    /// The series or a figure cannot be written.
+    /// The series has a name that tells no format.
+    #[error("cannot tell the format of {} from its extension", path.display())]
+    #[diagnostic(help("expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx"))]
+    Extension {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The series is asked for in a format that this build leaves out.
     #[error(transparent)]
-    #[diagnostic(help("-o DIR puts the figures into another directory"))]
+    #[diagnostic(transparent)]
+    Format(Box<BatchCommandError>),
+    /// The series cannot be written.
+    #[error(transparent)]
     Write(#[from] WriteError),
+    /// A figure cannot be written.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Figure(#[from] FigureError),
 }
 
 /// The motion of a case, and why a figure of it could not be written, if it could not: the answer is not lost with it.
@@ -54,7 +74,9 @@ pub struct Simulated {
     /// The answer to print.
     pub answer: String,
     /// What prevented a figure.
-    pub undrawn: Option<SimulateError>,
+    pub undrawn: Option<FigureError>,
+    /// Whether all criteria of the motion are met; `None` where the case has none.
+    pub met: Option<bool>,
 }
 
 /// Follows the motion of a case file, and writes its figures into a directory or else beside it.
@@ -66,18 +88,34 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
     let text = case_file::read(&args.case)?;
     let read = record_reader(&args.case);
     let cases = cases_on(&name, &text, &read, &GivenBase::default())?;
+    if args.check && cases.iter().all(|case| case.criteria.is_empty()) {
+        return Err(SimulateError::NothingToCheck { path: args.case.clone() });
+    }
+    if let Some(series) = args.series.as_ref().filter(|series| series.as_os_str() != "-") {
+        // Before a motion is followed for nothing.
+        if case_file::is_at(&args.case, series) {
+            return Err(SimulateError::Overwrite { path: series.clone() });
+        }
+        series_format(series)?;
+    }
     let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
     let follow = Follow { sensitivity: args.sensitivity, series: !args.no_figures || args.series.is_some() };
     let answers = follow_all(cases, &follow)?;
+    // The worst by the criteria is the first.
+    let met = answers.first().and_then(|(case, followed)| case.met(&followed.outcome));
     // That of the situation that is the worst.
-    let table =
-        |dt: f64| answers.first().map_or_else(String::new, |(_, followed)| series_csv(&followed.outcome, dt));
-    if let (true, Some(dt)) = (to_stdout, args.dt) {
-        return Ok(Simulated { answer: table(dt), undrawn: None });
+    let worst = answers.first().map(|(_, followed)| &followed.outcome);
+    if let (true, Some(dt), Some(worst)) = (to_stdout, args.dt, worst) {
+        return Ok(Simulated { answer: series_csv(worst, dt), undrawn: None, met });
     }
+    let figures = Figures::asked(args.output.as_deref(), args.no_figures);
     let mut drawn = Vec::new();
     let undrawn = match answers.first() {
-        Some((case, followed)) if !args.no_figures => draw(case, followed, args, &mut drawn).err(),
+        Some((case, followed)) if figures.are_drawn() => {
+            let all = case.figures(followed).into_iter();
+            let all = all.map(|figure| (figure.words, figure.suffix.to_owned(), figure.figure));
+            figures.write(&args.case, all, &mut drawn).err()
+        }
         _ => None,
     };
     let mut answer = match args.format {
@@ -88,23 +126,48 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
             if !drawn.is_empty() || undrawn.is_some() {
                 answer += "\n";
             }
-            for (words, file) in &drawn {
-                let _ = writeln!(answer, "{words} written to {file}");
-            }
-            answer
+            answer + &figures::said(&drawn)
         }
-        Format::Json => all_json(&answers, &drawn.into_iter().map(|(_, file)| file).collect::<Vec<_>>()),
+        Format::Json => all_json(&answers, &figures::files(drawn)),
     };
-    if let (Some(series), Some(dt)) = (&args.series, args.dt) {
-        if case_file::is_at(&args.case, series) {
-            return Err(SimulateError::Overwrite { path: series.clone() });
-        }
-        write::write_file(series, table(dt).as_bytes())?;
+    if let (Some(series), Some(dt), Some(worst)) = (&args.series, args.dt, worst) {
+        write::write_file(series, &series_bytes(worst, dt, series)?)?;
         if args.format == Format::Text {
             let _ = writeln!(answer, "Series written to {}", series.display());
         }
     }
-    Ok(Simulated { answer, undrawn })
+    Ok(Simulated { answer, undrawn, met })
+}
+
+/// The format that the name of a file asks for.
+fn series_format(file: &Path) -> Result<TableFormat, SimulateError> {
+    if TableFormat::of(file, "--series").is_err() {
+        return Err(SimulateError::Extension { path: file.to_owned() });
+    }
+    batch::format(file, None, "--series").map_err(|error| SimulateError::Format(Box::new(error)))
+}
+
+/// The motion every `dt` as a table in the format that the file's name asks for.
+fn series_bytes(outcome: &Outcome, dt: f64, file: &Path) -> Result<Vec<u8>, SimulateError> {
+    let format = series_format(file)?;
+    if format == TableFormat::Csv {
+        return Ok(series_csv(outcome, dt).into_bytes());
+    }
+    let rows: Vec<_> = series(outcome, dt).collect();
+    let numbers = |of: fn(&(f64, Position)) -> f64| {
+        WrittenColumn::Numbers(rows.iter().map(|row| Some(of(row))).collect())
+    };
+    let columns = [
+        numbers(|(t, _)| *t),
+        numbers(|(_, at)| at.slide),
+        numbers(|(_, at)| at.x),
+        numbers(|(_, at)| at.y),
+        numbers(|(_, at)| at.theta),
+        numbers(|(_, at)| at.omega),
+        WrittenColumn::Texts(rows.iter().map(|(_, at)| at.state.symbol().to_owned()).collect()),
+    ];
+    let columns: Vec<_> = SERIES.iter().map(|name| (*name).to_owned()).zip(columns).collect();
+    Ok(written(format, &columns).map_err(|cause| WriteError { path: file.to_owned(), cause })?)
 }
 
 /// Reads the files that a case names, beside it.
@@ -115,27 +178,4 @@ pub(crate) fn record_reader(case: &Path) -> impl Fn(&str) -> Result<String, Stri
         // Old records have letters of other alphabets in their headers, and no meaning in them.
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
-}
-
-/// Writes the figures of a motion; `drawn` gets their words and files.
-fn draw(
-    case: &BlockCase,
-    followed: &Followed,
-    args: &SimulateArgs,
-    drawn: &mut Vec<(&'static str, String)>,
-) -> Result<(), SimulateError> {
-    if let Some(directory) = &args.output {
-        write::make_directory(directory)?;
-    }
-    let directory = args.output.as_deref().unwrap_or_else(|| args.case.parent().unwrap_or(Path::new("")));
-    let stem = case_file::stem(&args.case);
-    for figure in case.figures(followed) {
-        let file = directory.join(format!("{stem}{}.svg", figure.suffix));
-        if case_file::is_at(&args.case, &file) {
-            return Err(SimulateError::FigureOverwrite { path: args.case.clone() });
-        }
-        write::write_file(&file, figure.figure.svg().as_bytes())?;
-        drawn.push((figure.words, file.display().to_string()));
-    }
-    Ok(())
 }

@@ -1,7 +1,7 @@
 //! `standfast spectrum`: many motions under one shaking.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use miette::Diagnostic;
@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use crate::args::{SpectrumArgs, threads};
 use crate::case_file::{self, CaseFileError};
+use crate::figures::{self, FigureError, Figures};
 use crate::format::Format;
 use crate::progress::Motions;
 use crate::simulate::record_reader;
@@ -29,16 +30,19 @@ pub enum SpectrumCommandError {
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
-    /// A file would replace the case file.
-    #[error("the spectrum would be written over the case file {}", path.display())]
+    /// The points would replace the case file.
+    #[error("the points would be written over the case file {}", path.display())]
     Overwrite {
         /// The case file.
         path: PathBuf,
     },
-    /// A file cannot be written.
+    /// The points cannot be written.
     #[error(transparent)]
-    #[diagnostic(help("-o DIR puts the figure into another directory"))]
     Write(#[from] WriteError),
+    /// The figure cannot be written.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Figure(#[from] FigureError),
 }
 
 /// Finds the spectrum of a case file, draws it, and returns what to print.
@@ -67,25 +71,21 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
     if args.csv.as_ref().is_some_and(|csv| csv.as_os_str() == "-") {
         return Ok(spectrum.csv());
     }
-    let put = |file: &Path, content: &str| -> Result<String, SpectrumCommandError> {
-        if case_file::is_at(&args.case, file) {
+    let mut drawn = Vec::new();
+    let figure = ("Spectrum", format!("-{}", args.kind.word()), spectrum.figure());
+    Figures::asked(args.output.as_deref(), false).write(&args.case, [figure], &mut drawn)?;
+    if let Some(csv) = &args.csv {
+        if case_file::is_at(&args.case, csv) {
             return Err(SpectrumCommandError::Overwrite { path: args.case.clone() });
         }
-        write::write_file(file, content.as_bytes())?;
-        Ok(file.display().to_string())
-    };
-    if let Some(directory) = &args.output {
-        write::make_directory(directory)?;
+        write::write_file(csv, spectrum.csv().as_bytes())?;
     }
-    let directory = args.output.as_deref().unwrap_or_else(|| args.case.parent().unwrap_or(Path::new("")));
-    let figure = directory.join(format!("{}-{}.svg", case_file::stem(&args.case), args.kind.word()));
-    let figure = put(&figure, spectrum.figure().svg())?;
-    let table = args.csv.as_deref().map(|csv| put(csv, &spectrum.csv())).transpose()?;
+    let said = figures::said(&drawn);
     Ok(match args.format {
-        Format::Json => spectrum.json(&[figure]),
+        Format::Json => spectrum.json(&figures::files(drawn)),
         Format::Text => {
-            let table = table.map_or_else(String::new, |table| format!("Points written to {table}\n"));
-            format!("{}\nSpectrum written to {figure}\n{table}", spectrum.text())
+            let points = args.csv.as_ref().map(|csv| format!("Points written to {}\n", csv.display()));
+            format!("{}\n{said}{}", spectrum.text(), points.unwrap_or_default())
         }
     })
 }

@@ -14,12 +14,20 @@ pub enum RecordUnit {
     MetrePerSecondSquared,
     /// cm/s².
     CentimetrePerSecondSquared,
-    /// N, or N per metre run.
+    /// N.
     Newton,
-    /// kN, or kN per metre run.
+    /// kN.
     Kilonewton,
-    /// MN, or MN per metre run.
+    /// MN.
     Meganewton,
+    /// N per metre run.
+    NewtonPerMetre,
+    /// kN per metre run.
+    KilonewtonPerMetre,
+    /// MN per metre run.
+    MeganewtonPerMetre,
+    /// A share of what the load has itself: the column is called share.
+    Share,
     /// None is given.
     Unnamed,
 }
@@ -35,9 +43,9 @@ impl RecordUnit {
         ("n", RecordUnit::Newton),
         ("kn", RecordUnit::Kilonewton),
         ("mn", RecordUnit::Meganewton),
-        ("n_m", RecordUnit::Newton),
-        ("kn_m", RecordUnit::Kilonewton),
-        ("mn_m", RecordUnit::Meganewton),
+        ("n_m", RecordUnit::NewtonPerMetre),
+        ("kn_m", RecordUnit::KilonewtonPerMetre),
+        ("mn_m", RecordUnit::MeganewtonPerMetre),
     ];
 
     /// So many SI units is one of it; 1 if it has no name.
@@ -45,10 +53,22 @@ impl RecordUnit {
         match self {
             RecordUnit::Gravity => STANDARD_GRAVITY,
             RecordUnit::CentimetrePerSecondSquared => 0.01,
-            RecordUnit::Kilonewton => 1e3,
-            RecordUnit::Meganewton => 1e6,
-            RecordUnit::MetrePerSecondSquared | RecordUnit::Newton | RecordUnit::Unnamed => 1.0,
+            RecordUnit::Kilonewton | RecordUnit::KilonewtonPerMetre => 1e3,
+            RecordUnit::Meganewton | RecordUnit::MeganewtonPerMetre => 1e6,
+            RecordUnit::MetrePerSecondSquared
+            | RecordUnit::Newton
+            | RecordUnit::NewtonPerMetre
+            | RecordUnit::Share
+            | RecordUnit::Unnamed => 1.0,
         }
+    }
+
+    /// Whether it is one of a force per metre run.
+    pub fn is_per_metre(self) -> bool {
+        matches!(
+            self,
+            RecordUnit::NewtonPerMetre | RecordUnit::KilonewtonPerMetre | RecordUnit::MeganewtonPerMetre
+        )
     }
 
     /// Whether it is one of acceleration.
@@ -127,7 +147,7 @@ pub enum RecordProblem {
     },
     /// A unit that is missing or unknown.
     #[error(
-        "the column \"{column}\" names no unit that is known; expected a name that ends in _g, _m_s2, _cm_s2, _N, _kN or _MN"
+        "the column \"{column}\" names no unit that is known; expected a name that ends in _g, _m_s2, _cm_s2, _N, _kN, _MN, _N_m, _kN_m or _MN_m"
     )]
     Unit {
         /// The column.
@@ -419,7 +439,8 @@ fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
     }
     let name = names[value].to_lowercase();
     let known = RecordUnit::NAMED.iter().filter(|(unit, _)| name.ends_with(&format!("_{unit}")));
-    let unit = known.max_by_key(|(unit, _)| unit.len()).map_or(RecordUnit::Unnamed, |(_, unit)| *unit);
+    let unit = known.max_by_key(|(unit, _)| unit.len()).map(|(_, unit)| *unit);
+    let unit = unit.unwrap_or(if name == "share" { RecordUnit::Share } else { RecordUnit::Unnamed });
     Ok(Record { times, values, unit })
 }
 

@@ -4,16 +4,20 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use standfast_cases::key::TITLE_BLOCK;
+use standfast_cases::motion::Timed;
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, Drawn, Key, View};
+use standfast_figures::Figure;
 
-use crate::{Date, SheetError, calculation, inputs, limits, method, sensitivity, verdict};
+use crate::{Date, SheetError, calculation, in_time, inputs, limits, method, sensitivity, verdict};
 
 /// The case file, and the day.
 pub struct Source<'a> {
     /// The file's name without folders.
     pub file: &'a str,
     pub case_file: &'a CaseFile,
+    /// The case in time, where it is one.
+    pub timed: Option<&'a Timed<'a>>,
     /// SHA-256 of the text.
     pub hash: String,
     pub date: Option<Date>,
@@ -54,6 +58,11 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
         Extent::PerMetre => "per metre run",
         Extent::Whole => "those of the whole object",
     };
+    let in_time = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty());
+    let in_time = in_time.map(|in_time| (in_time, in_time::figures(in_time)));
+    // What stands behind the motion, where there is one.
+    let later = |number: usize| number + usize::from(in_time.is_some());
+    let moving = in_time.as_ref().map_or(0, |(_, figures)| figures.len());
     let document = html! {
         (DOCTYPE)
         html lang="en" {
@@ -70,8 +79,9 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                     (verdict::summary(assessment))
                     section {
                         h2 { "1 Inputs" }
-                        @for (i, figure) in section.iter().enumerate() { (drawing(i, figure)) }
+                        @for (i, figure) in section.iter().enumerate() { (of_case(i, figure)) }
                         (inputs)
+                        @if let Some(timed) = source.timed { (in_time::inputs(timed)) }
                     }
                     section { h2 { "2 Assumptions and method" } (method::words(assessment)) }
                     section {
@@ -84,13 +94,26 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                         (calculation)
                     }
                     section { h2 { "4 Verdict" } (verdict::full(assessment, view)) }
-                    section {
-                        h2 { "5 Figures" }
-                        @for (i, figure) in figures.iter().enumerate() { (drawing(section.len() + i, figure)) }
+                    @if let Some((in_time, figures)) = &in_time {
+                        section {
+                            h2 { "5 Motion in time" }
+                            (in_time::motions(in_time, case))
+                            @for (i, figure) in figures.iter().enumerate() {
+                                (drawing(section.len() + i, false, &figure.figure, figure.words))
+                            }
+                        }
                     }
-                    section { h2 { "6 Sensitivity" } (sensitivities) }
-                    section { h2 { "7 What is not covered" } (limits::words(case)) }
-                    section.signatures { h2 { "8 Signatures" } (signatures(source)) }
+                    section {
+                        h2 { (later(5)) " Figures" }
+                        @for (i, figure) in figures.iter().enumerate() { (of_case(section.len() + moving + i, figure)) }
+                    }
+                    section { h2 { (later(6)) " Sensitivity" } (sensitivities) }
+                    section {
+                        h2 { (later(7)) " What is not covered" }
+                        (limits::words(case))
+                        @if in_time.is_some() { (in_time::limits()) }
+                    }
+                    section.signatures { h2 { (later(8)) " Signatures" } (signatures(source)) }
                 }
             }
         }
@@ -156,14 +179,19 @@ fn signatures(source: &Source<'_>) -> Markup {
     }
 }
 
-/// A figure of the case, its glyphs renamed so that those of several do not clash.
-fn drawing(index: usize, figure: &CaseFigure) -> Markup {
+/// A figure of the case.
+fn of_case(index: usize, figure: &CaseFigure) -> Markup {
+    drawing(index, figure.drawn == Drawn::Section, &figure.figure, &figure.words)
+}
+
+/// A figure, its glyphs renamed so that those of several do not clash.
+fn drawing(index: usize, is_section: bool, figure: &Figure, words: &str) -> Markup {
     let own = format!("f{}-", index + 1);
-    let svg = figure.figure.svg().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
+    let svg = figure.svg().replace("\"sf-", &format!("\"{own}")).replace("#sf-", &format!("#{own}"));
     html! {
-        figure.section[figure.drawn == Drawn::Section] {
+        figure.section[is_section] {
             (PreEscaped(svg))
-            figcaption { "Figure " (index + 1) ". " (figure.words) "." }
+            figcaption { "Figure " (index + 1) ". " (words) "." }
         }
     }
 }

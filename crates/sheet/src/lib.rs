@@ -15,6 +15,7 @@
 //! | What stands on the sheet, in which order? | `document` |
 //! | What stands behind it, and what is not covered? | `method`, `references`, `limits` |
 //! | What is computed, step by step? | `calculation` |
+//! | What becomes of the body in time? | `in_time` |
 //! | How does a formula become symbols and numbers? | `formula`, `mathml`, `steps`, `symbols` |
 //! | What keeps a sheet from being made with a gap? | `fault` |
 //! | Who prints it? | [`browser`] |
@@ -30,6 +31,7 @@ mod date;
 mod document;
 mod fault;
 mod formula;
+mod in_time;
 mod inputs;
 mod limits;
 mod mathml;
@@ -44,6 +46,7 @@ mod verdict;
 use miette::Diagnostic;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
+use standfast_cases::motion::{BodyCaseError, Follow, Timed};
 use standfast_cases::{Assessment, CaseError, CaseFile, Key, View};
 use thiserror::Error;
 
@@ -79,6 +82,10 @@ pub enum SheetError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
+    /// What the case says of time makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    InTime(#[from] BodyCaseError),
     /// The case cannot be computed.
     #[error(transparent)]
     Mechanics(#[from] InputError),
@@ -112,16 +119,35 @@ impl Sheet {
     /// As [`of`](Sheet::of).
     pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
         let assessment = Assessment::of(&case_file.case()?).map_err(|error| case_file.refused(error))?;
+        Sheet::made(&assessment, case_file, None, options)
+    }
+
+    /// The sheet of a case in time: that of its first instant, with its motion.
+    ///
+    /// # Errors
+    /// As [`of`](Sheet::of), and if the motion cannot be followed.
+    pub fn of_timed(timed: &Timed<'_>, options: &SheetOptions) -> Result<Sheet, SheetError> {
+        let assessment = timed.assess(Some(&Follow { series: true, ..Follow::default() }))?;
+        Sheet::made(&assessment, timed.still(), Some(timed), options)
+    }
+
+    fn made(
+        assessment: &Assessment,
+        case_file: &CaseFile,
+        timed: Option<&Timed<'_>>,
+        options: &SheetOptions,
+    ) -> Result<Sheet, SheetError> {
         let name = case_file.name();
         let source = document::Source {
             file: name.rsplit(['/', '\\']).next().unwrap_or(name),
             case_file,
-            hash: hash(case_file.text()),
+            timed,
+            hash: hash(timed.map_or_else(|| case_file.text(), Timed::text)),
             date: options.date,
             title_block: &options.title_block,
         };
         let view = View { up_to: options.up_to, ..View::default() };
-        Ok(Sheet { html: document::render(&assessment, &source, &view)?, date: options.date })
+        Ok(Sheet { html: document::render(assessment, &source, &view)?, date: options.date })
     }
 
     /// The sheet as an HTML document.

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast_cases::assess::{criteria_met, verdict};
+use standfast_cases::assess::{AnyCheck, criteria_met, verdict};
 use standfast_cases::layout::digits;
-use standfast_cases::{Assessed, Assessment, CaseCheck, View};
+use standfast_cases::{Assessed, Assessment, View};
 
 use crate::calculation::TARGET;
 use crate::measured::{Measured, NONE};
@@ -33,7 +33,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
                     @if !assessed.is_unique() { " The answer is not unique; see the verdict." }
                 }
             }
-            @if assessment.case.criteria.is_empty() {
+            @if assessment.all_checks().is_empty() {
                 (table(assessment))
                 p.note {
                     "The case file asks for nothing under [criteria]. Common practice asks for " (TARGET) " at least of both \
@@ -44,7 +44,11 @@ pub fn summary(assessment: &Assessment) -> Markup {
                 (table(assessment))
             }
             @if !assessment.case.warnings().is_empty() {
-                p.note { "There are warnings about numbers that are unusual or outside the range of the formulas; see section 7." }
+                @let moves = assessment.in_time.as_ref().is_some_and(|in_time| !in_time.motions.is_empty());
+                p.note {
+                    "There are warnings about numbers that are unusual or outside the range of the formulas; see section "
+                    (7 + usize::from(moves)) "."
+                }
             }
         }
     }
@@ -61,7 +65,8 @@ const PLACE: &str = "In";
 
 fn criteria(assessment: &Assessment) -> Markup {
     let several = is_named(assessment);
-    let shaken = assessment.checks().iter().any(|check| !check.assessed.is_reported);
+    let checks = assessment.all_checks();
+    let shaken = checks.iter().any(AnyCheck::is_of_another_shaking);
     html! {
         p.verdict data-met=(assessment.met().unwrap_or(true)) { (criteria_met(assessment)) }
         table.numbers data-table="criteria" {
@@ -72,17 +77,18 @@ fn criteria(assessment: &Assessment) -> Markup {
                 }
             }
             tbody {
-                @for CaseCheck { check, assessed } in assessment.checks() {
+                @for check in &checks {
+                    @let [required, value, utilisation, met] = check.cells();
                     tr {
-                        td.name { (check.criterion.words()) " " code { (check.criterion.name()) } }
-                        td data-label=(ASKED[1]) { (check.criterion.required()) }
-                        td.n data-label=(ASKED[2]) { (check.value_words(assessed)) }
-                        td.n data-label=(ASKED[3]) { (check.utilisation_words()) }
-                        td { span.yes[check.met].no[!check.met] { (check.met_words()) } }
+                        td.name { (check.words()) " " code { (check.name()) } }
+                        td data-label=(ASKED[1]) { (required) }
+                        td.n data-label=(ASKED[2]) { (value) }
+                        td.n data-label=(ASKED[3]) { (utilisation) }
+                        td { span.yes[check.is_met()].no[!check.is_met()] { (met) } }
                         @if several || shaken {
                             td data-label=(PLACE) {
-                                @if several { (name(assessment, assessed)) }
-                                @if !assessed.is_reported { " another acceleration of the base" }
+                                @if several { (name(assessment, check.assessed(assessment))) }
+                                @if check.is_of_another_shaking() { " another acceleration of the base" }
                             }
                         }
                     }

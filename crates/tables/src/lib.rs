@@ -48,6 +48,7 @@ mod problem;
 mod results;
 mod task;
 mod text;
+mod written;
 
 pub use case::{CaseTable, NUMBER, TableWarning, Varied, VariedColumn};
 pub use columns::Mapping;
@@ -63,6 +64,7 @@ pub use problem::{ResultColumn, TableProblem};
 #[cfg(feature = "memory")]
 pub use results::{NO_NAME, NO_WORD, Values};
 pub use standfast_cases::Face;
+pub use written::{WrittenColumn, written};
 
 use std::io::{Read, Write};
 use std::sync::Arc;

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import base64
 import functools
+import html
 import json
 import os
 from collections.abc import Mapping
@@ -90,6 +92,16 @@ class Simulation(Lazy, MotionDocument):
 
     def _repr_svg_(self) -> str | None:
         return self.figures[0].svg if self.figures else None
+
+    def _repr_html_(self) -> str:
+        """Histories, and the motion itself in real time. It is a picture of its own in the page: its names clash with none, and it plays
+        where scripts are not trusted."""
+        shown = [figure for figure in self.figures if figure.title in ("Histories", "Animation")]
+        pictures = ((base64.b64encode(figure.svg.encode()).decode("ascii"), html.escape(figure.title)) for figure in shown)
+        images = "".join(
+            f'<img src="data:image/svg+xml;base64,{picture}" alt="{title}" style="max-width: 48%; vertical-align: top">' for picture, title in pictures
+        )
+        return f"<div><p>{html.escape(repr(self)[1:-1])}</p>{images}</div>"
 
     def series(self, dt: float, *, situation: int = 0) -> ArrowTable:
         """The motion at even steps of time, from its beginning to its end.

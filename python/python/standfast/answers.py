@@ -530,20 +530,21 @@ class Criterion(Answer):
         self,
     ) -> Literal[
         "SF_sliding", "SF_overturning", "bearing_max", "contact_share", "eccentricity", "load_factor",
-        "ground_factor", "effective_pressure_max", "rotation_max", "modes_not"
+        "ground_factor", "effective_pressure_max", "rotation_max", "modes_not", "slide", "max_theta", "overturned"
     ]:
-        """That of the result; ground_factor, effective_pressure_max and rotation_max ask for factor, effective_pressure and
-        rotation of the ground, modes_not for the modes under the full load."""
+        """That of the result; slide, max_theta and overturned are of the motion of a case in time; ground_factor,
+        effective_pressure_max and rotation_max ask for factor, effective_pressure and rotation of the ground, modes_not for the
+        modes under the full load."""
         return self._document["name"]
 
     @property
-    def required(self) -> float | Modes:
-        """At least for factors and contact, at most for pressure and eccentricity, in SI units; or the modes that are not
-        allowed."""
+    def required(self) -> float | Modes | Literal[False]:
+        """At least for factors and contact, at most for pressure and eccentricity, in SI units; the modes that are not allowed;
+        false: the body may not overturn."""
         return modes_or(self._document["required"])
 
     @property
-    def value(self) -> float | Modes | None:
+    def value(self) -> float | Modes | bool | None:
         """The value; of the load factor 0 where the body leaves rest at once and infinite where it never does; all consistent
         modes; None where there is no such thing."""
         return modes_or(self._document["value"])
@@ -1189,6 +1190,11 @@ class Document(Answer):
     def criteria(self) -> list[Criterion]:
         """Each criterion in the situation that meets it worst, the governing one first."""
         return parts(Criterion, self._document["criteria"])
+
+    @property
+    def in_time(self) -> str | None:
+        """Of a case that says how its loads go with time, what is answered of its first instant; None of another."""
+        return self._document["in_time"]
 
 
 class OnlySituation:

@@ -82,6 +82,22 @@ class Present(Answer):
         """The mode in which it leaves rest; BF where the ground fails."""
         return None if self._document["departure_mode"] is None else mode(self._document["departure_mode"])
 
+    @property
+    def slide(self) -> float | None:
+        """The displacement along the base at the end, to either side, m; None where the target does not ask for the motion, or
+        the body overturns."""
+        return self._document["slide"]
+
+    @property
+    def max_theta(self) -> float | None:
+        """The largest angle to either side, rad; None as there."""
+        return self._document["max_theta"]
+
+    @property
+    def overturned(self) -> bool | None:
+        """Whether the body overturns; None where the target does not ask for the motion."""
+        return self._document["overturned"]
+
 
 class Found(Answer):
     """The value found and what the printed one comes to: of each result, that of the situation in which it is worst."""
@@ -147,6 +163,22 @@ class Found(Answer):
     def departure_mode(self) -> Mode | None:
         """The mode in which it leaves rest; BF where the ground fails."""
         return None if self._document["departure_mode"] is None else mode(self._document["departure_mode"])
+
+    @property
+    def slide(self) -> float | None:
+        """The displacement along the base at the end, to either side, m; None where the target does not ask for the motion, or
+        the body overturns."""
+        return self._document["slide"]
+
+    @property
+    def max_theta(self) -> float | None:
+        """The largest angle to either side, rad; None as there."""
+        return self._document["max_theta"]
+
+    @property
+    def overturned(self) -> bool | None:
+        """Whether the body overturns; None where the target does not ask for the motion."""
+        return self._document["overturned"]
 
 
 class End(Answer):
@@ -224,6 +256,16 @@ class Sensitivity(Answer):
     def load_factor(self) -> float | None:
         """Change of the least load factor."""
         return self._document["load_factor"]
+
+    @property
+    def slide(self) -> float | None:
+        """Change of the displacement at the end, m, where the target asks for the motion."""
+        return self._document["slide"]
+
+    @property
+    def max_theta(self) -> float | None:
+        """Change of the largest angle, rad, where the target asks for the motion."""
+        return self._document["max_theta"]
 
 
 class DesignDocument(Answer):

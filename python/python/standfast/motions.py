@@ -18,8 +18,38 @@ __all__ = [
     "Moment",
     "MotionDocument",
     "Note",
+    "Requirement",
     "SpectrumDocument",
 ]
+
+
+class Requirement(Answer):
+    """What is asked of a motion, and how far it is met."""
+
+    @property
+    def name(self) -> Literal["slide", "max_theta", "overturned"]:
+        """That of the result; of the slide its size counts, to either side."""
+        return self._document["name"]
+
+    @property
+    def required(self) -> float | Literal[False]:
+        """At most this; false: the body may not overturn."""
+        return self._document["required"]
+
+    @property
+    def value(self) -> float | bool | None:
+        """The value; None where the body overturns, or is not followed to the end of its motion."""
+        return self._document["value"]
+
+    @property
+    def utilisation(self) -> float | None:
+        """Value/required: up to 1 where it is met; infinite where there is no value; None where nothing is measured."""
+        return self._document["utilisation"]
+
+    @property
+    def met(self) -> bool:
+        """Whether it is met."""
+        return self._document["met"]
 
 
 class Moment(Answer):
@@ -205,6 +235,17 @@ class MotionDocument(Answer):
         return self._document["sensitivity"]
 
     @property
+    def met(self) -> bool | None:
+        """Whether all criteria of the motion are met; None where the case has none; of the worst situation, which comes first,
+        and so of all."""
+        return self._document["met"]
+
+    @property
+    def criteria(self) -> list[Requirement]:
+        """What the case asks of the motion, the governing one first."""
+        return parts(Requirement, self._document["criteria"])
+
+    @property
     def events(self) -> list[Moment]:
         """What happens, in its order, from t = 0."""
         return parts(Moment, self._document["events"])
@@ -216,7 +257,8 @@ class MotionDocument(Answer):
 
     @property
     def others(self) -> list[MotionDocument]:
-        """The other situations of the case, of which this one is the worst: overturned, past balance, by the largest slide."""
+        """The other situations of the case, of which this one is the worst: by what is used of the criteria, overturned, past
+        balance, by the largest slide."""
         return parts(MotionDocument, self._document["others"])
 
 

@@ -13,9 +13,10 @@ use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
 use standfast::{Modes, Motion, Plan, Wrench, section};
 
-use super::{Assessed, Assessment, CaseCheck, View};
+use super::{AnyCheck, Assessed, Assessment, CaseCheck, View};
 use crate::case::{self, Acting, Case, PointForce, Waves};
 use crate::criteria::Bound;
+use crate::motion::{MotionCriterion, MotionValue};
 use crate::point::{PointDocument, RelationDocument};
 use crate::results::{self, ResultName, ResultValue, number_or_word};
 use crate::units::Extent;
@@ -40,6 +41,8 @@ struct Document<'a> {
     met: Option<bool>,
     /// Each criterion in the situation that meets it worst, the governing one first.
     criteria: Vec<Criterion>,
+    /// Of a case in time, what is answered of its first instant.
+    in_time: Option<&'a str>,
     /// The place of the worst situation.
     governing: usize,
     situations: Vec<Situation<'a>>,
@@ -246,7 +249,7 @@ struct OtherEarthquake {
 struct Criterion {
     name: &'static str,
     required: Required,
-    value: ResultValue,
+    value: Found,
     /// Null for modes, which use no share of anything.
     #[serde(serialize_with = "optional_number_or_word")]
     utilisation: Option<f64>,
@@ -257,15 +260,27 @@ struct Criterion {
     earthquake: Option<Earthquake>,
 }
 
+/// What the first instant, or the motion, has.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Found {
+    Instant(ResultValue),
+    Motion(MotionValue),
+}
+
 /// A number in SI units, or the modes that are not allowed.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Required {
     Number(f64),
     Modes(Modes),
+    Motion(MotionCriterion),
 }
 
-fn optional_number_or_word<S: Serializer>(number: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn optional_number_or_word<S: Serializer>(
+    number: &Option<f64>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     match number {
         Some(number) => number_or_word(number, serializer),
         None => serializer.serialize_none(),
@@ -315,9 +330,10 @@ pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> 
             .map(|warning| Warning { name: warning.name(), message: warning.to_string() })
             .collect(),
         met: assessment.met(),
-        criteria: assessment.checks().iter().map(Criterion::of).collect(),
+        criteria: assessment.all_checks().iter().map(|check| Criterion::of(assessment, check)).collect(),
+        in_time: assessment.in_time.as_ref().map(|in_time| &*in_time.note),
         governing: governing.index,
-        situations: assessment.all.iter().map(|assessed| Situation::of(case, assessed, view)).collect(),
+        situations: assessment.all.iter().map(|assessed| Situation::of(assessment, assessed, view)).collect(),
         figures: files,
     })
 }
@@ -392,7 +408,8 @@ impl Wave {
 }
 
 impl<'a> Situation<'a> {
-    fn of(case: &'a Case, assessed: &'a Assessed, view: &View) -> Situation<'a> {
+    fn of(assessment: &'a Assessment, assessed: &'a Assessed, view: &View) -> Situation<'a> {
+        let case = &assessment.case;
         let full = &assessed.outcome.full;
         Situation {
             load: match assessed.acting {
@@ -409,7 +426,11 @@ impl<'a> Situation<'a> {
                 .iter()
                 .filter_map(|other| Some(OtherEarthquake::of(other.earthquake.as_ref()?, other)))
                 .collect(),
-            criteria: assessed.checks(case).iter().map(Criterion::of).collect(),
+            criteria: assessment
+                .checks_in(assessed)
+                .iter()
+                .map(|check| Criterion::of(assessment, check))
+                .collect(),
             results: Results(assessed),
             ground: assessed.ground.as_ref().map(|_| Ground(assessed)),
             mode_words: assessed.verdict().map(GroundVerdict::words),
@@ -478,20 +499,23 @@ impl OtherEarthquake {
 }
 
 impl Criterion {
-    fn of(CaseCheck { check, assessed }: &CaseCheck<'_>) -> Criterion {
-        let required = match check.criterion.bound {
-            Bound::AtLeast(number) | Bound::AtMost(number) => Required::Number(number),
-            Bound::NoneOf(modes) => Required::Modes(modes),
+    fn of(assessment: &Assessment, check: &AnyCheck<'_>) -> Criterion {
+        let (required, value, utilisation, earthquake) = match check {
+            AnyCheck::Instant(CaseCheck { check, assessed }) => {
+                let required = match check.criterion.bound {
+                    Bound::AtLeast(number) | Bound::AtMost(number) => Required::Number(number),
+                    Bound::NoneOf(modes) => Required::Modes(modes),
+                };
+                let earthquake = assessed.earthquake.as_ref().map(Earthquake::of);
+                (required, Found::Instant(check.value), check.utilisation, earthquake)
+            }
+            // The base moves as its records say, with no one acceleration.
+            AnyCheck::Motion(check, _) => {
+                (Required::Motion(check.criterion), Found::Motion(check.value), check.utilisation, None)
+            }
         };
-        Criterion {
-            name: check.criterion.name(),
-            required,
-            value: check.value,
-            utilisation: check.utilisation,
-            met: check.met,
-            situation: assessed.index,
-            earthquake: assessed.earthquake.as_ref().map(Earthquake::of),
-        }
+        let (name, met, situation) = (check.name(), check.is_met(), check.assessed(assessment).index);
+        Criterion { name, required, value, utilisation, met, situation, earthquake }
     }
 }
 

@@ -38,7 +38,7 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
 }
 
 /// What a load is called.
-pub(super) fn load_words(load: &Load) -> String {
+pub(crate) fn load_words(load: &Load) -> String {
     if let Some(name) = &load.name {
         return name.clone();
     }

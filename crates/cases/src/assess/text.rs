@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use super::{
-    Assessed, Assessment, CaseCheck, GOVERNING, View, acting, checks, coordinates, ground, loads, sea,
-    verdict,
+    AnyCheck, Assessed, Assessment, GOVERNING, View, acting, checks, coordinates, ground, loads, sea, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
 use crate::layout::{columns, digits, paragraph, row};
+use crate::motion::met_words;
 use crate::warning::Warning;
 
 pub(super) fn render(assessment: &Assessment, view: &View) -> String {
@@ -43,51 +43,42 @@ pub(super) fn render(assessment: &Assessment, view: &View) -> String {
         text += &acting::heading(assessment, assessed);
         text += &details(case, assessed, view);
     }
-    if !case.criteria.is_empty() {
+    let checks = assessment.all_checks();
+    if !checks.is_empty() {
         if several {
             let _ = write!(text, "\n{}\n", "─".repeat(88));
         }
         text += "\nCriteria\n";
-        text += &criteria(assessment);
+        text += &criteria(assessment, &checks);
+    }
+    if let Some(in_time) = &assessment.in_time {
+        text += &format!("\n{}", paragraph(&format!("Note: {}.", in_time.note), 0));
     }
     text
 }
 
 /// What is asked of the results, the governing criterion first.
-fn criteria(assessment: &Assessment) -> String {
+fn criteria(assessment: &Assessment, checks: &[AnyCheck<'_>]) -> String {
     let several = assessment.all.len() > 1;
     let mut rows = vec![row!["criterion", "required", "value", "utilisation", "", ""]];
-    rows.extend(assessment.checks().iter().map(|CaseCheck { check, assessed }| {
+    rows.extend(checks.iter().map(|check| {
+        let assessed = check.assessed(assessment);
         let situation = assessment.name(assessed).filter(|_| several).map(|name| format!("in {name}"));
-        let shaken = assessed.earthquake.filter(|_| !assessed.is_reported).map(|earthquake| {
+        let shaken = assessed.earthquake.filter(|_| check.is_of_another_shaking()).map(|earthquake| {
             let [right, up] =
                 [earthquake.horizontal(), earthquake.vertical()].map(|a| digits(a / assessment.case.gravity));
             format!("shaken with {right} g, {up} g")
         });
         let place: Vec<_> = situation.into_iter().chain(shaken).collect();
-        row![
-            check.criterion.name(),
-            check.criterion.required(),
-            check.value_words(assessed),
-            check.utilisation_words(),
-            check.met_words(),
-            place.join(", "),
-        ]
+        let [required, value, utilisation, met] = check.cells();
+        row![check.name(), required, value, utilisation, met, place.join(", ")]
     }));
     columns(&rows, 2, &[3]) + &paragraph(&criteria_met(assessment), 2)
 }
 
 /// Whether the criteria are met, in a sentence.
 pub fn criteria_met(assessment: &Assessment) -> String {
-    let checks = assessment.checks();
-    let failed: Vec<_> =
-        checks.iter().filter(|check| !check.check.met).map(|check| check.check.criterion.name()).collect();
-    match (checks.len(), failed.as_slice()) {
-        (1, []) => "The criterion is met.".to_owned(),
-        (2, []) => "Both criteria are met.".to_owned(),
-        (count, []) => format!("All {count} criteria are met."),
-        (_, failed) => format!("Not met: {}.", failed.join(", ")),
-    }
+    met_words(assessment.all_checks().iter().map(|check| (check.name(), check.is_met())))
 }
 
 /// Title and note.

@@ -8,10 +8,11 @@ mod render;
 
 use super::quantity::{Ends, Quantity};
 use super::set::{Search, Stretch};
-use super::{DesignError, Request, Spelling, Target, Varied};
+use super::{DesignError, Moving, Request, Spelling, Target, Varied, in_time_note};
 use crate::assess::Assessment;
 use crate::case::Case;
 use crate::couple::Variable;
+use crate::motion::Timed;
 use crate::parse::CaseFile;
 use crate::rounded::{Decimal, Towards};
 use standfast_figures::Figure;
@@ -51,6 +52,8 @@ pub struct Boundary<'a> {
     columns: Vec<Column>,
     /// A few round values among them, which stand for all in a text.
     round: Vec<f64>,
+    /// Of a case in time, what is answered of its first instant.
+    note: Option<String>,
 }
 
 /// The values that meet the target at a value of the other quantity.
@@ -75,9 +78,26 @@ impl<'a> Boundary<'a> {
     /// # Errors
     /// If the case makes no sense or lacks a quantity, both are the same, or no values meet the target.
     pub fn of(file: &'a CaseFile, request: BoundaryRequest) -> Result<Boundary<'a>, DesignError> {
+        Boundary::in_time(file, None, request)
+    }
+
+    /// As [`of`](Boundary::of) for a case in time: what asks for its motion is asked of the motion.
+    ///
+    /// # Errors
+    /// As [`of`](Boundary::of), and if the motion cannot be followed.
+    pub fn of_timed(timed: &'a Timed<'a>, request: BoundaryRequest) -> Result<Boundary<'a>, DesignError> {
+        Boundary::in_time(timed.still(), Some(timed), request)
+    }
+
+    fn in_time(
+        file: &'a CaseFile,
+        timed: Option<&'a Timed<'a>>,
+        request: BoundaryRequest,
+    ) -> Result<Boundary<'a>, DesignError> {
         let BoundaryRequest { design, and, from, to } = request;
         let case = file.case()?;
-        design.answerable(&case)?;
+        let moving = Moving::of(design.target, timed)?;
+        design.answerable(&case, timed)?;
         let up = design.quantity(file, &case)?;
         let spelling = design.spelling;
         let options = [spelling.and_from, spelling.and_to];
@@ -86,8 +106,9 @@ impl<'a> Boundary<'a> {
         if up.variable.id() == across.variable.id() {
             return Err(DesignError::Twice { name: up.variable.id().to_string(), spelling });
         }
-        let present = Assessment::of(&case).map_err(|error| file.refused(error))?;
-        let grid = Grid { file, case: &case, up: &up, across: &across, target: design.target };
+        let moving = moving.as_ref();
+        let present = Varied { file, case: &case, moving, held: None }.present()?;
+        let grid = Grid { file, case: &case, moving, up: &up, across: &across, target: design.target };
         let (round, values) = columns(&across);
         if design.target.asks_for_rise()
             && !values.iter().any(|value| grid.at(*value, |search| search.rises()))
@@ -99,7 +120,8 @@ impl<'a> Boundary<'a> {
         if columns.iter().all(|column| column.stretches.is_empty()) {
             return Err(grid.unmet(spelling));
         }
-        Ok(Boundary { file, request: design, up, across, present, columns, round })
+        let note = timed.map(|timed| timed.note().to_owned());
+        Ok(Boundary { file, request: design, up, across, present, columns, round, note })
     }
 
     /// The boundary for reading: a few columns of it.
@@ -129,6 +151,7 @@ impl<'a> Boundary<'a> {
         notes.extend(
             of(&self.across.variable).into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>(),
         );
+        notes.extend(self.note.as_deref().map(in_time_note));
         notes
     }
 }
@@ -154,6 +177,7 @@ fn columns(across: &Quantity) -> (Vec<f64>, Vec<f64>) {
 struct Grid<'a> {
     file: &'a CaseFile,
     case: &'a Case,
+    moving: Option<&'a Moving<'a>>,
     up: &'a Quantity,
     across: &'a Quantity,
     target: Target,
@@ -162,7 +186,8 @@ struct Grid<'a> {
 impl Grid<'_> {
     /// Asks the search at a value of the quantity across.
     fn at<T>(&self, value: f64, ask: impl FnOnce(&Search<'_>) -> T) -> T {
-        let varied = Varied { file: self.file, case: self.case, held: Some((&self.across.variable, value)) };
+        let held = Some((&self.across.variable, value));
+        let varied = Varied { file: self.file, case: self.case, moving: self.moving, held };
         ask(&Search { varied: &varied, quantity: self.up, target: self.target, parts: PARTS })
     }
 

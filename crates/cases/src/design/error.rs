@@ -6,6 +6,7 @@ use thiserror::Error;
 use super::{Extreme, Spelling, Target};
 use crate::couple::Unknown;
 use crate::error::CaseError;
+use crate::motion::BodyCaseError;
 
 /// Why there is no design.
 #[derive(Debug, Error, Diagnostic)]
@@ -15,6 +16,17 @@ pub enum DesignError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
+    /// What the case says of time makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    InTime(#[from] BodyCaseError),
+    /// The target asks for the motion of a case that has none.
+    #[error("the target {name} asks for the motion in time, of which the case says nothing")]
+    #[diagnostic(help("give each variable load a history, or the base a [motion.base]"))]
+    NotInTime {
+        /// The target.
+        name: &'static str,
+    },
     /// A name that is no number of the case.
     #[error("the case has no `{}` to vary", .0.name)]
     #[diagnostic(help("{}", known(.0)))]

@@ -4,9 +4,9 @@
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-use super::sensitivity::Sensitivity;
+use super::sensitivity::{Change, Sensitivity};
 use super::set::{End, Stretch};
-use super::{Design, load_factor};
+use super::{Design, farthest, load_factor, overturns, steepest};
 use crate::assess::{Assessed, Assessment, SCHEMA};
 use crate::results::{ResultName, ResultValue};
 use crate::units::Dimension;
@@ -95,6 +95,9 @@ impl Serialize for Worst<'_> {
         {
             map.serialize_entry(result.name(), &result.of(first))?;
         }
+        map.serialize_entry("slide", &farthest(self.0))?;
+        map.serialize_entry("max_theta", &steepest(self.0))?;
+        map.serialize_entry("overturned", &overturns(self.0))?;
         map.end()
     }
 }
@@ -127,6 +130,8 @@ struct Row<'a> {
     #[serde(rename = "SF_overturning")]
     overturning: Option<f64>,
     load_factor: Option<f64>,
+    slide: Option<f64>,
+    max_theta: Option<f64>,
 }
 
 pub(super) fn render(design: &Design<'_>) -> String {
@@ -158,7 +163,8 @@ pub(super) fn render(design: &Design<'_>) -> String {
 
 impl<'a> Row<'a> {
     fn of(sensitivity: &'a Sensitivity) -> Row<'a> {
-        let Sensitivity { variable, value, sliding, overturning, load_factor } = sensitivity;
+        let Sensitivity { variable, value, sliding, overturning, load_factor, motion } = sensitivity;
+        let [slide, max_theta] = motion.map_or([None; 2], |motion| motion.map(Change::number));
         Row {
             input: variable.name(),
             value: *value,
@@ -166,6 +172,8 @@ impl<'a> Row<'a> {
             sliding: sliding.number(),
             overturning: overturning.number(),
             load_factor: load_factor.number(),
+            slide,
+            max_theta,
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use standfast::ground::GroundDeparture;
 
-use super::{Varied, least, load_factor, overturning, sliding};
+use super::{Varied, farthest, least, load_factor, overturning, sliding, steepest};
 use crate::assess::{Assessed, Assessment};
 use crate::couple::Variable;
 use crate::error::CaseError;
@@ -62,6 +62,8 @@ pub struct Sensitivity {
     pub overturning: Change,
     /// Of the load factor at which the body first leaves rest, the least of all situations.
     pub load_factor: Change,
+    /// Of the displacement at the end and of the largest angle, the largest of all situations, where the motion is followed.
+    pub motion: Option<[Change; 2]>,
 }
 
 /// The sensitivity of the case of a file to every number of it but zeros. What has to go with a number goes with it: the mass
@@ -72,7 +74,7 @@ pub struct Sensitivity {
 pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
     let case = file.case()?;
     let present = Assessment::of(&case).ok();
-    Ok(all(&Varied { file, case: &case, held: None }, present.as_ref()))
+    Ok(all(&Varied { file, case: &case, moving: None, held: None }, present.as_ref()))
 }
 
 /// The sensitivity to every number but zeros, which have no percent, beside the present answer.
@@ -107,7 +109,16 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
         _ => change(load_factor),
     };
     let (sliding, overturning) = (change(sliding), change(overturning));
-    Some(Sensitivity { variable, value, sliding, overturning, load_factor })
+    let motion = varied.moving.map(|_| {
+        [farthest, steepest].map(|of: fn(&Assessment) -> Option<f64>| match both {
+            // A body that overturns slides and turns without bound.
+            Some((now, then)) => {
+                of(then).zip(of(now)).map_or(Change::Unlimited, |(then, now)| Change::By(then - now))
+            }
+            None => Change::NoCase,
+        })
+    });
+    Some(Sensitivity { variable, value, sliding, overturning, load_factor, motion })
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ use super::quantity::{DIGITS, Quantity, with_unit};
 use super::target::{Binding, Target};
 use super::{DesignError, Spelling, Varied, least, load_factor, overturning, sliding};
 use crate::assess::{Assessed, Assessment};
-use crate::error::CaseError;
 use crate::layout::digits;
+use crate::motion::BodyCaseError;
 use crate::rounded::{Decimal, Towards};
 
 /// How near, relatively, an end is to a value that does not meet the target.
@@ -83,7 +83,7 @@ impl Beyond {
 /// A value with what it comes to, or why it does not.
 struct Trial {
     value: f64,
-    answer: Result<Assessment, CaseError>,
+    answer: Result<Assessment, BodyCaseError>,
     met: bool,
 }
 
@@ -248,7 +248,7 @@ impl Search<'_> {
             return DesignError::NoInfluence { name, target, binding };
         }
         let reached = match target {
-            Target::Criterion(_) | Target::Utilisation(_) => format!("where {binding}"),
+            Target::Criterion(_) | Target::Utilisation(_) | Target::Motion(_) => format!("where {binding}"),
             _ => format!(
                 "with safety factors {} and {}, leaving rest at {} times the load",
                 digits(least(&answer, sliding)),

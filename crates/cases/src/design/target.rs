@@ -13,8 +13,10 @@ use crate::assess::verdict::predicate;
 use crate::assess::{Assessed, Assessment, CaseCheck};
 use crate::criteria::Criterion;
 use crate::error::UNANSWERABLE;
+use crate::inputs::Value;
 use crate::key::{Key, Kind, Table};
 use crate::layout::{digits, plain};
+use crate::motion::{MOTION_CRITERIA, MotionCheck, MotionCriterion};
 use crate::parse::read;
 use crate::suggest::closest;
 use crate::units::Extent;
@@ -36,6 +38,8 @@ pub enum Target {
     NoSlide,
     /// A criterion as a case file has it.
     Criterion(Criterion),
+    /// The same of the motion of a case in time.
+    Motion(MotionCriterion),
     /// Of the bound of each criterion of the case this share is used at most; at 1 all are met.
     Utilisation(f64),
 }
@@ -88,8 +92,10 @@ const WORDS: [&str; 6] = ["rest", "factor", "no-rock", "no-slide", "utilisation"
 fn known() -> String {
     let criteria: Vec<_> = Table::Criteria.keys().map(Key::name).collect();
     format!(
-        "rest, no-rock, no-slide, factor=1.2, criteria, utilisation=0.9, or a criterion as in bearing_max=300kPa: {}",
-        criteria.join(", ")
+        "rest, no-rock, no-slide, factor=1.2, criteria, utilisation=0.9, or a criterion as in bearing_max=300kPa: {}; of the motion of a case \
+         in time {}",
+        criteria.join(", "),
+        MOTION_CRITERIA.join(", ")
     )
 }
 
@@ -136,15 +142,44 @@ fn plain_number(name: &'static str, value: Option<&str>) -> Result<f64, TargetEr
 fn criterion(name: &str, value: Option<&str>) -> Result<Target, TargetError> {
     // A spelling of before the one list of results.
     let name = if name == "load-factor" { "load_factor" } else { name };
+    if let Some(place) = MOTION_CRITERIA.iter().position(|known| *known == name) {
+        return motion_criterion(place, value);
+    }
     if let Some((_, of)) = UNANSWERABLE.into_iter().find(|(unanswerable, _)| *unanswerable == name) {
         return Err(TargetError::Unanswerable { of });
     }
     match Key::find(Table::Criteria, name) {
         Some(key) => value_of(key, key.name(), value),
         None => {
-            let names = WORDS.into_iter().chain(Table::Criteria.keys().map(Key::name));
+            let names = WORDS.into_iter().chain(Table::Criteria.keys().map(Key::name)).chain(MOTION_CRITERIA);
             Err(TargetError::Unknown { suggestion: closest(name, names) })
         }
+    }
+}
+
+/// A criterion of the motion, by its place among them, with the value as a case file has it.
+fn motion_criterion(place: usize, value: Option<&str>) -> Result<Target, TargetError> {
+    let name = MOTION_CRITERIA[place];
+    let example = ["0.10 m", "50 mrad", "false"][place].to_owned();
+    let Some(written) = value.filter(|value| !value.is_empty()) else {
+        return Err(TargetError::NoValue { name, example });
+    };
+    if place == 2 {
+        let fault = || "expected false: that the body does not overturn".to_owned();
+        return match written {
+            "false" => Ok(Target::Motion(MotionCriterion::NotOverturned)),
+            _ => Err(TargetError::WrongValue { name, fault: fault(), example }),
+        };
+    }
+    // As the criteria of the same dimension are read.
+    let (key, criterion): (Key, fn(f64) -> MotionCriterion) = match place {
+        0 => (Key::GreatestEccentricity, MotionCriterion::Slide),
+        _ => (Key::GreatestRotation, MotionCriterion::MaxTheta),
+    };
+    match read(key, key.info().kind, Extent::PerMetre, written) {
+        Ok(Value::Number(bound)) => Ok(Target::Motion(criterion(bound))),
+        Ok(_) => Err(TargetError::NoValue { name, example }),
+        Err(problem) => Err(TargetError::WrongValue { name, fault: fault(&problem), example }),
     }
 }
 
@@ -180,6 +215,7 @@ impl fmt::Display for Target {
             Target::NoRock => f.write_str("no-rock"),
             Target::NoSlide => f.write_str("no-slide"),
             Target::Criterion(criterion) => criterion.fmt(f),
+            Target::Motion(criterion) => criterion.fmt(f),
             Target::Utilisation(1.0) => f.write_str("criteria"),
             Target::Utilisation(share) => write!(f, "utilisation={}", plain(*share)),
         }
@@ -198,7 +234,26 @@ pub(super) struct Binding {
 impl Target {
     /// Whether all that was tried meets it.
     pub(super) fn is_met(self, answer: &Assessment) -> bool {
-        answer.tried().all(|assessed| self.is_met_by(answer, assessed))
+        self.motion_checks(answer).iter().all(|(check, _)| self.is_met_in_time(check))
+            && answer.tried().all(|assessed| self.is_met_by(answer, assessed))
+    }
+
+    /// The criteria of the motion that it is made of, each where it is met worst, the governing one first.
+    pub(super) fn motion_checks(self, answer: &Assessment) -> Vec<(MotionCheck, usize)> {
+        match self {
+            Target::Motion(criterion) => answer.motion_checks_of(&[criterion]),
+            Target::Utilisation(_) => answer.motion_checks(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn is_met_in_time(self, check: &MotionCheck) -> bool {
+        match self {
+            Target::Utilisation(share) if share != 1.0 => {
+                check.met && check.utilisation.is_none_or(|used| used <= share)
+            }
+            _ => check.met,
+        }
     }
 
     fn is_met_by(self, answer: &Assessment, assessed: &Assessed) -> bool {
@@ -212,6 +267,7 @@ impl Target {
             }
             Target::NoRock | Target::NoSlide => self.offending(assessed).is_none(),
             Target::Criterion(criterion) => criterion.check(assessed).met,
+            Target::Motion(_) => true,
             Target::Utilisation(share) => answer.case.criteria.iter().all(|criterion| {
                 let check = criterion.check(assessed);
                 // Whether a bound is met is no matter of a rounded quotient.
@@ -258,7 +314,12 @@ impl Target {
         match self {
             Target::Factor(_) => least(answer, sliding).min(least(answer, overturning)),
             Target::Criterion(_) | Target::Utilisation(_) => {
-                self.checks(answer).first().map_or(0.0, |worst| -worst.check.urgency())
+                let instant = self.checks(answer).first().map_or(0.0, |worst| worst.check.urgency());
+                let motion = self.motion_checks(answer).first().map_or(0.0, |(check, _)| check.urgency());
+                -instant.max(motion)
+            }
+            Target::Motion(_) => {
+                self.motion_checks(answer).first().map_or(0.0, |(check, _)| -check.urgency())
             }
             _ => least(answer, load_factor),
         }
@@ -266,9 +327,22 @@ impl Target {
 
     /// What keeps an answer from meeting it.
     pub(super) fn binding(self, answer: &Assessment) -> Binding {
-        let Some(assessed) = answer.tried().find(|assessed| !self.is_met_by(answer, assessed)) else {
-            return Binding { by: "", words: "nothing".to_owned() };
+        let worst = self.motion_checks(answer);
+        let in_time = worst.iter().find(|(check, _)| !self.is_met_in_time(check));
+        let failing = answer.tried().find(|assessed| !self.is_met_by(answer, assessed));
+        let (assessed, in_time) = match (failing, in_time) {
+            (Some(assessed), None) => (assessed, None),
+            (Some(assessed), Some(in_time)) => {
+                // Of both, what is farther from being met.
+                let instant = self.checks(answer).first().map_or(0.0, |worst| worst.check.urgency());
+                (assessed, Some(in_time).filter(|(check, _)| check.urgency() > instant))
+            }
+            (None, Some(in_time)) => (&answer.all[0], Some(in_time)),
+            (None, None) => return Binding { by: "", words: "nothing".to_owned() },
         };
+        if let Some((check, place)) = in_time {
+            return self.of_motion(answer, check, *place);
+        }
         match self {
             Target::Factor(factor) => of_factors(assessed, factor),
             Target::Rest => {
@@ -286,7 +360,22 @@ impl Target {
                 Binding { by: motion(verdict), words: format!("{when}, the body {}", predicate(verdict)) }
             }
             Target::Criterion(_) | Target::Utilisation(_) => of_check(answer, &self.checks(answer)[0], self),
+            Target::Motion(_) => Binding { by: "", words: "nothing".to_owned() },
         }
+    }
+
+    /// How a criterion of the motion fails where it is met worst.
+    fn of_motion(self, answer: &Assessment, check: &MotionCheck, place: usize) -> Binding {
+        let place = answer.name(&answer.all[place]).filter(|_| answer.all.len() > 1);
+        let place = place.map_or(String::new(), |name| format!(", in {name}"));
+        let words = match self {
+            Target::Utilisation(share) if check.met => {
+                let used = check.utilisation_words();
+                format!("of {} {used} is used, not {} at most{place}", check.criterion, digits(share))
+            }
+            _ => check.failure() + &place,
+        };
+        Binding { by: check.criterion.name(), words }
     }
 }
 

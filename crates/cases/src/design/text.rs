@@ -4,11 +4,14 @@ use standfast::ground::GroundVerdict;
 
 use super::quantity::{DIGITS, with_unit};
 use super::set::{Beyond, End, Stretch};
-use super::{Change, Design, Extreme, Target, least, load_factor, overturning, sliding};
+use super::{
+    Change, Design, Extreme, Target, farthest, least, load_factor, overturning, overturns, sliding, steepest,
+};
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
 use crate::key::Key;
 use crate::layout::{columns, digits, paragraph, row, significant};
+use crate::motion::MotionCriterion;
 
 pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, .. } = design;
@@ -42,6 +45,8 @@ pub(super) fn words(target: Target) -> String {
         Target::NoRock => "the body turns about no corner, at once or while the load rises".to_owned(),
         Target::NoSlide => "the body slips at no corner, at once or while the load rises".to_owned(),
         Target::Criterion(criterion) => format!("{} is {}", criterion.name(), criterion.required()),
+        Target::Motion(MotionCriterion::NotOverturned) => "the body does not overturn".to_owned(),
+        Target::Motion(criterion) => format!("{} is {}", criterion.name(), criterion.required(true)),
         Target::Utilisation(1.0) => "all criteria of the case are met".to_owned(),
         Target::Utilisation(share) => {
             format!("of all criteria of the case {} at most is used", digits(share))
@@ -82,6 +87,15 @@ fn before_and_after(design: &Design) -> String {
         }),
     ];
     rows.extend(asked(request.target, present, &found.answer));
+    if overturns(present).is_some() {
+        let number = |value: Option<f64>, unit: &str| {
+            value.map_or_else(|| "none".to_owned(), |value| digits(value) + unit)
+        };
+        rows.push(both("slide at the end", &|answer| number(farthest(answer), " m")));
+        rows.push(both("largest |θ|", &|answer| number(steepest(answer), " rad")));
+        let yes = |answer: &Assessment| if overturns(answer) == Some(true) { "yes" } else { "no" };
+        rows.push(both("overturns", &|answer| yes(answer).to_owned()));
+    }
     let worst = names.into_iter().next().flatten().filter(|_| same);
     columns(&rows, 2, &[1, 2])
         + &worst.map_or(String::new(), |name| paragraph(&format!("The worst throughout: {name}."), 2))
@@ -91,6 +105,11 @@ fn before_and_after(design: &Design) -> String {
 fn asked(target: Target, present: &Assessment, found: &Assessment) -> Option<Vec<String>> {
     let value = |answer: &Assessment| {
         let checks = target.checks(answer);
+        let motion = target.motion_checks(answer);
+        let instant = checks.first().map_or(f64::NEG_INFINITY, |worst| worst.check.urgency());
+        if let Some((worst, _)) = motion.first().filter(|(check, _)| check.urgency() > instant) {
+            return Some(format!("{}, {}", worst.utilisation_words(), worst.criterion.name()));
+        }
         let worst = checks.first()?;
         Some(match target {
             Target::Utilisation(_) => {
@@ -160,20 +179,26 @@ fn sentence(words: String) -> String {
 }
 
 fn sensitivities(design: &Design) -> String {
+    let in_time = design.sensitivities.iter().any(|sensitivity| sensitivity.motion.is_some());
     let mut rows = vec![row!["input", "value", "SF sliding", "SF overturning", "load factor"]];
+    if in_time {
+        rows[0].extend(row!["slide", "|θ|"]);
+    }
     let signed = |change: Change| match change.number() {
         Some(change) => format!("{change:+.5}"),
         None => change.words().to_owned(),
     };
     rows.extend(design.sensitivities.iter().map(|sensitivity| {
         let variable = &sensitivity.variable;
-        row![
+        let mut row = row![
             variable.name(),
             with_unit(sensitivity.value, variable, DIGITS),
             signed(sensitivity.sliding),
             signed(sensitivity.overturning),
             signed(sensitivity.load_factor),
-        ]
+        ];
+        row.extend(sensitivity.motion.into_iter().flatten().map(signed));
+        row
     }));
-    columns(&rows, 2, &[2, 3, 4])
+    columns(&rows, 2, &[2, 3, 4, 5, 6])
 }

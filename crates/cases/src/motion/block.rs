@@ -1,10 +1,11 @@
 //! `[block]` cases.
 
 use standfast::contact::Block;
-use standfast::{InputError, Quantity};
+use standfast::{InputError, Quantity, Wrench};
 use standfast_motion::{Base, Impact, Initial, Load, MotionError, Problem};
 use toml::de::DeTable;
 
+use super::criteria::{MOTION_CRITERIA, MotionCriterion};
 use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
 use super::slips::slips;
@@ -26,11 +27,26 @@ pub struct BlockCase {
     pub uplift: bool,
     /// Whether it is in SI units.
     pub si: bool,
+    /// The loads at their peaks, of a body.
+    pub peaks: Vec<LoadPeak>,
+    /// What is asked of the motion.
+    pub criteria: Vec<MotionCriterion>,
     /// What may be a slip.
     pub warnings: Vec<MotionWarning>,
 }
 
-const TOP: [&str; 4] = ["title", "note", "block", "motion"];
+/// A load of a body at its peak, about its centre of mass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadPeak {
+    /// What it is called.
+    pub name: String,
+    /// Whether it is there all the time.
+    pub permanent: bool,
+    /// The load, N and N·m, or per metre run; the greatest of its history times what the case has of it.
+    pub wrench: Wrench,
+}
+
+const TOP: [&str; 5] = ["title", "note", "block", "motion", "criteria"];
 const BLOCK: [&str; 11] =
     ["b1", "b2", "d", "rho2", "m_x", "m_y", "mu_s", "mu_k", "mu_impact", "gravity", "load"];
 const LOAD: [&str; 4] = ["at", "direction", "follows", "history"];
@@ -116,8 +132,20 @@ fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase,
     warnings.extend(slips(&problem, steps.into_iter().reduce(f64::max)));
     let title = top.words("title")?.map(str::to_owned);
     top.words("note")?;
+    let asked = top.section("criteria", "[criteria] of a case of a [block]".to_owned(), &MOTION_CRITERIA)?;
+    let criteria = asked.as_ref().map_or_else(|| Ok(Vec::new()), MotionCriterion::read)?;
     let height = 2.0 * problem.block.d;
-    Ok(BlockCase { title, situation: None, problem, height, uplift: false, si: false, warnings })
+    Ok(BlockCase {
+        title,
+        situation: None,
+        problem,
+        height,
+        uplift: false,
+        si: false,
+        peaks: Vec::new(),
+        criteria,
+        warnings,
+    })
 }
 
 /// What [motion] says beside the base.

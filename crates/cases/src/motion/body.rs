@@ -8,12 +8,14 @@ use standfast::{Body, InputError, Wrench};
 use standfast_motion::{Base, History, Load, MotionError, Problem};
 use toml::de::{DeTable, DeValue};
 
-use super::block::{BlockCase, MOTION, settings};
+use super::block::{BlockCase, LoadPeak, MOTION, settings};
+use super::criteria::{MOTION_CRITERIA, MotionCriterion};
 use super::error::{MotionCaseError, Wrong};
 use super::history::{self, KEYS};
 use super::slips::slips;
 use super::table::Section;
 use super::{GivenBase, MotionWarning, ReadFile};
+use crate::assess::load_words;
 use crate::case::{Acting, Case, Foundation};
 use crate::error::CaseError;
 use crate::parse::CaseFile;
@@ -30,11 +32,14 @@ pub enum BodyCaseError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Motion(#[from] MotionCaseError),
+    /// The motion cannot be followed.
+    #[error(transparent)]
+    Refused(#[from] MotionError),
 }
 
 /// What a case file says of time.
-struct InTime<'a> {
-    motion: Option<Section<'a>>,
+pub(super) struct InTime<'a> {
+    pub(super) motion: Option<Section<'a>>,
     /// Of each [[load]], by its place.
     loads: Vec<Option<Section<'a>>>,
     /// Where each [[load]] stands.
@@ -43,7 +48,11 @@ struct InTime<'a> {
     /// Where [wave] stands.
     wave_place: Span<usize>,
     /// What stands in the file for these.
-    taken: Vec<Span<usize>>,
+    pub(super) taken: Vec<Span<usize>>,
+    /// [criteria], where it asks something of the motion.
+    pub(super) criteria: Option<Section<'a>>,
+    /// What stands in the file for that.
+    pub(super) asked: Vec<Span<usize>>,
 }
 
 /// Reads a case with a `[body]`: one problem for each of the loads, or combinations of them, that act alone.
@@ -61,6 +70,17 @@ pub(super) fn body_cases_on(
     file: &ReadFile<'_>,
     given: &GivenBase,
 ) -> Result<Vec<BlockCase>, BodyCaseError> {
+    body_cases_of(name, text, file, given, &|rest| CaseFile::parse(name, rest)?.case())
+}
+
+/// The same of another case than that of the text, which `case` makes of what the text says beside time.
+pub(super) fn body_cases_of(
+    name: &str,
+    text: &str,
+    file: &ReadFile<'_>,
+    given: &GivenBase,
+    case: &dyn Fn(&str) -> Result<Case, CaseError>,
+) -> Result<Vec<BlockCase>, BodyCaseError> {
     let shown = |wrong: Wrong| BodyCaseError::Motion(wrong.in_file(name, text));
     let document = DeTable::parse(text).map_err(|error| {
         shown(Wrong::new(
@@ -69,14 +89,7 @@ pub(super) fn body_cases_on(
         ))
     })?;
     let in_time = in_time(document.get_ref(), text).map_err(shown)?;
-    let mut rest = blanked(text, &in_time.taken);
-    let loads = ["load", "water", "uplift", "earthquake", "wave", "pressure"];
-    if !loads.iter().any(|table| document.get_ref().contains_key(*table)) {
-        // A body on a base that moves needs no load, where `assess` would have nothing to assess.
-        rest += "\n[uplift]\nleft = 0\nright = 0\n";
-    }
-    let case_file = CaseFile::parse(name, &rest)?;
-    let case = case_file.case()?;
+    let case = case(&without_time(document.get_ref(), text, &in_time))?;
     if let Some(strength) = case.ground.as_ref().and_then(Foundation::strength) {
         let table = document.get_ref().get("ground").and_then(|value| value.get_ref().as_table());
         let place = table.and_then(|table| table.get("strength")).map_or(0..0, |value| value.span());
@@ -89,8 +102,19 @@ pub(super) fn body_cases_on(
     read(&case, &in_time, file, given).map_err(shown)
 }
 
+/// What a text says beside time: a case as `assess` has it.
+pub(super) fn without_time(top: &DeTable<'_>, text: &str, in_time: &InTime<'_>) -> String {
+    let mut rest = blanked(text, &[&in_time.taken[..], &in_time.asked].concat());
+    let loads = ["load", "water", "uplift", "earthquake", "wave", "pressure"];
+    if !loads.iter().any(|table| top.contains_key(*table)) {
+        // A body on a base that moves needs no load, where `assess` would have nothing to assess.
+        rest += "\n[uplift]\nleft = 0\nright = 0\n";
+    }
+    rest
+}
+
 /// A text without what stands at some places: a case as `assess` has it. Blanks keep every other place.
-fn blanked(text: &str, taken: &[Span<usize>]) -> String {
+pub(super) fn blanked(text: &str, taken: &[Span<usize>]) -> String {
     let mut rest = text.to_owned();
     for span in taken {
         let blank: String = text[span.clone()]
@@ -102,65 +126,8 @@ fn blanked(text: &str, taken: &[Span<usize>]) -> String {
     rest
 }
 
-/// The case of a body in time as one at the first instant, for `assess`: every load at its own value, which its history reaches where its
-/// peak is 1, and the peaks of the base's acceleration as an `[earthquake]`; with a sentence that says so. `None` of a text that
-/// says nothing of time, has a `[block]`, or has a `[ground]` and no `[motion]`: there histories are those of loads on an elastic base.
-///
-/// # Errors
-/// If what is said of time makes no sense, or a record cannot be read.
-pub fn still_case(
-    name: &str,
-    text: &str,
-    file: &ReadFile<'_>,
-) -> Result<Option<(String, String)>, BodyCaseError> {
-    let shown = |wrong: Wrong| BodyCaseError::Motion(wrong.in_file(name, text));
-    // A text that is no TOML is for `CaseFile` to refuse.
-    let Ok(document) = DeTable::parse(text) else { return Ok(None) };
-    let top = document.get_ref();
-    if top.contains_key("block") || (top.contains_key("ground") && !top.contains_key("motion")) {
-        return Ok(None);
-    }
-    // Nor is one whose tables are none.
-    let Ok(in_time) = in_time(top, text) else { return Ok(None) };
-    if in_time.taken.is_empty() {
-        return Ok(None);
-    }
-    let mut rest = blanked(text, &in_time.taken);
-    let section = match &in_time.motion {
-        Some(motion) => {
-            motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"]).map_err(shown)?
-        }
-        None => None,
-    };
-    let mut peaks = Vec::new();
-    for key in ["horizontal", "vertical"] {
-        let Some(section) = &section else { continue };
-        let history = section.section(key, format!("`{key}` of [motion.base]"), &KEYS).map_err(shown)?;
-        let Some(history) = history else { continue };
-        let peak = history::read(&history.measured(), file).map_err(shown)?.history.peak();
-        peaks.push((key, peak));
-    }
-    let mut note = "the loads are taken at their own values, all at once, as if at rest until then; the motion in time is what \
-                    `standfast simulate` follows"
-        .to_owned();
-    if !peaks.is_empty() {
-        if top.contains_key("earthquake") {
-            let place = in_time.motion.as_ref().map_or(0..0, |motion| motion.place("base"));
-            let wrong =
-                Wrong::new("an [earthquake] beside [motion.base] counts the same shaking twice", place);
-            return Err(shown(wrong.help("leave one of them out")));
-        }
-        rest += "\n[earthquake]\n";
-        for (key, peak) in &peaks {
-            rest += &format!("{key} = \"{peak:?} m/s2\"\n");
-        }
-        note = format!("the peaks of the base's acceleration act at once, as an [earthquake]; {note}");
-    }
-    Ok(Some((rest, note)))
-}
-
 /// Finds histories and [motion].
-fn in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> Result<InTime<'a>, Wrong> {
+pub(super) fn in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> Result<InTime<'a>, Wrong> {
     let mut taken = lines_in_time(text);
     let motion = match top.get("motion") {
         None => None,
@@ -202,7 +169,38 @@ fn in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> Result<InTime<'a>, Wrong>
         Some((Some(table), _)) => history_of(table, "the [wave]")?,
         _ => None,
     };
-    Ok(InTime { motion, loads, places, wave, wave_place, taken })
+    let (criteria, asked) = asked_in_time(top, text);
+    Ok(InTime { motion, loads, places, wave, wave_place, taken, criteria, asked })
+}
+
+/// What [criteria] asks of the motion, and where.
+fn asked_in_time<'a>(top: &'a DeTable<'a>, text: &'a str) -> (Option<Section<'a>>, Vec<Span<usize>>) {
+    let Some(value) = top.get("criteria") else { return (None, Vec::new()) };
+    // One that is no table is for `CaseFile` to refuse.
+    let Some(table) = value.get_ref().as_table() else { return (None, Vec::new()) };
+    let entries = MOTION_CRITERIA.iter().filter_map(|key| table.get_key_value(*key));
+    let places = entries.map(|(key, value)| {
+        let (mut start, mut end) = (key.span().start, value.span().end);
+        let line = text[..start].rfind('\n').map_or(0, |end| end + 1);
+        let before = &text[line..start];
+        if before.trim_end().ends_with('.') {
+            // criteria.slide, above all tables.
+            start = line;
+        } else if before.contains('{') {
+            // In braces a comma goes with it.
+            let rest = &text[end..];
+            let after = rest.len() - rest.trim_start().len();
+            if rest[after..].starts_with(',') {
+                end += after + 1;
+            } else if text[..start].trim_end().ends_with(',') {
+                start = text[..start].trim_end().len() - 1;
+            }
+        }
+        start..end
+    });
+    let places: Vec<_> = places.collect();
+    let section = Section::shared("[criteria]", table, value.span(), text).measured();
+    ((!places.is_empty()).then_some(section), places)
 }
 
 /// The lines of [motion] and the tables in it, and of histories that have a header of their own.
@@ -243,8 +241,11 @@ fn read(
         .map(|section| history::read_wave(section, file, case.wave.as_ref()).map(&mut taken))
         .transpose()?;
     let mut loads = Vec::new();
-    for section in &in_time.loads {
-        loads.push(section.as_ref().map(|section| history::read(section, file).map(&mut taken)).transpose()?);
+    for (section, force) in in_time.loads.iter().zip(&case.forces) {
+        let read = section.as_ref().map(|section| {
+            history::read(&section.of_force(force.magnitude, case.extent), file).map(&mut taken)
+        });
+        loads.push(read.transpose()?);
     }
     let section = match &in_time.motion {
         Some(motion) => motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])?,
@@ -270,6 +271,7 @@ fn read(
                 .to_owned();
         warnings.push(MotionWarning { name: "ground-left-out", words });
     }
+    let criteria = in_time.criteria.as_ref().map_or_else(|| Ok(Vec::new()), MotionCriterion::read)?;
     let step = steps.into_iter().reduce(f64::max);
     let mut cases = Vec::new();
     for acts in &case.acting() {
@@ -280,6 +282,7 @@ fn read(
                 && load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO
         });
         let mut problem = Problem::new(block, case.gravity);
+        let mut peaks = Vec::new();
         let mass = situation.body().mass();
         if !situation.loads().iter().any(|load| load.source == LoadSource::Weight && load.factor == 1.0) {
             // The weight comes as a load of its own: take off the one that the problem has.
@@ -321,6 +324,8 @@ fn read(
                         .help("history = { shape = \"triangle\", rise = \"0.2 s\", duration = \"0.4 s\" }, or permanent = true")
                 })?
             };
+            let wrench = situation.wrench_of(load) * history.peak();
+            peaks.push(LoadPeak { name: load_words(load), permanent: load.permanent, wrench });
             problem.loads.extend(acting_as(load, situation.body(), case.gravity, mass, &history));
         }
         problem.base = base.clone();
@@ -348,6 +353,8 @@ fn read(
             height,
             uplift,
             si: true,
+            peaks,
+            criteria: criteria.clone(),
             warnings: warnings.iter().cloned().chain(slips).collect(),
         });
     }

@@ -8,6 +8,7 @@ use super::error::Wrong;
 use super::table::Section;
 use super::{MotionWarning, ReadFile};
 use crate::case::Waves;
+use crate::units::Extent;
 
 /// A shape, with the keys it has beside `shape` and `start`.
 const SHAPES: [(&str, &[&str]); 9] = [
@@ -190,18 +191,15 @@ fn recorded(section: &Section<'_>, file: &ReadFile<'_>, start: f64) -> Result<Re
     let record = Record::parse(name, &text, section.words("column")?, section.number("dt")?);
     let record = record.map_err(|error| Wrong::new(error.to_string(), place()))?;
     let unit = match () {
-        () if section.is_of_load() && record.unit != RecordUnit::Unnamed => {
-            let message =
-                format!("{name} has a unit, and the load has a force of its own that the record multiplies");
-            return Err(Wrong::new(message, place()).help("name the column without a unit, as share"));
-        }
-        () if !section.is_measured() || section.is_of_load() => 1.0,
+        () if section.is_of_load() => of_own_force(section, name, &record)
+            .map_err(|(message, help)| Wrong::new(message, place()).help(help))?,
+        () if !section.is_measured() => 1.0,
         () => {
             let unit = record.known_unit(name, section.words("column")?);
             let unit = unit.map_err(|error| Wrong::new(error.to_string(), place()))?;
             if !unit.is_acceleration() {
                 return Err(Wrong::new(
-                    format!("{name} is a record of a force; expected one of an acceleration"),
+                    format!("{name} is no record of an acceleration, as that of a base has to be"),
                     place(),
                 ));
             }
@@ -223,6 +221,39 @@ fn recorded(section: &Section<'_>, file: &ReadFile<'_>, start: f64) -> Result<Re
             (factor, None) => factor.unwrap_or(1.0),
         };
     of_record(name, &record, factor, start).map_err(|error| refused(section, &error))
+}
+
+/// What the values of a record of a load are multiplied by: 1 of shares of the load's own force; a force is that force itself.
+fn of_own_force(section: &Section<'_>, name: &str, record: &Record) -> Result<f64, (String, &'static str)> {
+    const UNITS: &str = "name the column with its unit, as force_kN_m per metre run or force_kN of a whole object, or share if it \
+                         multiplies the load's own force";
+    match (record.unit, section.force()) {
+        (RecordUnit::Share, _) => Ok(1.0),
+        (RecordUnit::Unnamed, _) => {
+            Err((format!("{name}: the column of values names no unit of a force"), UNITS))
+        }
+        (unit, _) if unit.is_acceleration() => {
+            Err((format!("{name} is a record of an acceleration; expected one of a force"), UNITS))
+        }
+        (unit, Some((_, extent))) if unit.is_per_metre() != (extent == Extent::PerMetre) => {
+            let [found, expected] = match unit.is_per_metre() {
+                true => ["per metre run", "of a whole object"],
+                false => ["of a whole object", "per metre run"],
+            };
+            Err((format!("{name} is a record of a force {found}; this case has forces {expected}"), UNITS))
+        }
+        (unit, Some((force, _))) if force > 0.0 => Ok(unit.si() / force),
+        (_, Some(_)) => Err((
+            format!("{name} is a record of a force, and the load has a force of 0"),
+            "give the load the peak of its record as `force`",
+        )),
+        (_, None) => Err((
+            format!(
+                "{name} has a unit of force, and a wave has pressures of its own that the record multiplies"
+            ),
+            "name the column without a unit, as share",
+        )),
+    }
 }
 
 /// The history of a record, its values times a factor, with what it gives reason to warn of.

@@ -4,7 +4,9 @@ use serde::Serialize;
 use standfast::Mode;
 use standfast_motion::{End, Outcome};
 
+use super::criteria::{MotionCheck, MotionCriterion, MotionValue};
 use super::{BlockCase, Followed, MotionWarning};
+use crate::assess::optional_number_or_word;
 
 /// Every key is there in every answer, as docs/simulate.schema.json has them: `null`, or an empty list, where there is no such thing.
 #[derive(Serialize)]
@@ -35,10 +37,28 @@ struct Document<'a> {
     energy_residual: f64,
     unique: bool,
     sensitivity: Option<f64>,
+    met: Option<bool>,
+    criteria: Vec<CriterionEntry>,
     events: Vec<EventEntry>,
     warnings: Vec<WarningEntry<'a>>,
     figures: &'a [String],
     others: Vec<Document<'a>>,
+}
+
+#[derive(Serialize)]
+struct CriterionEntry {
+    name: &'static str,
+    required: MotionCriterion,
+    value: MotionValue,
+    #[serde(serialize_with = "optional_number_or_word")]
+    utilisation: Option<f64>,
+    met: bool,
+}
+
+impl From<MotionCheck> for CriterionEntry {
+    fn from(MotionCheck { criterion, value, utilisation, met, .. }: MotionCheck) -> CriterionEntry {
+        CriterionEntry { name: criterion.name(), required: criterion, value, utilisation, met }
+    }
 }
 
 #[derive(Serialize)]
@@ -120,6 +140,8 @@ impl BlockCase {
             energy_residual: outcome.energy_residual(),
             unique: outcome.unique,
             sensitivity: followed.sensitivity,
+            met: self.met(outcome),
+            criteria: self.checks(outcome).into_iter().map(CriterionEntry::from).collect(),
             events: events.collect(),
             warnings: warnings.map(WarningEntry::from).collect(),
             figures: &[],

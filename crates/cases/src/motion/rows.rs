@@ -11,12 +11,13 @@ use standfast_motion::Outcome;
 use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 
+use super::criteria::MOTION_CRITERIA;
 use super::json::{end_word, of_balance};
 use super::{Follow, GivenBase, ReadFile, cases_on, follow_all};
 use crate::key::{Key, Moves, Table};
 
 /// The results of a row, in their order.
-pub const RESULTS: [&str; 13] = [
+pub const RESULTS: [&str; 16] = [
     "end",
     "slide",
     "max_slide",
@@ -28,9 +29,15 @@ pub const RESULTS: [&str; 13] = [
     "t_rest",
     "t_final",
     "unique",
+    "met",
+    "utilisation",
+    "criterion",
     "situation",
     "warnings",
 ];
+
+/// Those that say how far the criteria are met.
+const OF_CRITERIA: [&str; 3] = ["met", "utilisation", "criterion"];
 
 /// Keys whose values are texts, whatever they look like.
 const TEXTS: [&str; 6] = ["file", "column", "shape", "law", "baseline", "title"];
@@ -120,6 +127,16 @@ impl MotionRows {
         Ok(MotionRows { name: name.to_owned(), text: text.to_owned(), varied })
     }
 
+    /// The results that the case has, in their order: of criteria only where it has some.
+    pub fn results(&self) -> Vec<usize> {
+        let document = DeTable::parse(&self.text).ok();
+        let asked = document.as_ref().and_then(|document| document.get_ref().get("criteria"));
+        let asked = asked.and_then(|value| value.get_ref().as_table());
+        let asks = asked.is_some_and(|table| MOTION_CRITERIA.iter().any(|key| table.contains_key(*key)));
+        let of_criteria = |place: &usize| OF_CRITERIA.contains(&RESULTS[*place]);
+        (0..RESULTS.len()).filter(|place| asks || !of_criteria(place)).collect()
+    }
+
     /// The places of the columns that vary something.
     pub fn varied(&self) -> impl Iterator<Item = usize> {
         self.varied.iter().map(|(place, ..)| *place)
@@ -153,6 +170,8 @@ impl MotionRows {
         let answers = follow_all(cases, &Follow::default()).map_err(|error| error.to_string())?;
         let Some((case, followed)) = answers.first() else { return Err("no situation".to_owned()) };
         let outcome: &Outcome = &followed.outcome;
+        let checks = case.checks(outcome);
+        let governing = checks.first();
         let names: Vec<&str> = followed.warnings.iter().map(|warning| warning.name).collect();
         Ok(vec![
             end_word(outcome.end).to_owned(),
@@ -166,6 +185,9 @@ impl MotionRows {
             outcome.t_rest.map_or_else(String::new, |t| t.to_string()),
             outcome.t_final.to_string(),
             outcome.unique.to_string(),
+            case.met(outcome).map_or_else(String::new, |met| met.to_string()),
+            governing.and_then(|check| check.utilisation).map_or_else(String::new, |used| used.to_string()),
+            governing.map_or("", |check| check.criterion.name()).to_owned(),
             case.situation.clone().unwrap_or_default(),
             names.join(" "),
         ])

@@ -2,27 +2,23 @@
 
 use std::fmt::Write;
 
-use standfast_motion::Outcome;
+use standfast_motion::{Outcome, Position};
 
-/// The motion every `dt` until it ends, as CSV: time, position of the centre of mass and of the touching corner along the base, θ, θ̇ and
-/// the state.
+/// The columns of a series: time, position of the touching corner along the base, x and y of the centre of mass, θ, θ̇ and the state.
+pub const SERIES: [&str; 7] = ["t", "slide", "x", "y", "theta", "omega", "state"];
+
+/// The motion every `dt` until it ends: the moment asked for, and where the body is.
+pub fn series(outcome: &Outcome, dt: f64) -> impl Iterator<Item = (f64, Position)> {
+    let count = (outcome.t_final / dt + 1e-9).floor() as u64;
+    (0..=count).map(move |i| i as f64 * dt).map_while(|t| Some((t, outcome.at(t)?)))
+}
+
+/// The same as CSV.
 pub fn series_csv(outcome: &Outcome, dt: f64) -> String {
-    let mut text = "t,slide,x,y,theta,omega,state\n".to_owned();
-    let end = outcome.t_final;
-    let count = (end / dt + 1e-9).floor() as u64;
-    for i in 0..=count {
-        let t = i as f64 * dt;
-        let Some(at) = outcome.at(t) else { break };
-        let _ = writeln!(
-            text,
-            "{t},{},{},{},{},{},{}",
-            at.slide,
-            at.x,
-            at.y,
-            at.theta,
-            at.omega,
-            at.state.symbol()
-        );
+    let mut text = SERIES.join(",") + "\n";
+    for (t, at) in series(outcome, dt) {
+        let (slide, x, y, theta, omega) = (at.slide, at.x, at.y, at.theta, at.omega);
+        let _ = writeln!(text, "{t},{slide},{x},{y},{theta},{omega},{}", at.state.symbol());
     }
     text
 }

@@ -64,7 +64,15 @@ impl FromStr for Steps {
             }
             None => 0,
         };
-        if from < to { Ok(Steps { from, to, count }) } else { Err(expected()) }
+        match from < to {
+            true => Ok(Steps { from, to, count }),
+            false => {
+                let why = if from > to { "is above" } else { "is the same as" };
+                Err(format!(
+                    "{text}: FROM, {from}, {why} TO, {to}; expected FROM,TO or FROM,TO,COUNT with 0 < FROM < TO"
+                ))
+            }
+        }
     }
 }
 

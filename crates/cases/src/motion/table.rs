@@ -11,7 +11,7 @@ use super::error::Wrong;
 use crate::layout::shortened;
 use crate::parse::{plain_number, type_of};
 use crate::suggest::closest;
-use crate::units::{Dimension, in_gravity};
+use crate::units::{Dimension, Extent, in_gravity};
 
 /// A table with its name, as errors call it, and its place.
 pub(crate) struct Section<'a> {
@@ -20,6 +20,8 @@ pub(crate) struct Section<'a> {
     pub span: Span<usize>,
     text: &'a str,
     units: Units,
+    /// The force of the load that it is the history of, and what that is of.
+    force: Option<(f64, Extent)>,
 }
 
 /// Whether texts with units are numbers.
@@ -55,7 +57,17 @@ impl<'a> Section<'a> {
                 Wrong::new(format!("{name} has no key `{}`", shortened(found)), key.span()).help(help)
             );
         }
-        Ok(Section { name, table, span, text, units: Units::None })
+        Ok(Section { name, table, span, text, units: Units::None, force: None })
+    }
+
+    /// A table of which only some keys are read here.
+    pub(crate) fn shared(
+        name: &str,
+        table: &'a DeTable<'a>,
+        span: Span<usize>,
+        text: &'a str,
+    ) -> Section<'a> {
+        Section { name: name.to_owned(), table, span, text, units: Units::None, force: None }
     }
 
     /// The same where quantities may have units.
@@ -66,6 +78,16 @@ impl<'a> Section<'a> {
     /// The same of the history of a load.
     pub(crate) fn of_load(self) -> Section<'a> {
         Section { units: Units::SiOfLoad, ..self }
+    }
+
+    /// The same of a load of this force.
+    pub(crate) fn of_force(&self, force: f64, extent: Extent) -> Section<'a> {
+        Section { force: Some((force, extent)), name: self.name.clone(), span: self.span.clone(), ..*self }
+    }
+
+    /// The force of the load that it is the history of, and what that is of.
+    pub(crate) fn force(&self) -> Option<(f64, Extent)> {
+        self.force
     }
 
     /// Whether numbers are in SI units.
@@ -86,8 +108,8 @@ impl<'a> Section<'a> {
                 Some(Dimension::Time)
             }
             "peak" | "tail" | "target_peak" if self.units == Units::Si => Some(Dimension::Acceleration),
-            "gap" => Some(Dimension::Length),
-            "theta" | "phase" => Some(Dimension::Angle),
+            "gap" | "slide" => Some(Dimension::Length),
+            "theta" | "max_theta" | "phase" => Some(Dimension::Angle),
             _ => None,
         }
     }

@@ -5,9 +5,10 @@ use std::fmt::Write;
 use standfast::Mode;
 use standfast_motion::{End, Event, Outcome, Why};
 
+use super::criteria::met_words;
 use super::json::of_balance;
 use super::{BlockCase, Followed};
-use crate::layout::{columns, significant};
+use crate::layout::{columns, paragraph, row, significant};
 
 /// So many events are shown one by one.
 const SHOWN: usize = 24;
@@ -39,11 +40,42 @@ impl BlockCase {
         for warning in &followed.warnings {
             let _ = writeln!(text, "Note ({}): {}.", warning.name, warning.words);
         }
+        if !self.criteria.is_empty() {
+            let _ = write!(text, "\nCriteria\n{}", criteria(self, outcome));
+        }
         text
     }
 }
 
+/// Rows of words, numbers and units.
+pub type Rows = Vec<Vec<String>>;
+
 impl BlockCase {
+    /// What becomes of the body, in a sentence.
+    pub fn verdict(&self, followed: &Followed) -> String {
+        verdict(&followed.outcome, self.seconds())
+    }
+
+    /// The numbers of the answer: what each is, the number with its unit, and when or how much of what it is.
+    pub fn number_rows(&self, followed: &Followed) -> Rows {
+        numbers(self, followed)
+    }
+
+    /// The events: when, why, and the state that goes on; of more than 24 the first and the last.
+    pub fn event_rows(&self, followed: &Followed) -> Rows {
+        event_rows(&followed.outcome, false, self.seconds(), "")
+    }
+
+    /// The balance of energy, J/kg of a body.
+    pub fn energy_rows(&self, followed: &Followed) -> Rows {
+        energy(&followed.outcome)
+    }
+
+    /// Whether the answer is unique, in a sentence.
+    pub fn uniqueness(&self, followed: &Followed) -> String {
+        uniqueness(&followed.outcome)
+    }
+
     /// The unit of times, with a space before it, if they have one.
     pub(super) fn seconds(&self) -> &'static str {
         if self.si { " s" } else { "" }
@@ -92,6 +124,23 @@ pub(super) fn verdict(outcome: &Outcome, s: &str) -> String {
     format!("{begins} {}. {ends}{past}", first.state.words())
 }
 
+/// What is asked of the motion, the governing criterion first.
+fn criteria(case: &BlockCase, outcome: &Outcome) -> String {
+    let checks = case.checks(outcome);
+    let mut rows = vec![row!["criterion", "required", "value", "utilisation", ""]];
+    rows.extend(checks.iter().map(|check| {
+        row![
+            check.criterion.name(),
+            check.criterion.required(check.si),
+            check.value_words(),
+            check.utilisation_words(),
+            check.met_words(),
+        ]
+    }));
+    let met = met_words(checks.iter().map(|check| (check.criterion.name(), check.met)));
+    columns(&rows, 2, &[3]) + &paragraph(&met, 2)
+}
+
 /// What is said of a number that is not zero.
 fn when(number: f64, words: impl Fn() -> String) -> String {
     if number == 0.0 { String::new() } else { words() }
@@ -127,6 +176,11 @@ fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
 }
 
 fn events(outcome: &Outcome, all: bool, s: &str) -> String {
+    columns(&event_rows(outcome, all, s, "; --all shows them"), 2, &[])
+}
+
+/// The events, of many the first and the last; `how` says how to see the others.
+fn event_rows(outcome: &Outcome, all: bool, s: &str, how: &str) -> Rows {
     let row = |event: &Event| {
         let others = event.consistent.without(Some(event.state));
         let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
@@ -138,14 +192,14 @@ fn events(outcome: &Outcome, all: bool, s: &str) -> String {
     };
     let events = &outcome.events;
     if all || events.len() <= SHOWN {
-        return columns(&events.iter().map(row).collect::<Vec<_>>(), 2, &[]);
+        return events.iter().map(row).collect();
     }
     let (head, tail) = (SHOWN * 2 / 3, SHOWN / 3);
     let mut rows: Vec<Vec<String>> = events[..head].iter().map(row).collect();
     let left = events.len() - head - tail;
-    rows.push(vec!["…".to_owned(), format!("{left} more; --all shows them"), String::new()]);
+    rows.push(vec!["…".to_owned(), format!("{left} more{how}"), String::new()]);
     rows.extend(events[events.len() - tail..].iter().map(row));
-    columns(&rows, 2, &[])
+    rows
 }
 
 fn energy(outcome: &Outcome) -> Vec<Vec<String>> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -10,7 +10,7 @@ use miette::Diagnostic;
 use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
 use standfast_cases::suggest::closest;
-use standfast_tables::{OnError, TableFormat};
+use standfast_tables::{OnError, TableFormat, WrittenColumn, written};
 use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
@@ -31,13 +31,17 @@ pub enum MotionTableError {
         cause: String,
     },
     /// A format that tables of motions do not have.
-    #[error("a table of motions is CSV, and {name} is {format}")]
+    #[error("a table that varies a motion is read as CSV, and {name} is {format}")]
     Format {
         /// The file.
         name: String,
         /// Its format.
         format: &'static str,
     },
+    /// A format of the output that there is not.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Output(Box<super::BatchCommandError>),
     /// An option that tables of motions do not have.
     #[error("{option} does not go with a table of motions")]
     Option {
@@ -88,19 +92,22 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
     if !args.map.is_empty() {
         return Err(MotionTableError::Option { option: "--map" });
     }
-    for (file, said) in [(&args.input, args.input_format), (&args.output, args.output_format)] {
-        let format = said.or_else(|| TableFormat::of(file, "--input-format").ok());
-        if let Some(format) = format.filter(|format| *format != TableFormat::Csv) {
-            return Err(MotionTableError::Format { name: file.display().to_string(), format: format.name() });
-        }
+    let format = args.input_format.or_else(|| TableFormat::of(&args.input, "--input-format").ok());
+    if let Some(format) = format.filter(|format| *format != TableFormat::Csv) {
+        return Err(MotionTableError::Format {
+            name: args.input.display().to_string(),
+            format: format.name(),
+        });
     }
+    let format = super::format(&args.output, args.output_format, "--output-format");
+    let format = format.map_err(|error| MotionTableError::Output(Box::new(error)))?;
     let nulls = args.on_error == OnError::Null;
     let (header, records) = read(args, &name, nulls)?;
     let rows = MotionRows::of(&case_file::name(case), text, &header)?;
     if rows.varied().next().is_none() {
         return Err(MotionTableError::Nothing { name });
     }
-    let results = results(&args.columns)?;
+    let results = if args.columns.is_empty() { rows.results() } else { results(&args.columns)? };
     let file = cached(case.to_owned());
     let threads = threads(args.threads);
     let progress = Motions::shown();
@@ -108,13 +115,12 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
         rows.answer(&record.iter().collect::<Vec<_>>(), &file)
     });
     progress.clear();
-    let mut out = csv::Writer::from_writer(Vec::new());
     let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
     head.extend(results.iter().map(|i| ROW_RESULTS[*i]));
     head.extend(nulls.then_some("problem"));
     let unwritten = |cause: io::Error| WriteError { path: args.output.clone(), cause };
-    out.write_record(&head).map_err(|cause| unwritten(cause.into()))?;
     let (mut bad, mut first) = (0, None);
+    let mut table: Vec<Vec<String>> = vec![Vec::new(); head.len()];
     for (i, (record, answer)) in records.iter().zip(answers).enumerate() {
         let cell = |j: usize| record.get(j).unwrap_or_default().to_owned();
         let mut cells: Vec<String> = (0..header.len()).map(cell).collect();
@@ -131,9 +137,16 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
             }
             Err(words) => return Err(MotionTableError::Row { name, row: i + 1, words }),
         }
-        out.write_record(&cells).map_err(|cause| unwritten(cause.into()))?;
+        table.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell));
     }
-    let content = out.into_inner().map_err(|cause| unwritten(io::Error::other(cause.to_string())))?;
+    let columns = head.iter().map(|name| (*name).to_owned()).zip(table).enumerate();
+    let columns = columns.map(|(place, (name, cells))| {
+        let of_result = (place >= header.len()).then_some(&*name);
+        let is_text = format == TableFormat::Csv;
+        let column = if is_text { WrittenColumn::Texts(cells) } else { column(of_result, cells) };
+        (name, column)
+    });
+    let content = written(format, &columns.collect::<Vec<_>>()).map_err(unwritten)?;
     let varied: Vec<&str> = rows.varied().map(|place| header[place].as_str()).collect();
     let mut said = paragraph(&format!("varied: {}", varied.join(", ")), 0);
     if let Some(first) = first {
@@ -141,7 +154,11 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
     }
     if args.output == Path::new("-") {
         crate::complain(&said);
-        return Ok(String::from_utf8_lossy(&content).into_owned());
+        if format == TableFormat::Csv {
+            return Ok(String::from_utf8_lossy(&content).into_owned());
+        }
+        io::stdout().write_all(&content).map_err(unwritten)?;
+        return Ok(String::new());
     }
     write::write_file(&args.output, &content)?;
     crate::complain(&said);
@@ -168,11 +185,26 @@ fn read(
     Ok((header, records))
 }
 
-/// The places of the results of these names; of all for none.
-fn results(names: &[String]) -> Result<Vec<usize>, MotionTableError> {
-    if names.is_empty() {
-        return Ok((0..ROW_RESULTS.len()).collect());
+/// The cells of a column as what they are: a result of this name, or, of the table's own, numbers if all are.
+fn column(result: Option<&str>, cells: Vec<String>) -> WrittenColumn {
+    let numbers = || cells.iter().map(|cell| cell.parse().ok()).collect();
+    match result {
+        Some("end" | "situation" | "warnings" | "criterion" | "problem") => WrittenColumn::Texts(cells),
+        Some("overturned" | "past_balance" | "unique" | "met") => {
+            WrittenColumn::Truths(cells.iter().map(|cell| cell.parse().ok()).collect())
+        }
+        Some("impacts") => WrittenColumn::Counts(cells.iter().map(|cell| cell.parse().ok()).collect()),
+        Some(_) => WrittenColumn::Numbers(numbers()),
+        None => {
+            let is_number = |cell: &String| cell.is_empty() || cell.parse::<f64>().is_ok_and(f64::is_finite);
+            let all = cells.iter().all(is_number) && cells.iter().any(|cell| !cell.is_empty());
+            if all { WrittenColumn::Numbers(numbers()) } else { WrittenColumn::Texts(cells) }
+        }
     }
+}
+
+/// The places of the results of these names.
+fn results(names: &[String]) -> Result<Vec<usize>, MotionTableError> {
     let place = |name: &String| {
         let found = ROW_RESULTS.iter().position(|result| *result == name.trim());
         found.ok_or_else(|| {

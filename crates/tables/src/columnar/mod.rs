@@ -11,6 +11,9 @@ mod table;
 mod text;
 #[cfg(feature = "xlsx")]
 mod workbook;
+mod written;
+
+pub(crate) use written::written;
 
 use std::io::{self, Write};
 use std::sync::{Arc, PoisonError};

@@ -1,0 +1,279 @@
+//! What is asked of a motion, and how far it is met: `slide`, `max_theta` and `overturned` under `[criteria]`.
+//!
+//! A bound is met by a motion that was followed to its end: of a body that still moves when the time is up nobody knows how far it gets.
+
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+use standfast::number::exact;
+use standfast_motion::{End, Outcome};
+
+use super::error::Wrong;
+use super::table::Section;
+use super::{BlockCase, Followed};
+use crate::layout::{apart, digits, plain};
+
+/// The keys of these criteria, which are those of the results that they ask for.
+pub const MOTION_CRITERIA: [&str; 3] = ["slide", "max_theta", "overturned"];
+
+/// What is asked of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionCriterion {
+    /// The displacement along the base at the end is this at most, to either side.
+    Slide(f64),
+    /// |θ| is this at most, in radians.
+    MaxTheta(f64),
+    /// The body does not overturn.
+    NotOverturned,
+}
+
+/// What a motion has of what is asked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionValue {
+    /// A length, or an angle in radians.
+    Number(f64),
+    /// Whether it overturns.
+    Truth(bool),
+    /// There is none: the body has overturned, or was not followed to the end of its motion.
+    None,
+}
+
+/// How far a motion meets a criterion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionCheck {
+    /// The criterion.
+    pub criterion: MotionCriterion,
+    /// What the motion has.
+    pub value: MotionValue,
+    /// What of the bound is used, value/required; infinite where there is no value that could meet it, `None` where nothing is measured.
+    pub utilisation: Option<f64>,
+    /// Whether it is met.
+    pub met: bool,
+    /// How the motion ended.
+    pub end: End,
+    /// Whether quantities are in SI units.
+    pub si: bool,
+}
+
+impl MotionCriterion {
+    /// Its name: that of the result.
+    pub fn name(self) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) => MOTION_CRITERIA[0],
+            MotionCriterion::MaxTheta(_) => MOTION_CRITERIA[1],
+            MotionCriterion::NotOverturned => MOTION_CRITERIA[2],
+        }
+    }
+
+    /// What is asked for, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) => "displacement along the base at the end, to either side",
+            MotionCriterion::MaxTheta(_) => "largest angle to either side",
+            MotionCriterion::NotOverturned => "whether the body overturns",
+        }
+    }
+
+    /// Reads those of a table; other keys of it are others'.
+    pub(super) fn read(section: &Section<'_>) -> Result<Vec<MotionCriterion>, Wrong> {
+        let mut criteria = Vec::new();
+        let bound = |key: &str| match section.number(key)? {
+            Some(bound) if bound <= 0.0 => {
+                let message = format!("`{key}` is {}; expected a number above zero", exact(bound));
+                Err(Wrong::new(message, section.place(key)))
+            }
+            bound => Ok(bound),
+        };
+        criteria.extend(bound("slide")?.map(MotionCriterion::Slide));
+        criteria.extend(bound("max_theta")?.map(MotionCriterion::MaxTheta));
+        match section.truth("overturned")? {
+            Some(true) => {
+                let message = "`overturned` is true; expected false: that the body does not overturn";
+                return Err(Wrong::new(message, section.place("overturned")));
+            }
+            Some(false) => criteria.push(MotionCriterion::NotOverturned),
+            None => {}
+        }
+        Ok(criteria)
+    }
+
+    /// The bound, where it is a number.
+    pub fn bound(self) -> Option<f64> {
+        match self {
+            MotionCriterion::Slide(bound) | MotionCriterion::MaxTheta(bound) => Some(bound),
+            MotionCriterion::NotOverturned => None,
+        }
+    }
+
+    fn unit(self, si: bool) -> &'static str {
+        match self {
+            MotionCriterion::Slide(_) if si => " m",
+            MotionCriterion::MaxTheta(_) if si => " rad",
+            _ => "",
+        }
+    }
+
+    /// The bound as it is read: `≤ 0.1 m`.
+    pub fn required(self, si: bool) -> String {
+        match self.bound() {
+            Some(bound) => format!("≤ {}{}", digits(bound), self.unit(si)),
+            None => "no".to_owned(),
+        }
+    }
+
+    /// How far a motion meets it.
+    pub fn check(self, si: bool, outcome: &Outcome) -> MotionCheck {
+        let value = match self {
+            MotionCriterion::Slide(_) if outcome.overturned() => MotionValue::None,
+            MotionCriterion::Slide(_) => MotionValue::Number(outcome.slide.abs()),
+            MotionCriterion::MaxTheta(_) => MotionValue::Number(outcome.max_theta),
+            MotionCriterion::NotOverturned => MotionValue::Truth(outcome.overturned()),
+        };
+        let within = match (value, self.bound()) {
+            (MotionValue::Number(value), Some(bound)) => value <= bound,
+            (MotionValue::Truth(overturned), _) => !overturned,
+            _ => false,
+        };
+        // What is beyond a bound already stays a number; what is not may get there yet.
+        let followed = matches!(outcome.end, End::AtRest | End::Overturned);
+        let value = if within && !followed { MotionValue::None } else { value };
+        let utilisation = match (value, self.bound()) {
+            (MotionValue::Number(value), Some(bound)) => Some(value / bound),
+            (MotionValue::None, Some(_)) => Some(f64::INFINITY),
+            _ => None,
+        };
+        MotionCheck { criterion: self, value, utilisation, met: within && followed, end: outcome.end, si }
+    }
+}
+
+impl fmt::Display for MotionCriterion {
+    /// As a target of a case with a body is written: `slide=0.1 m`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.bound() {
+            Some(bound) => write!(f, "{}={}{}", self.name(), plain(bound), self.unit(true)),
+            None => write!(f, "{}=false", self.name()),
+        }
+    }
+}
+
+impl MotionCheck {
+    /// The value as it is read, with as many digits as tell it from the bound.
+    pub fn value_words(&self) -> String {
+        match (self.value, self.criterion.bound()) {
+            (MotionValue::Number(value), Some(bound)) => {
+                let text = if value == bound { digits(value) } else { apart(&[value, bound])[0].clone() };
+                text + self.criterion.unit(self.si)
+            }
+            (MotionValue::Number(value), None) => digits(value),
+            (MotionValue::Truth(true), _) => "yes".to_owned(),
+            (MotionValue::Truth(false), _) => "no".to_owned(),
+            (MotionValue::None, _) if self.end == End::Overturned => "none: the body overturns".to_owned(),
+            (MotionValue::None, _) => "not known: the motion is not followed to its end".to_owned(),
+        }
+    }
+
+    /// What of the bound is used, as it is read.
+    pub fn utilisation_words(&self) -> String {
+        match self.utilisation {
+            Some(f64::INFINITY) => "infinite".to_owned(),
+            // A number that rounds to 1 is not to be read as met when it is not.
+            Some(utilisation) if utilisation != 1.0 => apart(&[utilisation, 1.0])[0].clone(),
+            Some(utilisation) => digits(utilisation),
+            None => "–".to_owned(),
+        }
+    }
+
+    /// Whether it is met, in words.
+    pub fn met_words(&self) -> &'static str {
+        if self.met { "met" } else { "not met" }
+    }
+
+    /// Why it is not met: `slide is 0.1004 m, not ≤ 0.1 m`.
+    pub fn failure(&self) -> String {
+        let name = self.criterion.name();
+        match (self.value, self.end) {
+            (MotionValue::Number(_), _) => {
+                format!("{name} is {}, not {}", self.value_words(), self.criterion.required(self.si))
+            }
+            (_, End::Overturned) => "the body overturns".to_owned(),
+            _ => format!("{name} is not known: the motion is not followed to its end"),
+        }
+    }
+
+    /// How pressing it is.
+    pub(crate) fn urgency(&self) -> f64 {
+        match (self.utilisation, self.met) {
+            (Some(utilisation), true) => utilisation,
+            (Some(utilisation), false) => utilisation.max(1.0),
+            (None, true) => 0.0,
+            (None, false) => f64::INFINITY,
+        }
+    }
+}
+
+impl BlockCase {
+    /// The criteria of the case, the governing one first.
+    pub fn checks(&self, outcome: &Outcome) -> Vec<MotionCheck> {
+        self.checks_of(&self.criteria, outcome)
+    }
+
+    /// The same of other criteria than those of the case.
+    pub(crate) fn checks_of(&self, criteria: &[MotionCriterion], outcome: &Outcome) -> Vec<MotionCheck> {
+        let mut checks: Vec<_> = criteria.iter().map(|criterion| criterion.check(self.si, outcome)).collect();
+        checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
+        checks
+    }
+
+    /// Whether all criteria are met; `None` where there is none.
+    pub fn met(&self, outcome: &Outcome) -> Option<bool> {
+        (!self.criteria.is_empty()).then(|| self.checks(outcome).iter().all(|check| check.met))
+    }
+}
+
+/// Each criterion in the situation that meets it worst, with the place of that; the governing one first.
+pub(crate) fn worst_checks(
+    criteria: &[MotionCriterion],
+    answers: &[(BlockCase, Followed)],
+) -> Vec<(MotionCheck, usize)> {
+    let worst = |criterion: &MotionCriterion| {
+        let checks = answers.iter().enumerate();
+        let checks =
+            checks.map(|(place, (case, followed))| (criterion.check(case.si, &followed.outcome), place));
+        checks.reduce(|worst, next| if next.0.urgency() > worst.0.urgency() { next } else { worst })
+    };
+    let mut checks: Vec<_> = criteria.iter().filter_map(worst).collect();
+    checks.sort_by(|(one, _), (two, _)| two.urgency().total_cmp(&one.urgency()));
+    checks
+}
+
+/// How many of some criteria are met, in a sentence.
+pub(crate) fn met_words<'a>(checks: impl Iterator<Item = (&'a str, bool)>) -> String {
+    let checks: Vec<_> = checks.collect();
+    let failed: Vec<_> = checks.iter().filter(|(_, met)| !met).map(|(name, _)| *name).collect();
+    match (checks.len(), failed.as_slice()) {
+        (1, []) => "The criterion is met.".to_owned(),
+        (2, []) => "Both criteria are met.".to_owned(),
+        (count, []) => format!("All {count} criteria are met."),
+        (_, failed) => format!("Not met: {}.", failed.join(", ")),
+    }
+}
+
+impl Serialize for MotionValue {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            MotionValue::Number(number) => serializer.serialize_f64(*number),
+            MotionValue::Truth(truth) => serializer.serialize_bool(*truth),
+            MotionValue::None => serializer.serialize_none(),
+        }
+    }
+}
+
+/// The bound in a document: a number, or `false` of what is not to be.
+impl Serialize for MotionCriterion {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.bound() {
+            Some(bound) => serializer.serialize_f64(bound),
+            None => serializer.serialize_bool(false),
+        }
+    }
+}

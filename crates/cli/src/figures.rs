@@ -1,0 +1,102 @@
+//! Figures that are written beside a case file, or into a directory of their own.
+
+use std::path::{Path, PathBuf};
+
+use miette::Diagnostic;
+use standfast_figures::Figure;
+use thiserror::Error;
+
+use crate::case_file;
+use crate::write::{self, WriteError};
+
+/// Why a figure was not written.
+#[derive(Debug, Error, Diagnostic)]
+pub enum FigureError {
+    /// It would replace the case file.
+    #[error("the figure would be written over the case file {}", path.display())]
+    #[diagnostic(help("rename the case file to end in .toml, or choose another directory with -o DIR"))]
+    Overwrite {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// It cannot be written.
+    #[error(transparent)]
+    #[diagnostic(help("-o DIR puts the figures into another directory"))]
+    Write(#[from] WriteError),
+}
+
+/// Where the figures of a case go.
+#[derive(Debug, Clone, Copy)]
+pub enum Figures<'a> {
+    /// Beside the case file; those of a case from standard input, `-`, into the current directory.
+    Beside,
+    /// Into this directory, which is made if it is not there.
+    Into(&'a Path),
+    /// Nowhere: none are drawn.
+    None,
+}
+
+impl<'a> Figures<'a> {
+    /// What the options `--output` and `--no-figures` ask for.
+    pub fn asked(output: Option<&'a Path>, none: bool) -> Figures<'a> {
+        match output {
+            _ if none => Figures::None,
+            Some(directory) => Figures::Into(directory),
+            None => Figures::Beside,
+        }
+    }
+
+    /// Whether any are drawn.
+    pub fn are_drawn(self) -> bool {
+        !matches!(self, Figures::None)
+    }
+
+    /// Writes figures, each with its words and what its file's name has behind that of the case; `drawn` gets those that were written.
+    ///
+    /// # Errors
+    /// If one cannot be written; those before it are.
+    pub fn write<W: Into<String>>(
+        self,
+        case: &Path,
+        figures: impl IntoIterator<Item = (W, String, Figure)>,
+        drawn: &mut Vec<Drawn>,
+    ) -> Result<(), FigureError> {
+        let directory = match self {
+            Figures::Beside => case.parent().unwrap_or(Path::new("")),
+            Figures::Into(directory) => {
+                write::make_directory(directory)?;
+                directory
+            }
+            Figures::None => return Ok(()),
+        };
+        let stem = case_file::stem(case);
+        for (words, suffix, figure) in figures {
+            let file = directory.join(format!("{stem}{suffix}.svg"));
+            if case_file::is_at(case, &file) {
+                return Err(FigureError::Overwrite { path: case.to_owned() });
+            }
+            write::write_file(&file, figure.svg().as_bytes())?;
+            drawn.push(Drawn { words: words.into(), file: file.display().to_string() });
+        }
+        Ok(())
+    }
+}
+
+/// A figure in its file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Drawn {
+    /// What it is.
+    pub words: String,
+    /// The file.
+    pub file: String,
+}
+
+/// A line for each file that was written.
+pub fn said(drawn: &[Drawn]) -> String {
+    drawn.iter().map(|Drawn { words, file }| format!("{words} written to {file}\n")).collect()
+}
+
+/// The files that were written.
+pub fn files(drawn: Vec<Drawn>) -> Vec<String> {
+    drawn.into_iter().map(|drawn| drawn.file).collect()
+}

@@ -1,0 +1,119 @@
+//! The motion in time of a case: what it is asked of, what becomes of the body, and what the model leaves out.
+
+use maud::{Markup, html};
+use standfast_cases::Case;
+use standfast_cases::assess::InTime;
+use standfast_cases::layout::digits;
+use standfast_cases::motion::{BlockCase, Followed, LoadPeak, MotionFigure, Rows, Timed};
+
+/// At most so many situations are shown one by one.
+const SHOWN: usize = 8;
+
+/// The lines of the case file that belong to time.
+pub fn inputs(timed: &Timed<'_>) -> Markup {
+    html! {
+        h3 { "In time" }
+        p.note { "These lines of the case file say how the loads go with time, how the base moves, and what is asked of the motion:" }
+        pre.written data-table="in-time" { @for line in timed.lines() { (line) "\n" } }
+        p.note { "In sections 2 to 4, " (timed.note()) "." }
+    }
+}
+
+/// What becomes of the body, in each situation.
+pub fn motions(in_time: &InTime, case: &Case) -> Markup {
+    let all = &in_time.motions;
+    html! {
+        p.note {
+            "The motion is followed event by event from rest to its end, by closed forms and power series between events that are roots of \
+             them. Slide is to the right, θ counter-clockwise; moments are about the centre of mass. Energies are per mass, the weight \
+             left out of the work."
+        }
+        @for (block, followed) in all.iter().take(SHOWN) { (motion(block, followed, case)) }
+        @if all.len() > SHOWN { p.note { "Of " (all.len()) " situations the " (SHOWN) " worst are shown here." } }
+    }
+}
+
+fn motion(block: &BlockCase, followed: &Followed, case: &Case) -> Markup {
+    html! {
+        @if let Some(situation) = &block.situation { h3 { "Motion under " (situation) } }
+        p.verdict data-motion=(followed.outcome.overturned()) { (block.verdict(followed)) }
+        h4 { "Loads at their peaks" }
+        (peaks(block, case))
+        h4 { "Results" }
+        (table("in-time-results", &[], &block.number_rows(followed)))
+        h4 { "Events" }
+        (table("in-time-events", &["When", "Why", "State that goes on"], &block.event_rows(followed)))
+        h4 { "Energy per mass, J/kg" }
+        (table("in-time-energy", &[], &block.energy_rows(followed)))
+        p { (block.uniqueness(followed)) }
+        @for warning in &followed.warnings { p { "Note (" code { (warning.name) } "): " (warning.words) "." } }
+    }
+}
+
+/// Every load at the peak of its history, and the base at that of its acceleration.
+fn peaks(block: &BlockCase, case: &Case) -> Markup {
+    let base = &block.problem.base;
+    let shaken = [("to the right", &base.horizontal), ("upwards", &base.vertical)];
+    let [force, moment] = [case.extent.force_unit(), case.extent.moment_unit()];
+    html! {
+        @if !block.peaks.is_empty() {
+            table.numbers data-table="in-time-peaks" {
+                thead {
+                    tr {
+                        th { "Load" } th.n { "To the left, " (force) } th.n { "Down, " (force) }
+                        th.n { "Moment, " (moment) } th {}
+                    }
+                }
+                tbody {
+                    @for LoadPeak { name, permanent, wrench } in &block.peaks {
+                        tr {
+                            td.name { (name) }
+                            @for value in [-wrench.x, wrench.p, wrench.m] { td.n { (digits(value / 1e3 + 0.0)) } }
+                            td { @if *permanent { "all the time" } }
+                        }
+                    }
+                }
+            }
+        }
+        @for (direction, history) in shaken {
+            @if let Some(history) = history {
+                p {
+                    "The base moves: its acceleration " (direction) " reaches " (digits(history.peak())) " m/s², "
+                    (digits(history.peak() / case.gravity)) " of gravity."
+                }
+            }
+        }
+    }
+}
+
+fn table(name: &str, head: &[&str], rows: &Rows) -> Markup {
+    html! {
+        table.numbers data-table=(name) {
+            @if !head.is_empty() { thead { tr { @for cell in head { th { (cell) } } } } }
+            tbody {
+                @for row in rows { tr { @for (i, cell) in row.iter().enumerate() { td.n[head.is_empty() && i == 1] { (cell) } } } }
+            }
+        }
+    }
+}
+
+/// Histories and positions of the worst situation; what moves has no place on paper.
+pub fn figures(in_time: &InTime) -> Vec<MotionFigure> {
+    let worst = in_time.motions.first();
+    let figures = worst.map_or_else(Vec::new, |(block, followed)| block.figures(followed));
+    figures.into_iter().filter(|figure| figure.suffix != "-animation").collect()
+}
+
+/// What the motion in time leaves out.
+pub fn limits() -> Markup {
+    html! {
+        p { "Of the motion in time, moreover:" }
+        ul {
+            li { "body and base are rigid and flat, the motion is plane, and the body stands on two corners;" }
+            li { "the ground does not settle or fail, and there is no pressure of pore water;" }
+            li { "water that moves with the body does so as if it did not turn, and the water under a lifted base presses as before;" }
+            li { "at an impact the body does not bounce, unless a measured ratio is given; and a body that rocks under a record is \
+                  sensitive to every number, so that one motion is an example of what may happen." }
+        }
+    }
+}
