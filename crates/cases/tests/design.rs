@@ -328,6 +328,9 @@ fn targets_are_the_criteria_and_a_few_words() {
         ("eccentricity=50 cm", "eccentricity=0.5 m"),
         ("contact_share=0.5", "contact_share=0.5"),
         ("modes_not=[\"RO\"]", "modes_not=[\"RO\"]"),
+        ("slide = 10cm", "slide=0.1 m"),
+        ("max_theta=50 mrad", "max_theta=0.05 rad"),
+        ("overturned=false", "overturned=false"),
     ] {
         assert_eq!(target(text).map(|target| target.to_string()).as_deref(), Ok(shown), "{text}");
         assert_eq!(target(shown), target(text));
@@ -348,7 +351,12 @@ fn targets_are_the_criteria_and_a_few_words() {
         ("SF_sliding=1,2", "it has a comma"),
         ("bearing_max=300 kN", "the unit `kN` does not fit"),
         ("contact_share=1.2", "a share, above zero and 1 at most"),
-        ("slide=0.1", "how far the body slides"),
+        ("p_not_rest=0.1", "a probability"),
+        ("slide", "slide needs a value, as in slide=0.10 m"),
+        ("slide=-1", "expected a finite number above zero"),
+        ("max_theta=3 m", "the unit `m` does not fit"),
+        ("overturned=true", "expected false"),
+        ("overturnd=false", "did you mean overturned?"),
     ] {
         assert!(said(text).contains(words), "{text}: {}", said(text));
     }
