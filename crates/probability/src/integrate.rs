@@ -1,9 +1,10 @@
 //! Exact integration: few inputs, panels of Gauss and Legendre between the kinks.
 //!
-//! The line is integrated in closed form. What is left are integrals over independent normals u, |u| ≤ 12, one within the other.
+//! The line is integrated in closed form. What is left are integrals over independent normals u, |u| ≤ 12, one within the other, and no
+//! farther than there is probability enough to be seen in any answer.
 //! Along each the pattern of the pieces is scanned, and where it changes, bisected to the last bit; an outer integral is parted
-//! where the list of patterns along the inner one changes. Between the kinks panels are halved until both halves together agree
-//! with the whole: that difference is the error stated.
+//! where the list of patterns along the inner one changes. Between the kinks panels are halved until Gauss's rule and Kronrod's about it
+//! agree: that difference is the error stated, far more than that of the finer rule, which is the answer.
 
 use crate::problem::{Frame, Inputs, Outcomes, Scratch, mixed};
 use crate::{REACH, legendre, normal};
@@ -16,7 +17,7 @@ pub const MOST_DIMENSIONS: usize = 2;
 pub struct Integrated {
     /// Of each set of outcomes asked for.
     pub probabilities: Vec<f64>,
-    /// The error of each: what the last refinement changed.
+    /// The error of each: by what the two rules of all panels differ.
     pub errors: Vec<f64>,
     /// How often the pieces of a line were asked for.
     pub evaluations: u64,
@@ -79,6 +80,12 @@ struct Sum {
     errors: Vec<f64>,
 }
 
+/// An integral over a panel, and by how much the coarser of its two rules differs.
+struct Panel {
+    sum: Sum,
+    differs: Vec<f64>,
+}
+
 /// The same where probabilities below `floor` need not be precise.
 ///
 /// # Panics
@@ -87,13 +94,17 @@ pub fn integrate_above<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64],
     Nest::to(&Frame::new(inputs, outcomes), sets, None, NEGLIGIBLE.max(PRECISION * floor))
 }
 
-/// Relative to an integral, what a refinement of one panel may change it by. What both halves leave is far less.
+/// Relative to an integral, by what the rules of one panel may differ. What the finer leaves is far less.
 const PRECISION: f64 = 1e-9;
 /// What is too little to look at, whatever the integral.
 const NEGLIGIBLE: f64 = 1e-22;
-/// Into how many steps |u| ≤ 12 is cut in search of kinks, and where only their list is asked for.
-const SCAN: usize = 128;
-const INNER_SCAN: usize = 64;
+/// The share of it that may be left out beyond the ends of one integral, so that an answer of 1e-16 has its digits.
+const LEFT_OUT: f64 = 1e-6;
+/// How far the search for kinks goes from one u to the next, and where only their list is asked for.
+const SCAN: f64 = 0.1875;
+const INNER_SCAN: f64 = 0.375;
+/// How far out the list of kinks counts: beyond lies 2e-21.
+const LISTED: f64 = 9.375;
 /// How near a kink is found, and how near to tell what comes after it.
 const LAST_BIT: f64 = 2e-16;
 const COARSE: f64 = 1e-7;
@@ -150,38 +161,49 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         Sum { errors: vec![0.0; values.len()], values }
     }
 
+    /// How far out an integral has to go where the density is already this: what lies beyond is seen in no answer.
+    fn reach(&self, weight: f64) -> f64 {
+        let beyond = LEFT_OUT * self.negligible / weight;
+        if beyond >= 0.5 { 0.0 } else { normal::quantile_above(beyond).min(REACH) }
+    }
+
     fn over(&mut self, depth: usize, weight: f64) -> Sum {
-        let ends = self.kinks(depth);
-        let mut panels: Vec<(f64, f64, u32, Sum)> = Vec::new();
+        let reach = self.reach(weight);
+        if reach <= 0.0 {
+            let nothing = vec![0.0; self.sets.len()];
+            return Sum { values: nothing.clone(), errors: nothing };
+        }
+        let ends = self.kinks(depth, reach);
+        let mut panels: Vec<(f64, f64, u32, Panel)> = Vec::new();
         for pair in ends.windows(2) {
             let parts = ((pair[1] - pair[0]) / WIDEST).ceil().max(1.0);
             let width = (pair[1] - pair[0]) / parts;
             for i in 0..parts as u32 {
                 let a = pair[0] + f64::from(i) * width;
-                let sum = self.panel(depth, weight, a, a + width);
-                panels.push((a, a + width, 0, sum));
+                let panel = self.panel(depth, weight, a, a + width);
+                panels.push((a, a + width, 0, panel));
             }
         }
         let count = self.sets.len();
         let scale: Vec<f64> = (0..count)
-            .map(|k| PRECISION * panels.iter().map(|(.., sum)| sum.values[k]).sum::<f64>())
+            .map(|k| PRECISION * panels.iter().map(|(.., panel)| panel.sum.values[k]).sum::<f64>())
             .collect();
         let floor = self.negligible / weight;
         let mut total = Sum { values: vec![0.0; count], errors: vec![0.0; count] };
         // From left to right, so that sums are added in one order.
         panels.reverse();
-        while let Some((a, b, halvings, whole)) = panels.pop() {
-            let middle = 0.5 * (a + b);
-            let halves = [self.panel(depth, weight, a, middle), self.panel(depth, weight, middle, b)];
-            let changed = |k: usize| (halves[0].values[k] + halves[1].values[k] - whole.values[k]).abs();
-            let done = (0..count).all(|k| changed(k) <= scale[k].max(floor)) || halvings == HALVINGS;
+        while let Some((a, b, halvings, panel)) = panels.pop() {
+            let done = (0..count).all(|k| panel.differs[k] <= scale[k].max(floor))
+                || halvings == HALVINGS
+                || normal::between(a, b) <= floor;
             if done {
                 for k in 0..count {
-                    total.values[k] += halves[0].values[k] + halves[1].values[k];
-                    total.errors[k] += changed(k) + halves[0].errors[k] + halves[1].errors[k];
+                    total.values[k] += panel.sum.values[k];
+                    total.errors[k] += panel.differs[k] + panel.sum.errors[k];
                 }
             } else {
-                let [left, right] = halves;
+                let middle = 0.5 * (a + b);
+                let [left, right] = [(a, middle), (middle, b)].map(|(a, b)| self.panel(depth, weight, a, b));
                 panels.push((middle, b, halvings + 1, right));
                 panels.push((a, middle, halvings + 1, left));
             }
@@ -190,27 +212,30 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     }
 
     /// One panel of the normal with number `depth`.
-    fn panel(&mut self, depth: usize, weight: f64, a: f64, b: f64) -> Sum {
+    fn panel(&mut self, depth: usize, weight: f64, a: f64, b: f64) -> Panel {
         let count = self.sets.len();
         let mut sum = Sum { values: vec![0.0; count], errors: vec![0.0; count] };
-        for (u, share) in legendre::panel(a, b) {
-            let share = share * normal::density(u);
+        let mut coarse = vec![0.0; count];
+        for (u, of_fine, of_coarse) in legendre::nested(a, b) {
+            let density = normal::density(u);
+            let (share, of_coarse) = (of_fine * density, of_coarse * density);
             self.point[depth] = u;
             let inner = self.from(depth + 1, (weight * share).max(f64::MIN_POSITIVE));
             for k in 0..count {
                 sum.values[k] += share * inner.values[k];
                 sum.errors[k] += share * inner.errors[k];
+                coarse[k] += of_coarse * inner.values[k];
             }
         }
-        sum
+        let differs = sum.values.iter().zip(&coarse).map(|(fine, coarse)| (fine - coarse).abs()).collect();
+        Panel { sum, differs }
     }
 
     /// Where the pattern changes along the normal with number `depth`, with the ends of its range. At a kink that is not quite met
     /// nothing is lost but the square of what it is missed by; a step is found to the last bit.
-    fn kinks(&mut self, depth: usize) -> Vec<f64> {
-        let (mut ends, mut last) = (vec![-REACH], self.pattern(depth, -REACH));
-        for i in 1..=SCAN {
-            let (a, b) = (step(i - 1, SCAN), step(i, SCAN));
+    fn kinks(&mut self, depth: usize, reach: f64) -> Vec<f64> {
+        let (mut ends, mut last) = (vec![-reach], self.pattern(depth, -reach));
+        for (a, b) in steps(reach, SCAN) {
             let here = self.pattern(depth, b);
             let mut found = Vec::new();
             self.part(depth, COARSE, (a, last), (b, here), &mut |kink, _| found.push(kink));
@@ -225,7 +250,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             }
             last = here;
         }
-        ends.push(REACH);
+        ends.push(reach);
         ends
     }
 
@@ -267,10 +292,9 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             self.evaluations += 1;
             return self.frame.evaluate(&self.point, &mut self.scratch);
         }
-        let mut last = self.pattern(depth + 1, -REACH);
+        let mut last = self.pattern(depth + 1, -LISTED);
         let mut list = mixed(0, last);
-        for i in 1..=INNER_SCAN {
-            let (a, b) = (step(i - 1, INNER_SCAN), step(i, INNER_SCAN));
+        for (a, b) in steps(LISTED, INNER_SCAN) {
             let here = self.pattern(depth + 1, b);
             self.part(depth + 1, COARSE, (a, last), (b, here), &mut |_, then| list = mixed(list, then));
             last = here;
@@ -279,7 +303,10 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     }
 }
 
-/// The value after `i` of so many steps from −12 to 12.
-fn step(i: usize, of: usize) -> f64 {
-    REACH * (2.0 * i as f64 / of as f64 - 1.0)
+/// Steps from −`reach` to `reach`, about so wide and even.
+fn steps(reach: f64, wide: f64) -> impl Iterator<Item = (f64, f64)> {
+    let count = (2.0 * reach / wide).ceil().max(1.0);
+    let at =
+        move |i: u32| if f64::from(i) >= count { reach } else { reach * (2.0 * f64::from(i) / count - 1.0) };
+    (0..count as u32).map(move |i| (at(i), at(i + 1)))
 }
