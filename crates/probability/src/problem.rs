@@ -331,7 +331,8 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         self.inputs.copula.independent_of(&z)
     }
 
-    /// The independent normals of all inputs but the line's, from those in the order in which the inputs are given.
+    /// The independent normals that a point has, from those of all inputs in the order in which they are given: without the line's, and
+    /// without that of an input that is held.
     pub(crate) fn others_of(&self, u: &[f64]) -> Vec<f64> {
         let z = self.inputs.copula.correlated(u);
         let mut point: Vec<f64> = Vec::with_capacity(z.len());
@@ -339,7 +340,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
             let known: f64 = row.iter().zip(&point).map(|(a, b)| a * b).sum();
             point.push((z[input] - known) / row[point.len()]);
         }
-        point.pop();
-        point
+        let first = usize::from(self.held != Held::Nothing);
+        point[first..first + self.dimensions()].to_vec()
     }
 }

@@ -73,15 +73,21 @@ pub fn sobol<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &
     scrambles(&Frame::new(inputs, outcomes), sets, &[], effort)
 }
 
-/// The same with the input of this number held at its median.
-pub fn sobol_known<O: Outcomes>(
+/// The same with the input of this number held at its median; about the points given, as [`importance`] has them, if there are any.
+///
+/// # Panics
+/// For more inputs than a Sobol' point has coordinates.
+pub fn sampled_known<O: Outcomes>(
     inputs: &Inputs,
     outcomes: &O,
     sets: &[u64],
     known: usize,
+    about: &[Vec<f64>],
     effort: &Effort,
 ) -> Sampled {
-    scrambles(&Frame::holding(inputs, outcomes, known), sets, &[], effort)
+    let frame = Frame::holding(inputs, outcomes, known);
+    let about: Vec<Vec<f64>> = about.iter().map(|u| frame.others_of(u)).collect();
+    scrambles(&frame, sets, &about, effort)
 }
 
 /// The same points drawn where the outcomes are: nine tenths as standard normals about the points given, the others about the

@@ -1,5 +1,6 @@
 //! How likely each mode is: the method, the answer, and what matters.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
@@ -11,7 +12,9 @@ use standfast_probability::integrate::{
 };
 use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
-use standfast_probability::sample::{Effort, Estimate, Sampled, importance, monte_carlo, sobol, sobol_known};
+use standfast_probability::sample::{
+    Effort, Estimate, Sampled, importance, monte_carlo, sampled_known, sobol,
+};
 use thiserror::Error;
 
 use super::departure::{self, AT_ONCE, Departures, NEVER};
@@ -163,6 +166,8 @@ impl fmt::Display for Asked<'_> {
 pub struct Chances {
     /// The set of loads, in words; none where the case leaves no choice.
     pub situation: Option<String>,
+    /// The number along which the modes are integrated, and whether in closed form.
+    pub line: (String, bool),
     /// The method that was taken.
     pub method: Method,
     /// How many points were drawn; of an integration, how often the modes were asked for.
@@ -309,12 +314,15 @@ impl Probability {
             problems.iter().map(|problem| chances(problem, &request)).collect::<Result<_, _>>()?;
         situations.sort_by(|a, b| b.not_rest.value.total_cmp(&a.not_rest.value));
         let first = &problems[0];
-        let (line, exact) = first.line_name();
+        let line = match situations.first() {
+            Some(worst) => worst.line.clone(),
+            None => (first.line_name().0.to_owned(), first.line_name().1),
+        };
         Ok(Probability {
             case: name.to_owned(),
             request,
             random: first.random().iter().map(|input| (input.name.clone(), input.cut)).collect(),
-            line: (line.to_owned(), exact),
+            line,
             situations,
             sliding,
             fragility: None,
@@ -362,22 +370,30 @@ pub(super) fn event(
     problem: &Problem,
     request: &Request,
 ) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
-    let (_, sampled, _) = sampled(problem, request)?;
+    let (problem, points) = placed(problem);
+    let (_, sampled) = sampled(&problem, &points, request)?;
     let count = exclusive().count();
     let modes = exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
     Ok((modes, sampled.estimates[count]))
 }
 
-/// The method, the probabilities of all sets, and the nearest points at which the body does not rest.
+/// The nearest points at which the body does not rest, and the problem along the number that matters there.
+fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
+    let points = local_design_points(problem.laws(), problem, not_rest());
+    let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
+    (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
+}
+
+/// The method, and the probabilities of all sets.
 fn sampled(
     problem: &Problem,
+    points: &[DesignPoint],
     request: &Request,
-) -> Result<(Method, Sampled, Vec<DesignPoint>), ProbabilityError> {
+) -> Result<(Method, Sampled), ProbabilityError> {
     let laws = problem.laws();
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
     let too_many = |method, most| Err(ProbabilityError::TooMany { method, most, numbers });
-    let points = local_design_points(laws, problem, not_rest());
     let far = points.first().is_none_or(|point| point.beta > FAR);
     let method = request.method.unwrap_or(match (few, far && !points.is_empty()) {
         (true, _) => Method::Integrate,
@@ -399,8 +415,8 @@ fn sampled(
         Method::Importance => {
             // About the nearest point of every mode, so that none of them is missed.
             let moved = exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
-            let of_modes = moved.filter_map(|set| design_point(laws, problem, set));
-            let about: Vec<Vec<f64>> = points.iter().cloned().chain(of_modes).map(|point| point.u).collect();
+            let of_modes = moved.filter_map(|set| design_point(laws, problem, set)).map(|point| point.u);
+            let about: Vec<Vec<f64>> = points.iter().map(|point| point.u.clone()).chain(of_modes).collect();
             importance(laws, problem, &sets, &about, effort)
         }
         Method::MonteCarlo => monte_carlo(laws, problem, &sets, effort),
@@ -413,29 +429,38 @@ fn sampled(
             sampled.estimates[place] = Estimate { value: 1.0 - value, low: 1.0 - high, high: 1.0 - low };
         }
     }
-    Ok((method, sampled, points))
+    Ok((method, sampled))
 }
 
 fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityError> {
+    let (problem, points) = placed(problem);
+    let problem = &*problem;
     let laws = problem.laws();
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
     let effort = &request.effort;
-    let (method, sampled, points) = sampled(problem, request)?;
+    let (method, sampled) = sampled(problem, &points, request)?;
+    // Rare events are looked for about the points found, whatever else is known.
+    let about: Vec<Vec<f64>> = match method {
+        Method::Importance => points.iter().map(|point| point.u.clone()).collect(),
+        _ => Vec::new(),
+    };
     let known = (0..numbers).map(|number| {
         let set = [not_rest()];
         let found = if few {
             estimates(&integrate_known(laws, problem, &set, number))
         } else {
-            sobol_known(laws, problem, &set, number, effort)
+            sampled_known(laws, problem, &set, number, &about, effort)
         };
         found.estimates[0]
     });
     let [modes @ .., not_rest, not_unique, lifted] = &sampled.estimates[..] else {
         unreachable!("as many as sets")
     };
+    let (line, exact) = problem.line_name();
     Ok(Chances {
         situation: problem.situation(),
+        line: (line.to_owned(), exact),
         method,
         points: sampled.points,
         precise: sampled.precise,

@@ -155,6 +155,9 @@ pub(super) enum Line {
     Scan(usize),
 }
 
+/// An |α| below which a number hardly matters.
+const NEGLIGIBLE: f64 = 0.02;
+
 /// The outcomes behind those of the modes, which have their codes: more than one mode is consistent.
 pub(super) const NOT_UNIQUE: usize = 16;
 /// Nothing presses the body on its base.
@@ -281,6 +284,23 @@ impl Problem {
         let scan = || (0..self.random.len()).find(yearly).map(Line::Scan);
         let line = friction.or_else(load).or_else(scan)?;
         Some(Problem { line, ..self.clone() })
+    }
+
+    /// The same along the number that matters more, by the nearest point at which the body does not rest (α of each number): where friction
+    /// hardly matters, or is certain, that number of those in which the wrench is linear that has the largest |α|. None if it is the
+    /// number already.
+    pub(super) fn along_what_matters(&self, alpha: &[f64]) -> Option<Problem> {
+        let own = match self.line {
+            Line::Friction(place) | Line::Load(place) if alpha[place].abs() < NEGLIGIBLE => {
+                alpha[place].abs()
+            }
+            Line::Friction(_) | Line::Scan(_) => return None,
+            Line::Load(place) => alpha[place].abs(),
+        };
+        let linear = (0..self.random.len()).filter(|place| self.random[*place].is_linear());
+        let best = linear.max_by(|a, b| alpha[*a].abs().total_cmp(&alpha[*b].abs()).then(b.cmp(a)))?;
+        let line = Line::Load(best);
+        (line != self.line && alpha[best].abs() > own).then(|| Problem { line, id: unique(), ..self.clone() })
     }
 
     /// Whether the number along which modes are known has to be scanned.

@@ -359,16 +359,17 @@ fn read_law(named: &mut Named, item: &Item<'_>) -> At<()> {
     let law = named.law;
     let table = table(item, &format!("the law {law} of `{}`", named.name), "its parameters in braces")?;
     if law == "max_of" {
-        let mut of = Vec::new();
+        let (mut of, mut lower, mut upper) = (Vec::new(), None, None);
         for (key, value) in in_order(table) {
-            if key == "count" {
-                named.parameters.push(parameter(key, value)?);
-            } else {
-                of.push(key);
+            match key {
+                "count" => named.parameters.push(parameter(key, value)?),
+                "lower" => lower = Some(parameter(key, value)?),
+                "upper" => upper = Some(parameter(key, value)?),
+                _ => of.push(key),
             }
         }
         let inner = inner(named, item, &of)?;
-        named.of = Some(Box::new(inner));
+        named.of = Some(Box::new(Named { lower, upper, ..inner }));
         return Ok(());
     }
     let allowed: &[&str] = match law {

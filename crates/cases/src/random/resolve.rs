@@ -122,21 +122,8 @@ impl Resolve<'_> {
     /// The law of a random number, and what was cut of it because no body has such values.
     fn law(&self, named: &Named, quantity: &Quantity) -> At<(Distribution, f64)> {
         let law = self.plain_law(named, quantity)?;
-        let bound = |parameter: &Option<Parameter>, none: f64| match parameter {
-            Some(parameter) => self.value(named, quantity, parameter),
-            None => Ok(none),
-        };
-        let (lower, upper) = (bound(&named.lower, f64::NEG_INFINITY)?, bound(&named.upper, f64::INFINITY)?);
-        let refused = |error: LawError| {
-            (
-                RandomProblem::Value {
-                    what: format!("the range of `{}`", named.name),
-                    written: format!("{} to {}", digits(lower), digits(upper)),
-                    expected: format!("a range in which its law has values; {error}"),
-                },
-                named.span.clone(),
-            )
-        };
+        let (lower, upper) = self.bounds(named, quantity)?;
+        let refused = |error: LawError| empty_range(named, lower, upper, &error);
         let (physical, limit) = match range(quantity) {
             Range::Finite => (f64::NEG_INFINITY, ""),
             Range::NotNegative => (0.0, "it is negative"),
@@ -153,6 +140,15 @@ impl Resolve<'_> {
         }
         let whole = Distribution::truncated(law, lower.max(physical), upper).map_err(refused)?;
         Ok((whole, cut))
+    }
+
+    /// Where a law is cut, without bound where nothing is said.
+    fn bounds(&self, named: &Named, quantity: &Quantity) -> At<(f64, f64)> {
+        let bound = |parameter: &Option<Parameter>, none: f64| match parameter {
+            Some(parameter) => self.value(named, quantity, parameter),
+            None => Ok(none),
+        };
+        Ok((bound(&named.lower, f64::NEG_INFINITY)?, bound(&named.upper, f64::INFINITY)?))
     }
 
     /// The law before truncation.
@@ -217,8 +213,11 @@ impl Resolve<'_> {
             "triangular" => Law::triangular(need("from")?, need("mode")?, need("to")?),
             _ => {
                 let inner = named.of.as_ref().ok_or_else(|| lacks("a law of which it is the largest"))?;
-                let (of, _) = (self.plain_law(inner, quantity)?, ());
-                Law::max_of(of.into(), need_plain("count")?)
+                let of = self.plain_law(inner, quantity)?;
+                let (lower, upper) = self.bounds(inner, quantity)?;
+                let of = Distribution::truncated(of, lower, upper)
+                    .map_err(|error| empty_range(inner, lower, upper, &error))?;
+                Law::max_of(of, need_plain("count")?)
             }
         };
         law.map_err(|error| match error {
@@ -317,6 +316,21 @@ fn range(quantity: &Quantity) -> Range {
         Quantity::Point(coordinate) => coordinate.range(),
         Quantity::Storm(field) => field.range(),
     }
+}
+
+/// A range in which a law has no values.
+fn empty_range(
+    named: &Named,
+    lower: f64,
+    upper: f64,
+    error: &LawError,
+) -> (RandomProblem, std::ops::Range<usize>) {
+    let problem = RandomProblem::Value {
+        what: format!("the range of `{}`", named.name),
+        written: format!("{} to {}", digits(lower), digits(upper)),
+        expected: format!("a range in which its law has values; {error}"),
+    };
+    (problem, named.span.clone())
 }
 
 /// Whether two names are one number.

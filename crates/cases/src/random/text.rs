@@ -196,7 +196,11 @@ impl Probability {
         order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
         let mut rows = vec![row!["Which number matters", "α²", "P if it were known", "at the design point"]];
         for place in order {
-            let known = chances.known.get(place).map_or(String::new(), |e| probability(e.value));
+            let known = chances.known.get(place).map_or(String::new(), |e| match (e.value, e.high) {
+                // Never met is not never.
+                (0.0, bound) if bound > 0.0 => format!("below {}", probability(bound)),
+                (p, _) => probability(p),
+            });
             rows.push(row![
                 format!("  {}", self.random[place].0),
                 format!("{:.2}", point.alpha[place].powi(2)),

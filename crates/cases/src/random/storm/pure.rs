@@ -184,6 +184,7 @@ impl PureStorm {
         let first = all(Estimate { value: 1.0, low: 1.0, high: 1.0 });
         let chances = Chances {
             situation: Some("any one wave of a storm".to_owned()),
+            line: ("the height of waves".to_owned(), true),
             method: Method::Sobol,
             points: sliding.lives * life.years as u64,
             precise: sliding.precise,
