@@ -56,8 +56,8 @@ fn where_friction_does_not_matter_the_force_is_integrated() {
 
 const CAISSON: &str = include_str!("../../../examples/goda-2000.toml");
 
-/// Of two biases the one with the larger |α| is the line, whichever stands first: P(b_P P > μ(W' − b_U U)) with Goda's P = 940.68,
-/// U = 493.04 and W' = 2318.64 kN/m, by the trapezoidal rule over b_U.
+/// Of two biases the one with the larger |α| is the line, whichever stands first: P(b_P P > μ(W' − b_U U)) with Goda's forces
+/// at H_max = 8.0495 m, P = 940.61 and U = 493.01 kN/m, and W' = 2318.64 kN/m, by the trapezoidal rule over b_U.
 #[test]
 fn of_two_biases_the_one_that_matters_more_is_integrated() {
     let text = format!(
@@ -70,10 +70,10 @@ fn of_two_biases_the_one_that_matters_more_is_integrated() {
     let exact: f64 = (-512..=512)
         .map(|i| f64::from(i) * h)
         .map(|u| {
-            let uplift = 0.77 * (zeta * u - 0.5 * zeta * zeta).exp() * 493.04;
+            let uplift = 0.77 * (zeta * u - 0.5 * zeta * zeta).exp() * 493.01;
             let weight = h * (-0.5 * u * u).exp() / (2.0 * std::f64::consts::PI).sqrt();
             // Where the uplift lifts it any thrust moves it.
-            weight * lognormal_above((0.6 * (2318.64 - uplift) / 940.68).max(1e-300), 0.91, 0.19)
+            weight * lognormal_above((0.6 * (2318.64 - uplift) / 940.61).max(1e-300), 0.91, 0.19)
         })
         .sum();
     // The forces are known to five digits.
@@ -86,7 +86,8 @@ fn of_two_biases_the_one_that_matters_more_is_integrated() {
 fn biases_of_moments_are_on_moments_about_the_heel() {
     let rough = CAISSON.replace("friction = 0.6", "friction = 5.0");
     let [thrust, uplift, weight] = [4849.6, 4930.4, 2318.64 * 7.5];
-    for (bias, limit) in [("bias.M_p", (weight - uplift) / thrust), ("bias.M_U", (weight - thrust) / uplift)] {
+    for (bias, limit) in [("bias.M_p", (weight - uplift) / thrust), ("bias.M_U", (weight - thrust) / uplift)]
+    {
         let text = format!("{rough}\n[random]\n{bias} = {{ lognormal = {{ mean = 2.0, cov = 0.2 }} }}\n");
         let found = answer(&text, None, None);
         let chances = &found.situations[0];

@@ -11,7 +11,7 @@ use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{DiagramContent, Figure, FigureId, GroundPlane, ground_diagram, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
-use crate::keys;
+use crate::{chances, keys};
 
 /// A file of the gallery: its path in docs, and its content.
 type File = (String, String);
@@ -58,6 +58,22 @@ fn files(root: &Path) -> io::Result<Vec<File>> {
             page.push_str(&format!("\n![{path}]({path})\n"));
             files.push((path, svg));
         }
+    }
+    page.push_str(
+        "\n## How likely\n\nWhat `standfast probability` draws of cases whose numbers are random: draws, modes, what matters, and, where they are asked\n\
+         for, a life of storms and fragility; see [theory](theory/7-probability.md). Fragility is that of\n\
+         `standfast probability examples/statue-random.toml --over \"earthquake.horizontal=1.5 m/s2..2.75 m/s2:11\"`.\n",
+    );
+    for (name, figures) in chances::examples(root)? {
+        page.push_str(&format!("\n### {name}\n\n[The case file](../examples/{name}.toml)\n"));
+        for (path, svg) in figures {
+            page.push_str(&format!("\n![{path}]({path})\n"));
+            files.push((path, svg));
+        }
+    }
+    for (path, figure) in chances::of_theory(root)? {
+        page.push_str(&format!("\n![{}]({path})\n", figure.title()));
+        files.push((path.to_owned(), figure.svg().to_owned()));
     }
     page.push_str(
         "\n## Design\n\nThe least width of the case goda-2000 for both safety factors to be 1.2, over friction; see [design](design.md):\n\

@@ -32,8 +32,50 @@ pub fn page() -> String {
         let info = key.info();
         page.push_str(&format!("| `{}.{}` | {} |\n", info.table.name(), key.entry(), moves(info.moves)));
     }
+    page.push_str(RANDOM);
     page
 }
+
+/// The tables of random numbers, which are of names and laws and not of keys.
+const RANDOM: &str = r#"
+## `[random]`: numbers that are random
+
+For `standfast probability`; see [theory](theory/7-probability.md). Names are the keys above, a load by its name as in `load.push.force`, or a
+bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U` are given) and `bias.force` (every `[[load]]`).
+
+| entry | what it is | example |
+|---|---|---|
+| a name | its law in braces | `friction = { normal = { mean = 0.6, sd = 0.1 } }` |
+| `years` | the years of a life | `years = 50` |
+| `[[random.correlation]]` | of a pair, by `rank`, `linear` or `normal` | `between = ["bias.P", "bias.U"]`, `rank = 0.6` |
+
+| law | parameters; mean and deviation are those before it is cut |
+|---|---|
+| `normal`, `lognormal` | `mean` (the case's value if not given), and `sd` or `cov` |
+| `gumbel` | of maxima: `mean` and `sd` or `cov`; `mode` and `scale`; or two return values as `"10 years" = "5.4 m"` |
+| `weibull` | `scale`, `shape`, `location` (0 if not given) |
+| `gev` | `location`, `scale`, `shape` (above zero: heavy) |
+| `uniform` | `from`, `to` |
+| `triangular` | `from`, `mode`, `to` |
+| `max_of` | `count`, and the law of which it is the largest, with its own `lower` and `upper` |
+| beside any | `lower`, `upper` cut the law; `every = "year"` draws it anew each year, `"life"` (if not given) once |
+
+In place of a body, `[point]` with `gamma`, `k_prime`, `k` and `mu` is a point of the report's plane; `[random]` names these four.
+
+## `[storm]`: a storm each year, and how far it slides the body
+
+| key | what it is | takes | example | if not given |
+|---|---|---|---|---|
+| `waves` | how many waves a storm has | a whole number | `waves = 1000` | from `duration` and `period` |
+| `duration`, `period` | how long a storm lasts, and its waves | times in s | `duration = "10800 s"` | |
+| `heights` | the law of heights | `"rayleigh"` | `heights = "rayleigh"` | Rayleigh's |
+| `cut` | whether heights are cut at H_max of the sea | `true` or `false` | `cut = false` | cut |
+| `tau0` | how long a wave pushes | a time in s, or `"shimosako-takahashi"` (recalled) | `tau0 = "1.5 s"` | |
+| `pulse` | how the slide of a wave is found | `"triangle"`, exactly, or `"shimosako"` (recalled) | `pulse = "triangle"` | `"triangle"` |
+
+Without a body, thrust and uplift are in proportion to a wave's height: `significant_height`, `force_per_height`, `uplift_per_height`,
+`buoyant_weight`, `mass` (with the water that moves along) and `friction`; `[random]` names these and `bias.P`, `bias.U`.
+"#;
 
 /// Whether the key is the second or third number of a list, whose first one stands for it.
 fn is_further(key: Key) -> bool {

@@ -3,6 +3,7 @@
 
 #![forbid(unsafe_code)]
 
+mod chances;
 mod gallery;
 mod keys;
 #[cfg(test)]
