@@ -3,7 +3,7 @@
 //! All curves are lines between points that satisfy the library's equations to the last digit, so dense that no bend is seen.
 
 mod crush;
-mod shape;
+pub(crate) mod shape;
 mod soil;
 
 use standfast::diagram::Window;

@@ -68,6 +68,8 @@ mod text;
 use standfast::Diagram;
 use standfast::contact::path::Stage;
 use standfast::diagram::Window;
+use standfast::ground::GroundStage;
+use standfast::ground::load_plane::{GroundLoadPlane, LoadEdge};
 use standfast::region::Region;
 
 pub use cases::cases_on_screen;
@@ -260,7 +262,53 @@ pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
     plane::figure(plane)
 }
 
-/// The same for a screen, with a plot `across` units wide and colours as custom properties of CSS.
+/// The plane of load factor and friction where the base gives way, and the way of a rising load through it.
+#[derive(Debug, Clone, Copy)]
+pub struct GroundLoadMap<'a> {
+    /// What begins where.
+    pub plane: &'a GroundLoadPlane,
+    /// The regions on rigid ground up to the same load factor, whose boundaries are drawn in grey behind.
+    pub rigid: &'a [Region],
+    /// The body's friction to stick: the load path runs along it.
+    pub friction: f64,
+    /// What begins along the load path; cut where the plane ends.
+    pub stages: &'a [GroundStage],
+    /// What is loaded, in a line; not markup.
+    pub title: &'a str,
+}
+
+/// The plane of load factor λ and friction μ where the base gives way, with the load path; see [`load_plane`].
+///
+/// ```
+/// use standfast::ground::load_plane::GroundLoadPlane;
+/// use standfast::ground::strength::outcome;
+/// use standfast::loads::{Action, Load, LoadKind, LoadSource};
+/// use standfast::{Body, Situation};
+/// use standfast_figures::{GroundLoadMap, ground_load_plane};
+///
+/// let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-2.7e6, 11.5));
+/// let situation = Situation::new(Body::new(15.0, 12.0, 378e3)?, 0.6, 9.81)?.with_weight().with(push);
+/// let figure = ground_load_plane(&GroundLoadMap {
+///     plane: &GroundLoadPlane::crushing(&situation, 3e6, 2.0)?,
+///     rigid: &situation.plane(2.0)?,
+///     friction: situation.static_friction(),
+///     stages: &outcome(&situation, 3e6)?.path,
+///     title: "Caisson on stone",
+/// });
+/// assert!(figure.caption().contains("Full load (λ = 1, diamond): RO"));
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+pub fn ground_load_plane(map: &GroundLoadMap<'_>) -> Figure {
+    plane::ground_figure(map)
+}
+
+/// The lines between different verdicts that [`ground_load_plane`] draws, through points of their curves; verticals apart.
+#[doc(hidden)]
+pub fn ground_load_lines(map: &GroundLoadMap<'_>) -> Vec<(LoadEdge, outlines::Polyline)> {
+    plane::ground_lines(map)
+}
+
+/// The same as [`load_plane`] for a screen, with a plot `across` units wide and colours as custom properties of CSS.
 pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
     plane::figure_on_screen(plane, across)
 }

@@ -1,22 +1,26 @@
 //! The plane of load factor and friction of any block, with the path of a rising load.
 //!
-//! Nothing is known of the boundaries but the strips of the regions: they are drawn where neighbours differ in mode. So
-//! there are no formulas here, and the axes have numbers.
+//! Nothing is known of the boundaries but the strips of the regions: they are drawn where neighbours differ in verdict. So
+//! there are no formulas here, and the axes have numbers. On a base that gives way the strips are those between points of its curves, and
+//! the boundaries on rigid ground lie behind in grey.
 
-use standfast::contact::path::{self, Stage};
-use standfast::region::{Curve, Strip};
-use standfast::{Mode, Modes};
+mod ground;
+
+use standfast::ground::load_plane::LoadEdge;
+use standfast::ground::{GroundStage, GroundVerdict};
+use standfast::region::{Curve, Region, Strip};
 
 use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL, also, shortened};
 use crate::labels::Lines;
 use crate::margins::{self, Axes, NUMBER, Numbers, Tab};
 use crate::number::{digits, distinct_digits};
-use crate::palette::{INK, MARK, PAPER, symbol, tint};
+use crate::outlines::Polyline;
+use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol, verdict_tint};
 use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip_strips, level, outline};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
-use crate::{Figure, LoadPlane};
+use crate::{Figure, GroundLoadMap, LoadPlane};
 
 const PLOT: (f64, f64) = (430.0, 310.0);
 const TOP: f64 = 42.0;
@@ -25,10 +29,59 @@ const AXES: Axes = Axes { right: "", ..margins::NUMBERED };
 /// What counts as one load factor, as a share of the window: far below a pixel.
 const SAME: f64 = 1e-6;
 
+/// Lines of the plane on rigid ground, behind.
+const RIGID: Pen = Pen::solid(BEHIND, 1.1);
+
+/// What is drawn.
+struct Plan<'a> {
+    regions: Vec<Shaded>,
+    /// The μ of corners of regions.
+    corners: Vec<f64>,
+    /// The regions on rigid ground, to be drawn behind.
+    rigid: Vec<Shaded>,
+    up_to: f64,
+    friction: f64,
+    stages: Vec<GroundStage>,
+    title: &'a str,
+}
+
+/// Where a verdict holds.
+struct Shaded {
+    verdict: GroundVerdict,
+    strips: Vec<Strip>,
+}
+
 /// A region as the window shows it.
 struct Area {
-    mode: Mode,
+    verdict: GroundVerdict,
     pieces: Vec<Piece>,
+}
+
+/// Regions of modes.
+fn shaded(regions: &[Region]) -> Vec<Shaded> {
+    let begins = |region: &Region| GroundVerdict::Begins(region.mode);
+    regions.iter().map(|region| Shaded { verdict: begins(region), strips: region.strips.clone() }).collect()
+}
+
+impl<'a> Plan<'a> {
+    fn of(given: &LoadPlane<'a>) -> Plan<'a> {
+        let stages = given.stages.iter().map(|stage| GroundStage {
+            from: stage.from,
+            to: stage.to,
+            verdict: stage.mode.map(GroundVerdict::Begins),
+            modes: stage.modes,
+        });
+        let corners = given.regions.iter().flat_map(|region| corners(&region.strips, end(given.up_to)));
+        Plan {
+            corners: corners.collect(),
+            regions: shaded(given.regions),
+            rigid: Vec::new(),
+            up_to: given.up_to,
+            friction: given.friction,
+            stages: stages.collect(),
+            title: given.title,
+        }
+    }
 }
 
 /// A vertical boundary: load factor, and the μ it runs between.
@@ -41,33 +94,45 @@ struct Side {
 
 /// Draws it.
 pub(crate) fn figure(given: &LoadPlane) -> Figure {
-    drawn(given, PLOT.0, Scene::default())
+    drawn(&Plan::of(given), PLOT.0, Scene::default())
+}
+
+/// Draws that of a base that gives way.
+pub(crate) fn ground_figure(given: &GroundLoadMap) -> Figure {
+    drawn(&ground::plan(given), PLOT.0, Scene::default())
+}
+
+/// Lines of that plane.
+pub(crate) fn ground_lines(given: &GroundLoadMap) -> Vec<(LoadEdge, Polyline)> {
+    ground::lines(given)
 }
 
 /// Draws it for a screen, with a plot `across` units wide.
 pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
-    drawn(given, across, Scene::themed())
+    drawn(&Plan::of(given), across, Scene::themed())
 }
 
-fn drawn(given: &LoadPlane, across: f64, scene: Scene) -> Figure {
+fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
     let window = window(given);
     let numbers = Numbers::of(&window, across, PLOT.1);
     let left = numbers.width().max(34.0) + 6.0;
     let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + across, y1: TOP + PLOT.1 }, window };
-    let areas = areas(given, &window);
+    let areas = areas(&given.regions, &window);
     let mut canvas = Canvas::new(frame);
     canvas.scene = scene;
 
     for area in &areas {
-        canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
+        canvas.scene.fill(&outline(&frame, &area.pieces), verdict_tint(area.verdict));
     }
-    boundaries(&mut canvas, given, &areas);
+    let behind = self::areas(&given.rigid, &window);
+    boundaries(&mut canvas, &given.rigid, &behind, RIGID);
+    boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
     margins::axes(&mut canvas.scene, &frame, &AXES);
     let below = numbers.draw(&mut canvas.scene, &frame);
     let path = LoadPath::of(given, window.k_max);
     path.draw(&mut canvas);
     for area in &areas {
-        canvas.name(&area.pieces, symbol(area.mode), 15.5, None);
+        canvas.name(&area.pieces, verdict_symbol(area.verdict), 15.5, None);
     }
 
     let name = Text::new("load factor $λ$", 13.5);
@@ -84,7 +149,8 @@ fn drawn(given: &LoadPlane, across: f64, scene: Scene) -> Figure {
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
     let words: Vec<Text> =
         heading.split_whitespace().map(|word| Text::verbatim(&shortened(word), SIZE)).collect();
-    let details = margins::words(&path.caption(), SMALL);
+    let behind = if given.rigid.is_empty() { "" } else { " Grey: on rigid ground." };
+    let details = margins::words(&(path.caption() + behind), SMALL);
     let title = joined(&words);
     let caption = joined(&details);
     let below = margins::paragraph(&mut canvas.scene, &words, edges, baseline + name.descent + 14.0, SIZE);
@@ -101,13 +167,17 @@ fn joined(words: &[Text]) -> String {
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
 /// that is not much farther up.
-fn window(given: &LoadPlane) -> View {
-    let k = if given.up_to.is_finite() && given.up_to > 0.0 { given.up_to } else { 1.0 };
+fn window(given: &Plan) -> View {
+    let k = end(given.up_to);
     let friction = drawable(given.friction).unwrap_or(0.0);
     let limit = (2.5 * friction).max(1.2);
-    let corners = given.regions.iter().flat_map(|region| corners(&region.strips, k));
-    let seen = corners.map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
+    let seen = given.corners.iter().map(|mu| 1.15 * mu).filter(|mu| *mu > 0.0 && *mu <= limit);
     View::from_origin(k, seen.fold((2.0 * friction).max(0.4 * limit), f64::max))
+}
+
+/// The largest load factor, if it is one.
+fn end(up_to: f64) -> f64 {
+    if up_to.is_finite() && up_to > 0.0 { up_to } else { 1.0 }
 }
 
 /// A friction that can be shown.
@@ -134,28 +204,28 @@ fn corners(strips: &[Strip], up_to: f64) -> Vec<f64> {
     found
 }
 
-fn areas(given: &LoadPlane, window: &View) -> Vec<Area> {
-    let area = given.regions.iter().map(|region| {
+fn areas(regions: &[Shaded], window: &View) -> Vec<Area> {
+    let area = regions.iter().map(|region| {
         let pieces = clip_strips(&region.strips, window);
-        Area { mode: region.mode, pieces }
+        Area { verdict: region.verdict, pieces }
     });
     area.filter(|area| !area.pieces.is_empty()).collect()
 }
 
-/// Draws lines between different modes, and keeps labels off them.
-fn boundaries(canvas: &mut Canvas, given: &LoadPlane, areas: &[Area]) {
+/// Draws lines between different verdicts, and keeps labels off them.
+fn boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area], pen: Pen) {
     let frame = canvas.board.frame;
     let arcs = edges(areas, &frame.window);
-    canvas.scene.stroke(&arcs_path(&frame, &arcs), BOUNDARY);
+    canvas.scene.stroke(&arcs_path(&frame, &arcs), pen);
     canvas.board.arcs.extend(arcs);
     let mut path = Path::default();
-    for side in sides(given, areas, &frame.window) {
+    for side in sides(regions, areas, &frame.window) {
         let (x, top, bottom) = (frame.x(side.at), frame.y(side.high), frame.y(side.low));
         path.move_to(x, top);
         path.line_to(x, bottom);
         canvas.board.verticals.push((x, top, bottom));
     }
-    canvas.scene.stroke(&path, BOUNDARY);
+    canvas.scene.stroke(&path, pen);
 }
 
 /// The lower and upper edges of all areas, each once, as long as they run on.
@@ -181,34 +251,36 @@ fn edges(areas: &[Area], window: &View) -> Vec<Arc> {
 }
 
 /// The vertical stretches with different modes on their sides.
-fn sides(given: &LoadPlane, areas: &[Area], window: &View) -> Vec<Side> {
+fn sides(regions: &[Shaded], areas: &[Area], window: &View) -> Vec<Side> {
     // Half a pixel.
     const SHORT: f64 = 0.5 / PLOT.1;
     let near = SAME * window.k_max;
-    let mut places: Vec<f64> =
-        given.regions.iter().flat_map(|region| &region.strips).map(|s| s.from).collect();
+    let mut places: Vec<f64> = regions.iter().flat_map(|region| &region.strips).map(|s| s.from).collect();
     places.retain(|at| near < *at && *at < window.k_max - near);
     places.sort_by(f64::total_cmp);
     places.dedup_by(|later, earlier| *later - *earlier <= near);
 
-    let spans = |is_there: &dyn Fn(&Piece) -> bool, end: fn(&Piece) -> f64| -> Vec<(f64, f64, Mode)> {
-        let pieces = areas.iter().flat_map(|area| area.pieces.iter().map(|piece| (piece, area.mode)));
-        let there = pieces.filter(|(piece, _)| is_there(piece));
-        there.map(|(piece, mode)| (piece.lower.at(end(piece)), piece.upper.at(end(piece)), mode)).collect()
-    };
+    let spans =
+        |is_there: &dyn Fn(&Piece) -> bool, end: fn(&Piece) -> f64| -> Vec<(f64, f64, GroundVerdict)> {
+            let pieces = areas.iter().flat_map(|area| area.pieces.iter().map(|piece| (piece, area.verdict)));
+            let there = pieces.filter(|(piece, _)| is_there(piece));
+            there
+                .map(|(piece, verdict)| (piece.lower.at(end(piece)), piece.upper.at(end(piece)), verdict))
+                .collect()
+        };
     let mut sides: Vec<Side> = Vec::new();
     for at in places {
         let left = spans(&|p| (p.to - at).abs() <= near && p.from < at - near, |p| p.to);
         let right = spans(&|p| (p.from - at).abs() <= near && p.to > at + near, |p| p.from);
-        let mode = |spans: &[(f64, f64, Mode)], mu: f64| {
-            spans.iter().find(|(low, high, _)| (*low..=*high).contains(&mu)).map(|(.., mode)| *mode)
+        let verdict = |spans: &[(f64, f64, GroundVerdict)], mu: f64| {
+            spans.iter().find(|(low, high, _)| (*low..=*high).contains(&mu)).map(|(.., verdict)| *verdict)
         };
         let mut cuts: Vec<f64> = left.iter().chain(&right).flat_map(|(low, high, _)| [*low, *high]).collect();
         cuts.iter_mut().for_each(|mu| *mu = mu.clamp(0.0, window.mu_max));
         cuts.sort_by(f64::total_cmp);
         for pair in cuts.windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let [before, after] = [&left, &right].map(|spans| mode(spans, (low + high) / 2.0));
+            let [before, after] = [&left, &right].map(|spans| verdict(spans, (low + high) / 2.0));
             if before.is_none() || after.is_none() || before == after || low == high {
                 continue;
             }
@@ -224,19 +296,20 @@ fn sides(given: &LoadPlane, areas: &[Area], window: &View) -> Vec<Side> {
 
 /// The way of a rising load: a line along the body's friction.
 struct LoadPath {
-    stages: Vec<Stage>,
+    stages: Vec<GroundStage>,
     up_to: f64,
     friction: Option<f64>,
 }
 
 impl LoadPath {
-    fn of(given: &LoadPlane<'_>, up_to: f64) -> LoadPath {
-        let stages = path::up_to(given.stages, given.up_to);
+    fn of(given: &Plan<'_>, up_to: f64) -> LoadPath {
+        let within = given.stages.iter().filter(|stage| stage.from < given.up_to);
+        let stages = within.map(|stage| GroundStage { to: stage.to.min(given.up_to), ..*stage }).collect();
         LoadPath { stages, up_to, friction: drawable(given.friction) }
     }
 
     /// The load factors at which stages change.
-    fn changes(&self) -> impl Iterator<Item = (f64, &[Stage])> {
+    fn changes(&self) -> impl Iterator<Item = (f64, &[GroundStage])> {
         self.stages.windows(2).map(|pair| (pair[0].to, pair))
     }
 
@@ -280,7 +353,7 @@ impl LoadPath {
     fn numbers(&self, canvas: &mut Canvas, y: f64) {
         let frame = canvas.board.frame;
         let (lesser, greater): (Vec<_>, Vec<_>) =
-            self.changes().partition(|(_, pair)| pair[0].mode == pair[1].mode);
+            self.changes().partition(|(_, pair)| pair[0].verdict == pair[1].verdict);
         for (at, pair) in greater.into_iter().chain(lesser) {
             let tip = reach(&frame, at, pair) + 3.0;
             let text = Text::new(&self.number(at), NUMBER);
@@ -308,8 +381,8 @@ impl LoadPath {
     fn names(&self, canvas: &mut Canvas, y: f64) {
         let frame = canvas.board.frame;
         for stage in &self.stages {
-            let Some(mode) = stage.mode else { continue };
-            let text = Text::new(symbol(mode), NUMBER);
+            let Some(verdict) = stage.verdict else { continue };
+            let text = Text::new(verdict_symbol(verdict), NUMBER);
             let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k_max)));
             let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
             let mut places =
@@ -326,10 +399,8 @@ impl LoadPath {
 
     /// The stages in words, and the mode under the full load.
     fn caption(&self) -> String {
-        let mode = |stage: &Stage| {
-            let mut others: Modes = stage.modes;
-            stage.mode.iter().for_each(|mode| others.remove(*mode));
-            format!("{}{}", stage.mode.map_or("none", symbol), also(others))
+        let mode = |stage: &GroundStage| {
+            format!("{}{}", stage.verdict.map_or("none", verdict_symbol), also(stage.others()))
         };
         let stages = self
             .stages
@@ -356,9 +427,9 @@ impl LoadPath {
 
 /// How far a tick reaches to either side of the path. A change of the modes beside the one reported is a smaller event;
 /// the diamond of the full load must not hide a tick.
-fn reach(frame: &Frame, at: f64, pair: &[Stage]) -> f64 {
+fn reach(frame: &Frame, at: f64, pair: &[GroundStage]) -> f64 {
     const DIAMOND: f64 = 5.2;
-    let reach = if pair[0].mode == pair[1].mode { 3.5 } else { 6.5 };
+    let reach = if pair[0].verdict == pair[1].verdict { 3.5 } else { 6.5 };
     let is_under = frame.window.k_max >= 1.0 && (frame.x(at) - frame.x(1.0)).abs() < DIAMOND + 2.0;
     if is_under { reach + DIAMOND } else { reach }
 }
@@ -366,10 +437,13 @@ fn reach(frame: &Frame, at: f64, pair: &[Stage]) -> f64 {
 /// The figure in words.
 fn description(window: &View, areas: &[Area], caption: &str) -> String {
     let plain = |markup: &str| Text::inline(markup, SMALL).plain;
-    let modes: Modes = areas.iter().map(|area| area.mode).collect();
-    let shaded = modes
-        .iter()
-        .map(|mode| format!("{}, where the body {}", plain(symbol(mode)), mode.words().replace('\'', "′")));
+    let mut verdicts: Vec<GroundVerdict> = areas.iter().map(|area| area.verdict).collect();
+    verdicts.sort_by_key(|verdict| verdict.code());
+    verdicts.dedup();
+    let shaded = verdicts.iter().map(|verdict| {
+        let words = verdict.words().replace('\'', "′");
+        format!("{}, where the body {words}", plain(verdict_symbol(*verdict)))
+    });
     format!(
         "Chart of the friction coefficient μ, upwards from 0 to {}, over the load factor λ, to the right from 0 to {}. \
          Shaded: {}. The load path is a line at the body's friction with a tick at every change; a diamond marks the \
@@ -402,8 +476,9 @@ mod tests {
     fn in_air_the_one_vertical_is_the_report_s() {
         let regions = in_air();
         let given = plane(&regions);
+        let given = Plan::of(&given);
         let window = window(&given);
-        let sides = sides(&given, &areas(&given, &window), &window);
+        let sides = sides(&given.regions, &areas(&given.regions, &window), &window);
         let k_a = 1.0 / (3.0 * 1.8);
         assert_eq!(sides.len(), 1, "{sides:?}");
         assert!((sides[0].at - k_a).abs() < 1e-12 && (sides[0].low - k_a).abs() < 1e-9);
@@ -414,9 +489,10 @@ mod tests {
     fn lines_part_different_modes() {
         let regions = in_air();
         let given = plane(&regions);
+        let given = Plan::of(&given);
         let window = window(&given);
         let mode = |k: f64, mu: f64| regions.iter().find(|region| region.contains(k, mu)).map(|r| r.mode);
-        for arc in edges(&areas(&given, &window), &window) {
+        for arc in edges(&areas(&given.regions, &window), &window) {
             for share in [0.1, 0.5, 0.9] {
                 let k = arc.from + share * (arc.to - arc.from);
                 let mu = arc.curve.at(k);

@@ -1,5 +1,8 @@
 //! The k–μ plane where the base gives way: its curves are exact, its areas are those of the decision, its labels keep apart.
 
+#[path = "base/load.rs"]
+mod load;
+
 use standfast::diagram::Window;
 use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};

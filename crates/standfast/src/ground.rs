@@ -16,12 +16,14 @@
 //! | Does the ground fail before the body slides or rocks? | [`bearing`] |
 //! | How far does an elastic base let the body turn, and when does it topple? | [`elastic`] |
 //! | When is a short peak force not a static one? | [`impact`] |
+//! | What begins at which load factor and friction? | [`load_plane`] |
 //!
 //! Everything else of this library stands on rigid ground. No partial factor is applied here.
 
 pub mod bearing;
 pub mod elastic;
 pub mod impact;
+pub mod load_plane;
 mod roots;
 pub mod strength;
 

@@ -1,11 +1,12 @@
 //! The figures of a case.
 
 use standfast::ground::bearing::BearingPlane;
+use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundPlane, LoadPlane, RotationCurve, diagram, ground_diagram,
-    load_plane, rotation_curve,
+    DesignPoint, DiagramContent, Figure, GroundLoadMap, GroundPlane, LoadPlane, RotationCurve, diagram,
+    ground_diagram, ground_load_plane, load_plane, rotation_curve,
 };
 
 use super::{Assessed, Assessment, View, section};
@@ -87,8 +88,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
             figures.extend(plane.draw(assessment, &suffix)?);
         }
         // In air the load factor is k, and the k–μ diagram shows the path.
-        // The plane of load factor and friction is that of rigid ground.
-        if assessed.rises() && assessed.situation.in_air().is_none() && !assessed.is_on_ground() {
+        if assessed.rises() && assessed.situation.in_air().is_none() {
             figures.push(path(assessment, assessed, &suffix, view.up_to)?);
         }
         figures.extend(rotation(assessment, assessed, &suffix)?);
@@ -199,13 +199,28 @@ fn path(
     suffix: &str,
     up_to: f64,
 ) -> Result<CaseFigure, InputError> {
-    let figure = load_plane(&LoadPlane {
-        regions: &assessed.situation.plane(up_to)?,
-        up_to,
-        friction: assessed.situation.static_friction(),
-        stages: &assessed.outcome.path,
-        title: &title(assessment, assessed),
-    });
+    let situation = &assessed.situation;
+    let (regions, friction) = (situation.plane(up_to)?, situation.static_friction());
+    let title = title(assessment, assessed);
+    let plane = match assessed.ground.as_ref().and_then(|ground| ground.limit) {
+        Some(Limit::Strength(strength)) => Some(GroundLoadPlane::crushing(situation, strength, up_to)?),
+        Some(Limit::Ground(soil)) => Some(GroundLoadPlane::failing(situation, soil, up_to)?),
+        None => None,
+    };
+    let onset = assessed.ground.as_ref().and_then(|ground| ground.onset.as_ref());
+    let figure = match plane.as_ref().zip(onset) {
+        Some((plane, onset)) => ground_load_plane(&GroundLoadMap {
+            plane,
+            rigid: &regions,
+            friction,
+            stages: &onset.path,
+            title: &title,
+        }),
+        None => {
+            let stages = &assessed.outcome.path;
+            load_plane(&LoadPlane { regions: &regions, up_to, friction, stages, title: &title })
+        }
+    };
     let words = named("Load path", assessment, assessed, suffix);
     let suffix = format!("{suffix}-path");
     Ok(CaseFigure { suffix, words, drawn: Drawn::LoadPath, figure })

@@ -21,7 +21,7 @@ pub(super) struct Shape {
 const TOLERANCE: f64 = 0.05;
 
 /// A curve given by a parameter, through all of `stops` (rising) and as many more as its bends take.
-pub(super) fn traced<T: Copy>(
+pub(crate) fn traced<T: Copy>(
     stops: &[f64],
     at: impl Fn(f64) -> T,
     place: impl Fn(&T) -> (f64, f64),
@@ -66,7 +66,7 @@ fn bend<T: Copy>(
 }
 
 /// The line through two points of different k.
-pub(super) fn through((k0, mu0): (f64, f64), (k1, mu1): (f64, f64)) -> Curve {
+pub(crate) fn through((k0, mu0): (f64, f64), (k1, mu1): (f64, f64)) -> Curve {
     let slope = (mu1 - mu0) / (k1 - k0);
     // From the nearer to the axis, where less cancels.
     let intercept = if k0.abs() < k1.abs() { mu0 - slope * k0 } else { mu1 - slope * k1 };

@@ -209,7 +209,7 @@ pub(crate) fn check(block: &Block, wrench: &Wrench) -> Result<(), InputError> {
 }
 
 /// The block on another friction to stick, that to slip in proportion.
-fn with_friction(block: &Block, μ: f64) -> Block {
+pub(crate) fn with_friction(block: &Block, μ: f64) -> Block {
     let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
     Block { mu_s: μ, mu_k: μ * ratio, ..*block }
 }

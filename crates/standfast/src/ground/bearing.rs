@@ -55,6 +55,7 @@
 //! # Ok::<(), standfast::InputError>(())
 //! ```
 
+mod edges;
 mod path;
 mod plane;
 mod situated;
@@ -62,6 +63,8 @@ mod situated;
 pub use path::{GroundPath, LoadFactors};
 pub use plane::{BearingPlane, BearingPoint};
 pub use situated::{BearingOutcome, outcome};
+
+pub(super) use edges::FailingEdges;
 
 use self::path::Footing;
 use crate::error::{InputError, LARGEST};

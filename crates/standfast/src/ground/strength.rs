@@ -61,6 +61,7 @@
 
 mod chart;
 mod conditions;
+mod edges;
 mod events;
 mod path;
 mod point;
@@ -73,6 +74,8 @@ pub use path::{CrushStage, LoadRange, bearing_range, rest_range, stages};
 pub use point::CrushPoint;
 pub use situated::{CrushOutcome, outcome};
 pub use trace::CrushMargins;
+
+pub(super) use edges::CrushEdges;
 
 use self::conditions::{Found, enumerate};
 use self::turning::{Rate, Turn, orientation};

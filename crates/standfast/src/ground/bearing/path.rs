@@ -121,6 +121,12 @@ impl GroundPath {
         self.footing.sliding(factor, slip, mu)
     }
 
+    /// The friction with which the reaction of a body that slides is in the middle of the base.
+    pub(super) fn even_friction(&self, slip: Slip, factor: f64) -> Option<f64> {
+        let Wrench { p, m, .. } = self.footing.permanent + self.footing.variable * factor;
+        (p > 0.0).then(|| slip.sign() * (m / p + self.footing.middle) / self.footing.depth)
+    }
+
     /// The load factors between two at which the ground begins to bear a body that rests, or that slides with a friction, or fails under it.
     pub(super) fn crossings(&self, slip: Option<(Slip, f64)>, from: f64, to: f64) -> Vec<f64> {
         let excess = |λ: f64| self.excess(slip, λ);

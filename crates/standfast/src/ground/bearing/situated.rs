@@ -45,12 +45,16 @@ pub fn outcome(situation: &Situation, rigid: &Outcome, ground: Ground) -> Result
 }
 
 /// The ground under a situation, and its friction to slip.
-struct On {
+pub(super) struct On {
     path: GroundPath,
     friction: f64,
 }
 
 impl On {
+    pub(super) fn new(path: GroundPath, friction: f64) -> On {
+        On { path, friction }
+    }
+
     /// How a mode of the rigid problem presses the ground: at rest, or sliding with a friction; `None` of one that turns, or flies.
     fn pressing(&self, mode: Mode) -> Option<Option<(Slip, f64)>> {
         match (mode, mode.corner(), mode.slip()) {
@@ -61,7 +65,7 @@ impl On {
     }
 
     /// What becomes of a mode of the rigid problem.
-    fn verdict(&self, mode: Option<Mode>, factor: f64) -> Option<GroundVerdict> {
+    pub(super) fn verdict(&self, mode: Option<Mode>, factor: f64) -> Option<GroundVerdict> {
         let mode = mode?;
         let begins = GroundVerdict::Begins(mode);
         Some(match self.pressing(mode) {

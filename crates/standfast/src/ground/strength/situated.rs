@@ -1,13 +1,12 @@
 //! A situation on a base that crushes, in SI units.
 
+use super::edges::reduced;
 use super::path::{CrushStage, bearing_range, stages};
 use super::{CrushMotion, solve};
 use crate::error::InputError;
 use crate::ground::{GroundDeparture, GroundVerdict};
 use crate::loads::Pose;
 use crate::mode::Modes;
-use crate::plan::Plan;
-use crate::quantity::{Expected, Quantity};
 use crate::situation::Situation;
 
 /// What a situation does on a base that crushes.
@@ -49,14 +48,10 @@ pub struct CrushOutcome {
 /// # Errors
 /// If `strength` is not above zero, the base is round, or a number is out of range.
 pub fn outcome(situation: &Situation, strength: f64) -> Result<CrushOutcome, InputError> {
-    let strength = InputError::positive(Quantity::Strength, strength)?;
+    let reduced = reduced(situation, strength)?;
     let body = situation.body();
-    let Plan::Rectangle { length } = body.plan() else {
-        return Err(InputError::new(Quantity::Width, body.width(), Expected::RectangularBase));
-    };
     // Lengths in B, forces in m g, as those of the situation's block.
     let (half_width, weight) = (body.width() / 2.0, body.mass() * situation.gravity());
-    let reduced = strength * length * half_width / weight;
     let block = situation.block();
     let at = |factor: f64| situation.reduced_wrench(&situation.wrench_at(factor, Pose::UPRIGHT));
     let permanent = at(0.0);
