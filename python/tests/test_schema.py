@@ -225,6 +225,7 @@ def test_a_document_with_one_mistake_fails(program: list[str]) -> None:
         {"heel_pressure": None},
         {"k_eff": None},
         {"report": None},
+        {"no_report": "no-point"},
         {"motion": None},
     ],
     ids=str,
@@ -240,7 +241,7 @@ def test_what_does_not_go_together_fails(change: dict[str, Any]) -> None:
 def test_what_no_case_of_ours_has_is_allowed_for() -> None:
     document = json.loads(standfast.assess(ROOT / "examples/goda-2000.toml").to_json())
     nothing = {"mode": None, "mode_words": None, "motion": None, "report": None, "k_eff": None, "k_prime_eff": None}
-    document["situations"][0].update(nothing, because=[])
+    document["situations"][0].update(nothing, because=[], no_report="no-point")
     assert not errors(document, "answer.schema.json")
 
 

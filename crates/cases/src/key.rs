@@ -185,6 +185,8 @@ pub enum Range {
     Positive,
     /// Above zero, 1 at most.
     Share,
+    /// An angle of friction of ground, degrees.
+    GroundAngle,
 }
 
 impl Range {
@@ -195,6 +197,7 @@ impl Range {
             Range::NotNegative => value >= 0.0,
             Range::Positive => value > 0.0,
             Range::Share => value > 0.0 && value <= 1.0,
+            Range::GroundAngle => (20.0..=50.0).contains(&value),
         };
         in_range && value.is_finite()
     }
@@ -206,6 +209,17 @@ impl Range {
             Range::NotNegative => "a finite number, zero or more",
             Range::Positive => "a finite number above zero",
             Range::Share => "a share, above zero and 1 at most",
+            Range::GroundAngle => "an angle from 20 to 50 degrees",
+        }
+    }
+
+    /// The ends of the range; infinite where it has none.
+    pub fn ends(self) -> [f64; 2] {
+        match self {
+            Range::Finite => [f64::NEG_INFINITY, f64::INFINITY],
+            Range::NotNegative | Range::Positive => [0.0, f64::INFINITY],
+            Range::Share => [0.0, 1.0],
+            Range::GroundAngle => [20.0, 50.0],
         }
     }
 }
@@ -434,7 +448,7 @@ listed! {
 
     Strength = key(Ground, "strength", Measured(Dimension::Pressure, Positive), "q_u", "pressure at which the base crushes: of stone, mortar, or ground taken so", "\"600 kPa\"")
         .silent("strength of the base: no limit").gives(&[Quantity::Strength]);
-    GroundAngle = key(Ground, "friction_angle_deg", Plain(Positive), "φ", "angle of friction of the ground, 20° to 50°", "40")
+    GroundAngle = key(Ground, "friction_angle_deg", Plain(Range::GroundAngle), "φ", "angle of friction of the ground, 20° to 50°", "40")
         .gives(&[Quantity::GroundFrictionAngle]);
     UnitWeight = key(Ground, "unit_weight", Measured(Dimension::UnitWeight, Positive), "γ'", "effective unit weight of the ground; under water less that of water", "\"10 kN/m3\"")
         .gives(&[Quantity::UnitWeight]);

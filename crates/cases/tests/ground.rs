@@ -436,6 +436,13 @@ fn nothing_rigid_is_said_of_ground_that_is_not() {
     let say =
         |ground: &str| assessment(&format!("{goda}{ground}")).text(&View::default()).replace("\n  ", " ");
     let rigid = say("");
+    assert_eq!(situation(&goda)["no_report"], Value::Null);
+    // A load that does not push has no point, whatever the base.
+    let pressed =
+        "[body]\nwidth = 10\nheight = 8\nmass = 200e3\nfriction = 0.6\n[[load]]\nforce = 1e5\ndistance = 5\n";
+    let pressed =
+        pressed.replace("force = 1e5\ndistance = 5", "force = 1e5\ndistance = 5\ndirection = \"down\"");
+    assert_eq!(situation(&pressed)["no_report"], "no-point");
     assert!(rigid.contains("Changes of mode as the friction grows") && !rigid.contains("partial factor"));
     for (ground, left_out) in [
         ("\n[ground]\nstrength = 600e3\n", "once its edge is crushed"),
@@ -448,6 +455,8 @@ fn nothing_rigid_is_said_of_ground_that_is_not() {
         let text = say(ground);
         assert!(!text.contains("Changes of mode as the friction grows"), "{text}");
         assert!(text.contains("No partial factor is applied") && text.contains(left_out), "{text}");
+        let found = situation(&format!("{goda}{ground}"));
+        assert_eq!((&found["report"], &found["no_report"]), (&Value::Null, &Value::from("base-gives-way")));
         assert!(
             text.contains("is that of rigid ground: its inequalities, margins and changes of mode are not"),
             "{text}"

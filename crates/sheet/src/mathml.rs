@@ -21,21 +21,28 @@ pub enum Drawn {
 pub fn line(formula: &Formula, lead: &str, drawn: Drawn) -> String {
     let lead =
         if lead.is_empty() { String::new() } else { format!("<mo form=\"infix\">{}</mo>", escape(lead)) };
-    let mut chunks = vec![lead];
-    match formula {
-        Formula::Sum(terms) => {
-            for (i, (subtracted, term)) in terms.iter().enumerate() {
-                if i > 0 {
-                    chunks.push(operator(if *subtracted { "−" } else { "+" }));
-                }
-                term_chunks(term, drawn, i == 0, &mut chunks);
-            }
+    let math = |chunks: Vec<String>| {
+        let each = chunks
+            .into_iter()
+            .map(|chunk| format!("<math displaystyle=\"true\"><mrow>{chunk}</mrow></math>"));
+        each.collect::<Vec<_>>().join("<wbr>")
+    };
+    let Formula::Sum(terms) = formula else {
+        let mut chunks = vec![lead];
+        term_chunks(formula, drawn, true, &mut chunks);
+        return math(chunks);
+    };
+    // A line ends between terms before it ends within one.
+    let terms = terms.iter().enumerate().map(|(i, (subtracted, term))| {
+        let sign = if *subtracted { "−" } else { "+" };
+        let mut chunks = vec![if i == 0 { lead.clone() } else { operator(sign) }];
+        term_chunks(term, drawn, i == 0, &mut chunks);
+        match chunks.len() {
+            1 => math(chunks),
+            _ => format!("<span class=\"term\">{}</span>", math(chunks)),
         }
-        term => term_chunks(term, drawn, true, &mut chunks),
-    }
-    let math =
-        chunks.into_iter().map(|chunk| format!("<math displaystyle=\"true\"><mrow>{chunk}</mrow></math>"));
-    math.collect::<Vec<_>>().join("<wbr>")
+    });
+    terms.collect::<Vec<_>>().join("<wbr>")
 }
 
 /// Adds a term to the last chunk. A product of numbers continues in a further chunk with each factor; one of symbols where a

@@ -1,5 +1,6 @@
 //! The batch kernels against the limit: a loop that only reads the same four columns and writes one byte a point,
 //! compiled for the same instruction set. All run in turn, round by round; of times and of ratios within a round the medians are printed.
+//! A column ω of zeros is compared in the same way with the rigid kernel: `batch::classify_on_base` with `batch::classify`.
 //!
 //! `cargo bench -p standfast --bench memory_limit`
 
@@ -145,9 +146,22 @@ fn main() {
             ratios.push(kernel / limit);
         }
     }
+    // A base that gives nothing, by the kernel for bases that crush, beside the rigid one.
+    let omega = vec![0.0; POINTS];
+    let (mut on_base, mut rigid, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        let one = time(&|codes| batch::classify_on_base(ordinary, black_box(&omega), codes).unwrap());
+        let other = time(&|codes| batch::classify(black_box(ordinary), codes).unwrap());
+        on_base.push(one);
+        rigid.push(other);
+        ratios.push(one / other);
+    }
     println!("{POINTS} points, one thread, medians of {ROUNDS} rounds, ns of processor time a point");
     println!("{:<34}{:>8}{:>8}{:>8}", "", "kernel", "limit", "ratio");
     for ((name, ..), (kernels, limits, ratios)) in rows.iter().zip(times) {
         println!("{name:<34}{:>8.3}{:>8.3}{:>8.2}", median(kernels), median(limits), median(ratios));
     }
+    println!("{:<34}{:>8}{:>8}{:>8}", "", "ω = 0", "rigid", "ratio");
+    let [on_base, rigid, ratio] = [on_base, rigid, ratios].map(median);
+    println!("{:<34}{on_base:>8.3}{rigid:>8.3}{ratio:>8.2}", "batch::classify_on_base");
 }

@@ -14,12 +14,15 @@ use crate::{ResultColumn, TableProblem};
 pub(crate) struct Points {
     pub(crate) problem: TableProblem,
     pub(crate) results: Vec<ResultColumn>,
+    /// Whether a column is taken for ω because of its name alone; then how one says that it is.
+    pub(crate) omega_by_name: Option<String>,
 }
 
 impl Points {
     /// The results for the problem's columns, in the order asked for. Rows marked in `skip`, which is as long as the
     /// columns or empty, get none.
     pub(crate) fn answer(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) -> Vec<Values> {
+        self.mind_omega(columns, skip, faults);
         let only_modes = self.results.iter().all(|&column| column == ResultColumn::Mode);
         if self.problem == TableProblem::Force && only_modes {
             let codes = self.codes(columns, skip, faults);
@@ -48,6 +51,21 @@ impl Points {
             }
         }
         results
+    }
+
+    /// Says that a column of that name is not taken for an angular frequency.
+    fn mind_omega(&self, columns: &[&[f64]], skip: &[bool], faults: &mut Faults) {
+        let (Some(said), Some(omega)) = (&self.omega_by_name, columns.get(4)) else { return };
+        for (row, &value) in omega.iter().enumerate() {
+            if value != 0.0 && value.is_finite() && skip.get(row) != Some(&true) {
+                faults.minded.add("omega-as-share", row, || {
+                    format!(
+                        "the column omega, here {value}, is taken for ω = P/(2B q_u), the share of the base that P crushes, 0 for a rigid \
+                         base, and not for an angular frequency; {said} says that it is ω"
+                    )
+                });
+            }
+        }
     }
 
     /// The codes of the modes under a force, by the library's kernel for columns.

@@ -85,6 +85,14 @@ impl TableOptions {
         columns.iter().chain(optional.iter().filter(is_there)).map(place).collect()
     }
 
+    /// Whether one of the optional columns of points was taken because of its name, with nothing said of it; then how one says so.
+    pub(crate) fn omega_by_name(&self, places: &[usize]) -> Option<String> {
+        let optional =
+            self.problem.optional().first().filter(|_| places.len() > self.problem.columns().len())?;
+        let is_said = self.map.iter().any(|mapping| mapping.ours == optional.name);
+        (!is_said).then(|| self.face.map(optional.name, optional.name))
+    }
+
     /// What is computed: the columns asked for, or all of the problem.
     pub(crate) fn results(&self) -> Result<Vec<ResultColumn>, TableError> {
         let all = self.problem.results();

@@ -110,8 +110,10 @@ impl Task {
                     said: None,
                 };
                 let fields = results.iter().map(field).collect();
-                let points = Points { problem: options.problem, results };
-                (Rows::Points(points), fields, options.places(found)?)
+                let places = options.places(found)?;
+                let omega_by_name = options.omega_by_name(&places);
+                let points = Points { problem: options.problem, results, omega_by_name };
+                (Rows::Points(points), fields, places)
             }
             Some(case) => {
                 let (rows, places) = CaseRows::of(options, case, found)?;

@@ -906,8 +906,14 @@ class Situation(Answer):
 
     @property
     def report(self) -> Report | None:
-        """The load in the report's diagram, where it has a point there."""
+        """The load in the report's diagram, which is that of a rigid base; None where ``no_report`` says why."""
         return None if self._document["report"] is None else part(Report, self._document["report"])
+
+    @property
+    def no_report(self) -> Literal["no-point", "base-gives-way"] | None:
+        """Why there is no ``report``: the load has no point in the report's diagram, or the base crushes or the ground fails;
+        None where there is one."""
+        return self._document["no_report"]
 
 
 class Ground(Answer):
@@ -1119,7 +1125,7 @@ class Point(Answer):
 
 
 class Report(Point):
-    """The load in the report's diagram, where it has a point there."""
+    """The load in the report's diagram, which is that of a rigid base; None where ``no_report`` says why."""
 
     @property
     def SF_overturning_effective(self) -> float:
@@ -1439,5 +1445,11 @@ class OnlySituation:
 
     @property
     def report(self) -> Report | None:
-        """The load in the report's diagram, where it has a point there."""
+        """The load in the report's diagram, which is that of a rigid base; None where ``no_report`` says why."""
         return self._only().report
+
+    @property
+    def no_report(self) -> Literal["no-point", "base-gives-way"] | None:
+        """Why there is no ``report``: the load has no point in the report's diagram, or the base crushes or the ground fails;
+        None where there is one."""
+        return self._only().no_report

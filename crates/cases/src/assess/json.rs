@@ -144,6 +144,8 @@ struct Situation<'a> {
     components: Vec<Component>,
     path: Vec<PathStage>,
     report: Option<Report>,
+    /// Why there is no report.
+    no_report: Option<&'static str>,
 }
 
 /// The point of the report's diagram.
@@ -455,6 +457,11 @@ impl<'a> Situation<'a> {
                 point: PointDocument::of(reduced),
                 overturning: reduced.point.safety_against_overturning(),
             }),
+            no_report: match () {
+                () if assessed.is_on_ground() => Some("base-gives-way"),
+                () if full.effective.is_none() => Some("no-point"),
+                () => None,
+            },
         }
     }
 }

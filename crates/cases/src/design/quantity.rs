@@ -27,7 +27,8 @@ pub(super) struct Ends<'a> {
     pub(super) options: [&'static str; 2],
     /// What stands there.
     pub(super) written: [Option<&'a str>; 2],
-    /// How many times the present value the range reaches up, and how many times less down, where nothing stands there.
+    /// How many times the present value the range reaches up, and how many times less down, where nothing stands there; no farther than
+    /// the quantity can have.
     pub(super) spread: f64,
 }
 
@@ -40,7 +41,10 @@ impl Quantity {
     ) -> Result<Quantity, DesignError> {
         let variable = Variable::find(name, inputs).map_err(DesignError::UnknownVariable)?;
         let present = variable.value(inputs, case);
-        let [low, high] = [present / ends.spread, present * ends.spread];
+        // No farther than the key takes numbers.
+        let [least, greatest] = variable.range().ends();
+        let [low, high] =
+            [present / ends.spread, present * ends.spread].map(|end| end.clamp(least, greatest));
         let end = |which: usize, default: f64| match ends.written[which] {
             None => Ok(default),
             Some(written) => read(&variable, inputs, ends.options[which], written),

@@ -127,7 +127,7 @@ impl Resolve<'_> {
         let (physical, limit) = match range(quantity) {
             Range::Finite => (f64::NEG_INFINITY, ""),
             Range::NotNegative => (0.0, "it is negative"),
-            Range::Positive | Range::Share => (0.0, "it is zero or less"),
+            Range::Positive | Range::Share | Range::GroundAngle => (0.0, "it is zero or less"),
         };
         let asked = Distribution::truncated(law.clone(), lower, upper).map_err(refused)?;
         if lower >= physical {

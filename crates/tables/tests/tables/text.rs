@@ -59,6 +59,22 @@ fn a_column_omega_is_the_share_of_a_base_that_crushes() {
     }
     assert!(failed > 30, "{failed} of them fail");
 
+    // It is said once that it is no angular frequency, of the rows in which it is not zero; not where one has said so.
+    let said = |options: &TableOptions| run(table.as_bytes(), Vec::new(), options).expect("a table").minded;
+    for threads in [1, 3] {
+        let minded = said(&TableOptions { threads, ..TableOptions::new("table") });
+        let [warning] = &minded[..] else { panic!("{minded:?}") };
+        let (name, rows, first) = (warning.name, warning.rows, warning.first);
+        assert_eq!((name, rows, first), ("omega-as-share", 400, 1));
+        let value = table.lines().nth(2).and_then(|line| line.split(',').next()).expect("a value");
+        assert!(
+            warning.words.contains(value) && warning.words.contains("--map \"omega=omega\""),
+            "{warning}"
+        );
+    }
+    let map = vec!["omega=omega".parse().expect("a mapping")];
+    assert_eq!(said(&TableOptions { map, ..TableOptions::new("table") }), []);
+
     let mapped = "gamma,k_prime,k,mu,share\n0.8,0.9167,0.61,0.6,0.08\n";
     let options =
         TableOptions { map: vec!["omega=share".parse().expect("a mapping")], ..TableOptions::new("table") };

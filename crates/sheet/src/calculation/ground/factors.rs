@@ -166,7 +166,7 @@ impl Sheet<'_> {
     /// The inclination at which the ground fails on the way of the resultant.
     fn along_ray(&self, steps: &mut Steps) {
         let Some(k_bf) = self.ground.k_bf else { return };
-        let about = "`|X|/V` at which the ground fails, if force and moment grow as they stand to each other";
+        let about = "`|X|÷V` at which the ground fails, if force and moment grow as they stand to each other";
         match self.soil() {
             None if k_bf.is_finite() => {
                 let formula = "max(0, 1 − ω) B_c |X|/(2 |e_b| V)";

@@ -23,7 +23,7 @@ impl Sheet<'_> {
             MOMENT,
             "",
         );
-        steps.add("in `V B_c/2`", "", ["m_b", "2 |e_b|/B_c"], share, NONE, "");
+        steps.add("in `(V B_c)÷2`", "", ["m_b", "2 |e_b|/B_c"], share, NONE, "");
         let about = "Rotation under the full load, raised slowly";
         match elastic.rotation {
             Some(rotation) => {
@@ -36,7 +36,7 @@ impl Sheet<'_> {
                 };
                 let unit = self.reaction.p()
                     / (self.foundation.stiffness.unwrap_or_default() * self.reaction.half_width().powi(2));
-                let words = format!("Its rotation in `4 V/(k_n B_c^2)`: {}", state(pressed));
+                let words = format!("Its rotation in `(4 V)÷(k_n B_c^2)`: {}", state(pressed));
                 steps.add(&words, LAW, ["τ_b", τ], rotation / unit, NONE, "");
                 let formula = format!("4 τ_b V/(k_n B_c^2{long})");
                 steps.add(about, LAW, ["θ_b", &formula], rotation, MRAD, "rotation");
@@ -48,8 +48,10 @@ impl Sheet<'_> {
         let formula = format!("8 V y_C/(k_n B_c^3{long})");
         steps.add("By how much the weight leans on the rotation", LAW, ["κ", &formula], kappa, NONE, "");
         let most = elastic.largest.moment / p_b;
-        let about =
-            format!("The largest moment that is borne, in `V B_c/2`; there {}", state(elastic.largest.state));
+        let about = format!(
+            "The largest moment that is borne, in `(V B_c)÷2`; there {}",
+            state(elastic.largest.state)
+        );
         let formula = match elastic.largest.state {
             _ if most == 0.0 => None,
             ContactState::Full => None,
@@ -63,7 +65,7 @@ impl Sheet<'_> {
         }
         if let Some(k) = elastic.k_overturn {
             let about =
-                "`|X|/V` at which it is reached, if force and moment grow as they stand to each other";
+                "`|X|÷V` at which it is reached, if force and moment grow as they stand to each other";
             if k.is_finite() {
                 steps.add(about, "", ["k_o", "m_max B_c |X|/(2 |e_b| V)"], k, NONE, "k_overturn");
             } else {

@@ -66,7 +66,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// D: formulas where the loads in time have one course, and words where they have several.
+    /// D: formulas where the loads in time have one course; where they have several, what the sum is and why it is not put in.
     fn amplified(&self, steps: &mut Steps, impact: &ImpactResponse, swaying: &Swaying) {
         let histories = self.assessed.component_histories(self.case);
         let timed: Vec<(usize, Wrench, &History)> = self
@@ -78,7 +78,14 @@ impl Sheet<'_> {
             .collect();
         let one = timed.first().filter(|(_, _, first)| timed.iter().all(|(_, _, other)| other == first));
         let Some((_, _, history)) = one else {
-            let words = "the exact response of both modes to loads that are linear from moment to moment";
+            steps.note(
+                "The loads in time have different courses, each with moments, shares and static displacements of its own. What the base bears is \
+                 the sum over loads, both modes and all moments of terms as `σ_i g_c (t − t_c − sin(ω_i (t − t_c))/ω_i)` and \
+                 `σ_i j_c (1 − cos(ω_i (t − t_c)))`, for the moment with `ν_i` for `σ_i`; D is its largest size over the largest size of the \
+                 loads' own sum at any moment. With so many terms the sum is not put in here: give the loads one `history`, or one load of \
+                 both, for a sheet on which each step can be worked out.",
+            );
+            let words = "largest of that sum over time, over the largest of the loads";
             for (about, name, value, key) in [
                 (
                     "Largest shear of the base over that of the loads in time",

@@ -8,8 +8,10 @@
 //! Res(F, F')(λ) = 0        Res(F, W)(λ) = 0
 //! ```
 //!
-//! so that all such load factors are known without sampling. The zeros are those of f64: two closer than some 10⁻⁷ of their size may be missed
-//! together. What holds between them is decided exactly, elsewhere.
+//! so that all such load factors are known without sampling. The zeros are those of f64: of two so near to each other that rounding hides the sign
+//! between them, some 10⁻⁷ of their size, both would be missed. Between them the resultant has a zero of its slope, which is known to round-off: where the
+//! resultant is as good as zero there, the load factor itself is decided too. What may be missed is narrower than some 10⁻¹³. What holds between
+//! load factors is decided exactly, elsewhere.
 
 use std::array::from_fn;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -19,7 +21,7 @@ use super::conditions::{CORNERS, SLIPS};
 use super::turning::Turn;
 use crate::contact::Block;
 use crate::exact::Real;
-use crate::ground::roots::real_roots;
+use crate::ground::roots::{real_roots, value};
 use crate::wrench::Wrench;
 
 /// A polynomial in the load factor, its constant first; none of zero.
@@ -41,17 +43,32 @@ impl Polynomial {
         if most > 0.0 && most.is_finite() { self.times(1.0 / most) } else { self }
     }
 
-    /// Its zeros above zero: those up to 1, and those of the polynomial of 1/λ.
+    /// Its zeros above zero: those up to 1, and those of the polynomial of 1/λ. Around a zero of the slope at which it is zero but for
+    /// rounding, two numbers that have it in their middle.
     fn zeros(self) -> Vec<f64> {
         let mut up = self.normal().0;
         while up.last() == Some(&0.0) {
             up.pop();
         }
         let down: Vec<f64> = up.iter().rev().copied().collect();
-        let near = real_roots(&up, 0.0, 1.0);
-        let far = real_roots(&down, 0.0, 1.0).into_iter().filter(|inverse| *inverse > 0.0);
-        near.into_iter().chain(far.map(f64::recip)).collect()
+        let both = |f: &[f64]| real_roots(f, 0.0, 1.0).into_iter().chain(touched(f)).collect::<Vec<_>>();
+        let far = both(&down).into_iter().filter(|inverse| *inverse > 0.0);
+        both(&up).into_iter().chain(far.map(f64::recip)).collect()
     }
+}
+
+/// What is rounding beside the sum of a polynomial's terms, determinants and all.
+const ROUNDING: f64 = 1e-10;
+/// Half the distance of two numbers that are told apart, relatively.
+const APART: f64 = 32.0 * f64::EPSILON;
+
+/// Pairs of numbers between 0 and 1, each about a place where a polynomial may touch zero, or be zero twice.
+fn touched(f: &[f64]) -> Vec<f64> {
+    let slope: Vec<f64> = f.iter().enumerate().skip(1).map(|(i, c)| c * i as f64).collect();
+    let size = |x: f64| f.iter().rev().fold(0.0, |sum, c| sum * x + c.abs());
+    let touches = |x: &f64| value(f, x).abs() <= ROUNDING * size(*x);
+    let places = real_roots(&slope, 0.0, 1.0).into_iter().filter(touches);
+    places.flat_map(|x| [x * (1.0 - APART), x * (1.0 + APART)]).collect()
 }
 
 impl Real for Polynomial {
@@ -208,7 +225,6 @@ pub(super) fn events(block: &Block, permanent: &Wrench, variable: &Wrench, stren
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::roots::value;
 
     fn polynomial(coefficients: &[f64]) -> Polynomial {
         Polynomial(coefficients.to_vec())
@@ -245,5 +261,23 @@ mod tests {
         let zeros = (polynomial(&[-0.25, 1.0]) * polynomial(&[-50.0, 1.0]) * polynomial(&[1.0, 1.0])).zeros();
         assert_eq!(zeros.len(), 2);
         assert!((zeros[0] - 0.25).abs() < 1e-15 && (zeros[1] - 50.0).abs() < 1e-12, "{zeros:?}");
+    }
+
+    /// Two zeros as near to each other as one likes: one of them is found, or a number between both is the middle of two that are.
+    #[test]
+    fn two_zeros_are_not_missed_together() {
+        for (at, other) in [(0.3, 0.7), (0.9, 5.0), (7.0, 0.2), (60.0, 0.01)] {
+            for gap in (3..=13).map(|digits| 10f64.powi(-digits)) {
+                let (low, high) = (at * (1.0 - gap), at * (1.0 + gap));
+                let pair = polynomial(&[-low, 1.0]) * polynomial(&[-high, 1.0]);
+                let mut zeros = (pair * polynomial(&[-other, 1.0]) * polynomial(&[2.0, 1.0])).zeros();
+                zeros.sort_by(f64::total_cmp);
+                let middles = zeros.windows(2).map(|two| two[0] + (two[1] - two[0]) / 2.0);
+                let between = middles.filter(|middle| *middle > low && *middle < high).count();
+                assert!(between > 0, "{at} ± {gap}: {zeros:?}");
+            }
+        }
+        // A polynomial that is far from zero where its slope is zero is left alone.
+        assert_eq!((polynomial(&[-0.25, 1.0]) * polynomial(&[-0.75, 1.0])).zeros().len(), 2);
     }
 }

@@ -1,0 +1,288 @@
+//! What helps against what is wrong with a case.
+
+use standfast::Quantity;
+use standfast::section::{SectionError, Vertex};
+
+use super::Problem;
+use crate::key::{Key, Kind, Range, Table};
+use crate::layout::{digits, plain};
+use crate::motion::MOTION_CRITERIA;
+use crate::random::{RANDOM, STORM};
+use crate::suggest::closest;
+use crate::units::{Dimension, Extent, UnitError};
+
+const SKELETON: &str = "a case file has a body and one or more loads, for example:\n\n\
+    [body]\nwidth = \"15 m\"\nheight = \"12 m\"\ndensity = \"2.1 t/m3\"\nfriction = 0.6\n\n\
+    [[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"";
+
+impl Problem {
+    /// What to do.
+    pub(super) fn help(&self) -> Option<String> {
+        let help = match self {
+            Problem::Random(_) => return None,
+            Problem::Empty { .. } => SKELETON.to_owned(),
+            Problem::NoTables { table } => format!("remove it, or add for example\n{}", table.example()),
+            Problem::UnknownKey { table, name } => known(*table, name),
+            Problem::Unanswerable { name, .. } if MOTION_CRITERIA.contains(name) => {
+                "`standfast simulate` follows the motion of a case with a [motion], or whose loads have histories on a rigid base: \
+                 of such a case it is a criterion"
+                    .to_owned()
+            }
+            Problem::Unanswerable { .. } => format!(
+                "it takes random inputs; the criteria that can be answered: {}",
+                names(Table::Criteria).join(", ")
+            ),
+            Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
+            Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
+            Problem::Unit { key, dimension, error, .. } => {
+                let dimension = (*dimension)?;
+                let (also, bare) = match key.info().kind {
+                    Kind::InGravity => ("g, ", "g"),
+                    _ => ("", dimension.si()),
+                };
+                let units = format!("the units understood here: {also}{}", dimension.understood());
+                match error {
+                    UnitError::Missing => format!("{units}; a number without quotes is in {bare}"),
+                    UnitError::Unknown(unit) if *key == Key::Gravity && unit == "g" => {
+                        format!("{units}; this key says what g is, for example {}", line(*key))
+                    }
+                    UnitError::Unknown(unit) => match other_extent(dimension, unit) {
+                        Some(words) => format!("{units}; {words}"),
+                        None => units,
+                    },
+                    _ => units,
+                }
+            }
+            Problem::NoTable { table, .. } => format!("for example\n{}", table.example()),
+            Problem::WrongType { key, .. } | Problem::OutOfRange { key, .. } => {
+                format!("for example\n{}", line(*key))
+            }
+            Problem::AboveCrest { .. } => {
+                "the elevation is measured from the base, in m if it has no unit".into()
+            }
+            Problem::Both { one: Key::Mass, .. } => {
+                "keep one of them; the other follows from width and height".into()
+            }
+            Problem::Neither { one: Key::Mass, .. } => {
+                "add one of them, for example density = \"2.1 t/m3\"".into()
+            }
+            Problem::Neither { .. } => "add sides = 1 or 2 for a wall, or the mass of water, for example \"50 t/m\", or \"200 kg\" of a single object".into(),
+            Problem::Syntax(message) if message.contains("missing value") || message.contains("quot") => {
+                "texts and numbers with a unit stand in quotes, e.g. width = \"15 m\"".into()
+            }
+            Problem::WaterTwice => "keep [water] to work with the total weight and explicit pressures, or \
+                 `buoyant_weight` to work with W'"
+                .into(),
+            Problem::EmptyGround => "give strength, for a base that crushes; or friction_angle_deg and unit_weight, or law = \"envelope\" \
+                 and centric_resistance, for ground that fails; or stiffness"
+                .into(),
+            Problem::NotWith { key: Key::Strength, with: Key::GroundAngle } => {
+                "keep strength for stone, mortar or a pressure that is given; friction_angle_deg for ground that fails".into()
+            }
+            Problem::NotWith { .. } | Problem::OfEnvelope { .. } => "keep one of them".into(),
+            Problem::NotEnvelope { .. } => "add law = \"envelope\", or remove it".into(),
+            Problem::NeedsGround { key: Key::GreatestRotation, .. } => {
+                "add for example\n[ground]\nstiffness = \"50 MN/m3\"".into()
+            }
+            Problem::NeedsGround { .. } => format!("add for example\n{}", Table::Ground.example()),
+            Problem::HistoryOnRigid { .. } => {
+                "add for example\n[ground]\nstiffness = \"50 MN/m3\"\ntangential_stiffness = \"25 MN/m3\"".into()
+            }
+            Problem::HistoryOfPermanent { .. } => "keep one of them".into(),
+            Problem::HistoryShape { suggestion, .. } => {
+                let line = "for example { shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }; shapes are of straight lines, others \
+                            are given by their points";
+                suggestion.map_or(line.to_owned(), |word| format!("did you mean \"{word}\"? {line}"))
+            }
+            Problem::HistoryKey { name, takes, .. } => {
+                let known: Vec<_> = ["shape"].iter().chain(takes.iter()).chain(&["peak", "start"]).copied().collect();
+                let line = format!("it has {}", known.join(", "));
+                closest(name, known.iter().copied()).map_or(line.clone(), |word| format!("did you mean `{word}`? {line}"))
+            }
+            Problem::HistoryLacks { example, .. } => format!("add for example {example}"),
+            Problem::NoWater => "add for example\n[water]\nlevel = \"7.1 m\"".into(),
+            Problem::NoLevel => "add level = \"7.1 m\" for both sides, or left and right".into(),
+            Problem::NoWaterDensity => "add for example density = \"1030 kg/m3\"".into(),
+            Problem::DeepAndLocal | Problem::NoWaveHeight => {
+                "give either deep_water_height, or H13 and Hmax at the wall".into()
+            }
+            Problem::WrongAlong { .. } => {
+                "a side has elevations above the base; base and top have distances to the right \
+                 of the corner O"
+                    .into()
+            }
+            Problem::TakenName { .. } => "call the load otherwise".into(),
+            Problem::BesideFace { .. } => "cut the diagram where the face ends".into(),
+            Problem::UnknownLoad { name, names } => {
+                let known = format!(
+                    "the loads of this case: {}; a [[load]] or [[pressure]] has its `name`",
+                    names.join(", ")
+                );
+                match closest(name, names.iter().map(String::as_str)) {
+                    Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
+                    None => known,
+                }
+            }
+            Problem::FollowsFromParts { .. } => {
+                "remove it; to vary the width of all parts, give `width_scale`".into()
+            }
+            Problem::ScaleWithoutParts => "remove it; a body of one piece has its `width`".into(),
+            Problem::NoOutline => {
+                "give left, width, bottom and height, for a rectangle or, with top_left and top_width, a trapezoid; or the \
+                 corners of a polygon, x and y"
+                    .into()
+            }
+            Problem::Parts(SectionError::Gap { .. } | SectionError::Overlap { .. }) => {
+                "parts touch each other, to the millimetre; what is empty between them is a part of density 0".into()
+            }
+            Problem::Parts(SectionError::Loose { .. }) => "parts stand on each other along a length".into(),
+            Problem::NotOfCylinder { key: Key::WaterLeft } => {
+                "water stands around it: give `level` in place of left and right".into()
+            }
+            Problem::NotOfCylinder { key: Key::WetSides } => {
+                "`sides` are those of a long wall; give the `mass` of the water that moves with it".into()
+            }
+            Problem::NotOfCylinder { key } if key.info().table == Table::Ground => {
+                "what is known of the ground here are formulas of a strip: leave out [ground], or describe a block with its `length`"
+                    .into()
+            }
+            Problem::NotOfCylinder { .. } => {
+                "its `width` is its diameter, and it stands on the whole of its circle".into()
+            }
+            Problem::WavesOnObject => {
+                "describe one metre of a long wall; or give the forces on the object as [[load]]s".into()
+            }
+            Problem::PartsOfCylinder => {
+                "leave out the shape, or describe the cylinder by its width, height and mass".into()
+            }
+            Problem::LevelAndSides | Problem::Both { .. } => "keep one of them".into(),
+            Problem::ArmWithoutWeight => "the arm is that of W'; add buoyant_weight, or remove it".into(),
+            Problem::Disagree { .. } => "keep one of them, or make them equal".into(),
+            Problem::Height { base_depth, crest_height, .. } => {
+                format!("with them the height is {} m", plain(base_depth + crest_height))
+            }
+            Problem::Syntax(_)
+            | Problem::Mechanics(_)
+            | Problem::KineticFriction { .. }
+            | Problem::OneLevel { .. }
+            | Problem::Lengths { .. }
+            | Problem::Corners { .. }
+            | Problem::Part { .. }
+            | Problem::Parts(_)
+            | Problem::NoExtent { .. }
+            | Problem::SameName { .. }
+            | Problem::SameCombination { .. }
+            | Problem::NoWeight
+            | Problem::SidesWithoutWater
+            | Problem::OneWaveHeight { .. }
+            | Problem::CaissonWidth { .. }
+            | Problem::HistoryValue { .. }
+            | Problem::Impossible { .. } => return None,
+        };
+        Some(help)
+    }
+
+    /// What a number has to be that is not in a key's range.
+    pub(crate) fn out_of_range(key: Key, range: Range, number: f64) -> Problem {
+        Problem::OutOfRange { key, written: plain(number), expected: range.words() }
+    }
+}
+
+/// A line of a file that has a key right.
+fn line(key: Key) -> String {
+    format!("{} = {}", key.entry(), key.info().example)
+}
+
+/// What is wrong with parts together, counted from one as they stand in the file.
+pub(super) fn parts(error: SectionError) -> String {
+    let place = |at: Vertex| format!("x = {} m, {} m above the base", digits(at.x), digits(at.y));
+    match error {
+        SectionError::Overlap { one, two, at, by } => {
+            format!("parts {} and {} overlap by {} m, at {}", one + 1, two + 1, digits(by), place(at))
+        }
+        SectionError::Gap { at, by } => {
+            format!("the parts leave a gap of {} m, at {}", digits(by), place(at))
+        }
+        SectionError::Loose { at } => {
+            format!(
+                "what lies above {} m does not stand on what is below it, at x = {} m",
+                digits(at.y),
+                digits(at.x)
+            )
+        }
+        SectionError::BelowBase { depth } => {
+            format!("the part reaches {} m below the base, which is at height 0", digits(depth))
+        }
+        SectionError::NotOnBase { height: 0.0 } => {
+            "the body touches its base, at height 0, in a point; expected a length to stand on".to_owned()
+        }
+        SectionError::NotOnBase { height } => {
+            format!("the lowest part begins {} m above the base, which is at height 0", digits(height))
+        }
+        SectionError::Input(error) if error.quantity == Quantity::CentroidOffset => format!(
+            "the centre of mass lies {} m to the {} of mid-width, not between the corners of the base",
+            digits(error.value.abs()),
+            if error.value < 0.0 { "left" } else { "right" }
+        ),
+        error => format!("the parts make no body: {error}"),
+    }
+}
+
+/// What to do about a unit of whole objects in a case per metre run, and the other way round.
+fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
+    const PER_METRE: [Dimension; 3] = [Dimension::Mass, Dimension::Force, Dimension::Inertia];
+    let fits = |dimension: Dimension| dimension.parse(&format!("1 {unit}")).is_ok();
+    let per_metre = PER_METRE.into_iter().find(|of| Extent::Whole.of(*of) == dimension);
+    if PER_METRE.contains(&dimension) && fits(Extent::Whole.of(dimension)) {
+        Some("all is per metre run; a single object has its `length` in [body]")
+    } else if per_metre.is_some_and(fits) {
+        Some("[body] has a `length` or is a cylinder, so all is of the whole object")
+    } else {
+        None
+    }
+}
+
+/// Criteria of results that are not computed, and what they ask for.
+pub(crate) const UNANSWERABLE: [(&str, &str); 4] = [
+    ("slide", "how far the body slides"),
+    ("max_theta", "how far the body turns"),
+    ("overturned", "whether the body overturns in the end"),
+    ("p_not_rest", "a probability"),
+];
+
+/// The names that a table of a file may have: its keys, and at the top the tables.
+pub(crate) fn names(table: Table) -> Vec<&'static str> {
+    let mut names: Vec<_> = table.keys().map(Key::entry).collect();
+    names.dedup();
+    if table == Table::Top {
+        names.extend(Table::ALL.into_iter().map(Table::name).filter(|name| !name.is_empty()));
+        names.extend([RANDOM, STORM]);
+    }
+    names
+}
+
+fn known(table: Table, name: &str) -> String {
+    let names = names(table);
+    let known = format!("the keys understood here: {}", names.join(", "));
+    match closest(name, names.iter().copied()) {
+        Some(suggestion) => format!("did you mean `{suggestion}`? {known}"),
+        None => known,
+    }
+}
+
+/// What a key takes, as the type that is expected of its value.
+pub(crate) fn expected_type(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Text => "a text in quotes",
+        Kind::Measured(..) | Kind::InGravity => "a number, or a text with a number and its unit",
+        Kind::Plain(_) => "a number without unit or quotes",
+        Kind::OneOfThree => "a list of three numbers",
+        Kind::Truth => "true or false",
+        Kind::Sides => "1 or 2",
+        Kind::Choice { words, .. } => words,
+        Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
+        Kind::Factors => "names of loads with their factors, in braces",
+        Kind::History => "a shape with its numbers, in braces",
+        Kind::ModeList => "a list of symbols of modes in quotes",
+    }
+}
