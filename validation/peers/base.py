@@ -1,6 +1,6 @@
 """The base of random cases, worked out apart from this repository's code, against `standfast assess`.
 
-    pip install numpy==2.4.6 scipy==1.16.3
+    pip install numpy==2.4.6 scipy==1.17.1
     python base.py [NUMBER [PROGRAM]]      # 300 cases; the program is `standfast` unless it is said
 
 A base that crushes: every mode tried, its rotation found by scanning. Ground that fails: the formulas of EN 1997-1 Annex D, API RP 2GEO and
@@ -93,7 +93,7 @@ def crushing(case, x, p, m):
         modes.add("RE")
     s = math.copysign(1, x)
     if abs(x) > mu * p and abs(s * mu * d * p - m) <= room:
-        modes.add("SL" if s < 0 else "SR")
+        modes.add("SL" if s < 0 else "SL+")
     square = (case.width**2 + case.height**2) / 12
     reach = 10 * (abs(m) + abs(x) * d + mu * d * p + b * p) / (case.mass * square)
     grid = np.concatenate([[0], np.geomspace(1e-7, 1, 4000) * reach])
@@ -257,7 +257,7 @@ def compare(case, answer):
     elif not case.kind.startswith("elastic"):
         holds = abs(x) <= case.friction * p
         pushed = x if holds else math.copysign(case.friction * p, x)
-        rests = "RE" if holds else "SL" if x < 0 else "SR"
+        rests = "RE" if holds else "SL" if x < 0 else "SL+"
         same("modes", {rests if borne(case, pushed, p, m, case.angle) >= p else "BF"}, said, 0)
         same("resistance", borne(case, x, p, m, case.angle), ground["resistance"], 1e-9)
         same("factor", borne(case, x, p, m, case.angle) / p, ground["factor"], 1e-9)

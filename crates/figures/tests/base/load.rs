@@ -21,23 +21,23 @@ fn situation(which: usize, friction: f64) -> Situation {
         Load::variable(LoadSource::Uplift, LoadKind::Uplift, pressure)
     };
     let body = Body::new(15.0, 12.0, 378e3).expect("a body");
-    let off = body.clone().with_centroid(1.5, 5.0).expect("a body");
+    let off = body.with_centroid(1.5, 5.0).expect("a body");
     let slender = Body::new(2.0, 8.0, 40e3).expect("a body");
     let of = |body: Body| Situation::new(body, friction, 9.81).expect("a situation").with_weight();
     match which {
-        0 => of(body.clone()).with(push(-1.5e6, 9.0)).with(uplift(&body, 0.0, 90e3)),
+        0 => of(body).with(push(-1.5e6, 9.0)).with(uplift(&body, 0.0, 90e3)),
         1 => of(off.clone()).with(push(2.5e6, 4.0)).with(uplift(&off, 60e3, 10e3)),
         2 => of(slender).with(push(-120e3, 3.0)).with(push(-60e3, 7.5)),
         3 => {
-            let all = of(body.clone()).with(push(-2e6, 7.0)).with(uplift(&body, 0.0, 40e3));
+            let all = of(body).with(push(-2e6, 7.0)).with(uplift(&body, 0.0, 40e3));
             all.with_kinetic_friction(0.8 * friction).expect("friction").with_added_mass(1e5).expect("mass")
         }
         4 => {
             let pull =
                 Load::permanent(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(0.4e6, 8.0));
-            of(body.clone()).with(pull).with(push(-2.2e6, -1.0))
+            of(body).with(pull).with(push(-2.2e6, -1.0))
         }
-        _ => of(body.clone()).with(push(-0.3e6, 6.0)).with(uplift(&body, 300e3, 330e3)),
+        _ => of(body).with(push(-0.3e6, 6.0)).with(uplift(&body, 300e3, 330e3)),
     }
 }
 
@@ -208,7 +208,7 @@ fn bands_are_those_of_the_decision() {
         let loaded = |friction: f64, factor: f64| {
             let given = situation(which, friction);
             let loads = given.loads().iter().filter(|load| load.source != LoadSource::Weight);
-            let bare = Situation::new(given.body().clone(), friction, 9.81).expect("a situation");
+            let bare = Situation::new(*given.body(), friction, 9.81).expect("a situation");
             let bare = bare.with_kinetic_friction(given.kinetic_friction()).expect("friction");
             let bare = bare.with_added_mass(given.added_mass()).expect("mass").with_weight();
             let times = |load: &Load| if load.permanent { load.clone() } else { load.clone().times(factor) };
