@@ -233,6 +233,11 @@ listed! {
     DShear = number("D_shear", None, "the largest shear of the base over that of the loads in time", |a| impact(a, |i| i.d_shear));
     DMoment = number("D_moment", None, "the largest moment about the middle of the base over that of the loads in time",
         |a| impact(a, |i| i.d_moment));
+    KMoved = number("k_moved", None,
+        "where the loads in time take k of the full load in the k–μ plane, D_shear k; if they alone push and turn the body",
+        |a| elastic(a, |e| e.moved.map(|[k, _]| k)));
+    KPrimeMoved = number("k_prime_moved", None, "the same of k', (1 + k') D_moment/D_shear − 1",
+        |a| elastic(a, |e| e.moved.map(|[_, k_prime]| k_prime)));
     FirstEvent = word("first_event", &["slip", "lift", "yield"], "what first ends the linear response of the elastic base: the base slips, an edge lifts, or it yields",
         |a| first_event(a).map_or(ResultValue::Nothing, |(event, _)| ResultValue::Word(event)));
     FirstEventTime = number("first_event_time", Some(Dimension::Time), "when that is", |a| perhaps(first_event(a).map(|(_, time)| time)));

@@ -138,6 +138,19 @@ fn a_short_thrust() {
     for (name, expected) in [("D_shear", answer.d_shear), ("D_moment", answer.d_moment)] {
         assert!((ground[name].as_f64().unwrap() / expected.unwrap() - 1.0).abs() < 1e-9, "{name}");
     }
+    // k is 940.6/2318.64 of the push, 1 + k' its elevation over that of the centre of mass.
+    let number = |name: &str| ground[name].as_f64().unwrap();
+    let k = number("D_shear") * 940.6 / 2318.64;
+    let k_prime = 5.155 / 5.25 * number("D_moment") / number("D_shear") - 1.0;
+    assert!((number("k_moved") - k).abs() < 1e-12 && (number("k_prime_moved") - k_prime).abs() < 1e-12);
+    // Not where another load, which stands, pushes too.
+    let second = "name = \"wave\"\n[[load]]\nname = \"ice\"\nforce = 1e4\nelevation = 9\n[[combination]]\nfactors = { wave = 1, ice = 1 }\n";
+    let pushed = situation(&(text.to_owned() + second));
+    assert!(pushed["ground"]["D_shear"].is_number());
+    assert_eq!(
+        (&pushed["ground"]["k_moved"], &pushed["ground"]["k_prime_moved"]),
+        (&Value::Null, &Value::Null)
+    );
     assert_eq!(ground["first_event"], "lift");
     assert_eq!(ground["events"].as_array().unwrap().len(), 2);
     assert!((ground["periods"][0].as_f64().unwrap() / answer.periods[0] - 1.0).abs() < 1e-9);

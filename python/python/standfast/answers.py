@@ -1010,6 +1010,17 @@ class Ground(Answer):
         return self._document["D_moment"]
 
     @property
+    def k_moved(self) -> float | None:
+        """Where the loads in time take k of the full load in the k–μ plane, D_shear k; None where other loads push or turn the
+        body too."""
+        return self._document["k_moved"]
+
+    @property
+    def k_prime_moved(self) -> float | None:
+        """The same of k', (1 + k') D_moment/D_shear − 1."""
+        return self._document["k_prime_moved"]
+
+    @property
     def first_event(self) -> Literal["slip", "lift", "yield"] | None:
         """What first ends the linear response of the elastic base: the base slips, an edge lifts, or it yields."""
         return self._document["first_event"]

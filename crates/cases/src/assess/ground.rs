@@ -76,6 +76,8 @@ pub struct Elastic {
     pub periods: Option<[f64; 3]>,
     /// The response to loads in time; `None` where none is given.
     pub impact: Option<ImpactResponse>,
+    /// Where that takes the point of the full load in the k–μ plane: k and k'; `None` where other loads push or turn the body too.
+    pub moved: Option<[f64; 2]>,
 }
 
 impl OnGround {
@@ -236,9 +238,27 @@ impl Elastic {
             largest,
             k_overturn: ray(reaction).map(|ray| share / ray.abs()),
             periods,
+            moved: impact.as_ref().and_then(|impact| moved(situation, reaction, impact, histories)),
             impact,
         })
     }
+}
+
+/// Where the loads in time take the point of the full load, if nothing else pushes or turns the body.
+fn moved(
+    situation: &Situation,
+    reaction: &Reaction,
+    impact: &ImpactResponse,
+    histories: &[Option<&History>],
+) -> Option<[f64; 2]> {
+    let others = situation.loads().iter().zip(histories).filter(|(_, history)| history.is_none());
+    let alone =
+        others.map(|(load, _)| situation.wrench_of(load)).all(|wrench| wrench.x == 0.0 && wrench.m == 0.0);
+    // 1 + k' = M_O/(X d), both about the middle of the base.
+    let (x, arm) = (reaction.x(), situation.body().centroid_height());
+    let k_prime = reaction.e() * reaction.p() / (x * arm) - 1.0;
+    let found = impact.moved(x.abs() / reaction.p(), k_prime).filter(|_| alone);
+    found.filter(|moved| moved.iter().all(|number| number.is_finite()))
 }
 
 /// The response to the loads in time; those of which none is said are there all the time.

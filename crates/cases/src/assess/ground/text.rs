@@ -189,6 +189,9 @@ fn of_springs(elastic: &Elastic) -> Vec<Vec<String>> {
     if let Some(moment) = impact.d_moment {
         rows.push(row!["", "D_moment", digits(moment)]);
     }
+    if let Some([k, k_prime]) = elastic.moved {
+        rows.push(row!["the point moves to", "k, k'", format!("{}, {}", digits(k), digits(k_prime))]);
+    }
     let words = |found: &EventFound| {
         let factor = match found.load_factor {
             factor if factor.is_finite() => format!("at {} times the loads in time", digits(factor)),

@@ -56,6 +56,11 @@ impl Sheet<'_> {
         let swaying =
             Swaying { mass, inertia: body.moment_of_inertia(), height: body.centroid_height(), k_x, k_θ };
         self.amplified(steps, impact, &swaying);
+        if let Some([k, k_prime]) = elastic.moved {
+            let about = "The loads in time take the point of the full load in the k–μ plane to";
+            steps.add(about, "", ["k_T", "D_X |X|/V"], k, NONE, "k_moved");
+            steps.add("", "", ["k'_T", "D_M V e_b/(D_X X y_C) − 1"], k_prime, NONE, "k_prime_moved");
+        }
         if let Some(time) = impact.first_event().and_then(|found| found.time) {
             let name = match impact.first_event().map(|found| found.event) {
                 Some(ImpactEvent::Slip) => "First event: the base slips, `|f_x|` = `μ f_y`",
