@@ -20,6 +20,7 @@ import pyarrow.parquet
 import pytest
 import standfast
 from test_schema import EVERY_MOTION, errors
+from test_workbook import cells
 
 ROOT = Path(__file__).parents[2]
 MOTION = ROOT / "examples/motion"
@@ -32,6 +33,12 @@ STATUE = {"body": {"width": "0.6 m", "height": "2 m", "density": "2.6 t/m3", "fr
 def printed(program: list[str], *arguments: str | Path) -> str:
     found = subprocess.run([*program, "simulate", "--no-figures", *arguments], capture_output=True, encoding="utf-8", check=True)
     return found.stdout
+
+
+def framed(path: Path) -> pd.DataFrame:
+    """The first sheet of a workbook."""
+    head, *rows = cells(path)
+    return pd.DataFrame(rows, columns=head)
 
 
 @pytest.mark.parametrize("path", EVERY_MOTION, ids=lambda path: path.stem)
@@ -82,7 +89,7 @@ def test_criteria_are_typed_and_checked(program: list[str], tmp_path: Path) -> N
     assert not errors(json.loads(instant.to_json()), "answer.schema.json")
     assert instant.in_time is not None and "simulate" in instant.in_time and instant.criteria[2].required is False
     less = standfast.design(path, vary="mass", target="slide=8cm")
-    assert less.found.slide is not None and 0.0799 < less.found.slide <= 0.08 and less.present.slide == abs(found.slide)
+    assert less.found.slide is not None and 0.0797 < less.found.slide <= 0.08 and less.present.slide == abs(found.slide)
     assert not errors(json.loads(less.to_json()), "design.schema.json")
     assert "5 Motion in time" in standfast.sheet(path)
 
@@ -96,8 +103,8 @@ def test_a_series_is_written_in_every_format(program: list[str], tmp_path: Path,
         "parquet": lambda: pyarrow.parquet.read_table(file).to_pandas(),
         "arrow": lambda: pa.ipc.open_file(file).read_all().to_pandas(),
         "arrows": lambda: pa.ipc.open_stream(file).read_all().to_pandas(),
-        "xlsx": lambda: pd.read_excel(file),
-        "csv": lambda: pd.read_csv(file, float_precision="round_trip"),
+        "xlsx": lambda: framed(file),
+        "csv": lambda: pd.read_csv(file),
     }
     table = read[format]()
     series = standfast.simulate(path).series(0.05)
@@ -111,19 +118,17 @@ def test_tables_of_motions_are_written_in_every_format(program: list[str], tmp_p
     rows = tmp_path / "rows.csv"
     rows.write_text("id,motion.base.horizontal.target_peak\na,0.1 g\nb,0.5 g\n", encoding="utf-8")
     case = MOTION / "statue-earthquake.toml"
-    if "target_peak" not in case.read_text(encoding="utf-8"):
-        rows.write_text("id,body.friction\n1,0.5\n2,0.05\n", encoding="utf-8")
     tables = {}
     for format in ("csv", "parquet", "arrow", "xlsx"):
         out = tmp_path / f"out.{format}"
         subprocess.run([*program, "batch", rows, "--case", case, "-o", out], capture_output=True, check=True)
         tables[format] = out
-    plain = pd.read_csv(tables["csv"], float_precision="round_trip")
+    plain = pd.read_csv(tables["csv"])
     columns = pyarrow.parquet.read_table(tables["parquet"])
     assert columns.equals(pa.ipc.open_file(tables["arrow"]).read_all())
     assert str(columns.schema.field("slide").type) == "double" and str(columns.schema.field("overturned").type) == "bool"
     assert str(columns.schema.field("impacts").type) == "int64"
-    for table in (columns.to_pandas(), pd.read_excel(tables["xlsx"])):
+    for table in (columns.to_pandas(), framed(tables["xlsx"])):
         for name in ("slide", "max_slide", "max_theta", "t_final", "impacts", "overturned"):
             np.testing.assert_allclose(table[name].astype(float), plain[name].astype(float), rtol=1e-15)
 

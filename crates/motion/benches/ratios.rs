@@ -13,7 +13,7 @@ use common::Random;
 use common::stepping::stepped;
 use standfast::contact::Block;
 use standfast_motion::record::Record;
-use standfast_motion::{History, Impact, Keep, Problem, simulate};
+use standfast_motion::{Event, History, Impact, Keep, Problem, simulate};
 
 const POINTS: usize = 4000;
 const STEP: f64 = 0.005;
@@ -70,10 +70,13 @@ fn main() {
         problem.impact = Impact::Inelastic;
         problem
     };
+    // It sticks until it rocks, and slips at impacts.
+    let mut slippery = block(0.5, 4.0, 0.5);
+    slippery.block.mu_k = 0.1;
     for (name, problem, runs) in [
         ("slides", block(0.5, 0.3, 0.12), 400),
         ("rocks", block(0.5, 4.0, 0.9), 40),
-        ("slides and rocks", block(0.5, 3.2, 0.31), 40),
+        ("slides and rocks", slippery, 40),
         ("rests", block(0.5, 1.0, 0.9), 400),
     ] {
         let outcome = simulate(&problem, Keep::default()).unwrap();
@@ -86,6 +89,14 @@ fn main() {
             black_box(stepped(black_box(&problem), outcome.t_final, step));
         });
         let ratio = |one: Duration, two: Duration| one.as_secs_f64() / two.as_secs_f64();
+        if name == "slides and rocks" {
+            let both = |event: &Event| event.state.slip().is_some() && event.state.corner().is_some();
+            let counted = outcome.events.iter().filter(|event| both(event)).count();
+            assert!(
+                counted > 10 && outcome.max_slide > 1e-3 && outcome.max_theta > 1e-3,
+                "it slides and rocks"
+            );
+        }
         println!(
             "{name}: {time:?}; {} events, slide {:.4} m, |θ| {:.4}; {:.3} of reading the file, {:.1} of making the history, {:.1} of \
              looking; the time stepping of the tests, at {:.2} ms, takes {:.0} times as long",

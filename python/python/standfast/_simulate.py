@@ -99,7 +99,7 @@ class Simulation(Lazy, MotionDocument):
         shown = [figure for figure in self.figures if figure.title in ("Histories", "Animation")]
         pictures = ((base64.b64encode(figure.svg.encode()).decode("ascii"), html.escape(figure.title)) for figure in shown)
         images = "".join(
-            f'<img src="data:image/svg+xml;base64,{picture}" alt="{title}" style="max-width: 48%; vertical-align: top">' for picture, title in pictures
+            f'<img src="data:image/svg+xml;base64,{picture}" alt="{title}" style="max-width: 48%; vertical-align: top"/>' for picture, title in pictures
         )
         return f"<div><p>{html.escape(repr(self)[1:-1])}</p>{images}</div>"
 

@@ -5,6 +5,8 @@ mod case_file;
 mod completions;
 mod json;
 mod loads;
+#[path = "../../../tables/tests/common/mutated.rs"]
+mod mutated;
 mod readme;
 mod robust;
 mod sheet;

@@ -4,6 +4,8 @@
 mod cases;
 #[cfg(feature = "columnar")]
 mod formats;
+#[path = "../common/mutated.rs"]
+mod mutated;
 mod text;
 #[cfg(feature = "xlsx")]
 mod workbooks;
