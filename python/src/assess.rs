@@ -79,10 +79,7 @@ pub(crate) fn assess(
         let timed = Timed::of(name, text, &records);
         let answered = timed.and_then(|timed| match timed {
             Some(timed) => timed.assess(None),
-            None => {
-                let file = CaseFile::parse(name, text)?;
-                Ok(Assessment::owning(file.case()?).map_err(|error| file.refused(error))?)
-            }
+            None => Ok(Assessment::of_file(&CaseFile::parse(name, text)?)?),
         });
         let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
         Ok(CaseAnswer { assessment, view: View { up_to, all, face: Face::Python } })

@@ -6,7 +6,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::Mode;
-use standfast_cases::random::{Draws, Effort, Probability, Request};
+use standfast_cases::random::{Draws, Effort, Over, Probability, Request};
 use standfast_cases::report;
 
 use crate::onset::NO_MODE;
@@ -21,6 +21,8 @@ pub(crate) struct Asked {
     floor: f64,
     samples: u64,
     years: Option<f64>,
+    over: Option<String>,
+    follow: bool,
     threads: Option<NonZero<usize>>,
 }
 
@@ -41,9 +43,13 @@ pub(crate) fn probability(
         points: asked.samples,
         threads: asked.threads.map_or(plain.threads, NonZero::get),
     };
-    let request = Request { method, effort, years: asked.years };
+    let request = Request { method, effort, years: asked.years, follow: asked.follow };
+    let over = asked.over.as_deref().map(str::parse::<Over>).transpose();
+    let over = over.map_err(|error| {
+        PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
+    })?;
     patiently(py, move || {
-        let answer = Probability::of_text(&file.0, &file.1, request);
+        let answer = Probability::along(&file.0, &file.1, request, over.as_ref());
         let answer = answer.map_err(|error| PyValueError::new_err(report(&error)))?;
         Ok((answer.text(), answer.json()))
     })?

@@ -18,11 +18,15 @@ use std::ops::RangeInclusive;
 
 use standfast::loads::Earthquake;
 use standfast::{InputError, Outcome, Situation};
+use standfast_probability::sample::Estimate;
 
 use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
+use crate::error::CaseError;
 use crate::face::Face;
 use crate::motion::{BlockCase, Followed, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks};
+use crate::parse::CaseFile;
+use crate::random::{ProbabilityError, not_rest};
 use crate::units::Extent;
 pub use figures::{CaseFigure, Drawn};
 pub use ground::OnGround;
@@ -88,6 +92,9 @@ pub struct Assessed {
     pub outcome: Outcome,
     /// What its base bears, where the case says so; what begins on it takes the place of what begins on rigid ground.
     pub ground: Option<OnGround>,
+    /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
+    /// for it.
+    pub not_rest: Option<Estimate>,
     /// The same under the other accelerations of the base, none of them worse as a whole.
     pub others: Vec<Assessed>,
 }
@@ -153,6 +160,34 @@ impl Assessment {
         let all =
             acting.map(|(index, acting)| Assessed::of(&case, index, acting)).collect::<Result<_, _>>()?;
         Ok(Assessment { case, all, in_time: None })
+    }
+
+    /// Answers the case of a file: as [`of`](Assessment::of), and the probability that a criterion asks for.
+    ///
+    /// # Errors
+    /// If the case makes no sense, or its probability is not found.
+    pub fn of_file(file: &CaseFile) -> Result<Assessment, CaseError> {
+        let case = file.case()?;
+        let asks = case.criteria.iter().any(Criterion::is_chance);
+        let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
+        if asks { assessment.with_chance(file) } else { Ok(assessment) }
+    }
+
+    /// The same with the chance of every situation that the body does not stay at rest; the file is that of the case.
+    ///
+    /// # Errors
+    /// If it is not found.
+    pub(crate) fn with_chance(mut self, file: &CaseFile) -> Result<Assessment, CaseError> {
+        let found = not_rest(file).map_err(|error| match error {
+            ProbabilityError::Case(error) => error,
+            other => file.no_chance(other.to_string()),
+        })?;
+        for assessed in &mut self.all {
+            let of = found.iter().find(|(acting, _)| *acting == assessed.acting).map(|(_, chance)| *chance);
+            assessed.not_rest = of;
+            assessed.others.iter_mut().for_each(|other| other.not_rest = of);
+        }
+        Ok(self)
     }
 
     /// All situations under all accelerations of the base that were tried.
@@ -356,6 +391,7 @@ impl Assessed {
                 situation,
                 outcome,
                 ground,
+                not_rest: None,
                 others,
             })
         };
@@ -392,7 +428,10 @@ impl Assessed {
     }
 
     fn severity(&self, case: &Case) -> Severity {
-        let used = case.criteria.iter().map(|criterion| criterion.check(self).urgency()).fold(0.0, f64::max);
+        // Which acceleration of the base is worst does not hang on a chance, which is that of all of them.
+        let asked =
+            case.criteria.iter().filter(|criterion| !criterion.is_chance() || self.not_rest.is_some());
+        let used = asked.map(|criterion| criterion.check(self).urgency()).fold(0.0, f64::max);
         let stability = &self.outcome.stability;
         let [sliding, overturning] = match self.outcome.full.is_lifted() {
             true => [0.0; 2],

@@ -87,11 +87,17 @@ impl Criterion {
     /// What a value under a key of `[criteria]` asks for; `None` if the key is none of these.
     pub(crate) fn of(key: Key, value: &Value) -> Option<Criterion> {
         let bound = match value {
+            Value::Number(bound) if key == Key::GreatestNotRest => Bound::AtMost(*bound),
             Value::Number(bound) => (NUMBERS.iter().find(|asked| asked.key == key)?.bound)(*bound),
             Value::Modes(modes) => Bound::NoneOf(*modes),
             _ => return None,
         };
         Some(Criterion { key, bound })
+    }
+
+    /// Whether it asks for a probability, which takes random numbers.
+    pub(crate) fn is_chance(&self) -> bool {
+        self.key == Key::GreatestNotRest
     }
 
     /// Its name: that of the result.
@@ -120,6 +126,9 @@ impl Criterion {
             // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
             Some(ResultName::LoadFactor) => ResultValue::Number(assessed.departure().load_factor()),
             Some(result) => result.of(assessed),
+            None if self.is_chance() => {
+                assessed.not_rest.map_or(ResultValue::Nothing, |not_rest| ResultValue::Number(not_rest.high))
+            }
             None => ResultValue::Modes(assessed.modes()),
         };
         let (utilisation, met) = match (self.bound, value) {

@@ -36,6 +36,9 @@ use standfast::ground::GroundDeparture;
 /// How many parts a range is cut into to find where a target is met.
 const PARTS: u32 = 400;
 
+/// The same for a target that asks for a probability, each of which takes long.
+const CHANCE_PARTS: u32 = 24;
+
 /// Which end of the values that meet a target is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extreme {
@@ -156,11 +159,14 @@ impl Request {
     }
 
     /// Refuses a target that the case cannot be asked for.
-    fn answerable(&self, case: &Case, timed: Option<&Timed<'_>>) -> Result<(), DesignError> {
+    fn answerable(&self, file: &CaseFile, case: &Case, timed: Option<&Timed<'_>>) -> Result<(), DesignError> {
         let asks = timed.is_some_and(|timed| !timed.criteria().is_empty());
         match self.target {
             target @ Target::Utilisation(_) if case.criteria.is_empty() && !asks => {
                 Err(DesignError::NoCriteria { target })
+            }
+            target if target.asks_for_chance(case) && file.random().is_none() => {
+                Err(DesignError::NothingRandom { target })
             }
             _ => Ok(()),
         }
@@ -220,15 +226,34 @@ impl Varied<'_> {
     }
 
     fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, BodyCaseError> {
-        let changes: Vec<_> = [(variable, value)].into_iter().chain(self.held).collect();
-        let inputs = vary(self.inputs(), self.case, &changes);
+        let (inputs, changes) = self.varied(variable, value);
         let case = Case::of(&inputs).map_err(|fault| self.file.error(fault))?;
         self.assess(case, &changes)
     }
 
-    /// The answer without any change.
-    fn present(&self) -> Result<Assessment, BodyCaseError> {
-        self.assess(self.case.clone(), &[])
+    /// The same with the probability that a target asks for.
+    fn answer_for(
+        &self,
+        target: Target,
+        variable: &Variable,
+        value: f64,
+    ) -> Result<Assessment, BodyCaseError> {
+        let answer = self.answer(variable, value)?;
+        match target.asks_for_chance(self.case) {
+            true => Ok(answer.with_chance(&self.file.with_inputs(self.varied(variable, value).0))?),
+            false => Ok(answer),
+        }
+    }
+
+    fn varied<'v>(&'v self, variable: &'v Variable, value: f64) -> (Inputs, Vec<(&'v Variable, f64)>) {
+        let changes: Vec<_> = [(variable, value)].into_iter().chain(self.held).collect();
+        (vary(self.inputs(), self.case, &changes), changes)
+    }
+
+    /// The answer without any change, with what a target asks for.
+    fn present(&self, target: Target) -> Result<Assessment, BodyCaseError> {
+        let present = self.assess(self.case.clone(), &[])?;
+        Ok(if target.asks_for_chance(self.case) { present.with_chance(self.file)? } else { present })
     }
 
     fn assess(&self, case: Case, changes: &[(&Variable, f64)]) -> Result<Assessment, BodyCaseError> {
@@ -323,10 +348,11 @@ impl<'a> Design<'a> {
         let case = file.case()?;
         let moving = Moving::of(request.target, timed)?;
         let varied = Varied { file, case: &case, moving: moving.as_ref(), held: None };
-        request.answerable(&case, timed)?;
+        request.answerable(file, &case, timed)?;
         let quantity = request.quantity(file, &case)?;
-        let present = varied.present()?;
-        let search = Search { varied: &varied, quantity: &quantity, target: request.target, parts: PARTS };
+        let present = varied.present(request.target)?;
+        let parts = if request.target.asks_for_chance(&case) { CHANCE_PARTS } else { PARTS };
+        let search = Search { varied: &varied, quantity: &quantity, target: request.target, parts };
         if request.target.asks_for_rise() && !search.rises() {
             return Err(DesignError::NothingRises { target: request.target });
         }

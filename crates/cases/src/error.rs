@@ -49,6 +49,12 @@ pub enum Problem {
         /// What it asks for.
         of: &'static str,
     },
+    /// A criterion of a probability that is not found.
+    #[error("the criterion `p_not_rest` asks for a probability: {why}")]
+    NoChance {
+        /// Why there is none.
+        why: String,
+    },
     /// A key that has to be there.
     #[error("{} lacks `{}`", key.info().table.header(), key.entry())]
     MissingKey {

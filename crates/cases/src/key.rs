@@ -599,6 +599,8 @@ listed! {
         "at most: pressure on the effective width, P/B'", "\"400 kPa\"");
     GreatestRotation = key(Criteria, "rotation_max", Measured(Dimension::Angle, Positive), "",
         "at most: rotation on an elastic base", "\"2 mrad\"");
+    GreatestNotRest = key(Criteria, "p_not_rest", Plain(Share), "",
+        "at most: upper end of the interval of the probability that the body does not stay at rest, of a case with [random]", "1e-3");
     ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
 }
 

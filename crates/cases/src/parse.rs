@@ -13,6 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::case::{Case, fault};
+use crate::criteria::Criterion;
 use crate::error::{CaseError, Fault, Place, Problem, UNANSWERABLE, expected_type, names};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Kind, Range, Table};
@@ -55,6 +56,35 @@ impl CaseFile {
     /// # Errors
     /// If the text is not TOML, or a key or value is not what a case file has.
     pub fn parse(name: &str, text: &str) -> Result<CaseFile, CaseError> {
+        CaseFile::reading(name, text, |file| {
+            if text.trim().is_empty() {
+                return Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
+            }
+            let document = DeTable::parse(text).map_err(|error| {
+                let problem = Problem::Syntax(error.message().to_owned());
+                At { problem, span: error.span().unwrap_or(0..0) }
+            })?;
+            file.read_document(text, &document)
+        })
+    }
+
+    /// The case file of a text that is parsed already.
+    pub(crate) fn of_document(
+        name: &str,
+        text: &str,
+        document: &Spanned<DeTable<'_>>,
+    ) -> Result<CaseFile, CaseError> {
+        if text.trim().is_empty() {
+            return CaseFile::parse(name, text);
+        }
+        CaseFile::reading(name, text, |file| file.read_document(text, document))
+    }
+
+    fn reading(
+        name: &str,
+        text: &str,
+        read: impl FnOnce(&mut CaseFile) -> Result<(), At>,
+    ) -> Result<CaseFile, CaseError> {
         let mut file = CaseFile {
             name: name.to_owned(),
             text: text.to_owned(),
@@ -65,12 +95,7 @@ impl CaseFile {
             random: None,
             storm: None,
         };
-        let read = if text.trim().is_empty() {
-            Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 })
-        } else {
-            file.read()
-        };
-        match read {
+        match read(&mut file) {
             Ok(()) => {
                 file.entries.sort_by_key(|entry| entry.span.start);
                 Ok(file)
@@ -104,7 +129,18 @@ impl CaseFile {
     /// # Errors
     /// If the values do not go together.
     pub fn case(&self) -> Result<Case, CaseError> {
-        Case::of(&self.inputs).map_err(|fault| self.error(fault))
+        let case = Case::of(&self.inputs).map_err(|fault| self.error(fault))?;
+        if self.random.is_none() && case.criteria.iter().any(Criterion::is_chance) {
+            return Err(
+                self.no_chance("the case has no [random] table, which says what is random".to_owned())
+            );
+        }
+        Ok(case)
+    }
+
+    /// Why a probability that is asked for is not found, shown at the criterion.
+    pub(crate) fn no_chance(&self, why: String) -> CaseError {
+        self.error(Fault::new(Problem::NoChance { why }, Key::GreatestNotRest))
     }
 
     /// What the mechanics refuses of the case, shown at the number that brings it about.
@@ -170,18 +206,7 @@ impl CaseFile {
         }
     }
 
-    fn read(&mut self) -> Result<(), At> {
-        let text = std::mem::take(&mut self.text);
-        let read = self.read_document(&text);
-        self.text = text;
-        read
-    }
-
-    fn read_document(&mut self, text: &str) -> Result<(), At> {
-        let document = DeTable::parse(text).map_err(|error| {
-            let problem = Problem::Syntax(error.message().to_owned());
-            At { problem, span: error.span().unwrap_or(0..0) }
-        })?;
+    fn read_document(&mut self, text: &str, document: &Spanned<DeTable<'_>>) -> Result<(), At> {
         let top = document.get_ref();
         self.headers.insert((Table::Top, 0), document.span());
         only(top, Table::Top)?;

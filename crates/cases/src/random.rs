@@ -11,10 +11,15 @@
 //! linear.
 
 mod answer;
+mod asked;
+mod chances;
+mod criterion;
 mod departure;
 mod document;
 mod draws;
+mod error;
 mod figures;
+mod joined;
 mod mechanics;
 mod over;
 mod point;
@@ -22,18 +27,23 @@ mod problem;
 mod read;
 mod resolve;
 mod storm;
+mod template;
 mod text;
 
-pub use answer::{
-    Chances, FirstDeparture, Happening, LifeChances, Method, Probability, ProbabilityError, Request,
-};
-pub use draws::{Drawn, Draws};
+pub use answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Probability, Request};
+pub use criterion::ChanceCriterion;
+pub(crate) use criterion::not_rest;
+pub use draws::{Drawn, Draws, WeighedDraws};
+pub use error::ProbabilityError;
 pub use figures::ProbabilityFigure;
+pub use joined::Joined;
 pub use over::{Along, Fit, Fragility, Over};
 pub use standfast_probability::sample::{Effort, Estimate};
 
-pub use storm::{Exceeded, Pulse, Quantile, Rotating, Sliding, SlidingError, Storm, StormField};
+pub use storm::{Exceeded, Followed, Pulse, Quantile, Rotating, Sliding, SlidingError, Storm, StormField};
 pub(crate) use storm::{STORM, read as read_storm};
+
+pub use template::template;
 
 pub use problem::{Bias, Coordinate, Problem, Quantity};
 pub(crate) use read::read;

@@ -81,7 +81,7 @@ pub enum SweepResult {
 }
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 10] = [
+const CRITERIA: [&str; 11] = [
     "SF_sliding",
     "SF_overturning",
     "bearing_max",
@@ -91,6 +91,7 @@ const CRITERIA: [&str; 10] = [
     "ground_factor",
     "effective_pressure_max",
     "rotation_max",
+    "p_not_rest",
     "modes_not",
 ];
 
@@ -101,6 +102,13 @@ impl Sweep {
     /// If the file's own values do not go together.
     pub fn of(file: &CaseFile, factors: Vec<Factor>) -> Result<Sweep, CaseError> {
         let case = file.case()?;
+        let asks = |key: Key| key == Key::GreatestNotRest;
+        let varied = factors.iter().any(|factor| asks(factor.variable().id().key));
+        if varied || case.criteria.iter().any(|criterion| asks(criterion.key)) {
+            let why = "of the rows of a table none is found; `standfast probability` and `design` have it"
+                .to_owned();
+            return Err(file.no_chance(why));
+        }
         let mut inputs = file.inputs().clone();
         // What is said of the case is not said again for every answer.
         [Key::Title, Key::Note].into_iter().for_each(|key| inputs.remove(key.into()));

@@ -141,7 +141,8 @@ fn methods_agree() {
         wave.deep_water_height = { gumbel = { mean = 4.5, sd = 0.9 }, lower = 1 }\n";
     let by = |method, points| {
         let effort = Effort { points, precision: 1e-3, ..Effort::default() };
-        answer(&goda(three), Request { method: Some(method), effort, years: None }).situations[0].not_rest
+        answer(&goda(three), Request { method: Some(method), effort, ..Request::default() }).situations[0]
+            .not_rest
     };
     let exact = by(Method::Integrate, 0).value;
     for (method, points, relative) in [
@@ -305,7 +306,7 @@ fn first_departures_part_at_the_load_that_turns() {
         assert_close("caisson", first(&found.situations[0], Mode::SlideLeft), slides, 1e-9);
     }
     let effort = Effort { points: 1 << 16, precision: 0.01, ..Effort::default() };
-    let drawn = answer(&text, Request { method: Some(Method::MonteCarlo), effort, years: None });
+    let drawn = answer(&text, Request { method: Some(Method::MonteCarlo), effort, ..Request::default() });
     assert_close("drawn", first(&drawn.situations[0], Mode::SlideLeft), slides, 0.02);
 }
 

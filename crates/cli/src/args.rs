@@ -21,6 +21,7 @@ use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
 use crate::design::BoundaryFile;
 use crate::draw::{KMu, Picture, PictureFile};
 use crate::format::Format;
+use crate::probability::DrawsFile;
 use crate::sheet::SheetFile;
 use crate::title_block::TitleBlock;
 
@@ -93,7 +94,7 @@ pub enum Command {
         \u{20}               loads, or weight, water, uplift, wave, earthquake; of the loads not named the\n\
         \u{20}               permanent ones act as they are, the variable ones not at all\n\
         \u{20} [criteria]    SF_sliding, SF_overturning, contact_share, load_factor: at least; bearing_max,\n\
-        \u{20}               eccentricity: at most; modes_not = [\"RO\", \"SRO-\"]\n\n\
+        \u{20}               eccentricity, p_not_rest: at most; modes_not = [\"RO\", \"SRO-\"]\n\n\
         --format json prints one document, schema 1, in SI units: docs/answer.schema.json.")]
     Assess(AssessArgs),
 
@@ -113,7 +114,7 @@ pub enum Command {
         \u{20} no-rock               the body turns about no corner, at once or while the load rises\n\
         \u{20} no-slide              the body slips at no corner, at once or while the load rises\n\
         \u{20} SF_sliding=1.2, SF_overturning=1.2, load_factor=1.2, bearing_max=300kPa, contact_share=0.5,\n\
-        \u{20} eccentricity=2m, modes_not='[\"RO\"]'\n\
+        \u{20} eccentricity=2m, p_not_rest=1e-3 (with [random]: the upper end of its interval), modes_not='[\"RO\"]'\n\
         \u{20}                       a criterion, as [criteria] has it\n\
         \u{20} criteria              all [criteria] of the case are met\n\
         \u{20} utilisation=0.9       of each of them 0.9 at most is used\n\n\
@@ -310,6 +311,16 @@ pub struct AssessArgs {
     pub format: Format,
 }
 
+/// What becomes of waves that begin a rotation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum RotationsArg {
+    /// They are counted apart, and slide the body nowhere
+    #[default]
+    Count,
+    /// Each that is drawn is followed in time: slides, rocking, impacts without rebound, overturning
+    Simulate,
+}
+
 /// Arguments of `probability`.
 #[derive(Debug, Args)]
 pub struct ProbabilityArgs {
@@ -344,6 +355,15 @@ pub struct ProbabilityArgs {
     /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Option<Over>,
+    /// Write every draw with its values, weight and mode: .csv, .parquet or .arrow; draws everything, by monte-carlo
+    #[arg(long, value_name = "FILE")]
+    pub draws: Option<DrawsFile>,
+    /// What becomes of waves that begin a rotation: counted apart, or followed by the motion in time
+    #[arg(long, value_enum, default_value_t)]
+    pub rotations: RotationsArg,
+    /// Print a [random] table for the case, with laws of practice and their sources, and answer nothing
+    #[arg(long, conflicts_with_all = ["over", "draws", "method"])]
+    pub template: bool,
     /// How many threads work; the answer does not depend on it [default: as many as the machine has cores]
     #[arg(long)]
     pub threads: Option<NonZeroUsize>,

@@ -91,7 +91,7 @@ fn answered(path: &Path) -> Result<Assessment, AssessError> {
     let read = record_reader(path);
     Ok(match case_file::parse_still(path, &read)? {
         Still::InTime(timed) => timed.assess(None)?,
-        Still::Still(file) => Assessment::of(&file.case()?).map_err(|error| file.refused(error))?,
+        Still::Still(file) => Assessment::of_file(&file)?,
     })
 }
 

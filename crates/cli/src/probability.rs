@@ -3,15 +3,43 @@
 use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use miette::Diagnostic;
-use standfast_cases::random::{Effort, Probability, ProbabilityError, Request};
+use standfast_cases::random::{
+    Effort, Method, Probability, ProbabilityError, Request, WeighedDraws, template,
+};
+use standfast_cases::{CaseError, CaseFile};
+use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
 use thiserror::Error;
 
-use crate::args::ProbabilityArgs;
+use crate::args::{ProbabilityArgs, RotationsArg};
 use crate::case_file::{self, CaseFileError};
 use crate::format::Format;
-use crate::write::{self, WriteError};
+use crate::write::{self, ExtensionError, Pending, WriteError};
+
+/// A file of draws, whose extension says how it is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DrawsFile {
+    path: PathBuf,
+    format: TableFormat,
+}
+
+impl FromStr for DrawsFile {
+    type Err = ExtensionError;
+
+    fn from_str(text: &str) -> Result<DrawsFile, ExtensionError> {
+        let (path, format) =
+            write::by_extension(text, "csv, parquet, arrow or arrows", |extension| match extension {
+                "csv" | "txt" => Some(TableFormat::Csv),
+                "parquet" | "pq" => Some(TableFormat::Parquet),
+                "arrow" | "ipc" | "feather" => Some(TableFormat::Arrow),
+                "arrows" => Some(TableFormat::Arrows),
+                _ => None,
+            })?;
+        Ok(DrawsFile { path, format })
+    }
+}
 
 /// Why there are no probabilities.
 #[derive(Debug, Error, Diagnostic)]
@@ -20,6 +48,10 @@ pub enum ProbabilityCommandError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     File(#[from] CaseFileError),
+    /// The case makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
     /// There is no answer.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -31,7 +63,18 @@ pub enum ProbabilityCommandError {
         /// The case file.
         path: PathBuf,
     },
-    /// A figure cannot be written.
+    /// The draws would replace the case file.
+    #[error("the draws would be written over the case file {}", path.display())]
+    #[diagnostic(help("choose another name with --draws FILE"))]
+    Overwrite {
+        /// The case file.
+        path: PathBuf,
+    },
+    /// The draws cannot be written.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Table(#[from] TableError),
+    /// A figure, or the file of draws, cannot be written.
     #[error(transparent)]
     #[diagnostic(help("-o DIR puts the figures into another directory"))]
     Write(#[from] WriteError),
@@ -49,10 +92,14 @@ pub struct Answered {
 /// Answers a case with random numbers, and writes its figures into a directory or else beside it.
 ///
 /// # Errors
-/// If the case file cannot be read or makes no sense.
+/// If the case file cannot be read or makes no sense, or the draws cannot be written.
 pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityCommandError> {
     let name = case_file::name(&args.case);
     let text = case_file::read(&args.case)?;
+    if args.template {
+        let answer = template(&CaseFile::parse(&name, &text)?)?;
+        return Ok(Answered { answer, undrawn: None });
+    }
     let plain = Effort::default();
     let effort = Effort {
         seed: args.seed,
@@ -61,8 +108,22 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
         points: args.samples,
         threads: args.threads.map_or(plain.threads, NonZeroUsize::get),
     };
-    let request = Request { method: args.method, effort, years: args.years };
+    // What is written has to be drawn.
+    let method = args.method.or(args.draws.as_ref().map(|_| Method::MonteCarlo));
+    if let Some(file) = &args.draws {
+        if case_file::is_at(&args.case, &file.path) {
+            return Err(ProbabilityCommandError::Overwrite { path: args.case.clone() });
+        }
+        if let Some(method) = method.filter(|method| *method != Method::MonteCarlo) {
+            return Err(ProbabilityError::NotDrawn { method }.into());
+        }
+    }
+    let follow = args.rotations == RotationsArg::Simulate;
+    let request = Request { method, effort, years: args.years, follow };
     let answer = Probability::along(&name, &text, request, args.over.as_ref())?;
+    if let Some(file) = &args.draws {
+        write_draws(WeighedDraws::of_text(&name, &text, &answer)?, file)?;
+    }
     let mut drawn = Vec::new();
     let undrawn = if args.no_figures { None } else { draw(&answer, &text, args, &mut drawn).err() };
     let answer = match args.format {
@@ -73,6 +134,9 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
             }
             for (words, file) in &drawn {
                 let _ = writeln!(said, "{words} written to {file}");
+            }
+            if let Some(file) = &args.draws {
+                let _ = write!(said, "\nDraws written to {}\n", file.path.display());
             }
             said
         }
@@ -102,4 +166,35 @@ fn draw(
         drawn.push((figure.words, file.display().to_string()));
     }
     Ok(())
+}
+
+/// A row for each draw: the numbers, the weight and the mode, and of several sets of loads which.
+fn write_draws(draws: WeighedDraws, file: &DrawsFile) -> Result<(), ProbabilityCommandError> {
+    let WeighedDraws { inputs, values, of, weights, happens, situations } = draws;
+    let number = |((name, unit), values): ((String, Option<&'static str>), Vec<f64>)| PlainColumn {
+        name,
+        unit,
+        values: PlainValues::Numbers(values),
+    };
+    let mut columns: Vec<PlainColumn> = inputs.into_iter().zip(values).map(number).collect();
+    columns.push(number((("weight".to_owned(), None), weights)));
+    let mut words: Vec<String> = Vec::new();
+    let modes = happens.iter().map(|happens| {
+        let name = happens.name();
+        words.iter().position(|word| *word == name).unwrap_or_else(|| {
+            words.push(name);
+            words.len() - 1
+        })
+    });
+    let modes: Vec<usize> = modes.collect();
+    let word = |name: &str, values| PlainColumn { name: name.to_owned(), unit: None, values };
+    columns.push(word("mode", PlainValues::Words(words, modes)));
+    if situations.len() > 1 {
+        let names = situations.into_iter().map(Option::unwrap_or_default).collect();
+        columns.push(word("situation", PlainValues::Words(names, of)));
+    }
+    let pending = Pending::create(&file.path)?;
+    let mut bytes = Vec::new();
+    write_columns(&columns, file.format, &mut bytes)?;
+    Ok(pending.write_all_and_finish(&bytes)?)
 }

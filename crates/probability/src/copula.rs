@@ -33,6 +33,15 @@ impl Measure {
             Measure::Normal(value) | Measure::Rank(value) | Measure::Linear(value) => value,
         }
     }
+
+    /// What it is a correlation of, in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Measure::Normal(_) => "of the normals behind the values",
+            Measure::Rank(_) => "of ranks, Spearman's",
+            Measure::Linear(_) => "of values, Pearson's",
+        }
+    }
 }
 
 /// Two inputs, by their places, and how they are correlated.

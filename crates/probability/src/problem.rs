@@ -79,6 +79,11 @@ impl Pieces {
         self.signature = mixed(self.signature, which);
     }
 
+    /// A number for the pattern they make, which those have that are built on these.
+    pub fn signature(&self) -> u64 {
+        self.signature
+    }
+
     /// The intervals.
     pub fn iter(&self) -> impl Iterator<Item = &Piece> {
         self.pieces.iter()

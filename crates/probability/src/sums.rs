@@ -27,6 +27,22 @@ pub trait Sums: Sync {
 
     /// What an event adds of which this share in (0, 1) of those that add anything is rarer.
     fn amount(&self, year: &Self::Year, share: f64) -> f64;
+
+    /// What comes of an event of the other kind of which this share in (0, 1) of those is rarer; none where they are only counted,
+    /// and nothing is drawn for them.
+    fn other(&self, year: &Self::Year) -> Option<impl Fn(f64) -> Other> {
+        let _ = year;
+        None::<fn(f64) -> Other>
+    }
+}
+
+/// What comes of an event of the other kind.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Other {
+    /// What it adds.
+    pub amount: f64,
+    /// Whether it ends the life.
+    pub ends: bool,
 }
 
 /// What one event is likely to add.
@@ -131,6 +147,10 @@ pub struct OfLife {
     pub adding: u64,
     /// How many were of the other kind.
     pub others: u64,
+    /// What those have added, where they are more than counted.
+    pub other_sum: f64,
+    /// Whether one of them ended it: nothing adds anything thereafter.
+    pub ended: bool,
 }
 
 /// Lives drawn year by year: as many in each of 32 groups, which are independent of each other.
@@ -169,6 +189,9 @@ pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effor
                 let mut stream = stream(effort.seed, scramble, index);
                 let mut of_life = OfLife::default();
                 for _ in 0..years {
+                    if of_life.ended {
+                        break;
+                    }
                     if let Some(year) = sums.year(values.of_year(&mut stream)) {
                         draw(sums, &year, events, &mut stream, &mut of_life);
                     }
@@ -193,7 +216,18 @@ fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, lif
         life.sum += sums.amount(year, stream.draw());
     }
     life.adding += adding;
-    life.others += binomial(events - adding, other / (1.0 - adds), stream);
+    let others = binomial(events - adding, other / (1.0 - adds), stream);
+    life.others += others;
+    if let Some(other) = sums.other(year) {
+        for _ in 0..others {
+            let Other { amount, ends } = other(stream.draw());
+            life.other_sum += amount;
+            if ends {
+                life.ended = true;
+                break;
+            }
+        }
+    }
 }
 
 /// How many of so many events happen that have this chance each: by the gaps between them, which are geometric.
@@ -236,20 +270,21 @@ impl Lives {
 
     /// The sum that a share of all lives stays below or at, with the interval that the groups' own give.
     pub fn quantile(&self, share: f64) -> Estimate {
+        let total = |life: &OfLife| life.sum + life.other_sum;
         let of = |sums: &mut Vec<f64>| {
             sums.sort_by(f64::total_cmp);
             sums[((share * sums.len() as f64).ceil() as usize).clamp(1, sums.len()) - 1]
         };
-        let mut all: Vec<f64> = self.groups.iter().flatten().map(|life| life.sum).collect();
+        let mut all: Vec<f64> = self.groups.iter().flatten().map(total).collect();
         let value = of(&mut all);
         let each: Vec<f64> =
-            self.groups.iter().map(|group| of(&mut group.iter().map(|life| life.sum).collect())).collect();
+            self.groups.iter().map(|group| of(&mut group.iter().map(total).collect())).collect();
         Estimate::about(value, &each)
     }
 
     /// Which share of all sums comes of the worst lives, of which these are a share.
     pub fn of_worst(&self, share: f64) -> f64 {
-        let mut all: Vec<f64> = self.groups.iter().flatten().map(|life| life.sum).collect();
+        let mut all: Vec<f64> = self.groups.iter().flatten().map(|life| life.sum + life.other_sum).collect();
         all.sort_by(|a, b| b.total_cmp(a));
         let total: f64 = all.iter().sum();
         let worst = (share * all.len() as f64).round() as usize;

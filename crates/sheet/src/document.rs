@@ -9,7 +9,9 @@ use standfast_cases::units::Extent;
 use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, Drawn, Key, View};
 use standfast_figures::Figure;
 
-use crate::{Date, SheetError, calculation, in_time, inputs, limits, method, sensitivity, verdict};
+use crate::{
+    Date, SheetError, calculation, in_time, inputs, limits, method, probability, sensitivity, verdict,
+};
 
 /// The case file, and the day.
 pub struct Source<'a> {
@@ -51,6 +53,7 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
     let (section, figures): (Vec<_>, Vec<_>) =
         assessment.figures(view)?.into_iter().partition(|figure| figure.drawn == Drawn::Section);
     let sensitivities = sensitivity::table(source.case_file)?;
+    let probability = probability::section(source.case_file)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
     let calculation = calculation::steps(assessment, source.case_file.inputs(), view)?;
     let inputs = inputs::tables(case, source.case_file);
@@ -62,6 +65,7 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
     let in_time = in_time.map(|in_time| (in_time, in_time::figures(in_time)));
     // What stands behind the motion, where there is one.
     let later = |number: usize| number + usize::from(in_time.is_some());
+    let last = later(7) + usize::from(probability.is_some());
     let moving = in_time.as_ref().map_or(0, |(_, figures)| figures.len());
     let document = html! {
         (DOCTYPE)
@@ -108,12 +112,15 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                         @for (i, figure) in figures.iter().enumerate() { (of_case(section.len() + moving + i, figure)) }
                     }
                     section { h2 { (later(6)) " Sensitivity" } (sensitivities) }
+                    @if let Some(probability) = &probability {
+                        section { h2 { (later(7)) " Probability" } (probability) }
+                    }
                     section {
-                        h2 { (later(7)) " What is not covered" }
+                        h2 { (last) " What is not covered" }
                         (limits::words(case))
                         @if in_time.is_some() { (in_time::limits()) }
                     }
-                    section.signatures { h2 { (later(8)) " Signatures" } (signatures(source)) }
+                    section.signatures { h2 { (last + 1) " Signatures" } (signatures(source)) }
                 }
             }
         }

@@ -37,6 +37,7 @@ mod limits;
 mod mathml;
 mod measured;
 mod method;
+mod probability;
 mod references;
 mod sensitivity;
 mod steps;
@@ -118,7 +119,7 @@ impl Sheet {
     /// # Errors
     /// As [`of`](Sheet::of).
     pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        let assessment = Assessment::of(&case_file.case()?).map_err(|error| case_file.refused(error))?;
+        let assessment = Assessment::of_file(case_file)?;
         Sheet::made(&assessment, case_file, None, options)
     }
 

@@ -44,6 +44,7 @@ mod memory;
 mod minded;
 mod pieces;
 mod pipeline;
+mod plain;
 mod problem;
 mod results;
 mod task;
@@ -60,6 +61,7 @@ pub use guard::silence_caught_panics;
 pub use memory::{MemoryAnswer, MemoryTable};
 pub use minded::RowWarning;
 pub use pieces::Input;
+pub use plain::{PlainColumn, PlainValues, write_columns};
 pub use problem::{ResultColumn, TableProblem};
 #[cfg(feature = "memory")]
 pub use results::{NO_NAME, NO_WORD, Values};

@@ -49,6 +49,8 @@ class _Asked(NamedTuple):
     floor: float
     samples: int
     years: float | None
+    over: str | None
+    follow: bool
     threads: int | None
 
 
@@ -61,6 +63,8 @@ def probability(
     floor: float = _FLOOR,
     samples: int = _SAMPLES,
     years: float | None = None,
+    over: str | None = None,
+    rotations: Literal["count", "simulate"] = "count",
     threads: int | None = None,
 ) -> Probability:
     """How likely is each mode, where some numbers of a case are random?
@@ -76,6 +80,9 @@ def probability(
         floor: probabilities below it need not be precise.
         samples: the most points that are drawn.
         years: of a life, before those of the case.
+        over: the same along a number of the case, with what goes with it: ``"width=12 m..20 m:9"``, its name, the first and the last
+            value as a case file has them, and how many. The answer is ``fragility``, with a lognormal curve.
+        rotations: what becomes of waves of a storm that begin a rotation: ``"count"`` them apart, or ``"simulate"`` each in time.
         threads: how many threads to use; ``None`` for as many as there are processors.
 
     Raises:
@@ -103,10 +110,14 @@ def probability(
             raise ValueError(f"{name} is {share!r}; expected a share, above zero and below 1")
     if years is not None and (not _is_number(years) or not 0 < years < float("inf")):
         raise ValueError(f"years is {years!r}; expected a number above zero")
+    if over is not None and not isinstance(over, str):
+        raise TypeError(f"over is {over!r}; expected a text such as 'width=12 m..20 m:9'")
+    if rotations not in ("count", "simulate"):
+        raise ValueError(f"rotations is {rotations!r}; expected 'count' or 'simulate'")
     how = run(threads)
     asked = _Asked(
         method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1),
-        None if years is None else float(years), how.threads,
+        None if years is None else float(years), over, rotations == "simulate", how.threads,
     )  # fmt: skip
     return Probability(*_standfast.probability(case_text(case), asked))
 

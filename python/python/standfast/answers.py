@@ -530,11 +530,13 @@ class Criterion(Answer):
         self,
     ) -> Literal[
         "SF_sliding", "SF_overturning", "bearing_max", "contact_share", "eccentricity", "load_factor",
-        "ground_factor", "effective_pressure_max", "rotation_max", "modes_not", "slide", "max_theta", "overturned"
+        "ground_factor", "effective_pressure_max", "rotation_max", "p_not_rest", "modes_not", "slide", "max_theta",
+        "overturned"
     ]:
         """That of the result; slide, max_theta and overturned are of the motion of a case in time; ground_factor,
-        effective_pressure_max and rotation_max ask for factor, effective_pressure and rotation of the ground, modes_not for the
-        modes under the full load."""
+        effective_pressure_max and rotation_max ask for factor, effective_pressure and rotation of the ground, p_not_rest for the
+        upper end of the interval of the probability that the body does not stay at rest, modes_not for the modes under the full
+        load."""
         return self._document["name"]
 
     @property

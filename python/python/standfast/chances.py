@@ -14,13 +14,16 @@ from ._answer import Answer, ByMode, by_mode, part, parts
 __all__ = [
     "Along",
     "Chance",
+    "ChanceCriterion",
     "Chances",
     "Exceeded",
     "FirstDeparture",
     "Fit",
+    "Followed",
     "Fragility",
     "Importance",
     "Interval",
+    "Joined",
     "Life",
     "ProbabilityDocument",
     "Quantile",
@@ -116,6 +119,16 @@ class Importance(Answer):
         """The probability that the body does not rest if the number is known to have its median; None where it is the only random
         one."""
         return self._document["probability_if_known"]
+
+    @property
+    def if_known_low(self) -> float | None:
+        """The lower end of its interval."""
+        return self._document["if_known_low"]
+
+    @property
+    def if_known_high(self) -> float | None:
+        """The upper end; a bound where nothing was met."""
+        return self._document["if_known_high"]
 
 
 class FirstDeparture(Answer):
@@ -219,6 +232,31 @@ class Exceeded(Answer):
         return self._document["high"]
 
 
+class Followed(Answer):
+    """Waves that begin a rotation, followed in time in the lives that are drawn; chances and shares of slides count them, the
+    mean does not."""
+
+    @property
+    def slide(self) -> float:
+        """The mean slide that they add to a life, in m."""
+        return self._document["slide"]
+
+    @property
+    def slide_low(self) -> float:
+        """The lower end of its interval, 95 %."""
+        return self._document["slide_low"]
+
+    @property
+    def slide_high(self) -> float:
+        """The upper end."""
+        return self._document["slide_high"]
+
+    @property
+    def overturned(self) -> Interval:
+        """That a life ends by overturning."""
+        return part(Interval, self._document["overturned"])
+
+
 class Rotating(Answer):
     """Waves that begin a rotation."""
 
@@ -303,8 +341,57 @@ class Sliding(Answer):
 
     @property
     def rotating(self) -> Rotating:
-        """Waves that begin a rotation, which the slides leave out."""
+        """Waves that begin a rotation, which the slides leave out unless they are followed in time."""
         return part(Rotating, self._document["rotating"])
+
+    @property
+    def followed(self) -> Followed | None:
+        """What comes of them, where they are followed in time; None where they are counted."""
+        return None if self._document["followed"] is None else part(Followed, self._document["followed"])
+
+
+class Joined(Answer):
+    """Several sets of loads, or accelerations of the base, joined."""
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return self._document["count"]
+
+    @property
+    def method(self) -> Literal["integrate", "sobol", "importance", "monte-carlo"]:
+        """How it is found."""
+        return self._document["method"]
+
+    @property
+    def not_rest(self) -> Interval:
+        """That the body does not stay at rest under one of them at least."""
+        return part(Interval, self._document["not_rest"])
+
+
+class ChanceCriterion(Answer):
+    """What is asked of the probability that the body does not stay at rest: under the worst set of loads, the accelerations of
+    the base joined."""
+
+    @property
+    def name(self) -> Literal['p_not_rest']:
+        """Its name."""
+        return self._document["name"]
+
+    @property
+    def required(self) -> float:
+        """The greatest that is allowed."""
+        return self._document["required"]
+
+    @property
+    def value(self) -> float:
+        """The upper end of the interval."""
+        return self._document["value"]
+
+    @property
+    def met(self) -> bool:
+        """Whether it is met."""
+        return self._document["met"]
 
 
 class Along(Answer):
@@ -559,6 +646,16 @@ class ProbabilityDocument(Answer):
     def others(self) -> list[Chances]:
         """The answers under the other sets of loads."""
         return parts(Chances, self._document["others"])
+
+    @property
+    def joined(self) -> Joined | None:
+        """That any of several sets of loads moves the body, all with the same numbers drawn; None where there is only one."""
+        return None if self._document["joined"] is None else part(Joined, self._document["joined"])
+
+    @property
+    def criterion(self) -> ChanceCriterion | None:
+        """What [criteria] asks of the probability; None where it asks for none."""
+        return None if self._document["criterion"] is None else part(ChanceCriterion, self._document["criterion"])
 
     @property
     def sliding(self) -> Sliding | None:

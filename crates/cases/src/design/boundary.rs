@@ -20,6 +20,9 @@ use standfast_figures::Figure;
 /// How many parts the range of a column is cut into.
 const PARTS: u32 = 200;
 
+/// The same where each value takes a probability.
+const CHANCE_PARTS: u32 = 12;
+
 /// No more columns than these, however often neighbours differ.
 const MOST: usize = 400;
 
@@ -97,7 +100,7 @@ impl<'a> Boundary<'a> {
         let BoundaryRequest { design, and, from, to } = request;
         let case = file.case()?;
         let moving = Moving::of(design.target, timed)?;
-        design.answerable(&case, timed)?;
+        design.answerable(file, &case, timed)?;
         let up = design.quantity(file, &case)?;
         let spelling = design.spelling;
         let options = [spelling.and_from, spelling.and_to];
@@ -107,7 +110,7 @@ impl<'a> Boundary<'a> {
             return Err(DesignError::Twice { name: up.variable.id().to_string(), spelling });
         }
         let moving = moving.as_ref();
-        let present = Varied { file, case: &case, moving, held: None }.present()?;
+        let present = Varied { file, case: &case, moving, held: None }.present(design.target)?;
         let grid = Grid { file, case: &case, moving, up: &up, across: &across, target: design.target };
         let (round, values) = columns(&across);
         if design.target.asks_for_rise()
@@ -188,7 +191,11 @@ impl Grid<'_> {
     fn at<T>(&self, value: f64, ask: impl FnOnce(&Search<'_>) -> T) -> T {
         let held = Some((&self.across.variable, value));
         let varied = Varied { file: self.file, case: self.case, moving: self.moving, held };
-        ask(&Search { varied: &varied, quantity: self.up, target: self.target, parts: PARTS })
+        ask(&Search { varied: &varied, quantity: self.up, target: self.target, parts: self.parts() })
+    }
+
+    fn parts(&self) -> u32 {
+        if self.target.asks_for_chance(self.case) { CHANCE_PARTS } else { PARTS }
     }
 
     fn column(&self, at: f64) -> Column {

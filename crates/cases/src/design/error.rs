@@ -71,6 +71,15 @@ pub enum DesignError {
         /// The target.
         target: Target,
     },
+    /// The target is a probability, and nothing is random.
+    #[error(
+        "the target {target} asks for a probability, and the case has no [random] table, which says what is random"
+    )]
+    #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
+    NothingRandom {
+        /// The target.
+        target: Target,
+    },
     /// The target asks for a factor on loads that there are not.
     #[error(
         "the target {target} asks how far the variable loads may rise, and the case has none: nothing rises, and it would be met \

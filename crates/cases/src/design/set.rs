@@ -15,6 +15,9 @@ use crate::rounded::{Decimal, Towards};
 /// How near, relatively, an end is to a value that does not meet the target.
 const NEAR: f64 = 1e-12;
 
+/// The same where each value takes a probability, which is not exact either.
+const NEAR_OF_CHANCE: f64 = 1e-8;
+
 /// How many digits a number has at most that is no shorter than it has to be.
 const ALL_DIGITS: usize = 17;
 
@@ -131,7 +134,7 @@ impl Search<'_> {
     }
 
     fn attempt(&self, value: f64) -> Trial {
-        let answer = self.varied.answer(&self.quantity.variable, value);
+        let answer = self.varied.answer_for(self.target, &self.quantity.variable, value);
         let met = answer.as_ref().is_ok_and(|answer| self.target.is_met(answer));
         Trial { value, answer, met }
     }
@@ -142,7 +145,8 @@ impl Search<'_> {
         // Near zero, what counts is the size of the range.
         let [from, to] = self.quantity.range;
         let size = 1e-3 * from.abs().max(to.abs());
-        while (meets - fails).abs() > NEAR * meets.abs().max(size) {
+        let near = if self.target.asks_for_chance(self.varied.case) { NEAR_OF_CHANCE } else { NEAR };
+        while (meets - fails).abs() > near * meets.abs().max(size) {
             let middle = fails + (meets - fails) / 2.0;
             if self.attempt(middle).met { meets = middle } else { fails = middle }
         }

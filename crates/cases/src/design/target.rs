@@ -11,6 +11,7 @@ use super::quantity::fault;
 use super::{least, load_factor, overturning, sliding};
 use crate::assess::verdict::predicate;
 use crate::assess::{Assessed, Assessment, CaseCheck};
+use crate::case::Case;
 use crate::criteria::Criterion;
 use crate::error::UNANSWERABLE;
 use crate::inputs::Value;
@@ -289,6 +290,15 @@ impl Target {
         }
     }
 
+    /// Whether it asks for a probability, alone or among the criteria of the case.
+    pub(super) fn asks_for_chance(self, case: &Case) -> bool {
+        match self {
+            Target::Criterion(criterion) => criterion.is_chance(),
+            Target::Utilisation(_) => case.criteria.iter().any(Criterion::is_chance),
+            _ => false,
+        }
+    }
+
     /// Whether it asks how far the variable loads may rise.
     pub(super) fn asks_for_rise(self) -> bool {
         matches!(self, Target::Criterion(Criterion { key: Key::LeastLoadFactor, .. }))
@@ -411,6 +421,7 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
         Key::ModesNot => motion(assessed.verdict()),
         Key::LeastGround | Key::GreatestEffective => GROUND,
         Key::GreatestRotation => "rotation",
+        Key::GreatestNotRest => "probability",
         _ => motion(verdict),
     };
     let words = match (check.met, target) {

@@ -44,6 +44,11 @@ pub(super) fn words(target: Target) -> String {
         Target::Factor(factor) => format!("both safety factors are {} at least", digits(factor)),
         Target::NoRock => "the body turns about no corner, at once or while the load rises".to_owned(),
         Target::NoSlide => "the body slips at no corner, at once or while the load rises".to_owned(),
+        Target::Criterion(criterion) if criterion.is_chance() => format!(
+            "the upper end of the interval of {}, the probability that the body does not stay at rest, is {}",
+            criterion.name(),
+            criterion.required()
+        ),
         Target::Criterion(criterion) => format!("{} is {}", criterion.name(), criterion.required()),
         Target::Motion(MotionCriterion::NotOverturned) => "the body does not overturn".to_owned(),
         Target::Motion(criterion) => format!("{} is {}", criterion.name(), criterion.required(true)),

@@ -29,9 +29,12 @@ impl Problem {
                     .to_owned()
             }
             Problem::Unanswerable { .. } => format!(
-                "it takes random inputs; the criteria that can be answered: {}",
+                "the criteria that can be answered: {}",
                 names(Table::Criteria).join(", ")
             ),
+            Problem::NoChance { .. } => {
+                "say by which law a number is random, for example\n[random]\nfriction = { normal = { mean = 0.6, sd = 0.1 } }".into()
+            }
             Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
             Problem::Unit { key, dimension, error, .. } => {

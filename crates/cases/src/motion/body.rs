@@ -379,7 +379,7 @@ fn refused(in_time: &InTime<'_>, error: &MotionError) -> Wrong {
 }
 
 /// The block of a body, in metres and per its mass.
-fn block(body: &Body, situation: &standfast::Situation) -> Block {
+pub(crate) fn block(body: &Body, situation: &standfast::Situation) -> Block {
     Block {
         b1: body.heel_distance(),
         b2: body.toe_distance(),
@@ -393,7 +393,13 @@ fn block(body: &Body, situation: &standfast::Situation) -> Block {
 }
 
 /// A load of the case per mass: its resultant at a point of the body, its direction fixed in space, and a couple where it has no resultant.
-fn acting_as(load: &StaticLoad, body: &Body, gravity: f64, mass: f64, history: &History) -> Vec<Load> {
+pub(crate) fn acting_as(
+    load: &StaticLoad,
+    body: &Body,
+    gravity: f64,
+    mass: f64,
+    history: &History,
+) -> Vec<Load> {
     let Wrench { x, p, m } = load.wrench(body, gravity, Pose::UPRIGHT);
     let (x, up, m) = (x / mass, -p / mass, m / mass);
     let force = |at: [f64; 2], direction: [f64; 2], follows: bool| Load {

@@ -99,8 +99,7 @@ impl<'a> Timed<'a> {
     /// # Errors
     /// If the mechanics refuses the case, or the motion cannot be followed.
     pub fn assess(&self, follow: Option<&Follow>) -> Result<Assessment, BodyCaseError> {
-        let case = self.still.case()?;
-        let mut assessment = Assessment::owning(case).map_err(|error| self.still.refused(error))?;
+        let mut assessment = Assessment::of_file(&self.still)?;
         let motions = match follow {
             Some(follow) => self.follow(follow)?,
             None if self.criteria.is_empty() => Vec::new(),

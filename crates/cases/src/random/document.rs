@@ -9,6 +9,7 @@ use super::answer::{Chances, Happening, Probability};
 use super::over::{Along, Fit, Fragility};
 use super::storm::{Exceeded, Quantile, Sliding};
 use crate::assess::SCHEMA;
+use crate::key::Key;
 
 /// Every key is there in every answer, as docs/probability.schema.json has them: `null`, or an empty list, where there is no such
 /// thing.
@@ -24,6 +25,10 @@ struct Document<'a> {
     worst: ChancesDocument<'a>,
     /// The others, where the case has several sets of loads.
     others: Vec<ChancesDocument<'a>>,
+    /// That any of several sets of loads moves the body.
+    joined: Option<JoinedDocument>,
+    /// What `[criteria]` asks of the probability.
+    criterion: Option<CriterionDocument>,
     /// Of a case with storms.
     sliding: Option<SlidingDocument>,
     /// Along a number, where that is asked for.
@@ -69,6 +74,22 @@ impl FragilityDocument<'_> {
     }
 }
 
+#[derive(Serialize)]
+struct JoinedDocument {
+    count: usize,
+    method: &'static str,
+    not_rest: Interval,
+}
+
+/// The upper end of the interval counts.
+#[derive(Serialize)]
+struct CriterionDocument {
+    name: &'static str,
+    required: f64,
+    value: f64,
+    met: bool,
+}
+
 /// Slides over a life of storms, m.
 #[derive(Serialize)]
 struct SlidingDocument {
@@ -89,6 +110,19 @@ struct SlidingDocument {
     /// The share of the mean that comes of the worst twentieth of all lives.
     of_worst_twentieth: f64,
     rotating: RotatingDocument,
+    /// What comes of them, where they are followed in time.
+    followed: Option<FollowedDocument>,
+}
+
+/// Of the lives drawn.
+#[derive(Serialize)]
+struct FollowedDocument {
+    /// The mean slide that they add to a life, m.
+    slide: f64,
+    slide_low: f64,
+    slide_high: f64,
+    /// That a life ends by overturning.
+    overturned: Interval,
 }
 
 #[derive(Serialize)]
@@ -173,6 +207,9 @@ struct ImportanceDocument<'a> {
     omission: Option<f64>,
     /// `null` where it is the only random number.
     probability_if_known: Option<f64>,
+    /// Its interval; of one that was never met the bound above.
+    if_known_low: Option<f64>,
+    if_known_high: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -201,6 +238,17 @@ impl Probability {
             integrated: &self.line.0,
             worst: self.document(worst),
             others: others.iter().map(|chances| self.document(chances)).collect(),
+            joined: self.joined.map(|joined| JoinedDocument {
+                count: joined.count,
+                method: joined.method.name(),
+                not_rest: interval(joined.not_rest),
+            }),
+            criterion: self.criterion.map(|criterion| CriterionDocument {
+                name: Key::GreatestNotRest.name(),
+                required: criterion.required,
+                value: criterion.value(),
+                met: criterion.is_met(),
+            }),
             sliding: self.sliding.as_ref().map(SlidingDocument::of),
             fragility: self.fragility.as_ref().map(FragilityDocument::of),
             figures,
@@ -218,6 +266,8 @@ impl Probability {
                 alpha2: alpha.map(|alpha| alpha * alpha),
                 omission: point.map(|point| point.omission(place)).filter(|omission| omission.is_finite()),
                 probability_if_known: chances.known.get(place).map(|estimate| estimate.value),
+                if_known_low: chances.known.get(place).map(|estimate| estimate.low),
+                if_known_high: chances.known.get(place).map(|estimate| estimate.high),
             }
         });
         ChancesDocument {
@@ -279,6 +329,12 @@ impl SlidingDocument {
                 wave: interval(sliding.rotating.wave),
                 life: interval(sliding.rotating.life),
             },
+            followed: sliding.followed.map(|followed| FollowedDocument {
+                slide: followed.slide.value,
+                slide_low: followed.slide.low,
+                slide_high: followed.slide.high,
+                overturned: interval(followed.overturned),
+            }),
         }
     }
 }

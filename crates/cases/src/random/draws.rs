@@ -3,7 +3,9 @@
 use standfast::Mode;
 use standfast_probability::sample;
 
-use super::answer::{Happening, ProbabilityError, problems};
+use super::answer::{Happening, Method, Probability};
+use super::asked::Asked;
+use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
 use super::problem::{Input, Problem};
 use crate::units::Dimension;
@@ -42,7 +44,7 @@ impl Draws {
         count: u64,
         seed: u64,
     ) -> Result<Draws, ProbabilityError> {
-        let problem = one(problems(name, text, None)?, situation)?;
+        let problem = one(Asked::read(name, text, None)?.problems(None)?, situation)?;
         let mut values: Vec<Vec<f64>> = problem.random().iter().map(|_| Vec::new()).collect();
         let mut drawn = Vec::new();
         sample::draws(problem.laws(), seed, count, |draw| {
@@ -51,6 +53,58 @@ impl Draws {
         });
         let inputs = problem.random().iter().map(|input| (input.name.clone(), input.unit())).collect();
         Ok(Draws { inputs, values, drawn })
+    }
+}
+
+/// Everything that a plain Monte Carlo draws, with its weight: what each mode has of all weights is its probability.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WeighedDraws {
+    /// What is random: names, and the units of values, where they have one.
+    pub inputs: Vec<(String, Option<&'static str>)>,
+    /// The values of each, one for each draw.
+    pub values: Vec<Vec<f64>>,
+    /// Which of the [situations](Self::situations) each is of.
+    pub of: Vec<usize>,
+    /// The weight of each, in its situation.
+    pub weights: Vec<f64>,
+    /// What each makes of the body.
+    pub happens: Vec<Happening>,
+    /// The sets of loads, as an answer has them; none where there is only one.
+    pub situations: Vec<Option<String>>,
+}
+
+impl WeighedDraws {
+    /// The draws of which the answer to this text is.
+    ///
+    /// # Errors
+    /// If the answer is of another method, which does not draw every number.
+    pub fn of_text(name: &str, text: &str, answer: &Probability) -> Result<WeighedDraws, ProbabilityError> {
+        let asked = Asked::read(name, text, answer.request.years)?;
+        let problems = asked.problems(None)?;
+        let mut all = WeighedDraws {
+            inputs: Vec::new(),
+            values: vec![Vec::new(); problems[0].random().len()],
+            of: Vec::new(),
+            weights: Vec::new(),
+            happens: Vec::new(),
+            situations: answer.situations.iter().map(|chances| chances.situation.clone()).collect(),
+        };
+        all.inputs = problems[0].random().iter().map(|input| (input.name.clone(), input.unit())).collect();
+        for (place, chances) in answer.situations.iter().enumerate() {
+            if chances.method != Method::MonteCarlo {
+                return Err(ProbabilityError::NotDrawn { method: chances.method });
+            }
+            let same = |problem: &&Problem| problem.situation() == chances.situation;
+            let problem = problems.iter().find(same).ok_or(ProbabilityError::NoRandom)?;
+            let weight = 1.0 / chances.points as f64;
+            sample::draws(problem.laws(), answer.request.effort.seed, chances.points, |draw| {
+                all.values.iter_mut().zip(draw).for_each(|(column, value)| column.push(*value));
+                all.of.push(place);
+                all.weights.push(weight);
+                all.happens.push(problem.drawn(draw).happens);
+            });
+        }
+        Ok(all)
     }
 }
 

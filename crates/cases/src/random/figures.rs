@@ -10,10 +10,11 @@ use standfast_probability::normal;
 use standfast_probability::sample::{self, Estimate};
 use toml::de::DeTable;
 
-use super::answer::{Chances, Happening, Method, Probability, ProbabilityError, problems};
+use super::answer::{Chances, Happening, Method, Probability};
+use super::asked::Asked;
+use super::error::ProbabilityError;
 use super::over::{Fit, Fragility};
 use super::problem::Problem;
-use super::storm;
 use super::storm::Sliding;
 use crate::layout::digits;
 
@@ -77,10 +78,11 @@ impl Probability {
     }
 
     fn cloud(&self, text: &str, worst: &Chances, title: &str) -> Result<Option<Figure>, ProbabilityError> {
-        if storm::read_file(&self.case, text, None)?.is_some() {
+        let asked = Asked::read(&self.case, text, None)?;
+        if matches!(asked, Asked::Storm(_)) {
             return Ok(None);
         }
-        let problems = problems(&self.case, text, None)?;
+        let problems = asked.problems(None)?;
         let Some(problem) = problems.iter().find(|problem| problem.situation() == worst.situation) else {
             return Ok(None);
         };

@@ -14,14 +14,13 @@ use std::str::FromStr;
 use standfast_probability::normal;
 use standfast_probability::sample::Estimate;
 
-use super::answer::{
-    Happening, Probability, ProbabilityError, Request, event, problem_of_point, problems_of,
-};
-use super::point;
+use super::answer::{Happening, Probability, Request};
+use super::asked::{Asked, problems_of};
+use super::chances::event;
+use super::error::ProbabilityError;
 use super::problem::{Coordinate, Problem};
 use super::resolve::find;
 use crate::couple::vary;
-use crate::parse::CaseFile;
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -126,8 +125,9 @@ impl Probability {
         request: Request,
         over: Option<&Over>,
     ) -> Result<Probability, ProbabilityError> {
-        let fragility = over.map(|over| over.fragility(name, text, &request)).transpose()?;
-        Ok(Probability { fragility, ..Probability::of_text(name, text, request)? })
+        let asked = Asked::read(name, text, request.years)?;
+        let fragility = over.map(|over| over.fragility(&asked, &request)).transpose()?;
+        Ok(Probability { fragility, ..Probability::of_asked(name, &asked, request)? })
     }
 }
 
@@ -136,33 +136,33 @@ impl Over {
         ProbabilityError::Over { name: self.name.clone(), what: what.into() }
     }
 
-    fn fragility(&self, name: &str, text: &str, request: &Request) -> Result<Fragility, ProbabilityError> {
-        let (unit, points) = match point::read_file(name, text)? {
-            Some((point, random)) => {
+    fn fragility(&self, asked: &Asked, request: &Request) -> Result<Fragility, ProbabilityError> {
+        let (unit, points) = match asked {
+            Asked::Point(of) => {
                 let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
                 let Some(coordinate) = coordinate else {
                     return Err(self.wrong("it is none of gamma, k_prime, k and mu"));
                 };
-                if random.named.iter().any(|named| named.name == self.name) {
+                if of.random.named.iter().any(|named| named.name == self.name) {
                     return Err(self.wrong("it is random itself"));
                 }
                 let at = |value: f64| {
                     if !coordinate.range().contains(value) {
                         return Err(self.wrong(format!("{value} is not {}", coordinate.range().words())));
                     }
-                    let mut moved = point;
+                    let mut moved = of.point;
                     moved[coordinate as usize] = value;
-                    Ok(vec![problem_of_point(name, text, moved, &random, None)?])
+                    Ok(vec![of.problem(moved, None)?])
                 };
                 let read = |text: &str| {
                     text.parse::<f64>().map_err(|_| self.wrong(format!("\"{text}\" is no number")))
                 };
                 (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
             }
-            None => {
-                let file = CaseFile::parse(name, text)?;
+            Asked::Storm(_) => return Err(ProbabilityError::NoBody),
+            Asked::Case(file) => {
                 let case = file.case()?;
-                let variable = find(&file, &case, &self.name).ok_or_else(|| {
+                let variable = find(file, &case, &self.name).ok_or_else(|| {
                     self.wrong(
                         "it is no number of the case; a load is named by its name, as in load.push.force",
                     )
@@ -171,7 +171,7 @@ impl Over {
                     variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
                 };
                 // The problems as they are, for what is random.
-                let random = problems_of(&file, None)?;
+                let random = problems_of(file, None)?;
                 let same = |problem: &Problem| problem.random().iter().any(|input| input.is_of(&variable));
                 if random.iter().any(same) {
                     return Err(self.wrong("it is random itself"));
@@ -195,6 +195,11 @@ impl Over {
         request: &Request,
         problems: impl Fn(f64) -> Result<Vec<Problem>, ProbabilityError>,
     ) -> Result<Vec<Along>, ProbabilityError> {
+        // Twice one value has no curve through it, and a fall is more likely a slip than meant.
+        if from.is_nan() || to.is_nan() || from >= to {
+            let (from, to) = (&self.from, &self.to);
+            return Err(self.wrong(format!("it does not rise from {from} to {to}; expected FROM below TO")));
+        }
         let last = (self.count - 1) as f64;
         (0..self.count)
             .map(|i| from + (to - from) * (i as f64 / last))

@@ -22,10 +22,12 @@ use super::read::{Random, RandomProblem, read};
 use crate::error::CaseError;
 use crate::parse::{plain_number, type_of};
 
-/// The four numbers and what is random of them, if the text is of a point; none if it is of a case, or is no TOML.
-pub(super) fn read_file(name: &str, text: &str) -> Result<Option<([f64; 4], Random)>, CaseError> {
-    let Ok(document) = DeTable::parse(text) else { return Ok(None) };
-    let top = document.get_ref();
+/// The four numbers and what is random of them, if the text is of a point; none if it is of a case.
+pub(super) fn read_file(
+    name: &str,
+    text: &str,
+    top: &DeTable<'_>,
+) -> Result<Option<([f64; 4], Random)>, CaseError> {
     let Some(point) = top.get("point") else { return Ok(None) };
     let wrong = |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
     let allowed = ["title", "note", "point", RANDOM];

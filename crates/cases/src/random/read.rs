@@ -57,6 +57,24 @@ pub struct Named {
     pub(super) span: Span<usize>,
 }
 
+impl Named {
+    /// Its law in words: `lognormal, mean 0.636, cov 0.15`.
+    pub fn law_words(&self) -> String {
+        let written = |parameter: &Parameter| {
+            let value = match &parameter.value {
+                Written::Number(number) => number.to_string(),
+                Written::Text(text) => text.clone(),
+            };
+            format!("{} {value}", parameter.name)
+        };
+        let mut parts: Vec<String> = vec![self.law.to_owned()];
+        parts.extend(self.parameters.iter().map(written));
+        parts.extend(self.of.iter().map(|of| format!("of {}", of.law_words())));
+        parts.extend([&self.lower, &self.upper].into_iter().flatten().map(written));
+        parts.join(", ")
+    }
+}
+
 /// How often a number is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rate {

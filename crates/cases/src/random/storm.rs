@@ -17,15 +17,16 @@ mod answer;
 mod pulse;
 mod pure;
 mod read;
+mod rotation;
 mod sea;
 
 use standfast_probability::legendre::panel;
-use standfast_probability::sums::{OfEvent, Sums};
+use standfast_probability::sums::{OfEvent, Other, Sums};
 
-pub use answer::{Exceeded, Quantile, Rotating, Sliding, SlidingError};
+pub use answer::{Exceeded, Followed, Quantile, Rotating, Sliding, SlidingError};
 pub use pulse::Pulse;
 pub use pure::StormField;
-pub(super) use pure::read_file;
+pub(super) use pure::{PureStorm, read_file};
 pub(crate) use read::{STORM, read};
 pub(super) use sea::of_case;
 
@@ -83,6 +84,17 @@ pub(super) struct Year<W> {
 /// How far a wave slides the body, m.
 pub(super) trait Slide {
     fn slide(&self, level: f64) -> f64;
+
+    /// Whether waves that begin a rotation are followed in time.
+    fn follows(&self) -> bool {
+        false
+    }
+
+    /// What comes of one that does.
+    fn turned(&self, level: f64) -> Other {
+        let _ = level;
+        Other::default()
+    }
 }
 
 impl<W: Slide> Year<W> {
@@ -112,19 +124,24 @@ impl<W: Slide> Year<W> {
 
     /// The slide of a wave that this share of all that slide the body exceeds.
     fn amount(&self, share: f64) -> f64 {
-        let mut rest = share * self.slides.iter().map(|interval| self.chance(interval)).sum::<f64>();
-        for (place, interval) in self.slides.iter().enumerate() {
+        self.level_of(&self.slides, share).map_or(0.0, |level| self.wave.slide(level))
+    }
+
+    /// The level of a wave that this share of all on these intervals exceeds.
+    fn level_of(&self, intervals: &[(f64, f64)], share: f64) -> Option<f64> {
+        let mut rest = share * intervals.iter().map(|interval| self.chance(interval)).sum::<f64>();
+        for (place, interval) in intervals.iter().enumerate() {
             let chance = self.chance(interval);
-            if rest <= chance || place + 1 == self.slides.len() {
+            if rest <= chance || place + 1 == intervals.len() {
                 let (from, to) = *interval;
                 let within = (rest / chance).clamp(0.0, 1.0);
                 // The level above which `within` of the interval lies.
                 let t = from - ((1.0 - within) * (from - to).exp_m1()).ln_1p();
-                return self.wave.slide(t.clamp(from, to));
+                return Some(t.clamp(from, to));
             }
             rest -= chance;
         }
-        0.0
+        None
     }
 }
 
@@ -153,5 +170,12 @@ impl<S: Storms> Sums for Slides<'_, S> {
 
     fn amount(&self, year: &Year<S::Wave>, share: f64) -> f64 {
         year.amount(share)
+    }
+
+    fn other(&self, year: &Year<S::Wave>) -> Option<impl Fn(f64) -> Other> {
+        let turned = |share: f64| {
+            year.level_of(&year.turns, share).map_or(Other::default(), |level| year.wave.turned(level))
+        };
+        year.wave.follows().then_some(turned)
     }
 }

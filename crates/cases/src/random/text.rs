@@ -6,9 +6,10 @@ use standfast::Mode;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::answer::{Chances, FirstDeparture, Happening, Method, Probability};
+use super::joined::Joined;
 use super::over::{Fit, Fragility};
-use super::storm::{Exceeded, Pulse, Quantile, Sliding};
-use crate::layout::{columns, digits, paragraph, row};
+use super::storm::{Exceeded, Followed, Pulse, Quantile, Sliding};
+use crate::layout::{apart, columns, digits, paragraph, row};
 
 impl Probability {
     /// The answer as text.
@@ -20,6 +21,25 @@ impl Probability {
         for chances in self.situations.iter().skip(1) {
             let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
             text += &event_table(chances, self.floor());
+        }
+        if let Some(Joined { count, not_rest, method }) = &self.joined {
+            let within = match method {
+                Method::Integrate => String::new(),
+                _ => format!(", {} … {}", probability(not_rest.low), probability(not_rest.high)),
+            };
+            let words = format!(
+                "Under any of these {count}, all with the same numbers drawn, it does not rest: {}{within}.",
+                probability(not_rest.value)
+            );
+            text += &format!("\n{}", paragraph(&words, 0));
+        }
+        if let Some(criterion) = &self.criterion {
+            let (met, value) = (if criterion.is_met() { "met" } else { "not met" }, criterion.value());
+            let [value, required] = &apart(&[value, criterion.required])[..] else { unreachable!("of two") };
+            let words = format!(
+                "Criterion p_not_rest ≤ {required}: {met}; the upper end of the interval is {value}."
+            );
+            text += &format!("\n{}", paragraph(&words, 0));
         }
         if let Some(sliding) = &self.sliding {
             if !text.is_empty() {
@@ -71,7 +91,18 @@ impl Probability {
             );
             text += &paragraph(&words, 2);
         }
-        if rotating.wave.value > 0.0 {
+        if let Some(Followed { slide, overturned }) = &sliding.followed {
+            let words = format!(
+                "Waves that begin a rotation, {} of all waves, are followed in time: they add {} ({}) to the mean above, and shares and chances \
+                 of slides count them; {} of all lives end by overturning ({}), which counts as a slide beyond every limit.",
+                below_or(rotating.wave),
+                metres(slide.value),
+                within(*slide, &metres),
+                below_or(*overturned),
+                within(*overturned, &probability)
+            );
+            text += &paragraph(&words, 2);
+        } else if rotating.wave.value > 0.0 {
             let words = format!(
                 "Waves that begin a rotation are left out, because the slide of a pulse does not hold for them: {} of all waves; {} of all lives have one.",
                 probability(rotating.wave.value),
@@ -196,11 +227,7 @@ impl Probability {
         order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
         let mut rows = vec![row!["Which number matters", "α²", "P if it were known", "at the design point"]];
         for place in order {
-            let known = chances.known.get(place).map_or(String::new(), |e| match (e.value, e.high) {
-                // Never met is not never.
-                (0.0, bound) if bound > 0.0 => format!("below {}", probability(bound)),
-                (p, _) => probability(p),
-            });
+            let known = chances.known.get(place).map_or(String::new(), |e| below_or(*e));
             rows.push(row![
                 format!("  {}", self.random[place].0),
                 format!("{:.2}", point.alpha[place].powi(2)),
@@ -261,6 +288,11 @@ pub(super) fn words(happening: Happening) -> String {
 /// A probability; one near 1 by what is missing is clear from the others.
 fn probability(p: f64) -> String {
     digits(p)
+}
+
+/// A probability, or the bound of one that was never met.
+fn below_or(e: Estimate) -> String {
+    if e.value == 0.0 && e.high > 0.0 { format!("below {}", digits(e.high)) } else { probability(e.value) }
 }
 
 /// A whole number with thin spaces between its thousands.

@@ -30,6 +30,10 @@ fn one(steps: &mut Steps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
             return;
         }
     };
+    if criterion.key == Key::GreatestNotRest {
+        let words = format!("{} of {}, see Probability", check.value_words(assessed), criterion.required());
+        return steps.told(&about, &name, check.utilisation.unwrap_or(f64::INFINITY), NONE, &words, "");
+    }
     let (value, unit) = quantity(criterion.key);
     let utilisation = check.utilisation.unwrap_or(f64::INFINITY);
     if !assessed.is_reported {
@@ -72,6 +76,7 @@ fn letters(key: Key) -> &'static str {
         Key::LeastGround => "R",
         Key::GreatestEffective => "b",
         Key::GreatestRotation => "θ",
+        Key::GreatestNotRest => "P",
         _ => "λ",
     }
 }

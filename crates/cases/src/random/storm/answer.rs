@@ -8,6 +8,7 @@ use standfast_probability::sums::{Lives, OfLife, expected, lives};
 use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
+use crate::random::answer::Request;
 
 /// Slides over a life of storms, one a year; m.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +39,8 @@ pub struct Sliding {
     pub of_worst: f64,
     /// The mean over the lives drawn: not the answer, but a check of both.
     pub drawn: Estimate,
+    /// What comes of waves that begin a rotation, where they are followed in time.
+    pub followed: Option<Followed>,
     /// Waves that begin a rotation, for which the slide of a pulse says nothing.
     pub rotating: Rotating,
 }
@@ -58,6 +61,15 @@ pub struct Exceeded {
     pub slide: f64,
     /// The chance.
     pub probability: Estimate,
+}
+
+/// What comes of waves that begin a rotation, followed in time; of the lives drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Followed {
+    /// The mean slide that they add to a life, m.
+    pub slide: Estimate,
+    /// That a life ends by overturning.
+    pub overturned: Estimate,
 }
 
 /// Waves that begin a rotation.
@@ -94,6 +106,18 @@ pub enum SlidingError {
         /// To stick.
         friction: f64,
     },
+    /// A storm without a body that could turn.
+    #[error("there is nothing to be followed in time: a [storm] without a [body] has no rotations")]
+    NoTurns,
+    /// A moment that no force of the wave has.
+    #[error(
+        "waves that begin a rotation cannot be followed in time with `{name}`, which gives a wave another moment than its pressures have"
+    )]
+    #[diagnostic(help("leave it out, or --rotations count"))]
+    BiasOfMoment {
+        /// The random number.
+        name: String,
+    },
     /// No whole number of years.
     #[error("storms over {years} years; expected a whole number, because they come once a year")]
     PartOfYear {
@@ -118,16 +142,21 @@ const EACH_DECADE: f64 = 16.0;
 
 /// The chance that the slide of a life exceeds slides by equal factors, up to the greatest that was drawn.
 fn course(drawn: &Lives) -> Vec<Exceeded> {
-    let greatest = drawn.groups.iter().flatten().map(|life| life.sum).fold(0.0, f64::max);
+    let greatest = drawn.groups.iter().flatten().map(|life| life.sum + life.other_sum).fold(0.0, f64::max);
     if greatest <= LEAST {
         return Vec::new();
     }
     let count = (EACH_DECADE * (greatest / LEAST).log10()).ceil();
     let slide = |i: usize| LEAST * (greatest / LEAST).powf(i as f64 / count);
-    let exceeded = |slide: f64| Exceeded { slide, probability: drawn.chance(|life| life.sum > slide) };
+    let exceeded = |slide: f64| Exceeded {
+        slide,
+        probability: drawn.chance(|life| life.ended || life.sum + life.other_sum > slide),
+    };
     // Nothing exceeds the greatest.
     (0..count as usize).map(slide).map(exceeded).collect()
 }
+/// At most about so many waves are followed in time.
+const MOST_FOLLOWED: f64 = 1e5;
 
 /// The slides of storms with these laws.
 pub(in crate::random) fn sliding<S: Storms>(
@@ -135,8 +164,9 @@ pub(in crate::random) fn sliding<S: Storms>(
     storms: &S,
     laws: &Laws,
     life: &Life,
-    effort: &Effort,
+    request: &Request,
 ) -> Result<Sliding, SlidingError> {
+    let effort = &request.effort;
     let years = life.years;
     if years.fract() != 0.0 {
         return Err(SlidingError::PartOfYear { years });
@@ -146,8 +176,13 @@ pub(in crate::random) fn sliding<S: Storms>(
     let means = expected(laws, &slides, storm.waves as f64, &smooth);
     let [mean, moving, turning] = means.estimates[..] else { unreachable!("three means") };
     let times = |e: Estimate, by: f64| Estimate { value: e.value * by, low: e.low * by, high: e.high * by };
-    let drawn = lives(laws, &slides, storm.waves, life, effort);
-    let slid = |more: f64| drawn.chance(|life: &OfLife| life.sum > more);
+    // As many lives as leave so many waves to be followed in time.
+    let to_follow = turning.value * storm.waves as f64 * effort.points as f64;
+    let fewer = if request.follow { (to_follow / MOST_FOLLOWED).max(1.0) } else { 1.0 };
+    let drawn_effort = Effort { points: (effort.points as f64 / fewer) as u64, ..*effort };
+    let drawn = lives(laws, &slides, storm.waves, life, &drawn_effort);
+    // A body that lies on its side has slid too far.
+    let slid = |more: f64| drawn.chance(|life: &OfLife| life.ended || life.sum + life.other_sum > more);
     Ok(Sliding {
         storm: storm.clone(),
         years,
@@ -163,6 +198,10 @@ pub(in crate::random) fn sliding<S: Storms>(
         course: course(&drawn),
         of_worst: drawn.of_worst(WORST),
         drawn: drawn.mean(|life| life.sum),
+        followed: request.follow.then(|| Followed {
+            slide: drawn.mean(|life| life.other_sum),
+            overturned: drawn.chance(|life| life.ended),
+        }),
         rotating: Rotating {
             wave: Estimate { high: turning.high.min(1.0), ..turning },
             life: drawn.chance(|life| life.others > 0),

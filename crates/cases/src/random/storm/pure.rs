@@ -25,15 +25,14 @@ use standfast_probability::problem::Inputs as Laws;
 use standfast_probability::sample::Estimate;
 use toml::de::DeTable;
 
-use super::answer::sliding;
+use super::answer::{SlidingError, sliding};
 use super::read::{KEYS, STORM, measured, of_all, only};
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
 use crate::error::CaseError;
 use crate::key::Range;
 use crate::random::RANDOM;
-use crate::random::answer::{
-    Chances, FirstDeparture, Happening, LifeChances, Method, Probability, ProbabilityError, Request,
-};
+use crate::random::answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Probability, Request};
+use crate::random::error::ProbabilityError;
 use crate::random::problem::{Bias, Input, Quantity, exclusive};
 use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table};
 use crate::random::resolve::{Names, Resolve};
@@ -109,14 +108,13 @@ pub(in crate::random) struct PureStorm {
     years: Option<f64>,
 }
 
-/// The problem, if the text is of a storm without a body; none if it is of a case, or is no TOML.
+/// The problem, if the text is of a storm without a body; none if it is of a case.
 pub(in crate::random) fn read_file(
     name: &str,
     text: &str,
+    top: &DeTable<'_>,
     years: Option<f64>,
 ) -> Result<Option<PureStorm>, CaseError> {
-    let Ok(document) = DeTable::parse(text) else { return Ok(None) };
-    let top = document.get_ref();
     let Some(item) = top.get(STORM).filter(|_| top.get("body").is_none()) else { return Ok(None) };
     let wrong = |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
     let allowed = ["title", "note", STORM, RANDOM];
@@ -170,7 +168,10 @@ impl PureStorm {
         request: Request,
     ) -> Result<Probability, ProbabilityError> {
         let life = self.life();
-        let sliding = sliding(&self.storm, self, &self.laws, &life, &request.effort)?;
+        if request.follow {
+            return Err(SlidingError::NoTurns.into());
+        }
+        let sliding = sliding(&self.storm, self, &self.laws, &life, &request)?;
         let nothing = Estimate { value: 0.0, low: 0.0, high: 0.0 };
         let rests = |e: Estimate| Estimate { value: 1.0 - e.value, low: 1.0 - e.high, high: 1.0 - e.low };
         let all = |slides: Estimate| -> Vec<(Happening, Estimate)> {
@@ -222,6 +223,8 @@ impl PureStorm {
             random: self.random.iter().map(|input| (input.name.clone(), input.cut)).collect(),
             line: ("the height of waves".to_owned(), true),
             situations: vec![chances],
+            joined: None,
+            criterion: None,
             sliding: Some(sliding),
             fragility: None,
         })

@@ -4,9 +4,10 @@ use standfast::contact::{Block, solve};
 use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
 use standfast_probability::integrate::Life;
+use standfast_probability::sums::Other;
 
 use super::answer::{Sliding, SlidingError, sliding};
-use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
+use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
 use crate::case::{Acting, Case, Waves};
 use crate::random::answer::Request;
 use crate::random::mechanics::Components;
@@ -16,6 +17,8 @@ use crate::random::problem::{Bias, Problem};
 pub(in crate::random) struct SeaStorm<'a> {
     pub(in crate::random) problem: &'a Problem,
     pub(in crate::random) storm: &'a Storm,
+    /// Whether waves that begin a rotation are followed in time.
+    pub(in crate::random) follow: bool,
 }
 
 /// A wave by Goda's formulas.
@@ -30,6 +33,8 @@ pub(in crate::random) struct GodaWave {
     gravity: f64,
     tau0: Tau0,
     pulse: Pulse,
+    /// The case, where waves that begin a rotation are followed in time.
+    followed: Option<Box<Case>>,
 }
 
 /// What a wave does to the body.
@@ -54,6 +59,7 @@ impl GodaWave {
             gravity: case.gravity,
             tau0: storm.tau0,
             pulse: storm.pulse,
+            followed: None,
         })
     }
 
@@ -77,6 +83,18 @@ impl GodaWave {
         permanent + variable
     }
 
+    /// How long the wave pushes, s.
+    fn duration(&self, height: f64, goda: &Goda) -> f64 {
+        match self.tau0 {
+            Tau0::Given(tau0) => tau0,
+            Tau0::Formula => {
+                let standing =
+                    (0.5 - height / (8.0 * self.waves.sea.water_depth)).max(0.4) * self.waves.sea.period;
+                standing / (goda.alpha_star.powf(0.3) + 1.0).powi(2)
+            }
+        }
+    }
+
     fn effect(&self, level: f64) -> Effect {
         let wrench = self.wrench(&self.goda(height(level, self.waves.goda.h_13)));
         match solve(&self.block, &wrench).ok().and_then(|solution| solution.mode()) {
@@ -98,15 +116,23 @@ impl Slide for GodaWave {
         let resistance = still.x + μ * still.p;
         let thrust = -x - μ * p;
         let acceleration = resistance * self.gravity / self.block.m_x;
-        let tau0 = match self.tau0 {
-            Tau0::Given(tau0) => tau0,
-            Tau0::Formula => {
-                let standing =
-                    (0.5 - height / (8.0 * self.waves.sea.water_depth)).max(0.4) * self.waves.sea.period;
-                standing / (goda.alpha_star.powf(0.3) + 1.0).powi(2)
-            }
-        };
+        let tau0 = self.duration(height, &goda);
         acceleration * tau0 * tau0 * self.pulse.slide(thrust / resistance)
+    }
+
+    fn follows(&self) -> bool {
+        self.followed.is_some()
+    }
+
+    fn turned(&self, level: f64) -> Other {
+        let height = height(level, self.waves.goda.h_13);
+        let goda = self.goda(height);
+        let duration = self.duration(height, &goda);
+        let Some(case) = &self.followed else { return Other::default() };
+        let friction = [self.block.mu_s, self.block.mu_k];
+        let bias = |bias: Bias| self.biases[bias as usize].unwrap_or(1.0);
+        // What cannot be followed is counted, as it is without this.
+        rotation::wave(case, &self.waves, goda, duration, friction, bias).unwrap_or_default()
     }
 }
 
@@ -127,14 +153,19 @@ pub(in crate::random) fn of_case(
     if matches!(acting, Acting::Combination(_)) {
         return Err(SlidingError::Choice { what: "a combination, which multiplies its waves" });
     }
+    let of_moment = [Bias::ThrustMoment, Bias::UpliftMoment];
+    let biased = problem.random().iter().find(|input| of_moment.iter().any(|bias| bias.name() == input.name));
+    if let Some(input) = biased.filter(|_| request.follow) {
+        return Err(SlidingError::BiasOfMoment { name: input.name.clone() });
+    }
     let (kinetic, friction) = (case.kinetic_friction, case.friction);
     if kinetic != friction {
         return Err(SlidingError::TwoFrictions { kinetic, friction });
     }
     let plain = Life { years: 1.0, yearly: vec![false; problem.random().len()] };
     let life = problem.life().unwrap_or(plain);
-    let storms = SeaStorm { problem, storm };
-    sliding(storm, &storms, problem.laws(), &life, &request.effort)
+    let storms = SeaStorm { problem, storm, follow: request.follow };
+    sliding(storm, &storms, problem.laws(), &life, request)
 }
 
 /// Into how many steps the heights up to the cut are parted in search of changes of mode.
@@ -145,7 +176,8 @@ impl Storms for SeaStorm<'_> {
 
     fn storm(&self, values: &[f64]) -> Option<Year<GodaWave>> {
         let case = self.problem.case_with(values)?;
-        let wave = GodaWave::of(self.problem, self.storm, &case, values)?;
+        let mut wave = GodaWave::of(self.problem, self.storm, &case, values)?;
+        wave.followed = self.follow.then(|| Box::new(case));
         let goda = &wave.waves.goda;
         // No wave is drawn beyond e⁻⁴⁰.
         let cut = if self.storm.is_cut { level(goda.h_max, goda.h_13) } else { f64::INFINITY };

@@ -1,0 +1,225 @@
+//! The probabilities of one set of loads: of an event, of a first departure, of a life.
+
+use std::borrow::Cow;
+
+use standfast::Mode;
+use standfast_probability::form::{DesignPoint, design_point, local_design_points};
+use standfast_probability::integrate::{
+    Integrated, MOST_DIMENSIONS, integrate, integrate_above, integrate_known, integrate_life,
+};
+use standfast_probability::life::lives;
+use standfast_probability::points::MOST_COORDINATES;
+use standfast_probability::problem::{Inputs as Laws, Outcomes};
+use standfast_probability::sample::{
+    Effort, Estimate, Sampled, importance, monte_carlo, sampled_known, sobol,
+};
+
+use super::answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Request};
+use super::departure::{self, AT_ONCE, Departures, NEVER};
+use super::error::ProbabilityError;
+use super::problem::{LIFTED, NOT_UNIQUE, Problem, exclusive, not_rest};
+
+/// Above this index probabilities are looked for about the design points.
+const FAR: f64 = 2.5;
+/// The sets asked for: what excludes each other, and then the others.
+fn sets() -> Vec<u64> {
+    exclusive().map(|outcome| 1 << outcome).chain([not_rest(), 1 << NOT_UNIQUE, 1 << LIFTED]).collect()
+}
+
+/// The modes of an event and that the body does not rest, and nothing else.
+pub(super) fn event(
+    problem: &Problem,
+    request: &Request,
+) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
+    let (problem, points) = placed(problem);
+    let (_, sampled) = sampled(&problem, &points, request)?;
+    let count = exclusive().count();
+    let modes = exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
+    Ok((modes, sampled.estimates[count]))
+}
+
+/// The nearest points at which the body does not rest, and the problem along the number that matters there.
+fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
+    let points = local_design_points(problem.laws(), problem, not_rest());
+    let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
+    (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
+}
+
+/// The method asked for, or the one that suits so many numbers and the nearest points at which the body does not rest.
+pub(super) fn method(
+    laws: &Laws,
+    request: &Request,
+    points: &[DesignPoint],
+) -> Result<Method, ProbabilityError> {
+    let numbers = laws.laws().len();
+    let few = numbers <= MOST_DIMENSIONS + 1;
+    let too_many = |method, most| Err(ProbabilityError::TooMany { method, most, numbers });
+    let far = points.first().is_some_and(|point| point.beta > FAR);
+    let method = request.method.unwrap_or(match (few, far) {
+        (true, _) => Method::Integrate,
+        (false, true) => Method::Importance,
+        (false, false) => Method::Sobol,
+    });
+    match method {
+        Method::Integrate if !few => too_many(method, MOST_DIMENSIONS + 1),
+        Method::Sobol | Method::Importance if numbers > MOST_COORDINATES => {
+            too_many(method, MOST_COORDINATES)
+        }
+        method => Ok(method),
+    }
+}
+
+/// The probabilities of sets of outcomes by a method; about these points where it takes any.
+pub(super) fn by<O: Outcomes>(
+    method: Method,
+    laws: &Laws,
+    outcomes: &O,
+    sets: &[u64],
+    about: &[Vec<f64>],
+    effort: &Effort,
+) -> Sampled {
+    match method {
+        Method::Integrate => estimates(&integrate(laws, outcomes, sets)),
+        Method::Sobol => sobol(laws, outcomes, sets, effort),
+        Method::Importance => importance(laws, outcomes, sets, about, effort),
+        Method::MonteCarlo => monte_carlo(laws, outcomes, sets, effort),
+    }
+}
+
+/// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode, so that none of them is
+/// missed.
+pub(super) fn about(problem: &Problem, points: &[DesignPoint]) -> Vec<Vec<f64>> {
+    let moved = exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
+    let of_modes = moved.filter_map(|set| design_point(problem.laws(), problem, set));
+    points.iter().cloned().chain(of_modes).map(|point| point.u).collect()
+}
+
+/// The method, and the probabilities of all sets.
+fn sampled(
+    problem: &Problem,
+    points: &[DesignPoint],
+    request: &Request,
+) -> Result<(Method, Sampled), ProbabilityError> {
+    let laws = problem.laws();
+    let method = method(laws, request, points)?;
+    let about = if method == Method::Importance { about(problem, points) } else { Vec::new() };
+    let mut sampled = by(method, laws, problem, &sets(), &about, &request.effort);
+    if method == Method::Importance {
+        // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
+        let of_moved = sampled.estimates[exclusive().count()];
+        if let Some(place) = exclusive().position(|outcome| outcome == usize::from(Mode::Rest.code())) {
+            let Estimate { value, low, high } = of_moved;
+            sampled.estimates[place] = Estimate { value: 1.0 - value, low: 1.0 - high, high: 1.0 - low };
+        }
+    }
+    Ok((method, sampled))
+}
+
+/// The probabilities of one set of loads.
+pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityError> {
+    let (problem, points) = placed(problem);
+    let problem = &*problem;
+    let laws = problem.laws();
+    let numbers = laws.laws().len();
+    let few = numbers <= MOST_DIMENSIONS + 1;
+    let effort = &request.effort;
+    let (method, sampled) = sampled(problem, &points, request)?;
+    // Rare events are looked for about the points found, whatever else is known.
+    let about: Vec<Vec<f64>> = match method {
+        Method::Importance => points.iter().map(|point| point.u.clone()).collect(),
+        _ => Vec::new(),
+    };
+    let known = (0..numbers).map(|number| {
+        let set = [not_rest()];
+        let found = if few {
+            estimates(&integrate_known(laws, problem, &set, number))
+        } else {
+            sampled_known(laws, problem, &set, number, &about, effort)
+        };
+        found.estimates[0]
+    });
+    let [modes @ .., not_rest, not_unique, lifted] = &sampled.estimates[..] else {
+        unreachable!("as many as sets")
+    };
+    let (line, exact) = problem.line_name();
+    Ok(Chances {
+        situation: problem.situation(),
+        line: (line.to_owned(), exact),
+        method,
+        points: sampled.points,
+        precise: sampled.precise,
+        modes: exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
+        not_rest: *not_rest,
+        not_unique: *not_unique,
+        lifted: *lifted,
+        known: if numbers > 1 { known.collect() } else { Vec::new() },
+        first_departure: first_departure(problem, method, effort, sampled.points),
+        design_point: points.into_iter().next(),
+        life: life(problem, effort)?,
+        course: sampled.course.iter().map(|(points, e)| (*points, e[exclusive().count()])).collect(),
+    })
+}
+
+/// Departures that are less likely than this are rounding in the answer, not in the body.
+const UNLIKELY: f64 = 1e-9;
+/// How many points at least may be taken for departures, however few the modes need.
+const OF_DEPARTURES: u64 = 1 << 17;
+
+fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {
+    let (laws, departures) = (problem.laws(), Departures(problem));
+    let codes: Vec<usize> = departure::exclusive().collect();
+    let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
+    // A mode that is next to never the first is not worth more points than all that is asked of the full load.
+    let effort = &Effort { points: points.max(OF_DEPARTURES).min(effort.points), ..*effort };
+    let found = match method {
+        Method::Integrate => estimates(&integrate_above(laws, &departures, &sets, UNLIKELY)),
+        // Which mode is first is seldom a rare event, and lies about no one point.
+        Method::Sobol | Method::Importance => sobol(laws, &departures, &sets, effort),
+        Method::MonteCarlo => monte_carlo(laws, &departures, &sets, effort),
+    };
+    let precise = found.precise;
+    let of = |outcome: usize| {
+        let place = codes.iter().position(|code| *code == outcome);
+        found.estimates[place.expect("one of the outcomes")]
+    };
+    let modes = codes.iter().filter(|code| ![NEVER, AT_ONCE].contains(code));
+    let modes = modes.map(|code| (Happening::of(*code), of(*code))).collect();
+    FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise }
+}
+
+fn life(problem: &Problem, effort: &Effort) -> Result<Option<LifeChances>, ProbabilityError> {
+    let Some(life) = problem.life() else { return Ok(None) };
+    let numbers = problem.random().len();
+    let sets: Vec<u64> = exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
+    let yearly = problem.along_yearly();
+    let (found, method) = match yearly {
+        None => return Err(ProbabilityError::NothingYearly { years: life.years }),
+        // A scan for each pair of the others would take minutes.
+        Some(problem) if numbers <= MOST_DIMENSIONS + usize::from(!problem.is_scanned()) => {
+            let integrated = integrate_life(problem.laws(), &problem, &sets, &life);
+            (estimates(&integrated), Method::Integrate)
+        }
+        Some(_) if life.years.fract() != 0.0 => {
+            return Err(ProbabilityError::PartOfYear { years: life.years });
+        }
+        Some(_) => (lives(problem.laws(), problem, &sets, &life, effort), Method::Sobol),
+    };
+    let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };
+    let modes = exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
+    let (years, precise) = (life.years, found.precise);
+    Ok(Some(LifeChances { years, not_rest: *not_rest, modes, method, precise }))
+}
+
+/// Integrals with their errors as intervals.
+fn estimates(integrated: &Integrated) -> Sampled {
+    let with = |(value, error): (&f64, &f64)| {
+        let value = value.clamp(0.0, 1.0);
+        Estimate { value, low: (value - error).max(0.0), high: (value + error).min(1.0) }
+    };
+    Sampled {
+        estimates: integrated.probabilities.iter().zip(&integrated.errors).map(with).collect(),
+        points: integrated.evaluations,
+        precise: true,
+        course: Vec::new(),
+    }
+}

@@ -1,0 +1,126 @@
+//! Several sets of loads joined: whether *any* of them moves the body, all under the same draw.
+//!
+//! An earthquake shakes to both sides, so that a body rests only if it does so under each sign; forces that act alone, and
+//! combinations, are each a case of its own, and the chance that any of them would move the body is at least that of the worst
+//! and at most their sum. Along the number that is not sampled the body rests on the intervals that all of them have in common.
+
+use standfast_probability::form::local_design_points;
+use standfast_probability::problem::{Outcomes, Pieces};
+use standfast_probability::sample::Estimate;
+
+use super::answer::{Method, Request};
+use super::chances::{self, event};
+use super::error::ProbabilityError;
+use super::problem::Problem;
+use crate::case::Acting;
+
+/// The chance that any of several sets of loads moves the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joined {
+    /// How many sets of loads there are.
+    pub count: usize,
+    /// How it was found.
+    pub method: Method,
+    /// That the body does not stay at rest under one of them at least.
+    pub not_rest: Estimate,
+}
+
+/// The body rests under all of them, or not.
+const RESTS: usize = 0;
+const MOVES: usize = 1;
+
+/// Problems with the same random numbers.
+struct AnyOf<'a>(Vec<&'a Problem>);
+
+impl Outcomes for AnyOf<'_> {
+    fn count(&self) -> usize {
+        2
+    }
+
+    fn line(&self) -> usize {
+        self.0[0].line()
+    }
+
+    fn is_quick(&self, input: usize) -> bool {
+        self.0[0].is_quick(input)
+    }
+
+    fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        // Each interval with the problems that end it, for the probability has a kink where another one does.
+        let mut common = vec![((f64::NEG_INFINITY, f64::INFINITY), [0, 0])];
+        for (place, problem) in self.0.iter().enumerate() {
+            let mut own = Pieces::default();
+            problem.along(values, &mut own);
+            pieces.branch(own.signature());
+            let rests: Vec<(f64, f64)> = own
+                .iter()
+                .filter(|piece| piece.outcome == RESTS)
+                .map(|piece| (piece.from, piece.to))
+                .collect();
+            common = common
+                .iter()
+                .flat_map(|&((from, to), by)| {
+                    rests.iter().map(move |&(low, high)| {
+                        let by =
+                            [if low > from { place } else { by[0] }, if high < to { place } else { by[1] }];
+                        ((from.max(low), to.min(high)), by)
+                    })
+                })
+                .filter(|((from, to), _)| from < to)
+                .collect();
+        }
+        common.sort_by(|one, two| one.0.0.total_cmp(&two.0.0));
+        let mut end = f64::NEG_INFINITY;
+        for ((from, to), by) in common {
+            pieces.push(end, from, MOVES);
+            pieces.push(from, to, RESTS);
+            by.into_iter().for_each(|by| pieces.branch(by as u64));
+            end = to;
+        }
+        pieces.push(end, f64::INFINITY, MOVES);
+    }
+
+    fn at(&self, values: &[f64]) -> u64 {
+        let rests = self.0.iter().all(|problem| problem.at(values) >> RESTS & 1 == 1);
+        1 << if rests { RESTS } else { MOVES }
+    }
+}
+
+/// The chance that any of the problems moves the body; none of a single one.
+///
+/// # Errors
+/// If the method asked for does not take as many numbers.
+pub(super) fn joined(problems: &[&Problem], request: &Request) -> Result<Option<Joined>, ProbabilityError> {
+    let [first, _, ..] = problems else { return Ok(None) };
+    let any = AnyOf(problems.to_vec());
+    let points = local_design_points(first.laws(), &any, 1 << MOVES);
+    let method = chances::method(first.laws(), request, &points)?;
+    let about: Vec<Vec<f64>> = points.into_iter().map(|point| point.u).collect();
+    let sampled = chances::by(method, first.laws(), &any, &[1 << MOVES], &about, &request.effort);
+    Ok(Some(Joined { count: problems.len(), method, not_rest: sampled.estimates[0] }))
+}
+
+/// The chance that the body does not stay at rest, for each set of loads that act together; under any of the accelerations of the
+/// base that are tried.
+///
+/// # Errors
+/// As [`joined`].
+pub(super) fn by_acting(
+    problems: &[Problem],
+    request: &Request,
+) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
+    let mut found: Vec<(Acting, Estimate)> = Vec::new();
+    for acting in problems.iter().filter_map(Problem::case).map(|(_, acting)| acting) {
+        if found.iter().any(|(known, _)| *known == acting) {
+            continue;
+        }
+        let is_same = |problem: &&Problem| problem.case().is_some_and(|(_, of)| of == acting);
+        let same: Vec<&Problem> = problems.iter().filter(is_same).collect();
+        let not_rest = match joined(&same, request)? {
+            Some(joined) => joined.not_rest,
+            None => event(same[0], request)?.1,
+        };
+        found.push((acting, not_rest));
+    }
+    Ok(found)
+}

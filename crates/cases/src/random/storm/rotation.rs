@@ -1,0 +1,65 @@
+//! A wave that begins a rotation, followed by the motion in time.
+//!
+//! Thrust and uplift of the wave have the history of the slide's pulse, a symmetric triangle of its duration; everything else of the
+//! case is there all the time. Impacts are without rebound. Each wave finds the body at rest, upright.
+
+use standfast::loads::{LoadSource, Pose};
+use standfast::wave::Goda;
+use standfast_motion::{History, Keep, Load, Problem, simulate};
+use standfast_probability::sums::Other;
+
+use crate::case::{Acting, Case, Waves};
+use crate::motion::{acting_as, block};
+use crate::random::problem::Bias;
+
+/// What comes of the wave: how far the body has slid at the end, and whether it overturned. None if it cannot be followed.
+pub(super) fn wave(
+    case: &Case,
+    waves: &Waves,
+    goda: Goda,
+    duration: f64,
+    [mu_s, mu_k]: [f64; 2],
+    bias: impl Fn(Bias) -> f64,
+) -> Option<Other> {
+    let outcome =
+        simulate(&problem(case, waves, goda, duration, [mu_s, mu_k], bias)?, Keep::default()).ok()?;
+    Some(Other { amount: outcome.slide.abs(), ends: outcome.overturned() })
+}
+
+fn problem(
+    case: &Case,
+    waves: &Waves,
+    goda: Goda,
+    duration: f64,
+    [mu_s, mu_k]: [f64; 2],
+    bias: impl Fn(Bias) -> f64,
+) -> Option<Problem> {
+    let case = Case { wave: Some(Waves { goda, ..waves.clone() }), ..case.clone() };
+    let situation = case.situation(Acting::All, None).ok()?;
+    let body = situation.body();
+    let mut problem = Problem::new(block(body, &situation), case.gravity);
+    (problem.block.mu_s, problem.block.mu_k) = (mu_s, mu_k);
+    let mut has_weight = false;
+    for load in situation.loads() {
+        if load.source == LoadSource::Weight && load.factor == 1.0 {
+            has_weight = true;
+            continue;
+        }
+        if load.wrench(body, case.gravity, Pose::UPRIGHT) == standfast::Wrench::ZERO {
+            continue;
+        }
+        let history = match load.source {
+            LoadSource::WavePressure => History::triangle(bias(Bias::Thrust), 0.5 * duration, duration),
+            LoadSource::WaveUplift => History::triangle(bias(Bias::Uplift), 0.5 * duration, duration),
+            LoadSource::Force => History::constant(bias(Bias::Force)),
+            _ => History::constant(1.0),
+        };
+        problem.loads.extend(acting_as(load, body, case.gravity, body.mass(), &history.ok()?));
+    }
+    if !has_weight {
+        // It comes as a load of its own: take off the one that the problem has.
+        let history = History::constant(1.0).ok()?;
+        problem.loads.push(Load { at: [0.0, 0.0], direction: [0.0, case.gravity], follows: false, history });
+    }
+    Some(problem)
+}

@@ -1,0 +1,309 @@
+//! What is asked of the probability that a body does not stay at rest, against laws written out by hand.
+
+use standfast_cases::design::{Design, Extreme, Request as DesignRequest, Spelling};
+use standfast_cases::random::{
+    Draws, Effort, Estimate, Happening, Method, Probability, ProbabilityError, Request, WeighedDraws,
+    template,
+};
+use standfast_cases::{Assessment, CaseFile};
+use standfast_probability::normal::{above, below, quantile_above};
+
+fn file(text: &str) -> CaseFile {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
+}
+
+fn answer(text: &str, request: Request) -> Probability {
+    Probability::of_text("case.toml", text, request)
+        .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
+}
+
+/// A block in air that slides where the force exceeds μ m g, and is too wide to turn.
+const BLOCK: &str = "[body]\nwidth = 12\nheight = 3\nmass = 60e3\nfriction = 0.5\n";
+const PUSH: &str = "[[load]]\nname = \"push\"\nforce = 200e3\nelevation = 0.5\n";
+const LAW: &str = "\"load.push.force\" = { normal = { sd = 20e3 } }\n";
+
+/// P = 1 − Φ((μ m g − F)/s), with the mass that goes with the width: the least width at which that is 1e-3 is the quantile's.
+#[test]
+fn a_design_for_a_probability_is_that_of_the_law() {
+    let text = format!("{BLOCK}{PUSH}[random]\n{LAW}");
+    let case = file(&text);
+    let request = DesignRequest {
+        vary: "width".to_owned(),
+        target: "p_not_rest=1e-3".parse().unwrap(),
+        extreme: Extreme::Least,
+        from: Some("5".to_owned()),
+        to: Some("20".to_owned()),
+        spelling: &Spelling::PROGRAM,
+    };
+    let design = Design::of(&case, request).unwrap_or_else(|error| panic!("{error}"));
+    let json: serde_json::Value = serde_json::from_str(&design.json()).unwrap();
+    let found = json["found"]["value"].as_f64().unwrap();
+    let resistance_per_metre = 0.5 * 60e3 / 12.0 * 9.81;
+    let by_hand = (200e3 + quantile_above(1e-3) * 20e3) / resistance_per_metre;
+    assert!((json["found"]["boundary"].as_f64().unwrap() / by_hand - 1.0).abs() < 1e-7, "{found} {by_hand}");
+    assert!(
+        found >= by_hand && found < by_hand + 1e-2,
+        "{found} {by_hand}: to the safe side, in four digits"
+    );
+    // As it is printed.
+    let printed = text.replace("width = 12", &format!("width = {found}"));
+    let printed = printed.replace("mass = 60e3", &format!("mass = {}", 60e3 * found / 12.0));
+    let at = |text: &str| answer(text, Request::default()).situations[0].not_rest.high;
+    assert!(at(&printed) <= 1e-3);
+    let less = found - 1e-2;
+    let less = text
+        .replace("width = 12", &format!("width = {less}"))
+        .replace("mass = 60e3", &format!("mass = {}", 60e3 * less / 12.0));
+    assert!(at(&less) > 1e-3);
+    let words: Vec<String> = design.text().split_whitespace().map(str::to_owned).collect();
+    assert!(words.join(" ").contains("the upper end of the interval of p_not_rest"), "{}", design.text());
+}
+
+/// The upper end of the interval decides, not the estimate.
+#[test]
+fn a_criterion_counts_the_upper_end_of_the_interval() {
+    let p = above((0.5 * 60e3 * 9.81 - 200e3) / 20e3);
+    for (bound, met) in [(p * 1.001, true), (p * 0.999, false)] {
+        let text = format!("{BLOCK}{PUSH}[criteria]\np_not_rest = {bound:e}\n[random]\n{LAW}");
+        let assessment = Assessment::of_file(&file(&text)).unwrap();
+        assert_eq!(assessment.met(), Some(met));
+        assert_eq!(answer(&text, Request::default()).criterion.unwrap().is_met(), met);
+    }
+    // Drawn, the estimate may be below a bound that the interval is not.
+    let request = Request { method: Some(Method::MonteCarlo), ..Request::default() };
+    let text = format!("{BLOCK}{PUSH}[random]\n{LAW}");
+    let Estimate { value, high, .. } = answer(&text.replace("20e3", "60e3"), request).situations[0].not_rest;
+    let bound = 0.5 * (value + high);
+    assert!(value < bound && bound < high);
+    let text = text
+        .replace("20e3", "60e3")
+        .replace("[random]", &format!("[criteria]\np_not_rest = {bound}\n[random]"));
+    let criterion = answer(&text, request).criterion.unwrap();
+    assert!(!criterion.is_met() && criterion.value() == high, "{criterion:?}");
+}
+
+/// Two forces that act one by one, each with a law of its own: that any of them moves the body is 1 − (1 − p₁)(1 − p₂); with one
+/// friction for both it is the chance of the worse.
+#[test]
+fn alternatives_are_joined_under_the_same_draw() {
+    let both = format!("{BLOCK}{PUSH}[[load]]\nname = \"other\"\nforce = 220e3\nelevation = 0.5\n");
+    let (resistance, s) = (0.5 * 60e3 * 9.81, 40e3);
+    let laws = "[random]\n\"load.push.force\" = { normal = { sd = 40e3 } }\n\"load.other.force\" = { normal = { sd = 40e3 } }\n";
+    let found = answer(&format!("{both}{laws}"), Request::default());
+    let rests = |force: f64| (below((resistance - force) / s) - below(-force / s)) / above(-force / s);
+    let by_hand = 1.0 - rests(200e3) * rests(220e3);
+    let joined = found.joined.unwrap();
+    assert_eq!(joined.count, 2);
+    assert!((joined.not_rest.value / by_hand - 1.0).abs() < 1e-9, "{joined:?} {by_hand}");
+    let worst = found.situations[0].not_rest.value;
+    assert!((worst / (1.0 - rests(220e3)) - 1.0).abs() < 1e-9);
+    for method in [Method::Sobol, Method::MonteCarlo] {
+        let request = Request { method: Some(method), ..Request::default() };
+        let Estimate { low, high, .. } = answer(&format!("{both}{laws}"), request).joined.unwrap().not_rest;
+        assert!(low <= by_hand && by_hand <= high, "{method}: {low} {by_hand} {high}");
+    }
+    let friction = "[random]\nfriction = { normal = { mean = 0.5, sd = 0.05 } }\n";
+    let found = answer(&format!("{both}{friction}"), Request::default());
+    let by_hand = below((220.0 / (60.0 * 9.81) - 0.5) / 0.05);
+    assert!((found.joined.unwrap().not_rest.value / by_hand - 1.0).abs() < 1e-9);
+    // The criterion is of the worst of those that act one by one.
+    let text = format!("{both}[criteria]\np_not_rest = 0.5\n{laws}");
+    assert!((answer(&text, Request::default()).criterion.unwrap().value() / worst - 1.0).abs() < 1e-9);
+}
+
+/// A base shaken to both sides is one event: with a push to the left, resting takes rest under both signs.
+#[test]
+fn both_signs_of_an_earthquake_are_one_event() {
+    let push = PUSH.replace("200e3", "50e3") + "permanent = true\n";
+    let text = format!(
+        "{BLOCK}{push}[earthquake]\nhorizontal = 0.25\n[criteria]\np_not_rest = 0.5\n[random]\n\
+         friction = {{ normal = {{ mean = 0.5, sd = 0.1 }} }}\n\"load.push.force\" = {{ normal = {{ sd = 10e3 }} }}\n"
+    );
+    let found = answer(&text, Request::default());
+    assert_eq!((found.situations.len(), found.joined.map(|joined| joined.count)), (2, Some(2)));
+    // |F ± 0.25 m g| is the larger where both push to the left; only the other sign of F, beyond 5 s, would be otherwise.
+    let joined = found.joined.unwrap().not_rest.value;
+    let weight = 60e3 * 9.81;
+    let (mean, sd) = ((50e3 + 0.25 * weight) / weight, 10e3 / weight);
+    let by_hand = below((mean - 0.5) / f64::hypot(sd, 0.1));
+    assert!((joined / by_hand - 1.0).abs() < 1e-5, "{joined} {by_hand}");
+    assert_eq!(found.criterion.unwrap().value(), found.joined.unwrap().not_rest.high);
+}
+
+#[test]
+fn what_is_not_random_has_no_probability() {
+    let text = format!("{BLOCK}{PUSH}[criteria]\np_not_rest = 0.001\n");
+    let error = standfast_cases::report(&file(&text).case().unwrap_err());
+    assert!(error.contains("p_not_rest") && error.contains("no [random] table"), "{error}");
+    let wrong = CaseFile::parse("case.toml", &format!("{BLOCK}{PUSH}[criteria]\np_not_rest = 1.5\n"));
+    let error = standfast_cases::report(&wrong.unwrap_err());
+    assert!(error.contains("1.5") && error.contains("above zero and 1 at most"), "{error}");
+}
+
+/// A range along a number that falls is refused with its values, and one without inside.
+#[test]
+fn a_range_that_falls_is_refused() {
+    let text = format!("{BLOCK}{PUSH}[random]\n{LAW}");
+    for range in ["width=20 m..10 m:3", "width=10 m..10 m:3"] {
+        let over = range.parse().unwrap();
+        let error = Probability::along("case.toml", &text, Request::default(), Some(&over)).unwrap_err();
+        let (from, to) = range["width=".len()..].trim_end_matches(":3").split_once("..").unwrap();
+        assert!(error.to_string().contains(&format!("from {from} to {to}")), "{error}");
+    }
+}
+
+/// What was never met has a bound, not 0.
+#[test]
+fn a_chance_if_known_that_was_never_met_is_a_bound() {
+    let text = format!(
+        "{BLOCK}{PUSH}[random]\n{LAW}friction = {{ normal = {{ sd = 0.001 }} }}\nmass = {{ normal = {{ cov = 0.0001 }} }}\n\
+         bias.force = {{ lognormal = {{ cov = 0.0001 }} }}\n"
+    );
+    let found = answer(&text.replace("sd = 20e3", "sd = 30e3"), Request::default());
+    let printed = found.text();
+    assert!(found.situations[0].known.iter().all(|known| known.high > 0.0), "{printed}");
+    let known = printed.lines().find(|line| line.starts_with("  load.push.force")).unwrap();
+    assert!(known.contains("below "), "{printed}");
+}
+
+/// What a template prints, appended to the case, is read and answered; every law has its source, and no source is said to be read.
+#[test]
+fn a_template_answers_with_every_example() {
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    let mut count = 0;
+    for entry in std::fs::read_dir(examples).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let Ok(case) = CaseFile::parse(&name, &text) else { continue };
+        let template = template(&case).unwrap();
+        let laws: Vec<&str> =
+            template.lines().filter(|line| !line.starts_with(['#', '[']) && !line.is_empty()).collect();
+        assert!(!laws.is_empty(), "{name}");
+        let lines: Vec<&str> = template.lines().collect();
+        for pair in lines.windows(2).filter(|pair| laws.contains(&pair[1])) {
+            let honest = pair[0].contains("not read in the original") || pair[0].contains("assumption");
+            assert!(pair[0].starts_with("# ") && honest, "{name}: {pair:?}");
+        }
+        if case.random().is_some() || case.case().unwrap().ground.is_some() {
+            continue;
+        }
+        let text = format!("{text}\n{template}");
+        let draws = |situation: Option<&str>| Draws::of_text(&name, &text, situation, 40, 1);
+        let found = match draws(None) {
+            Err(ProbabilityError::Situation { known, .. }) => draws(Some(&known[0])),
+            found => found,
+        };
+        let found = found.unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
+        assert_eq!(found.inputs.len(), laws.len(), "{name}");
+        let bodies = found.drawn.iter().filter(|drawn| drawn.happens != Happening::NotABody);
+        assert!(bodies.count() > 30, "{name}");
+        if name == "caisson-in-air.toml" {
+            let all: f64 =
+                answer(&text, Request::default()).situations[0].modes.iter().map(|(_, e)| e.value).sum();
+            assert!((all - 1.0).abs() < 1e-12, "{name}");
+        }
+        count += 1;
+    }
+    assert!(count >= 8, "{count}");
+}
+
+/// The weights of the draws, summed by mode, are the printed probabilities; with other methods not everything is drawn.
+#[test]
+fn weighed_draws_add_up_to_the_answer() {
+    let text = format!(
+        "{BLOCK}{PUSH}[[load]]\nname = \"other\"\nforce = 270e3\nelevation = 0.5\n[random]\nfriction = {{ normal = {{ sd = 0.05 }} }}\nbias.force = {{ normal = {{ cov = 0.1 }} }}\n"
+    );
+    let request = Request { method: Some(Method::MonteCarlo), ..Request::default() };
+    let found = answer(&text, request);
+    let draws = WeighedDraws::of_text("case.toml", &text, &found).unwrap();
+    assert_eq!(draws.situations.len(), 2);
+    for (place, chances) in found.situations.iter().enumerate() {
+        for (happening, estimate) in &chances.modes {
+            let rows = (0..draws.weights.len())
+                .filter(|row| draws.of[*row] == place && draws.happens[*row] == *happening);
+            let sum: f64 = rows.map(|row| draws.weights[row]).sum();
+            assert!((sum - estimate.value).abs() < 1e-9, "{happening:?}: {sum} {estimate:?}");
+        }
+        // And each row is what the report makes of its numbers: it slides where F > μ m g.
+        let force = if chances.situation.as_deref() == Some("push") { 200e3 } else { 270e3 };
+        for row in (0..draws.weights.len()).filter(|row| draws.of[*row] == place).take(1000) {
+            let [friction, bias] = [draws.values[0][row], draws.values[1][row]];
+            let slides = force * bias > friction * 60e3 * 9.81;
+            assert_eq!(draws.happens[row].name() == "SL", slides);
+        }
+    }
+    let found = answer(&text, Request::default());
+    let error = WeighedDraws::of_text("case.toml", &text, &found).unwrap_err();
+    assert!(error.to_string().contains("integrate"), "{error}");
+}
+
+const GODA: &str = include_str!("../../../examples/goda-2000.toml");
+
+fn storm(random: &str, waves: u32) -> String {
+    let text = format!("{GODA}\n[random]\n{random}");
+    text.replace("[wave]", &format!("[storm]\nwaves = {waves}\ntau0 = 1.5\ncut = false\n\n[wave]"))
+}
+
+/// Where no wave turns the body nothing is followed, and the numbers are those without.
+#[test]
+fn following_rotations_changes_nothing_where_there_are_none() {
+    let text = storm("friction = { uniform = { from = 0.35, to = 0.4 } }", 50).replace("cut = false\n", "");
+    let effort = Effort { points: 1 << 12, ..Effort::default() };
+    let count = answer(&text, Request { effort, ..Request::default() }).sliding.unwrap();
+    let follow = answer(&text, Request { effort, follow: true, ..Request::default() }).sliding.unwrap();
+    assert!(count.mean.value > 0.0 && count.rotating.wave.value == 0.0);
+    assert_eq!(follow.followed.unwrap().slide.value, 0.0);
+    assert_eq!(
+        (count.mean, count.quantiles, count.exceedance),
+        (follow.mean, follow.quantiles, follow.exceedance)
+    );
+}
+
+/// Waves of 1, on so much friction that they turn the body: their slide and their overturning, averaged over heights, are those
+/// that `simulate` gives of the same case with the wave's height written into it.
+#[test]
+fn rotations_are_those_of_the_motion_in_time() {
+    let random = "friction = { uniform = { from = 1.5, to = 1.5000001 } }\n";
+    let text = storm(random, 1).replace("2318.64 kN/m", "1300 kN/m").replace("tau0 = 1.5", "tau0 = 2.5");
+    let effort = Effort { points: 1 << 13, ..Effort::default() };
+    let found = answer(&text, Request { effort, follow: true, ..Request::default() }).sliding.unwrap();
+    let followed = found.followed.unwrap();
+    assert!(found.rotating.wave.value > 0.0, "{found:?}");
+    // By hand: wave by wave of the Rayleigh law.
+    let case = CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
+    let waves = case.wave.unwrap();
+    let significant = waves.goda.h_13;
+    let steps = 4000;
+    let (mut slide, mut over, mut turning) = (0.0, 0.0, 0.0);
+    for i in 0..steps {
+        // Equal shares of all waves beyond the significant height, below which none turns it.
+        let level = 1.416f64.powi(2) - ((f64::from(i) + 0.5) / f64::from(steps)).ln();
+        let h = level.sqrt() * significant / 1.416;
+        let chance = (-(1.416f64.powi(2))).exp() / f64::from(steps);
+        let body = text[..text.find("[storm]").unwrap()].replace("friction = 0.6", "friction = 1.5");
+        let sea = text[text.find("[wave]").unwrap()..text.find("[random]").unwrap()]
+            .replace("deep_water_height = \"6.3 m\"", &format!("H13 = {significant}\nHmax = {h}"));
+        let still = format!("{body}{sea}");
+        let mode = Assessment::of(&file(&still).case().unwrap()).unwrap().all[0].mode().unwrap();
+        if mode.corner().is_none() {
+            continue;
+        }
+        turning += chance;
+        let history = "history = { shape = \"triangle\", rise = 1.25, duration = 2.5 }\n";
+        let timed = still.replace("[wave]\n", &format!("[wave]\n{history}"));
+        let cases = standfast_cases::motion::body_cases("case.toml", &timed, &|_| Err(String::new()))
+            .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
+        let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
+        slide += chance * outcome.slide.abs();
+        over += chance * f64::from(u8::from(outcome.overturned()));
+    }
+    assert!((turning / found.rotating.wave.value - 1.0).abs() < 2e-3, "{turning} {:?}", found.rotating);
+    assert!(slide > 0.0, "{slide} {over}");
+    for (by_hand, e) in [(slide, followed.slide), (over, followed.overturned)] {
+        assert!(e.low * 0.98 <= by_hand && by_hand <= e.high * 1.02, "{by_hand} {e:?}; {slide} {over}");
+    }
+}

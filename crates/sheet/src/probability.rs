@@ -1,0 +1,244 @@
+//! How likely each mode is where some numbers are random: laws, method, probabilities, what matters, what is asked.
+
+use maud::{Markup, html};
+use standfast::Mode;
+use standfast_cases::CaseFile;
+use standfast_cases::layout::digits;
+use standfast_cases::random::{
+    Chances, Estimate, Happening, Method, Probability, ProbabilityError, Rate, Request,
+};
+
+use crate::SheetError;
+
+/// The section of a case with `[random]`; `None` of any other.
+pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
+    let Some(random) = file.random() else { return Ok(None) };
+    let laws = html! {
+        p.note {
+            "What the case file says under [random], and nothing else, is random. Deviations, bounds and correlations are the \
+             author’s; the source of each has to be shown with the inputs."
+        }
+        table.numbers data-table="laws" {
+            thead { tr { th { "Random input" } th { "Law" } th { "Drawn" } } }
+            tbody {
+                @for named in &random.named {
+                    tr {
+                        td { code { (named.name) } }
+                        td { (named.law_words()) }
+                        td { (match named.every { Rate::Life => "once", Rate::Year => "each year" }) }
+                    }
+                }
+            }
+        }
+        @if random.correlations.is_empty() && random.named.len() > 1 {
+            p { "No correlation is given: the inputs are independent of each other." }
+        }
+        @for (first, second, measure) in &random.correlations {
+            p { "Correlation of " code { (random.named[*first].name) } " and " code { (random.named[*second].name) } ": "
+                (digits(measure.value())) " (" (measure.name()) ")." }
+        }
+    };
+    let answer = match Probability::of(file, Request::default()) {
+        Ok(answer) => answer,
+        Err(ProbabilityError::Case(error)) => return Err(error.into()),
+        // The laws stand there, and why nothing follows from them.
+        Err(other) => {
+            return Ok(Some(html! { (laws) p.warning { "No probability is found: " (other) "." } }));
+        }
+    };
+    Ok(Some(html! {
+        (laws)
+        (method(&answer))
+        @for (place, chances) in answer.situations.iter().enumerate() { (situation(&answer, chances, place)) }
+        (together(&answer))
+        (sliding(&answer))
+        (left_out(&answer))
+    }))
+}
+
+fn method(answer: &Probability) -> Markup {
+    let Some(chances) = answer.situations.first() else { return html! {} };
+    let (line, exact) = &answer.line;
+    let how = match (chances.method, exact) {
+        (Method::MonteCarlo, _) => "Every input is drawn.".to_owned(),
+        (_, true) => format!(
+            "For given other inputs each mode is an interval of {line} between curves in closed form, so that {line} is integrated exactly."
+        ),
+        (_, false) => format!("For given other inputs the modes are searched along {line}."),
+    };
+    let seed = answer.request.effort.seed;
+    let others = match chances.method {
+        Method::Integrate => "The other inputs are integrated piece by piece between the kinks of the formulas; an interval is \
+                              the error of the integration."
+            .to_owned(),
+        _ => format!(
+            "The others are drawn ({}, {} points, seed {seed}); an interval has a confidence of 95 %.",
+            chances.method, chances.points
+        ),
+    };
+    html! { p { (how) " " (others) } }
+}
+
+/// A probability with its value in the markup.
+fn chance(e: Estimate) -> Markup {
+    html! { data value=(e.value) { (digits(e.value)) } }
+}
+
+fn interval(e: Estimate) -> Markup {
+    html! { (digits(e.low)) " … " (digits(e.high)) }
+}
+
+fn words(happening: Happening) -> String {
+    match happening {
+        Happening::Mode(Mode::Rest) => "stays at rest (RE)".to_owned(),
+        Happening::Mode(mode) => format!("{} ({mode})", mode.words()),
+        other => other.name(),
+    }
+}
+
+fn modes(modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64, name: &str) -> Markup {
+    let shown = modes.iter().filter(|(_, e)| e.value >= floor);
+    let below: Vec<_> = modes.iter().filter(|(_, e)| e.value < floor && e.high > 0.0).collect();
+    let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
+    let symbols: Vec<String> = below.iter().map(|(happening, _)| happening.name()).collect();
+    html! {
+        table.numbers data-table=(name) {
+            thead { tr { th { "The body" } th.n { "Probability" } th.n { "Interval" } } }
+            tbody {
+                @for (happening, e) in shown {
+                    tr { td { (words(*happening)) } td.n { (chance(*e)) } td.n { (interval(*e)) } }
+                }
+                tr { td { "does not stay at rest" } td.n { (chance(not_rest)) } td.n { (interval(not_rest)) } }
+            }
+        }
+        @if !below.is_empty() { p { (symbols.join(", ")) ": each below " (digits(bound)) "." } }
+    }
+}
+
+fn situation(answer: &Probability, chances: &Chances, place: usize) -> Markup {
+    let floor = answer.request.effort.floor;
+    let several = answer.situations.len() > 1;
+    html! {
+        @if let Some(name) = &chances.situation {
+            h3 { "Under " (name) @if several && place == 0 { ", the least safe" } }
+        }
+        (modes(&chances.modes, chances.not_rest, floor, "modes"))
+        @if !chances.precise {
+            p.warning { "Not every probability above " (digits(floor)) " is as precise as " (digits(100.0 * answer.request.effort.precision)) " %." }
+        }
+        @if place == 0 { (index(chances)) (matters(answer, chances)) }
+        @if let Some(life) = &chances.life {
+            h3 { "At least once in " (digits(life.years)) " years" }
+            (modes(&life.modes.iter().copied().filter(|(h, _)| *h != Happening::Mode(Mode::Rest)).collect::<Vec<_>>(), life.not_rest, floor, "life"))
+        }
+    }
+}
+
+/// The reliability index beside the probability, and what it is not.
+fn index(chances: &Chances) -> Markup {
+    let Some(point) = &chances.design_point else { return html! {} };
+    html! {
+        p {
+            "Reliability index: β = " data value=(point.beta) { (digits(point.beta)) } ", the distance of the nearest point at which \
+             the body does not rest, in standard normals"
+            @if point.at_change { "; that point lies at a change of formula or of mode" }
+            ". Φ(−β) = " (digits(point.first_order())) " is that of a half space and not the probability above"
+            @if let Some(generalized) = chances.generalized() { ", to which β_g = −Φ⁻¹(P) = " (digits(generalized)) " belongs" }
+            "."
+        }
+    }
+}
+
+fn matters(answer: &Probability, chances: &Chances) -> Markup {
+    let Some(point) = chances.design_point.as_ref().filter(|_| answer.random.len() > 1) else {
+        return html! {};
+    };
+    let known = |place: usize| match chances.known.get(place) {
+        Some(e) if e.value == 0.0 && e.high > 0.0 => html! { "below " (digits(e.high)) },
+        Some(e) => chance(*e),
+        None => html! {},
+    };
+    let mut order: Vec<usize> = (0..answer.random.len()).collect();
+    order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+    html! {
+        h3 { "Which input matters" }
+        table.numbers data-table="importance" {
+            thead { tr { th { "Input" } th.n { "α²" } th.n { "P if it were known" } th.n { "At the design point" } } }
+            tbody {
+                @for place in order {
+                    tr {
+                        td { code { (answer.random[place].0) } }
+                        td.n { (format!("{:.2}", point.alpha[place].powi(2))) }
+                        td.n { (known(place)) }
+                        td.n { (digits(point.values[place])) }
+                    }
+                }
+            }
+        }
+        p.note { "Known is: held at its median. Values at the design point are in SI units." }
+    }
+}
+
+/// Several sets of loads joined, and what is asked.
+fn together(answer: &Probability) -> Markup {
+    html! {
+        @if let Some(joined) = answer.joined {
+            p {
+                "Under any of these " (joined.count) ", all with the same numbers drawn, the body does not stay at rest: "
+                (chance(joined.not_rest)) " (" (interval(joined.not_rest)) ")."
+            }
+        }
+        @if let Some(criterion) = answer.criterion {
+            p {
+                "Criterion " code { "p_not_rest" } " ≤ " (digits(criterion.required)) ": the upper end of the interval is "
+                data value=(criterion.value()) { (digits(criterion.value())) } "; "
+                span.yes[criterion.is_met()].no[!criterion.is_met()] { (if criterion.is_met() { "met" } else { "not met" }) } "."
+            }
+        }
+    }
+}
+
+fn sliding(answer: &Probability) -> Markup {
+    let Some(sliding) = &answer.sliding else { return html! {} };
+    let row = |name: String, e: Estimate, unit: &str| {
+        html! {
+            tr { td { (name) } td.n { (chance(e)) (unit) } td.n { (interval(e)) (unit) } }
+        }
+    };
+    html! {
+        h3 { "Slides over " (digits(sliding.years)) " years of storms" }
+        table.numbers data-table="sliding" {
+            thead { tr { th { "Slide" } th.n { "Value" } th.n { "Interval" } } }
+            tbody {
+                (row("mean".to_owned(), sliding.mean, " m"))
+                (row("chance of any slide".to_owned(), sliding.ever, ""))
+                @for exceeded in &sliding.exceedance {
+                    (row(format!("chance of more than {:.2} m", exceeded.slide), exceeded.probability, ""))
+                }
+                @for quantile in &sliding.quantiles {
+                    (row(format!("{} % of all lives stay below", digits(100.0 * quantile.share)), quantile.slide, " m"))
+                }
+            }
+        }
+        p {
+            (digits(100.0 * sliding.of_worst)) " % of the mean comes of the worst 5 % of all lives. Waves that begin a rotation are left \
+             out of the slides: " (digits(sliding.rotating.wave.value)) " of all waves."
+        }
+    }
+}
+
+fn left_out(answer: &Probability) -> Markup {
+    let cut: Vec<_> = answer.random.iter().filter(|(_, cut)| *cut >= 1e-12).collect();
+    html! {
+        h3 { "What these probabilities leave out" }
+        ul {
+            li { "what is not random above: every other number is taken as it is given;" }
+            li { "the error of the laws themselves and of their parameters, which a small probability feels most;" }
+            li { "errors of the models, unless a bias stands among the inputs; gross errors of design, execution and use;" }
+            li { "what no mode of this calculation has, see the next section." }
+        }
+        @for (name, cut) in cut {
+            p { (digits(*cut)) " of the law of " code { (name) } " is cut away: no body has such values." }
+        }
+    }
+}
