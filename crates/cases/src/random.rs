@@ -22,6 +22,7 @@ mod figures;
 mod joined;
 mod mechanics;
 mod over;
+mod overturn;
 mod point;
 mod problem;
 mod read;
@@ -38,6 +39,7 @@ pub use error::ProbabilityError;
 pub use figures::ProbabilityFigure;
 pub use joined::Joined;
 pub use over::{Along, Fit, Fragility, Over};
+pub use overturn::{AtPeak, Overturning};
 pub use standfast_probability::sample::{Effort, Estimate};
 
 pub use storm::{Exceeded, Followed, Pulse, Quantile, Rotating, Sliding, SlidingError, Storm, StormField};

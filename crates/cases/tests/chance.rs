@@ -2,8 +2,8 @@
 
 use standfast_cases::design::{Design, Extreme, Request as DesignRequest, Spelling};
 use standfast_cases::random::{
-    Draws, Effort, Estimate, Happening, Method, Probability, ProbabilityError, Request, WeighedDraws,
-    template,
+    Draws, Effort, Estimate, Happening, Method, Overturning, Probability, ProbabilityError, Request,
+    WeighedDraws, template,
 };
 use standfast_cases::{Assessment, CaseFile};
 use standfast_probability::normal::{above, below, quantile_above};
@@ -267,7 +267,7 @@ fn following_rotations_changes_nothing_where_there_are_none() {
 /// that `simulate` gives of the same case with the wave's height written into it.
 #[test]
 fn rotations_are_those_of_the_motion_in_time() {
-    let random = "friction = { uniform = { from = 1.5, to = 1.5000001 } }\n";
+    let random = "friction = { uniform = { from = 1.25, to = 1.2500001 } }\n";
     let text = storm(random, 1).replace("2318.64 kN/m", "1300 kN/m").replace("tau0 = 1.5", "tau0 = 2.5");
     let effort = Effort { points: 1 << 13, ..Effort::default() };
     let found = answer(&text, Request { effort, follow: true, ..Request::default() }).sliding.unwrap();
@@ -284,7 +284,7 @@ fn rotations_are_those_of_the_motion_in_time() {
         let level = 1.416f64.powi(2) - ((f64::from(i) + 0.5) / f64::from(steps)).ln();
         let h = level.sqrt() * significant / 1.416;
         let chance = (-(1.416f64.powi(2))).exp() / f64::from(steps);
-        let body = text[..text.find("[storm]").unwrap()].replace("friction = 0.6", "friction = 1.5");
+        let body = text[..text.find("[storm]").unwrap()].replace("friction = 0.6", "friction = 1.25");
         let sea = text[text.find("[wave]").unwrap()..text.find("[random]").unwrap()]
             .replace("deep_water_height = \"6.3 m\"", &format!("H13 = {significant}\nHmax = {h}"));
         let still = format!("{body}{sea}");
@@ -305,5 +305,77 @@ fn rotations_are_those_of_the_motion_in_time() {
     assert!(slide > 0.0, "{slide} {over}");
     for (by_hand, e) in [(slide, followed.slide), (over, followed.overturned)] {
         assert!(e.low * 0.98 <= by_hand && by_hand <= e.high * 1.02, "{by_hand} {e:?}; {slide} {over}");
+    }
+}
+
+/// Each body and each peak by hand: the draw's friction and width written into the case, the record scaled, followed by `simulate`.
+#[test]
+fn overturning_is_that_of_the_motions_one_by_one() {
+    let body = |width: f64, friction: f64| {
+        format!("[body]\nwidth = {width}\nheight = 2\ndensity = 2600\nfriction = {friction}\n")
+    };
+    let shaken = |file: &str, peak: f64| {
+        format!(
+            "[motion]\nt_max = 20\n[motion.base]\nhorizontal = {{ shape = \"file\", file = \"{file}\", target_peak = \"{peak} m/s2\" }}\n"
+        )
+    };
+    let record = |period: f64| {
+        let value = |i: i32| {
+            let t = f64::from(i) * 0.05;
+            if t < 2.0 { (std::f64::consts::TAU * t / period).sin() } else { 0.0 }
+        };
+        let rows: Vec<String> = (0..=60).map(|i| format!("{},{}", f64::from(i) * 0.05, value(i))).collect();
+        format!("t (s),a (m/s2)\n{}\n", rows.join("\n"))
+    };
+    let files = |name: &str| match name {
+        "one.csv" => Ok(record(1.0)),
+        "two.csv" => Ok(record(0.6)),
+        _ => Err("no such file".to_owned()),
+    };
+    let random = "[random]\nrecords = [\"one.csv\", \"two.csv\"]\nwidth = { uniform = { from = \"0.4 m\", to = \"0.8 m\" } }\nfriction = { normal = { sd = 0.05 } }\n";
+    let text = format!("{}{}{random}", body(0.6, 0.6), shaken("one.csv", 3.0));
+    let (still, _) = standfast_cases::motion::still_case("case.toml", &text, &files).unwrap().unwrap();
+    let effort = Effort { points: 40 * 3, ..Effort::default() };
+    let request = Request { effort, ..Request::default() };
+    let over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
+    let found = Overturning::of("case.toml", &text, &still, &request, &over, &files).unwrap();
+    assert_eq!((found.bodies, found.records.len(), found.points.len()), (40, 2, 3));
+    let draws = Draws::of_text("case.toml", &still, Some(&situation(&still)), 40, 1).unwrap();
+    for (point, peak) in found.points.iter().zip([2.0, 6.0, 10.0]) {
+        let mut hits = [0, 0];
+        for i in 0..40 {
+            let file = ["one.csv", "two.csv"][i % 2];
+            let case = format!("{}{}", body(draws.values[0][i], draws.values[1][i]), shaken(file, peak));
+            let cases = standfast_cases::motion::body_cases("case.toml", &case, &files).unwrap();
+            let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
+            hits[0] += u32::from(outcome.overturned());
+            hits[1] += u32::from(outcome.max_theta > 0.0);
+        }
+        assert!((point.peak - peak).abs() < 1e-12);
+        assert_eq!(
+            [point.overturned.value, point.rocked.value].map(|p| (p * 40.0).round() as u32),
+            hits,
+            "{peak}"
+        );
+    }
+    let overturned: Vec<f64> = found.points.iter().map(|point| point.overturned.value).collect();
+    assert!(overturned[0] < overturned[2] && overturned[2] > 0.2, "{overturned:?}");
+    let load = format!("{text}[[load]]\nforce = 1e3\nelevation = 1\npermanent = true\n");
+    let error = Overturning::of(
+        "case.toml",
+        &load,
+        &format!("{still}[[load]]\nforce = 1e3\nelevation = 1\npermanent = true\n"),
+        &request,
+        &over,
+        &files,
+    );
+    assert!(error.unwrap_err().to_string().contains("loads beside its weight"));
+}
+
+/// The first of a case's sets of loads, as it is called.
+fn situation(text: &str) -> String {
+    match Draws::of_text("case.toml", text, None, 1, 1) {
+        Err(ProbabilityError::Situation { known, .. }) => known[0].clone(),
+        other => panic!("{other:?}"),
     }
 }

@@ -217,6 +217,8 @@ pub enum Command {
         \u{20} pulse = \"triangle\"          # exact; or \"shimosako\", the published formula\n\
         Without a [body] a [storm] has force_per_height, uplift_per_height, significant_height, buoyant_weight, mass and\n\
         friction, of which any may be random.\n\n\
+        Of a body on a base that moves, [motion.base], overturning over the peak of the shaking, --over \"pga=0.2 g..1 g:9\":\n\
+        \u{20} records = [\"a.smc\", \"b.smc\"]   # under [random]: one for each body in turn, in the place of the case's own\n\n\
         Examples:\n\
         \u{20} standfast probability examples/goda-2000-random.toml\n\
         \u{20} standfast probability examples/goda-2000-random.toml --over \"width=12 m..20 m:9\""
@@ -352,7 +354,8 @@ pub struct ProbabilityArgs {
     /// The years of a life, before those of the file
     #[arg(long, value_parser = time_step)]
     pub years: Option<f64>,
-    /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values
+    /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values; pga of a case with
+    /// [motion.base]: overturning in time, the shaking scaled to each peak
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Option<Over>,
     /// Write every draw with its values, weight and mode: .csv, .parquet or .arrow; draws everything, by monte-carlo

@@ -13,6 +13,7 @@ use super::criterion::{ChanceCriterion, bound};
 use super::error::ProbabilityError;
 use super::joined::{Joined, joined};
 use super::over::Fragility;
+use super::overturn::Overturning;
 use super::problem::{NO_MODE, NOT_A_BODY, Problem};
 use super::storm::{self, Sliding};
 use crate::parse::CaseFile;
@@ -186,6 +187,8 @@ pub struct Probability {
     pub criterion: Option<ChanceCriterion>,
     /// How far storms slide the body.
     pub sliding: Option<Sliding>,
+    /// Overturning over the peak of a shaking, if it was asked for.
+    pub overturning: Option<Overturning>,
     /// The probabilities along a number, if they were asked for.
     pub fragility: Option<Fragility>,
 }
@@ -255,6 +258,7 @@ impl Probability {
             joined: joined(&problems.iter().collect::<Vec<_>>(), &request)?,
             sliding,
             criterion: None,
+            overturning: None,
             fragility: None,
         })
     }

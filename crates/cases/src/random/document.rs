@@ -7,6 +7,7 @@ use standfast_probability::sample::Estimate;
 
 use super::answer::{Chances, Happening, Probability};
 use super::over::{Along, Fit, Fragility};
+use super::overturn::{AtPeak, Overturning};
 use super::storm::{Exceeded, Quantile, Sliding};
 use crate::assess::SCHEMA;
 use crate::key::Key;
@@ -31,6 +32,8 @@ struct Document<'a> {
     criterion: Option<CriterionDocument>,
     /// Of a case with storms.
     sliding: Option<SlidingDocument>,
+    /// Over the peak of a shaking, where that is asked for.
+    overturning: Option<OverturningDocument<'a>>,
     /// Along a number, where that is asked for.
     fragility: Option<FragilityDocument<'a>>,
     /// The files of the figures that were written.
@@ -42,6 +45,48 @@ struct FragilityDocument<'a> {
     name: &'a str,
     points: Vec<AlongDocument>,
     fit: Option<FitDocument>,
+}
+
+/// Bodies followed in time.
+#[derive(Serialize)]
+struct OverturningDocument<'a> {
+    records: &'a [String],
+    bodies: u64,
+    not_a_body: u64,
+    points: Vec<AtPeakDocument>,
+    fit: Option<FitDocument>,
+}
+
+#[derive(Serialize)]
+struct AtPeakDocument {
+    /// m/s².
+    peak: f64,
+    moved: Interval,
+    rocked: Interval,
+    overturned: Interval,
+}
+
+impl OverturningDocument<'_> {
+    fn of(overturning: &Overturning) -> OverturningDocument<'_> {
+        let at = |at: &AtPeak| AtPeakDocument {
+            peak: at.peak,
+            moved: interval(at.moved),
+            rocked: interval(at.rocked),
+            overturned: interval(at.overturned),
+        };
+        let fit = overturning.fit.map(|Fit { median, dispersion, misfit }| FitDocument {
+            median,
+            dispersion,
+            misfit,
+        });
+        OverturningDocument {
+            records: &overturning.records,
+            bodies: overturning.bodies,
+            not_a_body: overturning.not_a_body,
+            points: overturning.points.iter().map(at).collect(),
+            fit,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -250,6 +295,7 @@ impl Probability {
                 met: criterion.is_met(),
             }),
             sliding: self.sliding.as_ref().map(SlidingDocument::of),
+            overturning: self.overturning.as_ref().map(OverturningDocument::of),
             fragility: self.fragility.as_ref().map(FragilityDocument::of),
             figures,
         })

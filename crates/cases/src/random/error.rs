@@ -8,6 +8,7 @@ use thiserror::Error;
 use super::answer::Method;
 use super::storm::SlidingError;
 use crate::error::CaseError;
+use crate::motion::BodyCaseError;
 
 /// Why there is no answer.
 #[derive(Debug, Error, Diagnostic)]
@@ -17,14 +18,23 @@ pub enum ProbabilityError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
+    /// What the case says of time makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    InTime(#[from] BodyCaseError),
     /// Nothing is random.
     #[error("the case file has no [random] table, which says what is random and by which law")]
     #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
     NoRandom,
     /// A base that gives way.
-    #[error("the case has a [ground], and probabilities are those of a body on a rigid base")]
-    #[diagnostic(help("leave [ground] out"))]
-    Ground,
+    #[error("[ground] of the case has {what}, and probabilities are those of a body on a rigid base")]
+    #[diagnostic(help(
+        "leave [ground] out: what begins on it has no interval of friction in closed form, and is not searched"
+    ))]
+    Ground {
+        /// What it has, with its value.
+        what: String,
+    },
     /// Draws, or what there is along a number, of a storm without a body.
     #[error("the file is of a [storm] without a [body], of which this is not asked")]
     #[diagnostic(help("give the body, its loads and its [wave]"))]

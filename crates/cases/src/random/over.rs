@@ -88,13 +88,12 @@ pub struct Fit {
 const FITTED: f64 = 1e-9;
 
 impl Fit {
-    /// The curve through points; none where fewer than two tell anything, or they do not rise.
-    fn through(points: &[Along]) -> Option<Fit> {
+    /// The curve through values with their chances of something; none where fewer than two tell anything, or they do not rise.
+    pub(super) fn of(points: &[(f64, f64)]) -> Option<Fit> {
         let told: Vec<(f64, f64)> = points
             .iter()
-            .filter(|point| point.value > 0.0)
-            .filter(|point| (FITTED..1.0 - FITTED).contains(&point.not_rest.value))
-            .map(|point| (point.value.ln(), normal::quantile(point.not_rest.value)))
+            .filter(|(value, chance)| *value > 0.0 && (FITTED..1.0 - FITTED).contains(chance))
+            .map(|(value, chance)| (value.ln(), normal::quantile(*chance)))
             .collect();
         let n = told.len() as f64;
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| told.iter().map(of).sum::<f64>() / n;
@@ -105,10 +104,9 @@ impl Fit {
             return None;
         }
         let (dispersion, median) = (1.0 / slope, (x - z / slope).exp());
-        let difference = |point: &Along| {
-            let curve =
-                if point.value > 0.0 { normal::below((point.value / median).ln() / dispersion) } else { 0.0 };
-            (curve - point.not_rest.value).abs()
+        let difference = |(value, chance): &(f64, f64)| {
+            let curve = if *value > 0.0 { normal::below((value / median).ln() / dispersion) } else { 0.0 };
+            (curve - chance).abs()
         };
         Some(Fit { median, dispersion, misfit: points.iter().map(difference).fold(0.0, f64::max) })
     }
@@ -132,7 +130,31 @@ impl Probability {
 }
 
 impl Over {
-    fn wrong(&self, what: impl Into<String>) -> ProbabilityError {
+    /// Whether it asks for overturning over the peak of a shaking, which is none of the numbers of a case.
+    pub fn is_of_peak(&self) -> bool {
+        self.name == "pga"
+    }
+
+    /// Its values, read one by one.
+    pub(super) fn values(
+        &self,
+        read: impl Fn(&str) -> Result<f64, String>,
+    ) -> Result<Vec<f64>, ProbabilityError> {
+        let read = |text: &str| read(text).map_err(|what| self.wrong(what));
+        self.rising(read(&self.from)?, read(&self.to)?)
+    }
+
+    fn rising(&self, from: f64, to: f64) -> Result<Vec<f64>, ProbabilityError> {
+        // Twice one value has no curve through it, and a fall is more likely a slip than meant.
+        if from.is_nan() || to.is_nan() || from >= to {
+            let (from, to) = (&self.from, &self.to);
+            return Err(self.wrong(format!("it does not rise from {from} to {to}; expected FROM below TO")));
+        }
+        let last = (self.count - 1) as f64;
+        Ok((0..self.count).map(|i| from + (to - from) * (i as f64 / last)).collect())
+    }
+
+    pub(super) fn wrong(&self, what: impl Into<String>) -> ProbabilityError {
         ProbabilityError::Over { name: self.name.clone(), what: what.into() }
     }
 
@@ -184,7 +206,8 @@ impl Over {
                 (unit, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
             }
         };
-        let fit = Fit::through(&points);
+        let told: Vec<(f64, f64)> = points.iter().map(|point| (point.value, point.not_rest.value)).collect();
+        let fit = Fit::of(&told);
         Ok(Fragility { name: self.name.clone(), unit, points, fit })
     }
 
@@ -195,14 +218,8 @@ impl Over {
         request: &Request,
         problems: impl Fn(f64) -> Result<Vec<Problem>, ProbabilityError>,
     ) -> Result<Vec<Along>, ProbabilityError> {
-        // Twice one value has no curve through it, and a fall is more likely a slip than meant.
-        if from.is_nan() || to.is_nan() || from >= to {
-            let (from, to) = (&self.from, &self.to);
-            return Err(self.wrong(format!("it does not rise from {from} to {to}; expected FROM below TO")));
-        }
-        let last = (self.count - 1) as f64;
-        (0..self.count)
-            .map(|i| from + (to - from) * (i as f64 / last))
+        self.rising(from, to)?
+            .into_iter()
             .map(|value| {
                 let mut worst: Option<Along> = None;
                 for problem in problems(value)? {

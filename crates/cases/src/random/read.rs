@@ -30,6 +30,8 @@ pub struct Random {
     pub years: Option<f64>,
     /// The numbers that are random, in the order in which they stand.
     pub named: Vec<Named>,
+    /// Records of shakings, each as likely, in the place of the case's own.
+    pub records: Vec<String>,
     /// What is known of two of them together: their places, and the correlation.
     pub correlations: Vec<(usize, usize, Measure)>,
     /// Where each correlation stands.
@@ -232,6 +234,7 @@ pub(crate) fn read(item: &Item<'_>) -> At<Random> {
     let mut random = Random {
         years: None,
         named: Vec::new(),
+        records: Vec::new(),
         correlations: Vec::new(),
         correlation_spans: Vec::new(),
         span: item.span(),
@@ -241,6 +244,7 @@ pub(crate) fn read(item: &Item<'_>) -> At<Random> {
         match name {
             "years" => random.years = Some(positive(value, "`years`")?),
             "correlation" => correlations = Some(value),
+            "records" => random.records = files(value)?,
             _ => numbers(name.to_owned(), value, &mut random.named)?,
         }
     }
@@ -251,6 +255,13 @@ pub(crate) fn read(item: &Item<'_>) -> At<Random> {
         read_correlations(list, &mut random)?;
     }
     Ok(random)
+}
+
+/// The files of a list.
+fn files(item: &Item<'_>) -> At<Vec<String>> {
+    let wrong = || wrong(item, "`records`", "a list of files in quotes");
+    let list = item.get_ref().as_array().filter(|list| !list.is_empty()).ok_or_else(wrong)?;
+    list.iter().map(|file| file.get_ref().as_str().map(str::to_owned).ok_or_else(wrong)).collect()
 }
 
 /// The entries of a table in the order in which they stand.

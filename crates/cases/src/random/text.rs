@@ -8,6 +8,7 @@ use standfast_probability::sample::{Effort, Estimate};
 use super::answer::{Chances, FirstDeparture, Happening, Method, Probability};
 use super::joined::Joined;
 use super::over::{Fit, Fragility};
+use super::overturn::{AtPeak, Overturning};
 use super::storm::{Exceeded, Followed, Pulse, Quantile, Sliding};
 use crate::layout::{apart, columns, digits, paragraph, row};
 
@@ -46,6 +47,9 @@ impl Probability {
                 text.push('\n');
             }
             text += &self.slides(sliding);
+        }
+        if let Some(overturning) = &self.overturning {
+            text += &self.overturns(overturning);
         }
         if let Some(fragility) = &self.fragility {
             text += &along(fragility, self.floor());
@@ -119,6 +123,45 @@ impl Probability {
                 "The mean is not as precise as it is asked to be: --samples takes more points.",
                 2,
             );
+        }
+        text
+    }
+
+    /// Overturning over the peak of a shaking.
+    fn overturns(&self, overturning: &Overturning) -> String {
+        let Overturning { records, bodies, not_a_body, points, fit, gravity } = overturning;
+        let of_records = match &records[..] {
+            [one] => format!("the record {one}"),
+            many => format!("{} records in turn", many.len()),
+        };
+        let of_records = of_records.replace("the record that of the case", "the shaking of the case");
+        let words = format!(
+            "In time, under {of_records} scaled to each peak ({bodies} bodies drawn, seed {})",
+            self.request.effort.seed
+        );
+        let mut rows = vec![row!["peak (g)", "moves", "rocks", "overturns", ""]];
+        for AtPeak { peak, moved, rocked, overturned } in points {
+            rows.push(row![
+                digits(peak / gravity),
+                probability(moved.value),
+                probability(rocked.value),
+                below_or(*overturned),
+                format!("{} … {}", probability(overturned.low), probability(overturned.high))
+            ]);
+        }
+        let mut text = format!("\n{}", paragraph(&words, 0));
+        text += &columns(&rows, 2, &[0, 1, 2, 3]);
+        if *not_a_body > 0 {
+            text += &paragraph(&format!("{not_a_body} draws are no body, and are counted as standing."), 2);
+        }
+        if let Some(Fit { median, dispersion, misfit }) = fit {
+            let words = format!(
+                "A lognormal curve through what overturns: median {} g, dispersion {}; it misses by {} at most.",
+                digits(median / gravity),
+                digits(*dispersion),
+                digits(*misfit)
+            );
+            text += &paragraph(&words, 2);
         }
         text
     }

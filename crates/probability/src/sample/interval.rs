@@ -42,7 +42,7 @@ impl Estimate {
     }
 
     /// The share of hits, with Clopper and Pearson's interval; one-sided where no point was a hit, or all were.
-    pub(super) fn of_hits(hits: u64, points: u64) -> Estimate {
+    pub fn of_hits(hits: u64, points: u64) -> Estimate {
         let (k, n) = (hits as f64, points as f64);
         // 0.05 = (1 − p)ⁿ: with 1 − p of all others the bound is one-sided.
         let alone = -libm::expm1(0.05f64.ln() / n);

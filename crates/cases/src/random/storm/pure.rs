@@ -226,6 +226,7 @@ impl PureStorm {
             joined: None,
             criterion: None,
             sliding: Some(sliding),
+            overturning: None,
             fragility: None,
         })
     }
