@@ -325,7 +325,7 @@ fn overturning_is_that_of_the_motions_one_by_one() {
             if t < 2.0 { (std::f64::consts::TAU * t / period).sin() } else { 0.0 }
         };
         let rows: Vec<String> = (0..=60).map(|i| format!("{},{}", f64::from(i) * 0.05, value(i))).collect();
-        format!("t (s),a (m/s2)\n{}\n", rows.join("\n"))
+        format!("time_s,a_g\n{}\n", rows.join("\n"))
     };
     let files = |name: &str| match name {
         "one.csv" => Ok(record(1.0)),
