@@ -6,9 +6,10 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::Mode;
-use standfast_cases::random::{Draws, Effort, Over, Probability, Request};
+use standfast_cases::random::{Draws, Effort, FirstInstant, Over, Request};
 use standfast_cases::report;
 
+use crate::assess::beside;
 use crate::onset::NO_MODE;
 use crate::watch::patiently;
 
@@ -49,9 +50,9 @@ pub(crate) fn probability(
         PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
     })?;
     patiently(py, move || {
-        let answer = Probability::along(&file.0, &file.1, request, over.as_ref());
+        let answer = FirstInstant::of(&file.0, &file.1, request, over.as_ref(), &beside(&file.0));
         let answer = answer.map_err(|error| PyValueError::new_err(report(&error)))?;
-        Ok((answer.text(), answer.json()))
+        Ok((answer.text(), answer.answer.json()))
     })?
 }
 

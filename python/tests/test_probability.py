@@ -61,6 +61,16 @@ def test_answers_are_typed() -> None:
     assert repr(found).startswith("<Probability the case: RE 0.") and pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
 
 
+def test_along_a_number_each_point_is_its_own_case(program: list[str]) -> None:
+    found = standfast.probability(PLANE, over="gamma=0.7..0.9:3")
+    assert found.fragility is not None and found.fragility.name == "gamma" and found.fragility.fit is not None
+    assert [point.value for point in found.fragility.points] == pytest.approx([0.7, 0.8, 0.9])
+    for point in found.fragility.points:
+        alone = standfast.probability({**PLANE, "point": {**PLANE["point"], "gamma": point.value}})
+        assert math.isclose(point.not_rest.probability, alone.not_rest.probability, rel_tol=1e-9)
+    assert standfast.probability(PLANE).fragility is None
+
+
 def test_the_probability_of_one_uniform_number_is_a_length() -> None:
     """Under k = 0.5, k' = 0.4, γ = 0.8 the body slides below μ = 0.5, and rests above."""
     case = {"point": {"gamma": 0.8, "k_prime": 0.4, "k": 0.5}, "random": {"mu": {"uniform": {"from": 0.4, "to": 0.8}}}}
@@ -129,6 +139,11 @@ def test_draws_of_several_situations_ask_which() -> None:
         ({"seed": -1}, ValueError, "seed is -1; expected a whole number from 0"),
         ({"seed": 1.5}, ValueError, "seed is 1.5; expected a whole number from 0"),
         ({"samples": 0}, ValueError, "samples is 0; expected a whole number from 1"),
+        ({"over": "width"}, ValueError, "over is \"width\": expected NAME=FROM..TO:COUNT"),
+        ({"over": ("mu", 0, 1)}, TypeError, "over is .*; expected a text such as"),
+        ({"over": "mu=0.5..0.4:3"}, ValueError, "`mu`: it is random itself"),
+        ({"over": "gamma=2..1:3"}, ValueError, "it does not rise from 2 to 1"),
+        ({"rotations": "follow"}, ValueError, "rotations is 'follow'; expected 'count' or 'simulate'"),
         ({"years": -3}, ValueError, "years is -3; expected a number above zero"),
         ({"threads": 0}, ValueError, "threads is 0"),
     ],

@@ -173,7 +173,7 @@ def test_motions() -> None:
         assert not errors(json.loads(standfast.simulate(path, sensitivity=True).to_json()), "simulate.schema.json")
 
 
-def test_probabilities() -> None:
+def test_probabilities(tmp_path: Path) -> None:
     for path in EVERY_RANDOM:
         assert not errors(json.loads(standfast.probability(path).to_json()), "probability.schema.json")
     # A life, and several sets of loads.
@@ -181,7 +181,15 @@ def test_probabilities() -> None:
     loads = [{"force": "20 kN/m", "elevation": 1, "name": name} for name in ("one", "two")]
     answer = standfast.probability({"body": BLOCK, "load": loads, "random": {**random, "years": 50}}, precision=0.2)
     document = json.loads(answer.to_json())
-    assert document["life"] and document["others"] and not errors(document, "probability.schema.json")
+    assert document["life"] and document["others"] and document["joined"] and not errors(document, "probability.schema.json")
+    asked = standfast.probability({"body": BLOCK, "load": loads[:1], "random": random, "criteria": {"p_not_rest": 0.01}})
+    assert asked.criterion is not None and not errors(json.loads(asked.to_json()), "probability.schema.json")
+    shaken = (ROOT / "examples/motion/statue-earthquake.toml").read_text() + "[random]\nfriction = { normal = { sd = 0.05 } }\n"
+    path = tmp_path / "statue.toml"
+    path.write_text(shaken.replace("../records", str(ROOT / "examples/records")))
+    over = standfast.probability(path, over="pga=0.4 g..0.8 g:2", samples=8)
+    assert over.overturning is not None and over.overturning.bodies == 4
+    assert not errors(json.loads(over.to_json()), "probability.schema.json")
 
 
 def test_a_document_with_one_mistake_fails(program: list[str]) -> None:

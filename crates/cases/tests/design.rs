@@ -351,7 +351,6 @@ fn targets_are_the_criteria_and_a_few_words() {
         ("SF_sliding=1,2", "it has a comma"),
         ("bearing_max=300 kN", "the unit `kN` does not fit"),
         ("contact_share=1.2", "a share, above zero and 1 at most"),
-        ("p_not_rest=0.1", "a probability"),
         ("slide", "slide needs a value, as in slide=0.10 m"),
         ("slide=-1", "expected a finite number above zero"),
         ("max_theta=3 m", "the unit `m` does not fit"),

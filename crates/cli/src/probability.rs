@@ -6,10 +6,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use miette::Diagnostic;
-use standfast_cases::layout::paragraph;
-use standfast_cases::motion::still_case;
 use standfast_cases::random::{
-    Effort, Method, Overturning, Probability, ProbabilityError, Request, WeighedDraws, template,
+    Effort, FirstInstant, Method, Probability, ProbabilityError, Request, WeighedDraws, template,
 };
 use standfast_cases::{CaseError, CaseFile};
 use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
@@ -98,13 +96,7 @@ pub struct Answered {
 /// If the case file cannot be read or makes no sense, or the draws cannot be written.
 pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityCommandError> {
     let name = case_file::name(&args.case);
-    let in_time = case_file::read(&args.case)?;
-    let reader = record_reader(&args.case);
-    // A case that says how loads go with time is asked at the first instant, as `assess` asks it.
-    let (text, note) = match still_case(&name, &in_time, &reader).map_err(ProbabilityError::from)? {
-        Some((still, note)) => (still, Some(note)),
-        None => (in_time.clone(), None),
-    };
+    let text = case_file::read(&args.case)?;
     if args.template {
         let answer = template(&CaseFile::parse(&name, &text)?)?;
         return Ok(Answered { answer, undrawn: None });
@@ -129,23 +121,16 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
     }
     let follow = args.rotations == RotationsArg::Simulate;
     let request = Request { method, effort, years: args.years, follow };
-    let of_peak = args.over.as_ref().filter(|over| note.is_some() && over.is_of_peak());
-    let over = args.over.as_ref().filter(|_| of_peak.is_none());
-    let mut answer = Probability::along(&name, &text, request, over)?;
-    if let Some(over) = of_peak {
-        answer.overturning = Some(Overturning::of(&name, &in_time, &text, &request, over, &reader)?);
-    }
+    let found = FirstInstant::of(&name, &text, request, args.over.as_ref(), &record_reader(&args.case))?;
+    let (answer, text) = (&found.answer, &found.still);
     if let Some(file) = &args.draws {
-        write_draws(WeighedDraws::of_text(&name, &text, &answer)?, file)?;
+        write_draws(WeighedDraws::of_text(&name, text, answer)?, file)?;
     }
     let mut drawn = Vec::new();
-    let undrawn = if args.no_figures { None } else { draw(&answer, &text, args, &mut drawn).err() };
+    let undrawn = if args.no_figures { None } else { draw(answer, text, args, &mut drawn).err() };
     let answer = match args.format {
         Format::Text => {
-            let mut said = answer.text();
-            if let Some(note) = note {
-                said += &format!("\n{}", paragraph(&format!("Note: {note}."), 0));
-            }
+            let mut said = found.text();
             if !drawn.is_empty() || undrawn.is_some() {
                 said += "\n";
             }

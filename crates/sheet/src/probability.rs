@@ -143,7 +143,7 @@ fn index(chances: &Chances) -> Markup {
              the body does not rest, in standard normals"
             @if point.at_change { "; that point lies at a change of formula or of mode" }
             ". Φ(−β) = " (digits(point.first_order())) " is that of a half space and not the probability above"
-            @if let Some(generalized) = chances.generalized() { ", to which β_g = −Φ⁻¹(P) = " (digits(generalized)) " belongs" }
+            @if let Some(generalized) = chances.generalized() { ", to which β" sub { "g" } " = −Φ⁻¹(P) = " (digits(generalized)) " belongs" }
             "."
         }
     }

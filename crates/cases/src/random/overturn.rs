@@ -18,14 +18,15 @@ use standfast_motion::spectrum::{OverturningCurve, Rocked};
 use standfast_motion::{Base, Problem as Motion};
 use standfast_probability::sample::{self, Estimate};
 
-use super::answer::Request;
+use super::answer::{Probability, Request};
 use super::asked::problems_of;
 use super::error::ProbabilityError;
 use super::over::{Fit, Over};
 use super::problem::{Input, Problem};
 use crate::case::{Acting, Case};
 use crate::key::Table;
-use crate::motion::{ReadFile, block, body_cases};
+use crate::layout::paragraph;
+use crate::motion::{ReadFile, block, body_cases, still_case};
 use crate::parse::CaseFile;
 use crate::units::{Dimension, in_gravity};
 
@@ -190,4 +191,47 @@ fn follow(
         found.extend(part?);
     }
     Ok(found.chunks(bodies.len()).map(<[_]>::to_vec).collect())
+}
+
+/// The answer to a file that may say how its loads go with time, which is asked at the first instant, as `assess` asks it; over the peak of
+/// its shaking the bodies are followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstInstant {
+    /// The answer.
+    pub answer: Probability,
+    /// The text of the case at the first instant.
+    pub still: String,
+    /// That it is of the first instant, in a sentence; none of a case that says nothing of time.
+    pub note: Option<String>,
+}
+
+impl FirstInstant {
+    /// Answers a file; `file` reads the records that it names.
+    ///
+    /// # Errors
+    /// As [`Probability::along`] and [`Overturning::of`].
+    pub fn of(
+        name: &str,
+        text: &str,
+        request: Request,
+        over: Option<&Over>,
+        file: &ReadFile<'_>,
+    ) -> Result<FirstInstant, ProbabilityError> {
+        let (still, note) = match still_case(name, text, file)? {
+            Some((still, note)) => (still, Some(note)),
+            None => (text.to_owned(), None),
+        };
+        let of_peak = over.filter(|over| note.is_some() && over.is_of_peak());
+        let mut answer = Probability::along(name, &still, request, over.filter(|_| of_peak.is_none()))?;
+        if let Some(over) = of_peak {
+            answer.overturning = Some(Overturning::of(name, text, &still, &request, over, file)?);
+        }
+        Ok(FirstInstant { answer, still, note })
+    }
+
+    /// The answer for reading.
+    pub fn text(&self) -> String {
+        let note = self.note.as_ref().map(|note| format!("\n{}", paragraph(&format!("Note: {note}."), 0)));
+        self.answer.text() + &note.unwrap_or_default()
+    }
 }
