@@ -25,7 +25,12 @@ fn lognormal_above(x: f64, mean: f64, cov: f64) -> f64 {
 }
 
 fn answer(text: &str, years: Option<f64>, method: Option<Method>) -> Probability {
-    let request = Request { years, method, effort: Effort { precision: 0.01, ..Effort::default() }, ..Request::default() };
+    let request = Request {
+        years,
+        method,
+        effort: Effort { precision: 0.01, ..Effort::default() },
+        ..Request::default()
+    };
     Probability::of_text("case", text, request).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 

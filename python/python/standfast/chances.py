@@ -13,6 +13,7 @@ from ._answer import Answer, ByMode, by_mode, part, parts
 
 __all__ = [
     "Along",
+    "AtPeak",
     "Chance",
     "ChanceCriterion",
     "Chances",
@@ -25,6 +26,7 @@ __all__ = [
     "Interval",
     "Joined",
     "Life",
+    "Overturning",
     "ProbabilityDocument",
     "Quantile",
     "Random",
@@ -232,6 +234,30 @@ class Exceeded(Answer):
         return self._document["high"]
 
 
+class AtPeak(Answer):
+    """What becomes of the bodies at one peak."""
+
+    @property
+    def peak(self) -> float:
+        """The largest acceleration of the base to the sides, in m/s²."""
+        return self._document["peak"]
+
+    @property
+    def moved(self) -> Interval:
+        """That the body slips or turns at all."""
+        return part(Interval, self._document["moved"])
+
+    @property
+    def rocked(self) -> Interval:
+        """That it turns."""
+        return part(Interval, self._document["rocked"])
+
+    @property
+    def overturned(self) -> Interval:
+        """That it overturns."""
+        return part(Interval, self._document["overturned"])
+
+
 class Followed(Answer):
     """Waves that begin a rotation, followed in time in the lives that are drawn; chances and shares of slides count them, the
     mean does not."""
@@ -430,6 +456,35 @@ class Fit(Answer):
     def misfit(self) -> float:
         """The largest difference from the probabilities."""
         return self._document["misfit"]
+
+
+class Overturning(Answer):
+    """Random bodies followed in time under records scaled to each peak."""
+
+    @property
+    def records(self) -> list[str]:
+        """The records, one for each body in turn."""
+        return list(self._document["records"])
+
+    @property
+    def bodies(self) -> int:
+        """How many bodies are drawn."""
+        return self._document["bodies"]
+
+    @property
+    def not_a_body(self) -> int:
+        """Draws whose numbers do not go together, counted as standing."""
+        return self._document["not_a_body"]
+
+    @property
+    def points(self) -> list[AtPeak]:
+        """The peaks, rising."""
+        return parts(AtPeak, self._document["points"])
+
+    @property
+    def fit(self) -> Fit | None:
+        """a lognormal curve through the chances of overturning; None where they do not rise or there are too few."""
+        return None if self._document["fit"] is None else part(Fit, self._document["fit"])
 
 
 class Fragility(Answer):
@@ -661,6 +716,11 @@ class ProbabilityDocument(Answer):
     def sliding(self) -> Sliding | None:
         """How far storms slide the body over a life; None of a case without storms."""
         return None if self._document["sliding"] is None else part(Sliding, self._document["sliding"])
+
+    @property
+    def overturning(self) -> Overturning | None:
+        """Overturning in time over the peak of a shaking; None where it is not asked for."""
+        return None if self._document["overturning"] is None else part(Overturning, self._document["overturning"])
 
     @property
     def fragility(self) -> Fragility | None:

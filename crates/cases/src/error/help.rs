@@ -246,11 +246,10 @@ fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
 }
 
 /// Criteria of results that are not computed, and what they ask for.
-pub(crate) const UNANSWERABLE: [(&str, &str); 4] = [
+pub(crate) const UNANSWERABLE: [(&str, &str); 3] = [
     ("slide", "how far the body slides"),
     ("max_theta", "how far the body turns"),
     ("overturned", "whether the body overturns in the end"),
-    ("p_not_rest", "a probability"),
 ];
 
 /// The names that a table of a file may have: its keys, and at the top the tables.
