@@ -79,7 +79,7 @@ fn a_criterion_counts_the_upper_end_of_the_interval() {
         .replace("20e3", "60e3")
         .replace("[random]", &format!("[criteria]\np_not_rest = {bound}\n[random]"));
     let criterion = answer(&text, request).criterion.unwrap();
-    assert!(!criterion.is_met() && criterion.value() == high, "{criterion:?}");
+    assert!(!criterion.is_met() && criterion.counted() == high, "{criterion:?}");
 }
 
 /// Two forces that act one by one, each with a law of its own: that any of them moves the body is 1 − (1 − p₁)(1 − p₂); with one
@@ -108,7 +108,7 @@ fn alternatives_are_joined_under_the_same_draw() {
     assert!((found.joined.unwrap().not_rest.value / by_hand - 1.0).abs() < 1e-9);
     // The criterion is of the worst of those that act one by one.
     let text = format!("{both}[criteria]\np_not_rest = 0.5\n{laws}");
-    assert!((answer(&text, Request::default()).criterion.unwrap().value() / worst - 1.0).abs() < 1e-9);
+    assert!((answer(&text, Request::default()).criterion.unwrap().counted() / worst - 1.0).abs() < 1e-9);
 }
 
 /// A base shaken to both sides is one event: with a push to the left, resting takes rest under both signs.
@@ -127,7 +127,7 @@ fn both_signs_of_an_earthquake_are_one_event() {
     let (mean, sd) = ((50e3 + 0.25 * weight) / weight, 10e3 / weight);
     let by_hand = below((mean - 0.5) / f64::hypot(sd, 0.1));
     assert!((joined / by_hand - 1.0).abs() < 1e-5, "{joined} {by_hand}");
-    assert_eq!(found.criterion.unwrap().value(), found.joined.unwrap().not_rest.high);
+    assert_eq!(found.criterion.unwrap().counted(), found.joined.unwrap().not_rest.high);
 }
 
 #[test]

@@ -191,7 +191,7 @@ fn together(answer: &Probability) -> Markup {
         @if let Some(criterion) = answer.criterion {
             p {
                 "Criterion " code { "p_not_rest" } " ≤ " (digits(criterion.required)) ": the upper end of the interval is "
-                data value=(criterion.value()) { (digits(criterion.value())) } "; "
+                data value=(criterion.counted()) { (digits(criterion.counted())) } "; "
                 span.yes[criterion.is_met()].no[!criterion.is_met()] { (if criterion.is_met() { "met" } else { "not met" }) } "."
             }
         }

@@ -38,13 +38,13 @@ impl ChanceCriterion {
     }
 
     /// What counts: the upper end of the interval.
-    pub fn value(&self) -> f64 {
+    pub fn counted(&self) -> f64 {
         self.not_rest.high
     }
 
     /// Whether it is met.
     pub fn is_met(&self) -> bool {
-        self.value() <= self.required
+        self.counted() <= self.required
     }
 }
 

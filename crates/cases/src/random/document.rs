@@ -291,7 +291,7 @@ impl Probability {
             criterion: self.criterion.map(|criterion| CriterionDocument {
                 name: Key::GreatestNotRest.name(),
                 required: criterion.required,
-                value: criterion.value(),
+                value: criterion.counted(),
                 met: criterion.is_met(),
             }),
             sliding: self.sliding.as_ref().map(SlidingDocument::of),

@@ -35,7 +35,7 @@ impl Probability {
             text += &format!("\n{}", paragraph(&words, 0));
         }
         if let Some(criterion) = &self.criterion {
-            let (met, value) = (if criterion.is_met() { "met" } else { "not met" }, criterion.value());
+            let (met, value) = (if criterion.is_met() { "met" } else { "not met" }, criterion.counted());
             let [value, required] = &apart(&[value, criterion.required])[..] else { unreachable!("of two") };
             let words = format!(
                 "Criterion p_not_rest ≤ {required}: {met}; the upper end of the interval is {value}."
