@@ -221,10 +221,10 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             let (share, of_coarse) = (of_fine * density, of_coarse * density);
             self.point[depth] = u;
             let inner = self.from(depth + 1, (weight * share).max(f64::MIN_POSITIVE));
-            for k in 0..count {
-                sum.values[k] += share * inner.values[k];
-                sum.errors[k] += share * inner.errors[k];
-                coarse[k] += of_coarse * inner.values[k];
+            for (k, (value, error)) in inner.values.iter().zip(&inner.errors).enumerate() {
+                sum.values[k] += share * value;
+                sum.errors[k] += share * error;
+                coarse[k] += of_coarse * value;
             }
         }
         let differs = sum.values.iter().zip(&coarse).map(|(fine, coarse)| (fine - coarse).abs()).collect();

@@ -24,8 +24,11 @@ const EXAMPLES: [(&str, Option<&str>); 3] = [
 /// Enough lives for a picture, and not too many for a test.
 const POINTS: u64 = 1 << 18;
 
+/// An example's name, and its figures: their paths in docs, and their contents.
+pub type Example = (String, Vec<(String, String)>);
+
 /// The figures of the worked examples, by name.
-pub fn examples(root: &Path) -> io::Result<Vec<(String, Vec<(String, String)>)>> {
+pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
     let mut all = Vec::new();
     for (name, over) in EXAMPLES {
         let text = fs::read_to_string(root.join("examples").join(format!("{name}.toml")))?;
