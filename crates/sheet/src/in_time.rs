@@ -15,7 +15,7 @@ pub fn inputs(timed: &Timed<'_>) -> Markup {
         h3 { "In time" }
         p.note { "These lines of the case file say how the loads go with time, how the base moves, and what is asked of the motion:" }
         pre.written data-table="in-time" { @for line in timed.lines() { (line) "\n" } }
-        p.note { "In sections 2 to 4, " (timed.note()) "." }
+        p.note { "In sections 2 to 4, " (timed.first_instant()) "; section 5 follows the motion in time." }
     }
 }
 

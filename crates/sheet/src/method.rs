@@ -14,7 +14,10 @@ pub fn words(assessment: &Assessment) -> Markup {
             li { (base(case)) " Friction is dry (Coulomb). Forces act in the plane of the cross-section." }
             li {
                 "The motion is that of the first instant after the load is applied to a body at rest: which mode begins, with which \
-                 accelerations and reactions. What becomes of it later is not computed."
+                 accelerations and reactions."
+                @if assessment.in_time.as_ref().is_some_and(|in_time| !in_time.motions.is_empty()) {
+                    " What becomes of it later is the matter of section 5."
+                } @else { " What becomes of it later is not computed." }
             }
             li {
                 "Signs: x to the right, y upwards, rotation counter-clockwise. O is the bottom left corner of the base, O′ the \

@@ -13,6 +13,9 @@ use crate::error::CaseError;
 use crate::motion::BlockCase;
 use crate::parse::CaseFile;
 
+/// Ends the sentence of what is answered of the first instant.
+const FOLLOWED: &str = "; the motion in time is what `standfast simulate` follows";
+
 /// A case of a body in time: as one at the first instant, and as a motion.
 pub struct Timed<'a> {
     name: String,
@@ -55,6 +58,11 @@ impl<'a> Timed<'a> {
     /// A sentence without its stop that says what is answered of the first instant.
     pub fn note(&self) -> &str {
         &self.note
+    }
+
+    /// The same without what follows the motion.
+    pub fn first_instant(&self) -> &str {
+        self.note.strip_suffix(FOLLOWED).unwrap_or(&self.note)
     }
 
     /// The text of the file.
@@ -149,9 +157,8 @@ pub fn still_case(
         let peak = history::read(&history.measured(), file).map_err(shown)?.history.peak();
         peaks.push((key, peak));
     }
-    let mut note = "the loads are taken at their own values, all at once, as if at rest until then; the motion in time is what \
-                    `standfast simulate` follows"
-        .to_owned();
+    let mut note =
+        format!("the loads are taken at their own values, all at once, as if at rest until then{FOLLOWED}");
     if !peaks.is_empty() {
         if top.contains_key("earthquake") {
             let place = in_time.motion.as_ref().map_or(0..0, |motion| motion.place("base"));
