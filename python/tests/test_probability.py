@@ -25,7 +25,7 @@ PLANE = {
 
 
 def printed(program: list[str], *arguments: str | Path) -> str:
-    found = subprocess.run([*program, "probability", *arguments], capture_output=True, encoding="utf-8", check=True)
+    found = subprocess.run([*program, "probability", *arguments, "--no-figures"], capture_output=True, encoding="utf-8", check=True)
     return found.stdout
 
 
