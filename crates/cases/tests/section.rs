@@ -100,3 +100,37 @@ fn what_lies_off_the_middle_is_written_out() {
         assert!(texts.iter().any(|text| text == expected), "{expected} in {texts:?}");
     }
 }
+
+/// The reaction lies under the base where equilibrium has it: 8 m × 6 m × 2 t/m³ under a force at half its height, at e = X d/P from the middle, on the
+/// side that the force pushes to; the effective width reaches the edge there.
+#[test]
+fn the_reaction_lies_where_equilibrium_has_it() {
+    let drawn = |angle: u32, weight: f64, share: f64, towards: &str| {
+        let force = share * 8.0 * 6.0 * 2e3 * 10.0;
+        let text = format!(
+            "gravity = 10\n[body]\nwidth = 8\nheight = 6\ndensity = 2e3\nfriction = 0.9\n[ground]\nfriction_angle_deg = {angle}\nunit_weight = {weight}\n\
+             [[load]]\nforce = {force}\nelevation = 3\ndirection = \"{towards}\"\n"
+        );
+        let case = case("block.toml", &text);
+        let fails = Assessment::of(&case).unwrap().text(&View::default()).contains("(BF)");
+        let figure = section(&case);
+        let at = |text: &str| {
+            let label = figure.labels().iter().find(|label| label.text == text);
+            let rect = label.unwrap_or_else(|| panic!("{text} in {:?}", texts(&figure))).rect;
+            (rect.x0 + rect.x1) / 2.0
+        };
+        // e = 3 m × share; the numbers of both lengths stand in their middle.
+        let wide = 8.0 - 6.0 * share;
+        (at("960 kN/m") - at("8 m"), at(&format!("B′ {} m", digits(wide))) - at("8 m"), fails)
+    };
+    // Ground that bears the body, and ground that fails under it.
+    for (angle, weight) in [(45, 2e4), (20, 1e3)] {
+        let (near, width, fails) = drawn(angle, weight, 0.1, "left");
+        assert_eq!(fails, angle == 20);
+        let (far, _, _) = drawn(angle, weight, 0.2, "left");
+        assert!(near < 0.0 && (near - width).abs() < 1.0, "{near} {width}");
+        assert!((far / near - 2.0).abs() < 0.05, "{far} {near}");
+        let (other, _, _) = drawn(angle, weight, 0.2, "right");
+        assert!((other + far).abs() < 1.0, "{other} {far}");
+    }
+}

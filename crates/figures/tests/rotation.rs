@@ -85,3 +85,57 @@ fn a_base_that_is_crushed_has_none() {
     let base = ElasticBase::new(5.0, 2e6, 1e8).unwrap().with_strength(2e5).unwrap();
     assert_eq!(rotation_curve(&RotationCurve { base, height: 4.0, moment: 0.0, title: "" }), Ok(None));
 }
+
+/// The dots lie where the formulas have them, by the numbers along the axes: the joints at τ = ½ with ⅓, and the largest moment.
+#[test]
+fn dots_lie_on_the_curve() {
+    let kappa = 0.001;
+    let figure = drawn(0.0, kappa, 0.2);
+    let unit = kappa * 5.0 / 4.0 * 1e3;
+    // Numbers beside the axes by their places: those to the right of a plot stand below it.
+    let numbers: Vec<(f64, f64, f64)> = figure
+        .labels()
+        .iter()
+        .filter_map(|label| {
+            let value = label.text.parse::<f64>().ok()?;
+            Some((value, (label.rect.x0 + label.rect.x1) / 2.0, (label.rect.y0 + label.rect.y1) / 2.0))
+        })
+        .collect();
+    let lowest = numbers.iter().map(|number| number.2).fold(0.0, f64::max);
+    // θ of a place right of the axis of moments at `from`, and the moment of a height.
+    let scale = |one: (f64, f64), other: (f64, f64), at: f64| {
+        one.0 + (other.0 - one.0) * (at - one.1) / (other.1 - one.1)
+    };
+    let middle = figure.size().0 / 2.0;
+    let along = |x: f64, right: bool| {
+        let below = numbers.iter().filter(|number| number.2 > lowest - 4.0 && number.0 > 0.0);
+        let own: Vec<_> = below.filter(|number| (number.1 > middle) == right).collect();
+        let (first, last) = (own[0], own[own.len() - 1]);
+        scale((first.0, first.1), (last.0, last.1), x)
+    };
+    let up = |y: f64| {
+        let beside: Vec<_> = numbers.iter().filter(|number| number.2 < lowest - 4.0).collect();
+        let [least, most] = [0.2, 1.0].map(|value| beside.iter().find(|number| number.0 == value).unwrap());
+        scale((least.0, least.2), (most.0, most.2), y)
+    };
+    let dots: Vec<(f64, f64)> = figure
+        .svg()
+        .split("<circle cx=\"")
+        .skip(1)
+        .map(|circle| {
+            let mut numbers = circle.split('"');
+            let x = numbers.next().unwrap().parse().unwrap();
+            (x, numbers.nth(1).unwrap().parse().unwrap())
+        })
+        .collect();
+    let joint = (0.5 * unit, 1.0 / 3.0);
+    let largest = ((18.0 * kappa * kappa).powf(-1.0 / 3.0) * unit, 1.0 - (1.5 * kappa).cbrt());
+    assert_eq!(dots.len(), 3, "{dots:?}");
+    for ((x, y), (turn, moment)) in dots.into_iter().zip([joint, joint, largest]) {
+        let found = (along(x, x > middle), up(y));
+        // Half a pixel, and a pixel of a number's box.
+        let reach = if x > middle { 0.01 * largest.0 } else { 0.01 * unit };
+        assert!((found.0 - turn).abs() < reach, "{found:?} {turn}");
+        assert!((found.1 - moment).abs() < 0.01, "{found:?} {moment}");
+    }
+}
