@@ -1013,8 +1013,7 @@ class Ground(Answer):
 
     @property
     def k_moved(self) -> float | None:
-        """Where the loads in time take k of the full load in the k–μ plane, D_shear k; None where other loads push or turn the
-        body too."""
+        """Where the loads in time take k of the full load in the k–μ plane, D_shear k; if they alone push and turn the body."""
         return self._document["k_moved"]
 
     @property
