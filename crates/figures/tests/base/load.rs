@@ -26,7 +26,7 @@ fn situation(which: usize, friction: f64) -> Situation {
     let of = |body: Body| Situation::new(body, friction, 9.81).expect("a situation").with_weight();
     match which {
         0 => of(body).with(push(-1.5e6, 9.0)).with(uplift(&body, 0.0, 90e3)),
-        1 => of(off.clone()).with(push(2.5e6, 4.0)).with(uplift(&off, 60e3, 10e3)),
+        1 => of(off).with(push(2.5e6, 4.0)).with(uplift(&off, 60e3, 10e3)),
         2 => of(slender).with(push(-120e3, 3.0)).with(push(-60e3, 7.5)),
         3 => {
             let all = of(body).with(push(-2e6, 7.0)).with(uplift(&body, 0.0, 40e3));
