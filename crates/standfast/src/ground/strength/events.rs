@@ -10,8 +10,8 @@
 //!
 //! so that all such load factors are known without sampling. The zeros are those of f64: of two so near to each other that rounding hides the sign
 //! between them, some 10⁻⁷ of their size, both would be missed. Between them the resultant has a zero of its slope, which is known to round-off: where the
-//! resultant is as good as zero there, the load factor itself is decided too. What may be missed is narrower than some 10⁻¹³. What holds between
-//! load factors is decided exactly, elsewhere.
+//! resultant is as good as zero there, the load factor itself is decided too. Of a polynomial whose coefficients are exact, what may be missed is narrower than some 10⁻¹³; by how much
+//! the rounding of the determinant widens that is not known. What holds between load factors is decided exactly, elsewhere.
 
 use std::array::from_fn;
 use std::ops::{Add, Mul, Neg, Sub};
