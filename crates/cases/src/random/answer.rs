@@ -57,6 +57,11 @@ impl FromStr for Method {
 
     fn from_str(text: &str) -> Result<Method, String> {
         let names = Method::ALL.map(Method::name).join(", ");
+        if text == "form" {
+            return Err(format!(
+                "`form` finds β and what matters, which stand in every answer, but no probability; expected one of {names}"
+            ));
+        }
         Method::ALL
             .into_iter()
             .find(|method| method.name() == text)
