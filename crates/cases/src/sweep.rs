@@ -26,7 +26,7 @@ pub use factor::{Factor, NoFactor};
 
 use crate::assess::{Assessed, Assessment};
 use crate::case::{Case, fault};
-use crate::couple::{STAYS, change, moved};
+use crate::couple::{STAYS, Variable, change, moved};
 use crate::criteria::Check;
 use crate::error::{CaseError, Fault};
 use crate::inputs::{Inputs, Value};
@@ -133,17 +133,7 @@ impl Sweep {
 
     /// What goes with the numbers that vary, in sentences.
     pub fn notes(&self) -> Vec<String> {
-        let mut notes = Vec::new();
-        if !self.moved.is_empty() {
-            let names: Vec<_> = self.moved.iter().map(|(key, _)| key.to_string()).collect();
-            notes.push(format!("{} with what varies: {}.", goes(names.len()), names.join(", ")));
-        }
-        let of_each =
-            self.factors.iter().flat_map(|factor| factor.variable().notes(&self.inputs, &self.case));
-        if of_each.into_iter().any(|note| note == STAYS) {
-            notes.push(STAYS.to_owned());
-        }
-        notes
+        notes(&self.factors.iter().map(Factor::variable).collect::<Vec<_>>(), &self.inputs, &self.case)
     }
 
     /// The names of the situations, by their places; none where there is only one.
@@ -197,6 +187,19 @@ impl Sweep {
         let is_it = |factor: &Factor| places().any(|place| place == factor.variable().id().into());
         (0..self.factors.len()).filter(|place| is_it(&self.factors[*place])).collect()
     }
+}
+
+/// What goes with variables of a case, in sentences.
+pub(crate) fn notes(variables: &[&Variable], inputs: &Inputs, case: &Case) -> Vec<String> {
+    let mut notes = Vec::new();
+    let names: Vec<_> = moved(inputs, case, variables).into_iter().map(|key| key.to_string()).collect();
+    if !names.is_empty() {
+        notes.push(format!("{} with what varies: {}.", goes(names.len()), names.join(", ")));
+    }
+    if variables.iter().flat_map(|variable| variable.notes(inputs, case)).any(|note| note == STAYS) {
+        notes.push(STAYS.to_owned());
+    }
+    notes
 }
 
 fn goes(count: usize) -> &'static str {

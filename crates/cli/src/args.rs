@@ -364,7 +364,7 @@ pub struct ProbabilityArgs {
     /// What becomes of waves that begin a rotation: counted apart, or followed by the motion in time
     #[arg(long, value_enum, default_value_t)]
     pub rotations: RotationsArg,
-    /// Print a [random] table for the case, with laws of practice and their sources, and answer nothing
+    /// Print a table of random numbers for the case, with laws of practice and their sources, and answer nothing
     #[arg(long, conflicts_with_all = ["over", "draws", "method"])]
     pub template: bool,
     /// How many threads work; the answer does not depend on it [default: as many as the machine has cores]

@@ -1,8 +1,8 @@
 //! Tables of motions: a case of which the columns of a table vary what stands in its file, a record's name among it.
 //!
 //! A column is called by the place of what it varies, as in `block.mu_s`, `motion.base.horizontal.file` or `load[2].force`. The value is put in its
-//! place in the text, and the case is read as any other: what a row says is what a file would say. What goes with a key when `design`
-//! varies it would not go with it here, and such a key is refused.
+//! place in the text, and the case is read as any other: what a row says is what a file would say. Only where a column varies a number
+//! with which others go, as the mass goes with the width, are the numbers of the body, the water and the waves varied as `design` does.
 
 use std::fmt::Write;
 use std::ops::Range as Span;
@@ -11,10 +11,16 @@ use standfast_motion::Outcome;
 use thiserror::Error;
 use toml::de::{DeTable, DeValue};
 
+use super::body::{BodyCaseError, body_cases_of, in_time, without_time};
 use super::criteria::MOTION_CRITERIA;
 use super::json::{end_word, of_balance};
-use super::{Follow, GivenBase, ReadFile, cases_on, follow_all};
+use super::{BlockCase, Follow, GivenBase, ReadFile, cases_on, follow_all};
+use crate::case::Case;
+use crate::couple::{Variable, vary};
+use crate::inputs::Inputs;
 use crate::key::{Key, Moves, Table};
+use crate::parse::CaseFile;
+use crate::sweep;
 
 /// The results of a row, in their order.
 pub const RESULTS: [&str; 16] = [
@@ -65,15 +71,18 @@ pub enum ColumnError {
         /// The column.
         column: String,
     },
-    /// Other numbers go with it.
-    #[error(
-        "column {column}: other numbers go with it when it varies, which a table of motions does not do; give these as columns of a case \
-         with [block]"
-    )]
-    Moves {
-        /// The column.
-        column: String,
-    },
+    /// The case file is none.
+    #[error("{0}")]
+    Case(String),
+}
+
+/// Where the value of a column goes.
+#[derive(Debug, Clone)]
+enum Varied {
+    /// Into the text of the file, at a place; and whether it is a text there.
+    Text(Span<usize>, bool),
+    /// A number of the case, with what goes with it.
+    Number(Variable),
 }
 
 /// A case and what the columns of a table vary of it.
@@ -81,8 +90,12 @@ pub enum ColumnError {
 pub struct MotionRows {
     name: String,
     text: String,
-    /// The place of each column that varies something, where its value stands, and whether that is a text.
-    varied: Vec<(usize, Span<usize>, bool)>,
+    /// The place of each column that varies something, and how.
+    varied: Vec<(usize, Varied)>,
+    /// What the file gives beside time, where a column varies a number of it.
+    inputs: Option<Inputs>,
+    /// What goes with what varies, in sentences.
+    notes: Vec<String>,
 }
 
 impl MotionRows {
@@ -93,7 +106,7 @@ impl MotionRows {
     /// If a column cannot vary what it names.
     pub fn of(name: &str, text: &str, columns: &[String]) -> Result<MotionRows, ColumnError> {
         let document = DeTable::parse(text).map_err(|error| ColumnError::Toml(error.message().to_owned()))?;
-        let mut varied = Vec::new();
+        let (mut varied, mut moves) = (Vec::new(), false);
         for (place, column) in columns.iter().enumerate() {
             let wrong = |make: fn(String) -> ColumnError| Err(make(column.clone()));
             let (Some((path, key)), Some(table)) = (column.rsplit_once('.'), column.split(['.', '[']).next())
@@ -119,12 +132,35 @@ impl MotionRows {
                 Moves::Friction => find(document.get_ref(), path, "kinetic_friction").is_none(),
                 _ => false,
             };
-            if known.is_some_and(|key| !alone(key)) {
-                return wrong(|column| ColumnError::Moves { column });
-            }
-            varied.push((place, value.span(), TEXTS.contains(&key)));
+            moves |= known.is_some_and(|key| !alone(key));
+            varied.push((place, Varied::Text(value.span(), TEXTS.contains(&key))));
         }
-        Ok(MotionRows { name: name.to_owned(), text: text.to_owned(), varied })
+        let (name, text) = (name.to_owned(), text.to_owned());
+        if !moves {
+            return Ok(MotionRows { name, text, varied, inputs: None, notes: Vec::new() });
+        }
+        let none = |error: BodyCaseError| ColumnError::Case(error.to_string());
+        let of_time = in_time(document.get_ref(), &text)
+            .map_err(|wrong| none(BodyCaseError::Motion(wrong.in_file(&name, &text))))?;
+        let file = CaseFile::parse(&name, &without_time(document.get_ref(), &text, &of_time));
+        let file = file.map_err(|error| none(error.into()))?;
+        let case = file.case().map_err(|error| none(error.into()))?;
+        for (place, how) in &mut varied {
+            if let Ok(variable) = Variable::find(&columns[*place], file.inputs()) {
+                *how = Varied::Number(variable);
+            }
+        }
+        let variables = varied.iter().filter_map(|(_, how)| match how {
+            Varied::Number(variable) => Some(variable),
+            Varied::Text(..) => None,
+        });
+        let notes = sweep::notes(&variables.collect::<Vec<_>>(), file.inputs(), &case);
+        Ok(MotionRows { name, text, varied, inputs: Some(file.inputs().clone()), notes })
+    }
+
+    /// What goes with what varies, in sentences.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The results that the case has, in their order: of criteria only where it has some.
@@ -145,7 +181,8 @@ impl MotionRows {
     /// The text of the case with the values of a row.
     fn with(&self, cells: &[&str]) -> String {
         let mut pieces: Vec<(&Span<usize>, String)> = Vec::new();
-        for (place, span, text) in &self.varied {
+        for (place, how) in &self.varied {
+            let Varied::Text(span, text) = how else { continue };
             let cell = cells.get(*place).copied().unwrap_or_default().trim();
             let plain =
                 !text && (cell == "true" || cell == "false" || cell.parse::<f64>().is_ok_and(f64::is_finite));
@@ -165,8 +202,7 @@ impl MotionRows {
     /// What is wrong with the row, in words.
     pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, String> {
         let text = self.with(cells);
-        let cases =
-            cases_on(&self.name, &text, file, &GivenBase::default()).map_err(|error| error.to_string())?;
+        let cases = self.cases(cells, &text, file)?;
         let answers = follow_all(cases, &Follow::default()).map_err(|error| error.to_string())?;
         let Some((case, followed)) = answers.first() else { return Err("no situation".to_owned()) };
         let outcome: &Outcome = &followed.outcome;
@@ -191,6 +227,28 @@ impl MotionRows {
             case.situation.clone().unwrap_or_default(),
             names.join(" "),
         ])
+    }
+}
+
+impl MotionRows {
+    /// The cases of a row, whose text is as given.
+    fn cases(&self, cells: &[&str], text: &str, file: &ReadFile<'_>) -> Result<Vec<BlockCase>, String> {
+        let given = GivenBase::default();
+        let Some(inputs) = &self.inputs else {
+            return cases_on(&self.name, text, file, &given).map_err(|error| error.to_string());
+        };
+        let mut changes = Vec::new();
+        for (place, how) in &self.varied {
+            let Varied::Number(variable) = how else { continue };
+            let cell = cells.get(*place).copied().unwrap_or_default().trim();
+            changes.push((variable, variable.read(cell, inputs).map_err(|problem| problem.to_string())?));
+        }
+        let case = |rest: &str| {
+            let file = CaseFile::parse(&self.name, rest)?;
+            let inputs = vary(file.inputs(), &file.case()?, &changes);
+            Case::of(&inputs).map_err(|fault| file.error(fault))
+        };
+        body_cases_of(&self.name, text, file, &given, &case).map_err(|error| error.to_string())
     }
 }
 
@@ -257,13 +315,43 @@ mod tests {
         assert!(words.contains("`peak`"), "{words}");
     }
 
+    /// A wider body is a heavier one: the row is what a file with the width and the mass that goes with it would say.
+    #[test]
+    fn what_goes_with_a_number_goes_with_it_in_a_row() {
+        let case = |width: &str, mass: &str, peak: &str| {
+            format!(
+                "[body]\nwidth = {width}\nheight = 2\nmass = {mass}\nfriction = 0.4\n[motion.base]\n\
+                 horizontal = {{ shape = \"half-sine\", peak = {peak}, duration = 0.7 }}\n\
+                 [[load]]\nforce = \"6 kN/m\"\nelevation = \"1 m\"\nhistory = {{ shape = \"half-sine\", duration = \"0.5 s\" }}\n"
+            )
+        };
+        let file = |file: &str| Err(format!("no file {file}"));
+        let columns = columns(&["body.width", "motion.base.horizontal.peak"]);
+        let rows = MotionRows::of("case.toml", &case("1", "1000", "3"), &columns).unwrap();
+        assert!(rows.notes().iter().any(|note| note.contains("body.mass")), "{:?}", rows.notes());
+        for (cell, width, mass) in [("1.5 m", "1.5", "1500"), ("0.8", "0.8", "800"), ("1", "1", "1000")] {
+            let found = rows.answer(&[cell, "4"], &file).unwrap();
+            let written = MotionRows::of("case.toml", &case(width, mass, "4"), &columns[1..]).unwrap();
+            let expected = written.answer(&["4"], &file).unwrap();
+            let slide = |answer: &[String]| answer[1].parse::<f64>().unwrap();
+            assert!(slide(&expected).abs() > 1e-3, "{expected:?}");
+            assert!((slide(&found) - slide(&expected)).abs() < 1e-12, "{found:?} {expected:?}");
+        }
+        let words = rows.answer(&["2 kg", "4"], &file).unwrap_err();
+        assert!(words.contains("2 kg"), "{words}");
+        // The mass that is named in the same row is the mass.
+        let columns = ["body.width".to_owned(), "body.mass".to_owned()];
+        let rows = MotionRows::of("case.toml", &case("1", "1000", "4"), &columns).unwrap();
+        let found = rows.answer(&["1.5", "1000"], &file).unwrap();
+        let written = MotionRows::of("case.toml", &case("1.5", "1000", "4"), &columns[..0]).unwrap();
+        assert_eq!(found[1], written.answer(&[], &file).unwrap()[1]);
+    }
+
     #[test]
     fn columns_that_vary_nothing_they_name_are_refused() {
         let of = |name: &str, text: &str| MotionRows::of("case.toml", text, &columns(&[name])).unwrap_err();
         assert!(matches!(of("block.mu_k", CASE), ColumnError::Absent { .. }));
         assert!(matches!(of("motion.base.horizontal", CASE), ColumnError::NoValue { .. }));
-        let body = "[body]\nwidth = 1\nheight = 2\ndensity = 2000\nfriction = 0.5\n";
-        assert!(matches!(of("body.width", body), ColumnError::Moves { .. }));
         assert_eq!(MotionRows::of("case.toml", CASE, &columns(&["a.b"])).unwrap().varied().count(), 0);
     }
 }

@@ -149,6 +149,7 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
     let content = written(format, &columns.collect::<Vec<_>>()).map_err(unwritten)?;
     let varied: Vec<&str> = rows.varied().map(|place| header[place].as_str()).collect();
     let mut said = paragraph(&format!("varied: {}", varied.join(", ")), 0);
+    rows.notes().iter().for_each(|note| said += &paragraph(note, 0));
     if let Some(first) = first {
         said += &format!("warning: {bad} of {} rows without a result; the first: {first}\n", records.len());
     }

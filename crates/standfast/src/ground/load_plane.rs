@@ -1,6 +1,6 @@
 //! The plane of load factor λ and friction μ of any body on a base that gives way: what begins where.
 //!
-//! On rigid ground every boundary of this plane is a line or a hyperbola ([`contact::plane`](crate::contact::plane)). Here it is still a
+//! On rigid ground every boundary of this plane is a line or a hyperbola ([`contact::plane`]). Here it is still a
 //! function μ(λ), or a vertical, but one that takes the root of a cubic, or that of the law of the ground:
 //!
 //! | boundary | [`LoadEdge`] | μ at λ |
