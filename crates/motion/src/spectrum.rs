@@ -122,10 +122,12 @@ impl NewmarkSpectrum {
     /// If the ratio is not above zero, or the shaking has no peak.
     pub fn at(&self, ratio: f64) -> Result<Slid, MotionError> {
         let gravity = self.peak;
-        let slides = |friction: f64, force: f64| {
+        let mut problem = Problem::new(Block::uniform(1.0, ratio), gravity);
+        problem.base.horizontal = Some(self.base.clone());
+        let mut slides = |friction: f64, force: f64| {
             // So low that nothing tips it.
-            let mut problem = Problem::new(Block::uniform(1e-3 / (1.0 + friction), friction), gravity);
-            problem.base.horizontal = Some(self.base.clone());
+            problem.block = Block::uniform(1e-3 / (1.0 + friction), friction);
+            problem.loads.clear();
             if force != 0.0 {
                 problem.loads.push(Load {
                     at: [0.0, -problem.block.d],
