@@ -3,7 +3,7 @@
 use standfast::contact::Block;
 use standfast::{InputError, Quantity, Wrench};
 use standfast_motion::{Base, Impact, Initial, Load, MotionError, Problem};
-use toml::de::DeTable;
+use toml::de::{DeTable, DeValue};
 
 use super::criteria::{MOTION_CRITERIA, MotionCriterion};
 use super::error::{MotionCaseError, Wrong};
@@ -52,11 +52,21 @@ const BLOCK: [&str; 11] =
 const LOAD: [&str; 4] = ["at", "direction", "follows", "history"];
 pub(super) const MOTION: [&str; 4] = ["impact", "t_max", "initial", "base"];
 
-/// Whether a case file has a `[motion]` or a `[block]`: what moves in time.
+/// Whether a case file has a `[motion]` or a `[block]`, or loads with histories and no `[ground]`, on which they would be those of an
+/// elastic base: what moves in time.
 pub fn is_in_time(text: &str) -> bool {
     DeTable::parse(text).is_ok_and(|document| {
         let document = document.get_ref();
-        document.contains_key("block") || document.contains_key("motion")
+        let varies =
+            |value: &DeValue<'_>| value.as_table().is_some_and(|table| table.contains_key("history"));
+        let histories = || {
+            let loads = document.get("load").and_then(|loads| loads.get_ref().as_array());
+            document.get("wave").is_some_and(|wave| varies(wave.get_ref()))
+                || loads.is_some_and(|loads| loads.iter().any(|load| varies(load.get_ref())))
+        };
+        document.contains_key("block")
+            || document.contains_key("motion")
+            || (!document.contains_key("ground") && histories())
     })
 }
 

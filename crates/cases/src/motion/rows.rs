@@ -315,6 +315,17 @@ mod tests {
         assert!(words.contains("`peak`"), "{words}");
     }
 
+    #[test]
+    fn histories_make_a_motion_where_no_ground_takes_them() {
+        let body = "[body]\nwidth = 1\nheight = 2\nmass = 1000\nfriction = 0.4\n";
+        let load =
+            "[[load]]\nforce = 6e3\nelevation = 1\nhistory = { shape = \"half-sine\", duration = 0.5 }\n";
+        let still = "[[load]]\nforce = 6e3\nelevation = 1\n";
+        let is_in_time = |tables: &[&str]| super::super::is_in_time(&([&[body], tables].concat().concat()));
+        assert!(is_in_time(&[load]) && is_in_time(&[still, load]) && !is_in_time(&[still]));
+        assert!(!is_in_time(&[load, "[ground]\nstiffness = 5e7\n"]));
+    }
+
     /// A wider body is a heavier one: the row is what a file with the width and the mass that goes with it would say.
     #[test]
     fn what_goes_with_a_number_goes_with_it_in_a_row() {
