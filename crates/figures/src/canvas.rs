@@ -72,10 +72,7 @@ impl Canvas {
 
     /// Clears the paper behind a label on hatching.
     fn patch(&mut self, rect: &Rect, margin: f64, colour: &str) {
-        let Rect { x0, y0, x1, y1 } = rect.grown(margin);
-        let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
-        path.close();
-        self.scene.fill(&path, colour);
+        self.scene.fill(&Path::rectangle(&rect.grown(margin)), colour);
     }
 
     /// A design point.

@@ -9,19 +9,14 @@ mod lines;
 mod plot;
 mod tornado;
 
-use standfast::Mode;
-
 pub use bars::{ChanceBar, ChanceBars, ChanceGroup, chance_bars};
 pub use cloud::{ChanceCloud, CloudPanel, chance_cloud};
 pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
 pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;
-use crate::caption::{SIZE, SMALL, shortened};
-use crate::margins;
-use crate::palette::{FAINT, INK, symbol, tint};
-use crate::scene::{Path, Pen, Rect, Scene};
-use crate::text::Text;
+use crate::below::title_and_caption;
+use crate::scene::Scene;
 
 /// A number with its interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,33 +32,6 @@ pub struct Chance {
 /// Left and right edge of what stands above, beside and below plots.
 const LEFT: f64 = 16.0;
 
-fn rectangle(rect: &Rect) -> Path {
-    let Rect { x0, y0, x1, y1 } = *rect;
-    let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
-    path.close();
-    path
-}
-
-/// The modes with their tints and words, in rows between two edges; returns the y below.
-fn key(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
-    let (mut x, mut y) = (edges.0, top);
-    for &mode in modes {
-        let [name, words] =
-            [Text::new(symbol(mode), SMALL), Text::verbatim(&mode.words().replace('\'', "′"), SMALL)];
-        let width = 16.0 + name.width + 6.0 + words.width;
-        if x > edges.0 && x + width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
-        let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
-        scene.fill(&rectangle(&patch), tint(mode));
-        scene.stroke(&rectangle(&patch), Pen::solid(FAINT, 0.6));
-        scene.text(&name, x + 16.0, y + 10.5, INK);
-        scene.text(&words, x + 22.0 + name.width, y + 10.5, INK);
-        x += width + 16.0;
-    }
-    if modes.is_empty() { y } else { y + 17.0 }
-}
-
 /// Title and caption below, and the figure. `description` is what a reader is told who does not see it.
 fn finished(
     mut scene: Scene,
@@ -71,12 +39,7 @@ fn finished(
     (right, top): (f64, f64),
     description: &str,
 ) -> Figure {
-    let words = |text: &str, size: f64| -> Vec<Text> {
-        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
-    };
-    let edges = (LEFT, right);
-    let below = margins::paragraph(&mut scene, &words(title, SIZE), edges, top, SIZE);
-    let below = margins::paragraph(&mut scene, &words(caption, SMALL), edges, below + 4.0, SMALL);
+    let below = title_and_caption(&mut scene, (title, caption), (LEFT, right), top);
     let size = ((right + 14.0).ceil(), (below + 10.0).ceil());
     let (svg, labels) = scene.finish(size.0, size.1, title, &format!("{description} {caption}"));
     Figure { svg, title: title.to_owned(), caption: caption.to_owned(), labels, size }

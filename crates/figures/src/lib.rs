@@ -32,6 +32,7 @@
 
 #![forbid(unsafe_code)]
 
+mod below;
 mod canvas;
 mod caption;
 mod cases;

@@ -10,10 +10,10 @@ mod spectra;
 
 use standfast::Mode;
 
-use crate::caption::{SMALL, shortened};
-use crate::margins;
-use crate::palette::{FAINT, INK, symbol, tint};
-use crate::scene::{Path, Pen, Rect, Scene};
+use crate::below::{modes_key, title_and_caption};
+use crate::caption::SMALL;
+use crate::palette::{INK, symbol, tint};
+use crate::scene::{Path, Rect, Scene};
 use crate::text::Text;
 
 pub use animation::motion_animation;
@@ -151,19 +151,12 @@ fn band(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect, symbols: boo
     let x = |part: usize| area.x0 + (area.x1 - area.x0) * part as f64 / count as f64;
     for (from, to, mode) in bands(picture.states, picture.end, count) {
         let stretch = Rect { x0: x(from), x1: x(to), ..area };
-        scene.fill(&rectangle(&stretch), tint(mode));
+        scene.fill(&Path::rectangle(&stretch), tint(mode));
         let text = Text::new(symbol(mode), SMALL);
         if symbols && text.width + 5.0 <= stretch.x1 - stretch.x0 {
             scene.text_in(&text, &stretch, INK);
         }
     }
-}
-
-fn rectangle(rect: &Rect) -> Path {
-    let Rect { x0, y0, x1, y1 } = *rect;
-    let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
-    path.close();
-    path
 }
 
 /// Through places on the page.
@@ -182,32 +175,12 @@ fn key(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f
         }
     }
     modes.sort_by_key(|mode| Mode::ALL.iter().position(|known| known == mode));
-    let (mut x, mut y) = (edges.0, top);
-    for mode in modes {
-        let [name, words] =
-            [Text::new(symbol(mode), SMALL), Text::verbatim(&mode.words().replace('\'', "′"), SMALL)];
-        let width = 16.0 + name.width + 6.0 + words.width;
-        if x > edges.0 && x + width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
-        let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
-        scene.fill(&rectangle(&patch), tint(mode));
-        scene.stroke(&rectangle(&patch), Pen::solid(FAINT, 0.5));
-        scene.text(&name, x + 16.0, y + 10.5, INK);
-        scene.text(&words, x + 22.0 + name.width, y + 10.5, INK);
-        x += width + 16.0;
-    }
-    y + 17.0
+    modes_key(scene, &modes, edges, top)
 }
 
 /// Title and caption below; returns the y below.
 fn words_below(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
-    let words = |text: &str, size: f64| -> Vec<Text> {
-        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
-    };
-    let size = crate::caption::SIZE;
-    let below = margins::paragraph(scene, &words(picture.title, size), edges, top, size);
-    margins::paragraph(scene, &words(picture.caption, SMALL), edges, below + 4.0, SMALL)
+    title_and_caption(scene, (picture.title, picture.caption), edges, top)
 }
 
 /// A name with its unit in brackets, in markup.

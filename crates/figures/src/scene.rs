@@ -76,6 +76,12 @@ impl Pen {
 pub(crate) struct Path(String);
 
 impl Path {
+    pub(crate) fn rectangle(&Rect { x0, y0, x1, y1 }: &Rect) -> Path {
+        let mut path = Path::through(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
+        path.close();
+        path
+    }
+
     pub(crate) fn move_to(&mut self, x: f64, y: f64) {
         self.put('M', &[x, y]);
     }

@@ -276,24 +276,13 @@ fn read(
     let mut cases = Vec::new();
     for acts in &case.acting() {
         let situation = case.situation(*acts, None).map_err(|error| refused(in_time, &error.into()))?;
-        let block = block(situation.body(), &situation);
         let uplift = situation.loads().iter().any(|load| {
             matches!(load.source, LoadSource::WaveUplift | LoadSource::Uplift)
                 && load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO
         });
-        let mut problem = Problem::new(block, case.gravity);
+        let mut problem = standing(&situation, case.gravity).map_err(|error| refused(in_time, &error))?;
         let mut peaks = Vec::new();
         let mass = situation.body().mass();
-        if !situation.loads().iter().any(|load| load.source == LoadSource::Weight && load.factor == 1.0) {
-            // The weight comes as a load of its own: take off the one that the problem has.
-            let history = History::constant(1.0).map_err(|error| refused(in_time, &error))?;
-            problem.loads.push(Load {
-                at: [0.0, 0.0],
-                direction: [0.0, case.gravity],
-                follows: false,
-                history,
-            });
-        }
         // Forces come in the order of the case's, and of those that act alone one only.
         let mut forces = (0..case.forces.len()).filter(|i| match acts {
             Acting::Alone(alone) => i == alone || !case.forces[*i].acts_alone(),
@@ -301,7 +290,7 @@ fn read(
             Acting::Combination(_) => true,
         });
         for load in situation.loads() {
-            if load.source == LoadSource::Weight && load.factor == 1.0 {
+            if is_own_weight(load) {
                 continue;
             }
             let of_force =
@@ -376,6 +365,22 @@ fn refused(in_time: &InTime<'_>, error: &MotionError) -> Wrong {
         motion.place(key)
     });
     Wrong::new(error.to_string(), place)
+}
+
+/// Whether a load is the weight that a problem has of itself.
+pub(crate) fn is_own_weight(load: &StaticLoad) -> bool {
+    load.source == LoadSource::Weight && load.factor == 1.0
+}
+
+/// The body of a situation under its weight, where that is among the loads, and under nothing else.
+pub(crate) fn standing(situation: &standfast::Situation, gravity: f64) -> Result<Problem, MotionError> {
+    let mut problem = Problem::new(block(situation.body(), situation), gravity);
+    if !situation.loads().iter().any(is_own_weight) {
+        // The weight comes as a load of its own: take off the one that the problem has.
+        let history = History::constant(1.0)?;
+        problem.loads.push(Load { at: [0.0, 0.0], direction: [0.0, gravity], follows: false, history });
+    }
+    Ok(problem)
 }
 
 /// The block of a body, in metres and per its mass.

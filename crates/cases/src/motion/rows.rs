@@ -196,6 +196,26 @@ impl MotionRows {
         text
     }
 
+    /// The cases of a row, whose text is as given.
+    fn cases(&self, cells: &[&str], text: &str, file: &ReadFile<'_>) -> Result<Vec<BlockCase>, String> {
+        let given = GivenBase::default();
+        let Some(inputs) = &self.inputs else {
+            return cases_on(&self.name, text, file, &given).map_err(|error| error.to_string());
+        };
+        let mut changes = Vec::new();
+        for (place, how) in &self.varied {
+            let Varied::Number(variable) = how else { continue };
+            let cell = cells.get(*place).copied().unwrap_or_default().trim();
+            changes.push((variable, variable.read(cell, inputs).map_err(|problem| problem.to_string())?));
+        }
+        let case = |rest: &str| {
+            let file = CaseFile::parse(&self.name, rest)?;
+            let inputs = vary(file.inputs(), &file.case()?, &changes);
+            Case::of(&inputs).map_err(|fault| file.error(fault))
+        };
+        body_cases_of(&self.name, text, file, &given, &case).map_err(|error| error.to_string())
+    }
+
     /// The results of a row, in the order of [`RESULTS`]: those of the worst situation.
     ///
     /// # Errors
@@ -227,28 +247,6 @@ impl MotionRows {
             case.situation.clone().unwrap_or_default(),
             names.join(" "),
         ])
-    }
-}
-
-impl MotionRows {
-    /// The cases of a row, whose text is as given.
-    fn cases(&self, cells: &[&str], text: &str, file: &ReadFile<'_>) -> Result<Vec<BlockCase>, String> {
-        let given = GivenBase::default();
-        let Some(inputs) = &self.inputs else {
-            return cases_on(&self.name, text, file, &given).map_err(|error| error.to_string());
-        };
-        let mut changes = Vec::new();
-        for (place, how) in &self.varied {
-            let Varied::Number(variable) = how else { continue };
-            let cell = cells.get(*place).copied().unwrap_or_default().trim();
-            changes.push((variable, variable.read(cell, inputs).map_err(|problem| problem.to_string())?));
-        }
-        let case = |rest: &str| {
-            let file = CaseFile::parse(&self.name, rest)?;
-            let inputs = vary(file.inputs(), &file.case()?, &changes);
-            Case::of(&inputs).map_err(|fault| file.error(fault))
-        };
-        body_cases_of(&self.name, text, file, &given, &case).map_err(|error| error.to_string())
     }
 }
 

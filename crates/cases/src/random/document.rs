@@ -74,11 +74,7 @@ impl OverturningDocument<'_> {
             rocked: interval(at.rocked),
             overturned: interval(at.overturned),
         };
-        let fit = overturning.fit.map(|Fit { median, dispersion, misfit }| FitDocument {
-            median,
-            dispersion,
-            misfit,
-        });
+        let fit = overturning.fit.map(FitDocument::of);
         OverturningDocument {
             records: &overturning.records,
             bodies: overturning.bodies,
@@ -103,6 +99,12 @@ struct FitDocument {
     misfit: f64,
 }
 
+impl FitDocument {
+    fn of(Fit { median, dispersion, misfit }: Fit) -> FitDocument {
+        FitDocument { median, dispersion, misfit }
+    }
+}
+
 impl FragilityDocument<'_> {
     fn of(fragility: &Fragility) -> FragilityDocument<'_> {
         let along = |point: &Along| AlongDocument {
@@ -110,11 +112,7 @@ impl FragilityDocument<'_> {
             not_rest: interval(point.not_rest),
             modes: modes(&point.modes),
         };
-        let fit = fragility.fit.map(|Fit { median, dispersion, misfit }| FitDocument {
-            median,
-            dispersion,
-            misfit,
-        });
+        let fit = fragility.fit.map(FitDocument::of);
         FragilityDocument { name: &fragility.name, points: fragility.points.iter().map(along).collect(), fit }
     }
 }

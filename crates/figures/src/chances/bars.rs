@@ -3,14 +3,14 @@
 use standfast::Mode;
 
 use super::plot::{Edge, across_ticks, below};
-use super::{Chance, LEFT, finished, rectangle};
+use super::{Chance, LEFT, finished};
 use crate::Figure;
 use crate::caption::{SIZE, SMALL};
 use crate::margins::NUMBER;
 use crate::motion::SpectrumAxis;
 use crate::number::{digits, significant};
 use crate::palette::{BEHIND, FAINT, INK, symbol, tint};
-use crate::scene::{Pen, Rect, Scene};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
 const WIDE: f64 = 430.0;
@@ -76,7 +76,7 @@ pub fn chance_bars(chart: &ChanceBars<'_>) -> Figure {
         let heading = Text::verbatim(group.heading, SIZE);
         // The grid does not run through words.
         let behind = Rect { x0: x0 - 4.0, x1: x1 + 2.0, y0: y - 2.0, y1: y + 20.0 };
-        scene.fill(&rectangle(&behind), crate::palette::PAPER);
+        scene.fill(&Path::rectangle(&behind), crate::palette::PAPER);
         scene.text(&heading, LEFT, y + 12.0, INK);
         y += 24.0;
         for bar in group.bars {
@@ -100,7 +100,7 @@ fn row(scene: &mut Scene, bar: &ChanceBar<'_>, edge: &Edge, (x0, x1): (f64, f64)
     let name = bar.mode.map(|mode| Text::new(symbol(mode), SMALL));
     let width = name.as_ref().map_or(0.0, |name| name.width + 7.0) + words.width;
     let behind = Rect { x0: x0 + 1.0, x1: x0 + 9.0 + width, y0: y, y1: y + 15.0 };
-    scene.fill(&rectangle(&behind), crate::palette::PAPER);
+    scene.fill(&Path::rectangle(&behind), crate::palette::PAPER);
     let mut x = x0 + 5.0;
     if let Some(name) = name {
         scene.text(&name, x, y + 11.0, INK);
@@ -111,8 +111,8 @@ fn row(scene: &mut Scene, bar: &ChanceBar<'_>, edge: &Edge, (x0, x1): (f64, f64)
     let (top, middle) = (y + 17.0, y + 17.0 + THICK / 2.0);
     if value > 0.0 {
         let filled = Rect { x0, x1: place(value).max(x0 + 0.8), y0: top, y1: top + THICK };
-        scene.fill(&rectangle(&filled), bar.mode.map_or(BEHIND, tint));
-        scene.stroke(&rectangle(&filled), Pen::solid(FAINT, 0.7));
+        scene.fill(&Path::rectangle(&filled), bar.mode.map_or(BEHIND, tint));
+        scene.stroke(&Path::rectangle(&filled), Pen::solid(FAINT, 0.7));
         if place(high) - place(low) > 1.2 {
             let pen = Pen::solid(INK, 1.2);
             scene.line((place(low), middle), (place(high), middle), pen);

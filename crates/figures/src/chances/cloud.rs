@@ -3,8 +3,9 @@
 use standfast::Mode;
 
 use super::plot::{Edge, Plot, up_width};
-use super::{LEFT, finished, key};
+use super::{LEFT, finished};
 use crate::Figure;
+use crate::below::modes_key;
 use crate::margins::NUMBER;
 use crate::motion::SpectrumAxis;
 use crate::palette::{FAINT, INK, tint};
@@ -84,7 +85,7 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
     }
     let modes: Vec<Mode> =
         Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m))).collect();
-    let below = key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
+    let below = modes_key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
     let axes: Vec<String> = chart
         .panels
         .iter()

@@ -3,7 +3,7 @@
 use standfast::Mode;
 
 use super::plot::{Edge, Plot, up_width};
-use super::{Chance, LEFT, finished, rectangle};
+use super::{Chance, LEFT, finished};
 use crate::Figure;
 use crate::caption::SMALL;
 use crate::labels::spread;
@@ -167,7 +167,7 @@ fn swatches(scene: &mut Scene, lines: &[ChanceLine<'_>], edges: (f64, f64), top:
         let has_band =
             line.look == LineLook::Answer && line.points.iter().any(|(_, p)| p.high - p.low > 1e-6 * p.high);
         if has_band {
-            scene.fill(&rectangle(&Rect { x0: x, x1: x + 24.0, y0: y + 1.0, y1: y + 12.0 }), BAND);
+            scene.fill(&Path::rectangle(&Rect { x0: x, x1: x + 24.0, y0: y + 1.0, y1: y + 12.0 }), BAND);
         }
         for pen in pens(line.look) {
             scene.line((x, y + 6.5), (x + 24.0, y + 6.5), pen);

@@ -5,11 +5,9 @@ use crate::motion::SpectrumAxis;
 use crate::number::significant;
 use crate::palette::{BEHIND, INK};
 use crate::scale::Scale;
-use crate::scene::{Pen, Rect, Scene};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::screen::Axis;
 use crate::text::Text;
-
-use super::rectangle;
 
 /// From this many decades on they are written as powers of ten.
 const POWERS: f64 = 3.0;
@@ -115,7 +113,7 @@ impl Plot {
     /// The frame and the numbers; returns the y below the numbers.
     pub(super) fn draw(&self, scene: &mut Scene) -> f64 {
         let Rect { x0, x1, y0, y1 } = self.area;
-        scene.stroke(&rectangle(&self.area), Pen::solid(INK, 0.9));
+        scene.stroke(&Path::rectangle(&self.area), Pen::solid(INK, 0.9));
         below(scene, &self.across, (x0, x1), y1);
         for (value, number) in up_ticks(&self.up, y1 - y0) {
             let (y, length) = (self.y(value), if number.is_some() { 4.0 } else { 2.2 });

@@ -1,14 +1,14 @@
 //! Which number matters: its share α² in the direction of the design point, and the probability if it were known.
 
 use super::plot::{Edge, across_ticks, below};
-use super::{LEFT, finished, rectangle};
+use super::{LEFT, finished};
 use crate::Figure;
 use crate::caption::{SMALL, shortened};
 use crate::margins::NUMBER;
 use crate::motion::SpectrumAxis;
 use crate::number::{digits, significant};
 use crate::palette::{BEHIND, FAINT, INK, MARK};
-use crate::scene::{Pen, Rect, Scene};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
 const ROW: f64 = 26.0;
@@ -68,7 +68,7 @@ pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
             scene.line((x, TOP), (x, bottom), Pen::solid(BEHIND, 0.35));
         }
         let frame = Rect { x0, x1: x0 + length, y0: TOP, y1: bottom };
-        scene.stroke(&rectangle(&frame), Pen::solid(INK, 0.9));
+        scene.stroke(&Path::rectangle(&frame), Pen::solid(INK, 0.9));
         below(&mut scene, edge, (x0, x0 + length), bottom);
     }
     for (i, (number, name)) in chart.numbers.iter().zip(&names).enumerate() {
@@ -88,8 +88,8 @@ pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
             (bar(place(chart.probability), place(number.known)), colour)
         }];
         for (rect, colour) in parts {
-            scene.fill(&rectangle(&rect), colour);
-            scene.stroke(&rectangle(&rect), Pen::solid(FAINT, 0.6));
+            scene.fill(&Path::rectangle(&rect), colour);
+            scene.stroke(&Path::rectangle(&rect), Pen::solid(FAINT, 0.6));
         }
         let text = Text::new(&format!("${}$", significant(number.known, 3)), NUMBER);
         scene.text(&text, k1 + 10.0, middle + 4.0, INK);

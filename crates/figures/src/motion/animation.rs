@@ -10,7 +10,7 @@ use crate::Figure;
 use crate::margins::{self, NUMBER};
 use crate::palette::{FAINT, INK, MARK, tint};
 use crate::scale::Scale;
-use crate::scene::{Pen, Rect, Scene};
+use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
 const WIDTH: f64 = 560.0;
@@ -142,7 +142,7 @@ fn animated(kind: &str, values: &str, key_times: &str, clock: &Clock) -> String 
 /// The band of states with a mark that goes along it; returns the y below.
 fn time(scene: &mut Scene, picture: &MotionPicture<'_>, strip: Rect, clock: &Clock) -> f64 {
     band(scene, picture, strip, true);
-    scene.stroke(&super::rectangle(&strip), Pen::solid(FAINT, 0.8));
+    scene.stroke(&Path::rectangle(&strip), Pen::solid(FAINT, 0.8));
     let scale = Scale::new(0.0, picture.end, 8.0);
     let x = |t: f64| strip.x0 + t / picture.end * (strip.x1 - strip.x0);
     for t in scale.numbers() {

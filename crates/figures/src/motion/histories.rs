@@ -133,7 +133,7 @@ fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, scale
         let places: Vec<(f64, f64)> = places.map(|&(t, value)| (x(t), y(value))).collect();
         scene.stroke(&thinned(&places), LINES[i.min(1)]);
     }
-    scene.stroke(&super::rectangle(&area), Pen::solid(FAINT, 0.8));
+    scene.stroke(&Path::rectangle(&area), Pen::solid(FAINT, 0.8));
 }
 
 /// A line through places from left to right, of which the page shows no more: in each half of a unit the first, the lowest, the highest

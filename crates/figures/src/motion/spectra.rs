@@ -1,15 +1,14 @@
 //! Spectra of motions: a map of classes over two quantities, and lines over one.
 
 use crate::Figure;
-use crate::caption::{SIZE, SMALL, shortened};
+use crate::below::title_and_caption;
+use crate::caption::SMALL;
 use crate::margins::{self, NUMBER};
 use crate::number::significant;
 use crate::palette::{FAINT, INK, MARK, PUSH};
 use crate::scale::Scale;
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
-
-use super::rectangle;
 
 const PLOT: (f64, f64) = (470.0, 310.0);
 const TOP: f64 = 34.0;
@@ -100,7 +99,7 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
         for run in classes.chunk_by(|one, two| one == two) {
             let cell =
                 Rect { x0: column[0], x1: (column[1] + 0.7).min(area.x1), y0: ys[j + run.len()], y1: ys[j] };
-            scene.fill(&rectangle(&cell), map.classes[run[0]].0);
+            scene.fill(&Path::rectangle(&cell), map.classes[run[0]].0);
             j += run.len();
         }
     }
@@ -116,8 +115,8 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
             (x, y) = (edges.0, y + 17.0);
         }
         let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
-        scene.fill(&rectangle(&patch), colour);
-        scene.stroke(&rectangle(&patch), Pen::solid(FAINT, 0.5));
+        scene.fill(&Path::rectangle(&patch), colour);
+        scene.stroke(&Path::rectangle(&patch), Pen::solid(FAINT, 0.5));
         scene.text(&words, x + 16.0, y + 10.5, INK);
         x += 16.0 + words.width + 16.0;
     }
@@ -150,7 +149,7 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         let [x0, x1] = [from, to].map(|value| frame.x(*value).clamp(area.x0, area.x1));
         // A stretch too narrow to be seen is seen all the same.
         let x1 = x1.max(x0 + 0.8);
-        scene.fill(&rectangle(&Rect { x0, x1, ..area }), SHADED);
+        scene.fill(&Path::rectangle(&Rect { x0, x1, ..area }), SHADED);
     }
     let within = |value: f64, axis: &SpectrumAxis<'_>| (-1e-9..=1.0 + 1e-9).contains(&axis.share(value));
     for ((_, points), pen) in chart.lines.iter().zip(LINES) {
@@ -187,7 +186,7 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
     }
     if !chart.shaded.0.is_empty() {
         let patch = |scene: &mut Scene, x: f64, y: f64| {
-            scene.fill(&rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), SHADED);
+            scene.fill(&Path::rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), SHADED);
         };
         swatch(&mut scene, &mut x, &mut y, chart.shaded.1, &patch);
     }
@@ -219,7 +218,7 @@ impl<'a> Frame<'a> {
     /// The frame, its numbers and the names of its axes; returns the y below.
     fn draw(&self, scene: &mut Scene) -> f64 {
         let Rect { x0, y0, x1, y1 } = self.area;
-        scene.stroke(&rectangle(&self.area), Pen::solid(INK, 0.9));
+        scene.stroke(&Path::rectangle(&self.area), Pen::solid(INK, 0.9));
         let tick = Pen::solid(INK, 0.9);
         for (value, number) in self.across.numbers(8.0) {
             let x = self.x(value);
@@ -246,11 +245,7 @@ fn finished(
     edges: (f64, f64),
     top: f64,
 ) -> Figure {
-    let words = |text: &str, size: f64| -> Vec<Text> {
-        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
-    };
-    let below = margins::paragraph(&mut scene, &words(title, SIZE), edges, top, SIZE);
-    let below = margins::paragraph(&mut scene, &words(caption, SMALL), edges, below + 4.0, SMALL);
+    let below = title_and_caption(&mut scene, (title, caption), edges, top);
     let size = ((edges.1 + 12.0).ceil(), (below + 10.0).ceil());
     let [across, up] = axes.map(|axis| Text::inline(axis.name, NUMBER).plain);
     let description = format!("Chart of {up}, upwards, over {across}, to the right. {caption}");

@@ -5,11 +5,11 @@
 
 use standfast::loads::{LoadSource, Pose};
 use standfast::wave::Goda;
-use standfast_motion::{History, Keep, Load, Problem, simulate};
+use standfast_motion::{History, Keep, simulate};
 use standfast_probability::sums::Other;
 
 use crate::case::{Acting, Case, Waves};
-use crate::motion::{acting_as, block};
+use crate::motion::{acting_as, is_own_weight, standing};
 use crate::random::problem::Bias;
 
 /// What comes of the wave: how far the body has slid at the end, and whether it overturned. None if it cannot be followed.
@@ -21,30 +21,12 @@ pub(super) fn wave(
     [mu_s, mu_k]: [f64; 2],
     bias: impl Fn(Bias) -> f64,
 ) -> Option<Other> {
-    let outcome =
-        simulate(&problem(case, waves, goda, duration, [mu_s, mu_k], bias)?, Keep::default()).ok()?;
-    Some(Other { amount: outcome.slide.abs(), ends: outcome.overturned() })
-}
-
-fn problem(
-    case: &Case,
-    waves: &Waves,
-    goda: Goda,
-    duration: f64,
-    [mu_s, mu_k]: [f64; 2],
-    bias: impl Fn(Bias) -> f64,
-) -> Option<Problem> {
     let case = Case { wave: Some(Waves { goda, ..waves.clone() }), ..case.clone() };
     let situation = case.situation(Acting::All, None).ok()?;
     let body = situation.body();
-    let mut problem = Problem::new(block(body, &situation), case.gravity);
+    let mut problem = standing(&situation, case.gravity).ok()?;
     (problem.block.mu_s, problem.block.mu_k) = (mu_s, mu_k);
-    let mut has_weight = false;
-    for load in situation.loads() {
-        if load.source == LoadSource::Weight && load.factor == 1.0 {
-            has_weight = true;
-            continue;
-        }
+    for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
         if load.wrench(body, case.gravity, Pose::UPRIGHT) == standfast::Wrench::ZERO {
             continue;
         }
@@ -56,10 +38,6 @@ fn problem(
         };
         problem.loads.extend(acting_as(load, body, case.gravity, body.mass(), &history.ok()?));
     }
-    if !has_weight {
-        // It comes as a load of its own: take off the one that the problem has.
-        let history = History::constant(1.0).ok()?;
-        problem.loads.push(Load { at: [0.0, 0.0], direction: [0.0, case.gravity], follows: false, history });
-    }
-    Some(problem)
+    let outcome = simulate(&problem, Keep::default()).ok()?;
+    Some(Other { amount: outcome.slide.abs(), ends: outcome.overturned() })
 }
