@@ -26,6 +26,9 @@ fn least(what: &str, times: usize, text: &str) {
 }
 
 fn main() {
-    least("point of the plane, two normals", 50, PLANE);
+    least("point of the plane, two normals", 400, PLANE);
+    if std::env::var("PLANE").is_ok() {
+        return;
+    }
     least("Goda's caisson, three random numbers", 3, &format!("{CAISSON}\n{SEA}"));
 }

@@ -53,12 +53,19 @@ pub fn generalized(probability: f64) -> f64 {
     normal::quantile_above(probability)
 }
 
-/// How many starts are made, and how far out they lie.
+/// How many starts are made at most, and how far out they lie.
 const STARTS: usize = 8;
-const SCREENED: u64 = 2048;
 const FAR: f64 = 8.0;
+/// Of so many points on each axis, and so many in all at most, the best are taken to start from.
+const SCREENED_EACH: u64 = 32;
+const SCREENED: u64 = 2048;
 /// By how much two rounds may differ that agree, relative to β².
 const AGREED: f64 = 1e-13;
+
+/// By how much, relative to β², two starts may differ that have led to one point.
+const MET: f64 = 1e-9;
+/// And by how much such points may lie apart, relative to 1 + β.
+const BESIDE: f64 = 1e-4;
 
 /// The design point of the outcomes in `which` (a bit for each); none if nowhere within reach any of them holds.
 pub fn design_point<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u64) -> Option<DesignPoint> {
@@ -70,10 +77,10 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
     let frame = Frame::new(inputs, outcomes);
     let mut search = Search { frame: &frame, which, scratch: frame.scratch() };
     let n = frame.dimensions();
-    let mut found: Vec<(f64, Vec<f64>, usize)> = Vec::new();
+    let mut found: Vec<Found> = Vec::new();
     let starts = if n == 0 { vec![Vec::new()] } else { search.starts(n) };
     for start in &starts {
-        let Some((square, v)) = search.descend(start) else { continue };
+        let Some((square, v)) = search.descend(start, &found) else { continue };
         match found.iter_mut().find(|(_, other, _)| distance(other, &v) < 1e-2 * (1.0 + square.sqrt())) {
             Some(same) => {
                 if square < same.0 {
@@ -106,6 +113,9 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
         .collect()
 }
 
+/// The square of a point's distance, the point, and how many starts led there.
+type Found = (f64, Vec<f64>, usize);
+
 struct Search<'f, 'a, O> {
     frame: &'f Frame<'a, O>,
     which: u64,
@@ -124,7 +134,8 @@ impl<O: Outcomes> Search<'_, '_, O> {
     /// Points to start from: of many, the best, and then the best that lie apart from those chosen.
     fn starts(&mut self, n: usize) -> Vec<Vec<f64>> {
         let sobol = Sobol::new(n, 1, 0);
-        let mut screened: Vec<(f64, Vec<f64>)> = (0..SCREENED)
+        let count = SCREENED_EACH.saturating_pow(n as u32).clamp(2 * SCREENED_EACH, SCREENED);
+        let mut screened: Vec<(f64, Vec<f64>)> = (0..count)
             .map(|i| {
                 let v: Vec<f64> = if i == 0 {
                     vec![0.0; n]
@@ -149,8 +160,8 @@ impl<O: Outcomes> Search<'_, '_, O> {
         starts
     }
 
-    /// The least square that is found from a start, and where.
-    fn descend(&mut self, start: &[f64]) -> Option<(f64, Vec<f64>)> {
+    /// The least square that is found from a start, and where; no farther than to where another start has led.
+    fn descend(&mut self, start: &[f64], found: &[Found]) -> Option<(f64, Vec<f64>)> {
         let mut best = (self.square(start), start.to_vec());
         let (mut size, mut agreed) = (0.5, 0);
         for round in 0..60 {
@@ -161,7 +172,14 @@ impl<O: Outcomes> Search<'_, '_, O> {
                 best = next;
             }
             agreed = if little { agreed + 1 } else { 0 };
-            if agreed == 4 || start.is_empty() {
+            let met = |(square, v, _): &Found| {
+                (best.0 - square).abs() <= MET * square
+                    && distance(v, &best.1) <= BESIDE * (1.0 + square.sqrt())
+            };
+            if found.iter().any(met) {
+                break;
+            }
+            if agreed == 2 * start.len().min(2) {
                 break;
             }
             // A round that found nothing looks nearer; one that did, as far again.

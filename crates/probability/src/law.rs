@@ -474,6 +474,16 @@ impl Distribution {
         }
     }
 
+    /// The same of each, in place.
+    pub fn values_of_chances(&self, chances: &mut [f64]) {
+        if let (Kind::Normal { .. } | Kind::LogNormal { .. }, None) = (&self.law.0, self.bounds) {
+            normal::quantiles(chances);
+            chances.iter_mut().for_each(|x| *x = self.law.value(*x));
+        } else {
+            chances.iter_mut().for_each(|p| *p = self.value_of_chance(*p));
+        }
+    }
+
     /// The value that is exceeded as often as not.
     pub fn median(&self) -> f64 {
         self.value(0.0)

@@ -119,6 +119,19 @@ impl Stream {
     pub fn draw(&mut self) -> f64 {
         open(self.0.next_u64())
     }
+
+    /// The next numbers, each in (0, 1).
+    pub fn fill(&mut self, numbers: &mut [f64]) {
+        const WIDTH: usize = size_of::<u64>();
+        let mut bytes = [0; 64 * WIDTH];
+        for run in numbers.chunks_mut(64) {
+            let bytes = &mut bytes[..WIDTH * run.len()];
+            self.0.fill_bytes(bytes);
+            for (number, bytes) in run.iter_mut().zip(bytes.as_chunks::<WIDTH>().0) {
+                *number = open(u64::from_le_bytes(*bytes));
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -204,6 +217,12 @@ mod tests {
         assert_eq!(take(1, 0), take(1, 0));
         assert_ne!(take(1, 0), take(1, 1));
         assert_ne!(take(1, 0), take(2, 0));
+        let (mut one, mut many) = (Stream::new(5, 2), Stream::new(5, 2));
+        for count in [1, 3, 64, 65, 300] {
+            let mut numbers = vec![0.0; count];
+            many.fill(&mut numbers);
+            assert!(numbers.iter().all(|number| *number == one.draw()), "{count} at once");
+        }
         let mut numbers = Stream::new(3, 9);
         let mean = (0..100_000).map(|_| numbers.draw()).sum::<f64>() / 1e5;
         assert!((mean - 0.5).abs() < 4.0 / 12f64.sqrt() / 1e5f64.sqrt());

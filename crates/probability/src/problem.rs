@@ -154,6 +154,29 @@ pub trait Outcomes: Sync {
     fn at(&self, values: &[f64]) -> u64;
 }
 
+/// An end of a piece: its value, the line's independent normal there, and the probability beyond it in the nearer tail.
+#[derive(Clone, Copy)]
+struct End {
+    x: f64,
+    u: f64,
+    tail: f64,
+}
+
+impl End {
+    /// The probability from here to another end, as a difference in the nearer tail; 0 if that is not above.
+    fn until(&self, to: &End) -> f64 {
+        if to.u <= self.u {
+            0.0
+        } else if self.u > 0.0 {
+            self.tail - to.tail
+        } else if to.u > 0.0 {
+            1.0 - to.tail - self.tail
+        } else {
+            to.tail - self.tail
+        }
+    }
+}
+
 /// A problem seen in independent standard normals: those of all inputs but the line's, in an order of choice.
 pub(crate) struct Frame<'a, O> {
     pub(crate) inputs: &'a Inputs,
@@ -267,18 +290,31 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let law = &self.inputs.laws[self.outcomes.line()];
         shares.fill(0.0);
         let mut signature = pieces.signature;
-        let median = if deviation == 0.0 { law.median() } else { 0.0 };
-        for piece in &pieces.pieces {
-            if deviation == 0.0 {
+        if deviation == 0.0 {
+            let median = law.median();
+            for piece in &pieces.pieces {
                 let inside = piece.from <= median && median < piece.to;
                 shares[piece.outcome] += f64::from(u8::from(inside));
                 signature = mixed(signature, u64::from(inside));
-            } else {
-                let (from, to) = (law.z(piece.from), law.z(piece.to));
-                shares[piece.outcome] += normal::between((from - mean) / deviation, (to - mean) / deviation);
-                // Where an end leaves what the law has values for, the probability has a kink.
-                signature = mixed(signature, u64::from(from.is_finite()) | u64::from(to.is_finite()) << 1);
             }
+            return signature;
+        }
+        // One piece mostly begins where another ends.
+        let mut last: Option<End> = None;
+        for piece in &pieces.pieces {
+            let mut end = |x: f64| match last {
+                Some(end) if end.x == x => end,
+                _ => {
+                    let u = (law.z(x) - mean) / deviation;
+                    let end = End { x, u, tail: normal::above(u.abs()) };
+                    last = Some(end);
+                    end
+                }
+            };
+            let (from, to) = (end(piece.from), end(piece.to));
+            shares[piece.outcome] += from.until(&to);
+            // Where an end leaves what the law has values for, the probability has a kink.
+            signature = mixed(signature, u64::from(from.u.is_finite()) | u64::from(to.u.is_finite()) << 1);
         }
         signature
     }

@@ -274,23 +274,36 @@ pub fn draws(inputs: &Inputs, seed: u64, count: u64, mut each: impl FnMut(&[f64]
     }
 }
 
+/// How many draws are made at once.
+const AT_ONCE: usize = 128;
+
 fn draw_block(inputs: &Inputs, seed: u64, block: u64, mut each: impl FnMut(&[f64])) {
     let mut stream = Stream::new(seed, block);
-    let laws = inputs.laws();
-    let mut values = vec![0.0; laws.len()];
+    let (laws, n) = (inputs.laws(), inputs.laws().len());
     let factor = (!inputs.copula().is_independent()).then(|| inputs.copula().natural_factor());
-    let mut u = vec![0.0; laws.len()];
-    for _ in 0..BLOCK {
-        match &factor {
-            None => values.iter_mut().zip(laws).for_each(|(x, law)| *x = law.value_of_chance(stream.draw())),
-            Some(factor) => {
-                u.iter_mut().for_each(|u| *u = normal::quantile(stream.draw()));
+    let mut values = vec![0.0; n];
+    // The numbers of one draw after another, as the stream has them; and those of one input after another.
+    let (mut numbers, mut columns) = (vec![0.0; n * AT_ONCE], vec![0.0; n * AT_ONCE]);
+    for _ in 0..BLOCK as usize / AT_ONCE {
+        stream.fill(&mut numbers);
+        if let Some(factor) = &factor {
+            normal::quantiles(&mut numbers);
+            for u in numbers.chunks(n) {
                 for ((x, law), row) in values.iter_mut().zip(laws).zip(factor) {
-                    *x = law.value(row.iter().zip(&u).map(|(a, u)| a * u).sum());
+                    *x = law.value(row.iter().zip(u).map(|(a, u)| a * u).sum());
                 }
+                each(&values);
             }
+            continue;
         }
-        each(&values);
+        for (input, (column, law)) in columns.chunks_mut(AT_ONCE).zip(laws).enumerate() {
+            column.iter_mut().zip(numbers.iter().skip(input).step_by(n)).for_each(|(x, p)| *x = *p);
+            law.values_of_chances(column);
+        }
+        for draw in 0..AT_ONCE {
+            values.iter_mut().zip(columns.chunks(AT_ONCE)).for_each(|(x, column)| *x = column[draw]);
+            each(&values);
+        }
     }
 }
 
