@@ -24,7 +24,7 @@ NAMES = {"warning": "CaseWarning"}
 #: Keys of the document for which `Assessment` has something of its own.
 OWN = ("governing", "situations", "figures")
 #: Classes of which lists are given under their modes.
-KEYED = ("Chance",)
+KEYED = ("Chance", "DesignPoint")
 TYPES = {"number": "float", "integer": "int", "string": "str", "boolean": "bool", "null": "None"}
 
 HEADER = '''\

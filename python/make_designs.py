@@ -75,6 +75,7 @@ Units are SI; those of a case with a ``[block]`` are its own. ``None`` says that
             ("Interval", "probability.schema.json", "#/$defs/interval", None),
             ("Chance", "probability.schema.json", "#/$defs/chance", None),
             ("Importance", "probability.schema.json", "#/$defs/importance", None),
+            ("DesignPoint", "probability.schema.json", "#/$defs/design-point", None),
             ("FirstDeparture", "probability.schema.json", "#/$defs/departure", None),
             ("Life", "probability.schema.json", "#/$defs/life", None),
             ("Quantile", "probability.schema.json", "#/$defs/quantile", None),

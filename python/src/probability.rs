@@ -6,7 +6,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::Mode;
-use standfast_cases::random::{Draws, Effort, FirstInstant, Over, Request};
+use standfast_cases::random::{Draws, Effort, FirstInstant, MethodAsked, Over, Request};
 use standfast_cases::report;
 
 use crate::assess::beside;
@@ -34,7 +34,7 @@ pub(crate) fn probability(
     file: (String, String),
     asked: Asked,
 ) -> PyResult<(String, String)> {
-    let method = asked.method.as_deref().map(str::parse).transpose();
+    let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| PyValueError::new_err(error))?;
     let plain = Effort::default();
     let effort = Effort {
@@ -44,7 +44,8 @@ pub(crate) fn probability(
         points: asked.samples,
         threads: asked.threads.map_or(plain.threads, NonZero::get),
     };
-    let request = Request { method, effort, years: asked.years, follow: asked.follow };
+    let request = Request { effort, years: asked.years, follow: asked.follow, ..Request::default() };
+    let request = method.map_or(request, |method| request.with(method));
     let over = asked.over.as_deref().map(str::parse::<Over>).transpose();
     let over = over.map_err(|error| {
         PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))

@@ -132,7 +132,7 @@ def test_draws_of_several_situations_ask_which() -> None:
 @pytest.mark.parametrize(
     ("options", "error", "said"),
     [
-        ({"method": "form"}, ValueError, "`form` finds β and what matters, which stand in every answer"),
+        ({"method": "form2"}, ValueError, "no method is called `form2`; expected one of integrate, sobol, importance, monte-carlo, form"),
         ({"method": 1}, TypeError, "method is 1; expected the name of a method"),
         ({"precision": 0}, ValueError, "precision is 0; expected a share, above zero and below 1"),
         ({"floor": 1}, ValueError, "floor is 1; expected a share"),

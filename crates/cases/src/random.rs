@@ -31,7 +31,9 @@ mod storm;
 mod template;
 mod text;
 
-pub use answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Probability, Request};
+pub use answer::{
+    Chances, FirstDeparture, Happening, LifeChances, Method, MethodAsked, Probability, Request,
+};
 pub use criterion::ChanceCriterion;
 pub(crate) use criterion::not_rest;
 pub use draws::{Drawn, Draws, WeighedDraws};

@@ -505,3 +505,48 @@ fn modes_add_up_to_one_about_design_points() {
             .all(|(_, e)| 0.0 <= e.low && e.low <= e.value && e.value <= e.high && e.high <= 1.0)
     );
 }
+
+/// FORM of every mode: those that begin in corner A have their nearest point there, sliding where k = μ, each by the laws' own logarithms;
+/// a mode in which the medians already are is at the distance 0. Nothing of the kind stands where it is not asked for.
+#[test]
+fn every_mode_has_its_nearest_point() {
+    let text = format!(
+        "{POINT}[random]\nmu = {{ lognormal = {{ mean = 0.62, cov = 0.08 }} }}\nk = {{ lognormal = {{ mean = 0.35, cov = 0.15 }} }}\n"
+    );
+    let form =
+        |text: &str| answer(text, Request::default().with("form".parse().unwrap())).situations.remove(0);
+    let chances = form(&text);
+    assert_eq!(chances.method, Method::Integrate);
+    let u = |x: f64, mean: f64, cov: f64| {
+        let variance = (cov * cov).ln_1p();
+        (x.ln() - mean.ln() + 0.5 * variance) / variance.sqrt()
+    };
+    let at = |x: f64| u(x, 0.62, 0.08).hypot(u(x, 0.35, 0.15));
+    let point = |chances: &Chances, mode: Mode| {
+        let points = chances.design_points.as_ref().unwrap();
+        points.iter().find(|(happening, _)| *happening == Happening::Mode(mode)).unwrap().1.clone()
+    };
+    let corner = Chart::new(0.8, 0.9167).unwrap().k_a();
+    for mode in [Mode::RockO, Mode::SlideRockOLeft] {
+        let point = point(&chances, mode);
+        assert_close("β", point.beta, at(corner), 1e-9);
+        assert!(point.at_change && point.values.iter().all(|x| (x - corner).abs() < 1e-9), "{point:?}");
+    }
+    // Along μ = k the distance is least at one place, which a golden section finds.
+    let (mut a, mut b): (f64, f64) = (0.35, 0.62);
+    for _ in 0..200 {
+        let (one, other) = (b - 0.618_033_988_749_895 * (b - a), a + 0.618_033_988_749_895 * (b - a));
+        if at(one) < at(other) { b = other } else { a = one }
+    }
+    assert_close("β", point(&chances, Mode::SlideLeft).beta, at(a), 1e-9);
+    assert_eq!(answer(&text, Request::default()).situations[0].design_points, None);
+    // The medians slide: the distance to rest counts, as that of the half space of the other sign.
+    let chances = form(&text.replace("0.35", "0.64"));
+    assert_eq!(point(&chances, Mode::SlideLeft).beta, 0.0);
+    let at = |x: f64| u(x, 0.62, 0.08).hypot(u(x, 0.64, 0.15));
+    let nearest = (0..=100_000).map(|i| at(0.5 + 2e-6 * f64::from(i))).fold(f64::INFINITY, f64::min);
+    let of_rest = chances.design_point.unwrap();
+    assert!((of_rest.beta + nearest).abs() < 1e-7, "{} {nearest}", of_rest.beta);
+    let parallel = of_rest.alpha.iter().zip(&of_rest.u).all(|(α, u)| (α * of_rest.beta - u).abs() < 1e-12);
+    assert!(parallel && of_rest.first_order() > 0.5, "{of_rest:?}");
+}

@@ -13,7 +13,7 @@ use standfast::{InputError, Point};
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
 use standfast_cases::motion::{SpectrumKind, Steps};
-use standfast_cases::random::{Method, Over};
+use standfast_cases::random::{MethodAsked, Over};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
 use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
@@ -336,9 +336,10 @@ pub struct ProbabilityArgs {
     /// Draw nothing: the answer alone
     #[arg(long, conflicts_with = "output")]
     pub no_figures: bool,
-    /// How: integrate (three random numbers at most), sobol, importance or monte-carlo [default: the best that takes as many]
+    /// How: integrate (three random numbers at most), sobol, importance or monte-carlo [default: the best that takes as
+    /// many]; form adds the nearest point of every mode to that
     #[arg(long)]
-    pub method: Option<Method>,
+    pub method: Option<MethodAsked>,
     /// The seed of all random numbers
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

@@ -109,18 +109,19 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
         points: args.samples,
         threads: args.threads.map_or(plain.threads, NonZeroUsize::get),
     };
-    // What is written has to be drawn.
-    let method = args.method.or(args.draws.as_ref().map(|_| Method::MonteCarlo));
+    let follow = args.rotations == RotationsArg::Simulate;
+    let plainly = Request { effort, years: args.years, follow, ..Request::default() };
+    let mut request = args.method.map_or(plainly, |method| plainly.with(method));
     if let Some(file) = &args.draws {
         if case_file::is_at(&args.case, &file.path) {
             return Err(ProbabilityCommandError::Overwrite { path: args.case.clone() });
         }
-        if let Some(method) = method.filter(|method| *method != Method::MonteCarlo) {
+        // What is written has to be drawn.
+        let method = *request.method.get_or_insert(Method::MonteCarlo);
+        if method != Method::MonteCarlo {
             return Err(ProbabilityError::NotDrawn { method }.into());
         }
     }
-    let follow = args.rotations == RotationsArg::Simulate;
-    let request = Request { method, effort, years: args.years, follow };
     let found = FirstInstant::of(&name, &text, request, args.over.as_ref(), &record_reader(&args.case))?;
     let (answer, text) = (&found.answer, &found.still);
     if let Some(file) = &args.draws {

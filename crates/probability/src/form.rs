@@ -20,7 +20,8 @@ use crate::problem::{Frame, Inputs, Outcomes, Scratch};
 /// The point of some outcomes that is nearest to the medians, in standard normals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignPoint {
-    /// The reliability index: its distance from the origin; negative if the origin itself is such a point.
+    /// The reliability index: its distance from the origin, 0 if the origin itself is such a point; negative of a point
+    /// [turned](DesignPoint::turned).
     pub beta: f64,
     /// The point in independent standard normals, in the order of the inputs (Cholesky's factor in that order).
     pub u: Vec<f64>,
@@ -37,6 +38,12 @@ pub struct DesignPoint {
 }
 
 impl DesignPoint {
+    /// As the point of the outcomes on the other side, where the origin is among them: β is negative then, and α = u/β still.
+    pub fn turned(self) -> DesignPoint {
+        let alpha = self.alpha.iter().map(|cosine| -cosine).collect();
+        DesignPoint { beta: -self.beta, alpha, ..self }
+    }
+
     /// By what β grows if the input with this number is held at its median: 1/√(1 − α²).
     pub fn omission(&self, input: usize) -> f64 {
         (1.0 - self.alpha[input].powi(2)).max(0.0).sqrt().recip()
@@ -92,7 +99,6 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let inside = outcomes.at(&inputs.laws().iter().map(|law| law.median()).collect::<Vec<_>>()) & which != 0;
     found
         .into_iter()
         .filter_map(|(_, v, agreeing)| {
@@ -101,7 +107,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
             let beta = u.iter().map(|u| u * u).sum::<f64>().sqrt();
             let z = inputs.copula().correlated(&u);
             Some(DesignPoint {
-                beta: if inside { -beta } else { beta },
+                beta,
                 alpha: u.iter().map(|u| if beta > 0.0 { u / beta } else { 0.0 }).collect(),
                 values: inputs.laws().iter().zip(&z).map(|(law, &z)| law.value(z)).collect(),
                 u,

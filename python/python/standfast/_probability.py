@@ -57,7 +57,7 @@ class _Asked(NamedTuple):
 def probability(
     case: str | os.PathLike[str] | Mapping[str, object],
     *,
-    method: Literal["integrate", "sobol", "importance", "monte-carlo"] | None = None,
+    method: Literal["integrate", "sobol", "importance", "monte-carlo", "form"] | None = None,
     seed: int = _SEED,
     precision: float = _PRECISION,
     floor: float = _FLOOR,
@@ -74,7 +74,7 @@ def probability(
     Args:
         case: the path of a case file with a table ``[random]``, or a dict with the same keys; or a ``[point]`` of the report's plane.
         method: ``"integrate"`` (to all digits, three random numbers at most), ``"sobol"``, ``"importance"`` or ``"monte-carlo"``; the best
-            that takes as many numbers, if it is left out.
+            that takes as many numbers, if it is left out. ``"form"`` adds ``design_points``, the nearest point of every mode, to that.
         seed: of all random numbers. The same gives the same answer, for any number of threads.
         precision: how wide half of a 95 % interval may be, relative to its probability.
         floor: probabilities below it need not be precise.

@@ -17,6 +17,7 @@ __all__ = [
     "Chance",
     "ChanceCriterion",
     "Chances",
+    "DesignPoint",
     "Exceeded",
     "FirstDeparture",
     "Fit",
@@ -131,6 +132,50 @@ class Importance(Answer):
     def if_known_high(self) -> float | None:
         """The upper end; a bound where nothing was met."""
         return self._document["if_known_high"]
+
+
+class DesignPoint(Answer):
+    """Where a mode is nearest to the medians of all random numbers, by FORM."""
+
+    @property
+    def mode(self) -> str:
+        """a mode by its symbol; "no mode" or "not a body"."""
+        return self._document["mode"]
+
+    @property
+    def beta(self) -> float:
+        """The distance in standard normals; 0 where the medians themselves have the mode."""
+        return self._document["beta"]
+
+    @property
+    def first_order(self) -> float:
+        """Φ(−β), which is no probability of the mode."""
+        return self._document["first_order"]
+
+    @property
+    def point(self) -> dict[str, float]:
+        """The random numbers there, by name."""
+        return dict(self._document["point"])
+
+    @property
+    def alpha(self) -> dict[str, float]:
+        """The direction cosines, by name."""
+        return dict(self._document["alpha"])
+
+    @property
+    def at_change_of_formula(self) -> bool:
+        """Whether it lies where a formula or a mode changes."""
+        return self._document["at_change_of_formula"]
+
+    @property
+    def agreeing(self) -> int:
+        """How many starts led there."""
+        return self._document["agreeing"]
+
+    @property
+    def starts(self) -> int:
+        """How many there were."""
+        return self._document["starts"]
 
 
 class FirstDeparture(Answer):
@@ -558,8 +603,9 @@ class Chances(Answer):
 
     @property
     def beta(self) -> float | None:
-        """The distance of the nearest point at which the body does not rest, in standard normals; None where none is within
-        reach. Not to be turned into a probability."""
+        """The distance of the nearest point at which the body does not rest, in standard normals; negative where it moves at the
+        medians: then minus that of the nearest point at which it rests; None where none is within reach. Not to be turned into a
+        probability."""
         return self._document["beta"]
 
     @property
@@ -583,6 +629,11 @@ class Chances(Answer):
     def importance(self) -> list[Importance]:
         """Which random number matters, in the order of the case."""
         return parts(Importance, self._document["importance"])
+
+    @property
+    def design_points(self) -> ByMode[DesignPoint] | None:
+        """The nearest point of every mode within reach, but of rest; None unless asked for by the method form."""
+        return None if self._document["design_points"] is None else by_mode(DesignPoint, self._document["design_points"])
 
     @property
     def life(self) -> Life | None:
@@ -666,8 +717,9 @@ class ProbabilityDocument(Answer):
 
     @property
     def beta(self) -> float | None:
-        """The distance of the nearest point at which the body does not rest, in standard normals; None where none is within
-        reach. Not to be turned into a probability."""
+        """The distance of the nearest point at which the body does not rest, in standard normals; negative where it moves at the
+        medians: then minus that of the nearest point at which it rests; None where none is within reach. Not to be turned into a
+        probability."""
         return self._document["beta"]
 
     @property
@@ -691,6 +743,11 @@ class ProbabilityDocument(Answer):
     def importance(self) -> list[Importance]:
         """Which random number matters, in the order of the case."""
         return parts(Importance, self._document["importance"])
+
+    @property
+    def design_points(self) -> ByMode[DesignPoint] | None:
+        """The nearest point of every mode within reach, but of rest; None unless asked for by the method form."""
+        return None if self._document["design_points"] is None else by_mode(DesignPoint, self._document["design_points"])
 
     @property
     def life(self) -> Life | None:

@@ -52,20 +52,26 @@ impl fmt::Display for Method {
     }
 }
 
-impl FromStr for Method {
+/// A method as it is asked for by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MethodAsked {
+    /// One that finds probabilities.
+    By(Method),
+    /// FORM: the nearest point of every mode. It ranks and gives no probability, so that those beside it are found by the method
+    /// that suits.
+    Form,
+}
+
+impl FromStr for MethodAsked {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<Method, String> {
-        let names = Method::ALL.map(Method::name).join(", ");
-        if text == "form" {
-            return Err(format!(
-                "`form` finds β and what matters, which stand in every answer, but no probability; expected one of {names}"
-            ));
-        }
-        Method::ALL
-            .into_iter()
-            .find(|method| method.name() == text)
-            .ok_or_else(|| format!("no method is called `{text}`; expected one of {names}"))
+    fn from_str(text: &str) -> Result<MethodAsked, String> {
+        const FORM: &str = "form";
+        let method = Method::ALL.into_iter().find(|method| method.name() == text).map(MethodAsked::By);
+        method.or((text == FORM).then_some(MethodAsked::Form)).ok_or_else(|| {
+            let names = Method::ALL.map(Method::name).join(", ");
+            format!("no method is called `{text}`; expected one of {names}, {FORM}")
+        })
     }
 }
 
@@ -80,7 +86,20 @@ pub struct Request {
     pub years: Option<f64>,
     /// Whether waves that begin a rotation are followed by the motion in time.
     pub follow: bool,
+    /// Whether the nearest point of every mode is looked for.
+    pub form: bool,
 }
+
+impl Request {
+    /// The same with a method that is asked for.
+    pub fn with(self, asked: MethodAsked) -> Request {
+        match asked {
+            MethodAsked::By(method) => Request { method: Some(method), ..self },
+            MethodAsked::Form => Request { form: true, ..self },
+        }
+    }
+}
+
 /// How likely each mode is under one set of loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chances {
@@ -106,6 +125,8 @@ pub struct Chances {
     pub first_departure: FirstDeparture,
     /// The nearest point at which the body does not rest; none within reach.
     pub design_point: Option<DesignPoint>,
+    /// The nearest point of every mode that has one within reach, and of numbers that do not go together; none unless asked for.
+    pub design_points: Option<Vec<(Happening, DesignPoint)>>,
     /// The probability of not resting if one number were known to have its median, for each.
     pub known: Vec<Estimate>,
     /// Over the years of a life.

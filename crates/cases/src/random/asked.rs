@@ -69,6 +69,18 @@ impl Asked {
     }
 }
 
+impl Problem {
+    /// The problems of a file with a `[random]` table, to be handed to any method of `standfast_probability` with their
+    /// [laws](Problem::laws): one for each set of loads that act together and each acceleration of the base that is tried; of a `[point]`
+    /// the one. Outcomes are numbered by [`Mode::code`](standfast::Mode::code).
+    ///
+    /// # Errors
+    /// If the text is no such file, or a storm without a body.
+    pub fn of_text(name: &str, text: &str) -> Result<Vec<Problem>, ProbabilityError> {
+        Asked::read(name, text, None)?.problems(None)
+    }
+}
+
 /// The problems of a case file with a `[random]` table.
 pub(super) fn problems_of(file: &CaseFile, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
     let random = file.random().ok_or(ProbabilityError::NoRandom)?;

@@ -38,9 +38,14 @@ pub(super) fn event(
     Ok((modes, sampled.estimates[count]))
 }
 
-/// The nearest points at which the body does not rest, and the problem along the number that matters there.
+/// The nearest points at which the body does not rest (or if it does not at the medians, at which it rests), and the problem along the number that matters there.
 fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
-    let points = local_design_points(problem.laws(), problem, not_rest());
+    let of = |which| local_design_points(problem.laws(), problem, which);
+    let mut points = of(not_rest());
+    // Where it moves at the medians, what is looked for is the nearest point at which it does not.
+    if points.first().is_some_and(|point| point.beta == 0.0) {
+        points = of(1 << Mode::Rest.code()).into_iter().map(DesignPoint::turned).collect();
+    }
     let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
     (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
 }
@@ -92,6 +97,16 @@ pub(super) fn about(problem: &Problem, points: &[DesignPoint]) -> Vec<Vec<f64>> 
     let moved = exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
     let of_modes = moved.filter_map(|set| design_point(problem.laws(), problem, set));
     points.iter().cloned().chain(of_modes).map(|point| point.u).collect()
+}
+
+/// The nearest point of every happening but rest, in which a body is when nothing happens.
+fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
+    let rest = usize::from(Mode::Rest.code());
+    let found = |outcome: usize| {
+        let point = design_point(problem.laws(), problem, 1 << outcome)?;
+        Some((Happening::of(outcome), point))
+    };
+    exclusive().filter(|outcome| *outcome != rest).filter_map(found).collect()
 }
 
 /// The method, and the probabilities of all sets.
@@ -155,6 +170,7 @@ pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, P
         known: if numbers > 1 { known.collect() } else { Vec::new() },
         first_departure: first_departure(problem, method, effort, sampled.points),
         design_point: points.into_iter().next(),
+        design_points: request.form.then(|| of_each(problem)),
         life: life(problem, effort)?,
         course: sampled.course.iter().map(|(points, e)| (*points, e[exclusive().count()])).collect(),
     })

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use standfast_probability::form::DesignPoint;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{Chances, Happening, Probability};
@@ -215,6 +216,8 @@ struct ChancesDocument<'a> {
     design_point: Option<BTreeMap<&'a str, f64>>,
     at_change_of_formula: Option<bool>,
     importance: Vec<ImportanceDocument<'a>>,
+    /// `null` unless they are asked for.
+    design_points: Option<Vec<DesignPointDocument<'a>>>,
     life: Option<LifeDocument>,
 }
 
@@ -253,6 +256,21 @@ struct ImportanceDocument<'a> {
     /// Its interval; of one that was never met the bound above.
     if_known_low: Option<f64>,
     if_known_high: Option<f64>,
+}
+
+/// Where a mode is nearest to the medians, by FORM.
+#[derive(Serialize)]
+struct DesignPointDocument<'a> {
+    mode: String,
+    beta: f64,
+    /// Φ(−β), which is no probability of the mode.
+    first_order: f64,
+    point: BTreeMap<&'a str, f64>,
+    alpha: BTreeMap<&'a str, f64>,
+    at_change_of_formula: bool,
+    /// How many starts led there, of how many.
+    agreeing: usize,
+    starts: usize,
 }
 
 #[derive(Serialize)]
@@ -314,6 +332,17 @@ impl Probability {
                 if_known_high: chances.known.get(place).map(|estimate| estimate.high),
             }
         });
+        let named = |of: &[f64]| -> BTreeMap<&'a str, f64> { names().zip(of.iter().copied()).collect() };
+        let of_mode = |(happening, point): &(Happening, DesignPoint)| DesignPointDocument {
+            mode: happening.name(),
+            beta: point.beta,
+            first_order: point.first_order(),
+            point: named(&point.values),
+            alpha: named(&point.alpha),
+            at_change_of_formula: point.at_change,
+            agreeing: point.agreeing,
+            starts: point.starts,
+        };
         ChancesDocument {
             situation: chances.situation.as_deref(),
             method: chances.method.name(),
@@ -331,9 +360,10 @@ impl Probability {
             },
             beta: point.map(|point| point.beta),
             beta_generalized: chances.generalized(),
-            design_point: point.map(|point| names().zip(point.values.iter().copied()).collect()),
+            design_point: point.map(|point| named(&point.values)),
             at_change_of_formula: point.map(|point| point.at_change),
             importance: importance.collect(),
+            design_points: chances.design_points.as_ref().map(|points| points.iter().map(of_mode).collect()),
             life: chances.life.as_ref().map(|life| LifeDocument {
                 years: life.years,
                 method: life.method.name(),

@@ -205,6 +205,7 @@ impl Probability {
             );
         }
         text += &self.matters(chances);
+        text += &self.nearest(chances);
         if let Some(life) = &chances.life {
             let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
             // Rest is what a life begins with.
@@ -279,6 +280,31 @@ impl Probability {
             ]);
         }
         format!("\n{}", columns(&rows, 0, &[1, 2, 3]))
+    }
+
+    /// Where each mode is nearest to the medians, if that is asked for.
+    fn nearest(&self, chances: &Chances) -> String {
+        let Some(points) = &chances.design_points else { return String::new() };
+        let names = self.random.iter().map(|(name, _)| name.clone());
+        let head = ["Nearest point (FORM)", "β", "Φ(−β)", "P"].map(str::to_owned);
+        let mut rows: Vec<Vec<String>> = vec![head.into_iter().chain(names).collect()];
+        for (happening, point) in points {
+            let of_mode = chances.modes.iter().find(|(mode, _)| mode == happening);
+            let mark = if point.at_change { "*" } else { "" };
+            let figures = [
+                format!("  {}{mark}", happening.name()),
+                digits(point.beta),
+                digits(point.first_order()),
+                of_mode.map_or_else(String::new, |(_, e)| below_or(*e)),
+            ];
+            rows.push(figures.into_iter().chain(point.values.iter().map(|value| digits(*value))).collect());
+        }
+        let right: Vec<usize> = (1..rows[0].len()).collect();
+        let mut text = format!("\n{}", columns(&rows, 0, &right));
+        if points.iter().any(|(_, point)| point.at_change) {
+            text += &paragraph("* at a change of formula or of mode.", 2);
+        }
+        text + &paragraph("FORM ranks; Φ(−β) is the probability of a half space, not of the mode.", 2)
     }
 }
 

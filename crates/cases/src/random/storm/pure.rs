@@ -203,6 +203,7 @@ impl PureStorm {
                 precise: true,
             },
             design_point: None,
+            design_points: None,
             known: Vec::new(),
             course: Vec::new(),
             life: self.years.map(|years| LifeChances {
