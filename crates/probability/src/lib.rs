@@ -13,6 +13,7 @@
 //! | [`sample::monte_carlo`] | everything drawn, hits counted | to be believed by anyone |
 //! | [`life`] | years drawn, intervals of the line united | at least once in a life |
 //! | [`sums`] | means integrated, lives drawn by what adds | sums over many events |
+//! | [`lognormal`] | the nearest curve, as of counts the likeliest | fragility along a number |
 //! | [`form`] | nearest points, β and α, without gradients | which input matters |
 //!
 //! Laws ([`law`]) and their correlation by a normal copula ([`copula`]) are accurate in both tails.
@@ -50,6 +51,7 @@ pub mod integrate;
 pub mod law;
 pub mod legendre;
 pub mod life;
+pub mod lognormal;
 pub mod normal;
 pub mod points;
 pub mod problem;

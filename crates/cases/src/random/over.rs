@@ -7,11 +7,11 @@
 //! P(x) = Φ(ln(x/median)/dispersion)
 //! ```
 //!
-//! which is fitted by a straight line through Φ⁻¹(P) over ln x; its largest difference from the probabilities says whether it holds.
+//! of which the nearest is given ([`Lognormal::nearest`]); its largest difference from the probabilities says whether it holds.
 
 use std::str::FromStr;
 
-use standfast_probability::normal;
+use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{Happening, Probability, Request};
@@ -84,31 +84,13 @@ pub struct Fit {
     pub misfit: f64,
 }
 
-/// Probabilities between these are fitted: of what is beyond Φ⁻¹ tells little.
-const FITTED: f64 = 1e-9;
-
 impl Fit {
     /// The curve through values with their chances of something; none where fewer than two tell anything, or they do not rise.
     pub(super) fn of(points: &[(f64, f64)]) -> Option<Fit> {
-        let told: Vec<(f64, f64)> = points
-            .iter()
-            .filter(|(value, chance)| *value > 0.0 && (FITTED..1.0 - FITTED).contains(chance))
-            .map(|(value, chance)| (value.ln(), normal::quantile(*chance)))
-            .collect();
-        let n = told.len() as f64;
-        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| told.iter().map(of).sum::<f64>() / n;
-        let (x, z) = (mean(&|(x, _)| *x), mean(&|(_, z)| *z));
-        let across = mean(&|(a, b)| (a - x) * (b - z));
-        let slope = across / mean(&|(a, _)| (a - x) * (a - x));
-        if told.len() < 2 || !slope.is_finite() || slope <= 0.0 {
-            return None;
-        }
-        let (dispersion, median) = (1.0 / slope, (x - z / slope).exp());
-        let difference = |(value, chance): &(f64, f64)| {
-            let curve = if *value > 0.0 { normal::below((value / median).ln() / dispersion) } else { 0.0 };
-            (curve - chance).abs()
-        };
-        Some(Fit { median, dispersion, misfit: points.iter().map(difference).fold(0.0, f64::max) })
+        let curve = Lognormal::nearest(points)?;
+        let difference = |(value, chance): &(f64, f64)| (curve.at(*value) - chance).abs();
+        let misfit = points.iter().map(difference).fold(0.0, f64::max);
+        Some(Fit { median: curve.median, dispersion: curve.dispersion, misfit })
     }
 }
 
