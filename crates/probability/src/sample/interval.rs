@@ -43,18 +43,21 @@ impl Estimate {
 
     /// The share of hits, with Clopper and Pearson's interval; one-sided where no point was a hit, or all were.
     pub fn of_hits(hits: u64, points: u64) -> Estimate {
-        let (k, n) = (hits as f64, points as f64);
+        let n = points as f64;
         // 0.05 = (1 − p)ⁿ: with 1 − p of all others the bound is one-sided.
         let alone = -libm::expm1(0.05f64.ln() / n);
+        match hits {
+            0 => Estimate { value: 0.0, low: 0.0, high: alone },
+            _ if hits == points => Estimate { value: 1.0, low: 1.0 - alone, high: 1.0 },
+            _ => Estimate::of_share(hits as f64, n),
+        }
+    }
+
+    /// The share of hits, some but not all; neither they nor the points need be a whole number.
+    pub(super) fn of_share(k: f64, n: f64) -> Estimate {
         // P(at least k hits) = I_p(k, n−k+1).
-        let (low, high) = match hits {
-            0 => (0.0, alone),
-            _ if hits == points => (1.0 - alone, 1.0),
-            _ => (
-                where_reached(|p| beta_reg(k, n - k + 1.0, p), 0.025),
-                where_reached(|p| beta_reg(k + 1.0, n - k, p), 0.975),
-            ),
-        };
+        let low = where_reached(|p| beta_reg(k, n - k + 1.0, p), 0.025);
+        let high = where_reached(|p| beta_reg(k + 1.0, n - k, p), 0.975);
         Estimate { value: k / n, low, high }
     }
 
@@ -65,7 +68,7 @@ impl Estimate {
 }
 
 /// Where a function that rises from 0 to 1 on (0, 1) has a value.
-fn where_reached(f: impl Fn(f64) -> f64, value: f64) -> f64 {
+pub(super) fn where_reached(f: impl Fn(f64) -> f64, value: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     loop {
         let middle = 0.5 * (low + high);
