@@ -30,7 +30,7 @@ mod timed;
 
 pub use block::{BlockCase, LoadPeak, has_block, is_in_time};
 pub use body::{BodyCaseError, body_cases};
-pub(crate) use body::{acting_as, block, is_own_weight, standing};
+pub(crate) use body::{acting_as, is_own_weight, standing};
 pub use criteria::{MOTION_CRITERIA, MotionCheck, MotionCriterion, MotionValue};
 pub(crate) use criteria::{met_words, worst_checks};
 pub use error::MotionCaseError;

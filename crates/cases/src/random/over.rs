@@ -84,6 +84,9 @@ pub struct Fit {
     pub misfit: f64,
 }
 
+/// Probabilities that are as near to each other, relatively, are the same.
+const AS_LIKELY: f64 = 1e-9;
+
 impl Fit {
     /// The curve through values with their chances of something; none where fewer than two tell anything, or they do not rise.
     pub(super) fn of(points: &[(f64, f64)]) -> Option<Fit> {
@@ -166,11 +169,12 @@ impl Over {
             Asked::Storm(_) => return Err(ProbabilityError::NoBody),
             Asked::Case(file) => {
                 let case = file.case()?;
-                let variable = find(file, &case, &self.name).ok_or_else(|| {
-                    self.wrong(
-                        "it is no number of the case; a load is named by its name, as in load.push.force",
-                    )
-                })?;
+                let unknown = if self.is_of_peak() {
+                    "it is the peak of a shaking, and the case has no [motion.base]; that of an [earthquake] is earthquake.horizontal"
+                } else {
+                    "it is no number of the case; a load is named by its name, as in load.push.force"
+                };
+                let variable = find(file, &case, &self.name).ok_or_else(|| self.wrong(unknown))?;
                 let read = |text: &str| {
                     variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
                 };
@@ -206,7 +210,9 @@ impl Over {
                 let mut worst: Option<Along> = None;
                 for problem in problems(value)? {
                     let (modes, not_rest) = event(&problem, request)?;
-                    if worst.as_ref().is_none_or(|worst| worst.not_rest.value < not_rest.value) {
+                    // Of what is as likely but for rounding, as under a shaking to either side, the first along all values.
+                    let above = |worst: &Along| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
+                    if worst.as_ref().is_none_or(above) {
                         worst = Some(Along { value, not_rest, modes });
                     }
                 }

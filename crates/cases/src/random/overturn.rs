@@ -9,36 +9,41 @@
 //! friction = { normal = { sd = 0.05 } }
 //! ```
 //!
-//! Body i is drawn once and followed in time under record i, in turn, at every peak; a vertical component of the case is scaled as its
-//! horizontal one. What becomes of it is that of `simulate`. The chance of overturning has the interval of Clopper and Pearson, and a
-//! lognormal curve is fitted as to any fragility.
+//! Every body that is drawn is followed in time under every record at every peak; a vertical component of the case is scaled as its
+//! horizontal one. What becomes of it is that of `simulate`, under its weight and the permanent loads of the case. Records are few and
+//! shared by all bodies, bodies by all records: the interval of a chance is that of a further record and body
+//! ([`Estimate::of_pairs`]). A lognormal curve is fitted as to any fragility.
 
+use standfast::Wrench;
+use standfast::loads::{Earthquake, Load as StaticLoad, LoadSource, Pose};
 use standfast_motion::record::Record;
-use standfast_motion::spectrum::{OverturningCurve, Rocked};
-use standfast_motion::{Base, Problem as Motion};
+use standfast_motion::{Base, History, Keep, Load, MotionError, Problem as Motion, simulate};
 use standfast_probability::sample::{self, Estimate};
 
 use super::answer::{Probability, Request};
 use super::asked::problems_of;
 use super::error::ProbabilityError;
 use super::over::{Fit, Over};
-use super::problem::{Input, Problem};
+use super::problem::{Bias, Input, Problem};
+use crate::assess::load_words;
 use crate::case::{Acting, Case};
 use crate::key::Table;
 use crate::layout::paragraph;
-use crate::motion::{ReadFile, block, body_cases, still_case};
+use crate::motion::{ReadFile, acting_as, body_cases, is_own_weight, standing, still_case};
 use crate::parse::CaseFile;
 use crate::units::{Dimension, in_gravity};
 
-/// How many bodies are drawn where the points of an effort allow it.
-const BODIES: u64 = 256;
+/// A motion takes a millisecond or two: it counts as so many points of an effort.
+const POINTS: u64 = 1 << 10;
+/// So many bodies are drawn however few points there may be.
+const LEAST: u64 = 16;
 
 /// What becomes of random bodies at each peak of the shaking.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overturning {
     /// The records, by their files; that of the case is called by its place.
     pub records: Vec<String>,
-    /// How many bodies were drawn, each under one of the records.
+    /// How many bodies were drawn, each followed under every record.
     pub bodies: u64,
     /// How many draws were no body: those are counted as standing.
     pub not_a_body: u64,
@@ -85,15 +90,13 @@ impl Overturning {
         if problem.random().iter().any(shaken) {
             return Err(wrong("the peak of the shaking is random itself"));
         }
+        varies_not(problem, over)?;
         let motions = body_cases(name, text, file)?;
         let [motion] = &motions[..] else { return Err(wrong("the case has loads that act one by one")) };
         let motion = &motion.problem;
         let Some(own) = &motion.base.horizontal else {
             return Err(wrong("the base does not move to the sides; [motion.base] has no `horizontal`"));
         };
-        if !motion.loads.is_empty() {
-            return Err(wrong("the case has loads beside its weight, and a shaking alone is followed"));
-        }
         let random = case_file.random().ok_or(ProbabilityError::NoRandom)?;
         if !random.records.is_empty() && motion.base.vertical.is_some() {
             return Err(wrong("[random] has `records` and the base moves up and down, by another record"));
@@ -113,31 +116,51 @@ impl Overturning {
         }
         let gravity = motion.gravity;
         let peaks = over.values(|text| peak(text, gravity))?;
-        let bodies = BODIES.min(request.effort.points / peaks.len() as u64).max(bases.len() as u64);
-        let mut drawn: Vec<Option<Motion>> = Vec::new();
+        if let Some(still) = bases.iter().position(|base| peak_of(base) == 0.0) {
+            return Err(over.wrong(format!("the record {} has no acceleration", records[still])));
+        }
+        let motions = (bases.len() * peaks.len()) as u64;
+        let bodies = (request.effort.points / POINTS / motions).max(LEAST);
+        let mut drawn: Vec<Option<Body>> = Vec::new();
         sample::draws(problem.laws(), request.effort.seed, bodies, |values| {
-            let base = &bases[drawn.len() % bases.len()];
-            drawn.push(body(problem, motion, values, base));
+            drawn.push(Body::of(problem, motion, values));
         });
-        let followed = follow(&drawn, &peaks, request.effort.threads)
+        let followed = follow(&drawn, &bases, &peaks, request.effort.threads)
             .map_err(|error| over.wrong(format!("a body cannot be followed: {error}")))?;
-        let chance = |at: &[Option<Rocked>], holds: &dyn Fn(&Rocked) -> bool| {
-            let hits = at.iter().flatten().filter(|rocked| holds(rocked)).count();
-            Estimate::of_hits(hits as u64, bodies)
+        let chance = |at: &[Vec<[bool; 3]>], which: usize| {
+            let of_record = |bodies: &Vec<[bool; 3]>| bodies.iter().map(|became| became[which]).collect();
+            Estimate::of_pairs(&at.iter().map(of_record).collect::<Vec<Vec<bool>>>())
         };
         let points: Vec<AtPeak> = peaks
             .iter()
             .zip(&followed)
             .map(|(peak, at)| AtPeak {
                 peak: *peak,
-                moved: chance(at, &|rocked| rocked.max_theta > 0.0 || rocked.max_slide > 0.0),
-                rocked: chance(at, &|rocked| rocked.max_theta > 0.0),
-                overturned: chance(at, &|rocked| rocked.overturned),
+                moved: chance(at, MOVED),
+                rocked: chance(at, ROCKED),
+                overturned: chance(at, OVERTURNED),
             })
             .collect();
         let told: Vec<(f64, f64)> = points.iter().map(|at| (at.peak, at.overturned.value)).collect();
-        let not_a_body = drawn.iter().filter(|motion| motion.is_none()).count() as u64;
+        let not_a_body = drawn.iter().filter(|body| body.is_none()).count() as u64;
         Ok(Overturning { records, bodies, not_a_body, points, fit: Fit::of(&told), gravity })
+    }
+}
+
+/// That beside the shaking nothing varies.
+fn varies_not(problem: &Problem, over: &Over) -> Result<(), ProbabilityError> {
+    let Some((case, _)) = problem.case() else { return Err(ProbabilityError::NoBody) };
+    let case = Case { earthquake: None, ..case.clone() };
+    let situation = case.situation(Acting::All, None).map_err(|error| over.wrong(error.to_string()))?;
+    let acts = |load: &&StaticLoad| {
+        load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO && !is_own_weight(load)
+    };
+    match situation.loads().iter().filter(acts).find(|load| !load.permanent) {
+        Some(load) => Err(over.wrong(format!(
+            "beside the shaking only what is permanent is followed, and `{}` varies; permanent = true if it is there all the time",
+            load_words(load)
+        ))),
+        None => Ok(()),
     }
 }
 
@@ -150,47 +173,100 @@ fn peak(text: &str, gravity: f64) -> Result<f64, String> {
         .ok_or_else(|| format!("\"{text}\" is no peak above zero, as 0.2, \"0.2 g\" or \"2 m/s2\""))
 }
 
-/// The body that values make, on a base that moves so; none if they do not go together.
-fn body(problem: &Problem, motion: &Motion, values: &[f64], base: &Base) -> Option<Motion> {
-    let case: Case = problem.case_with(values)?;
-    let situation = case.situation(Acting::All, None).ok()?;
-    let mut own = Motion { block: block(situation.body(), &situation), base: base.clone(), ..motion.clone() };
-    if let Some(place) = problem.random().iter().position(Input::is_friction) {
-        let ratio = if own.block.mu_s > 0.0 { own.block.mu_k / own.block.mu_s } else { 1.0 };
-        (own.block.mu_s, own.block.mu_k) = (values[place], values[place] * ratio);
-    }
-    own.check().ok()?;
-    Some(own)
+/// A body that was drawn.
+struct Body {
+    /// It under its permanent loads, on a base that does not move.
+    still: Motion,
+    /// The water that moves along, per unit of the base's acceleration to the right; its history is to be that of the base.
+    shaken: Vec<Load>,
 }
 
-/// Every body at every peak, shared out to threads.
+impl Body {
+    /// The body that values make, for the rest as in `motion`; none if they do not go together.
+    fn of(problem: &Problem, motion: &Motion, values: &[f64]) -> Option<Body> {
+        // The peaks of the shaking, which the first instant has as an earthquake, come with time.
+        let case = Case { earthquake: None, ..problem.case_with(values)? };
+        let situation = case.situation(Acting::All, None).ok()?;
+        let (body, gravity, mass) = (situation.body(), case.gravity, situation.body().mass());
+        let stands = standing(&situation, gravity).ok()?;
+        let mut still = Motion { block: stands.block, loads: stands.loads, ..motion.clone() };
+        still.base = Base { horizontal: None, vertical: None };
+        if let Some(place) = problem.random().iter().position(Input::is_friction) {
+            let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };
+            (still.block.mu_s, still.block.mu_k) = (values[place], values[place] * ratio);
+        }
+        let bias = problem.bias(Bias::Force, values).unwrap_or(1.0);
+        for load in situation.loads().iter().filter(|load| load.permanent && !is_own_weight(load)) {
+            let size = if load.source == LoadSource::Force { bias } else { 1.0 };
+            still.loads.extend(acting_as(load, body, gravity, mass, &History::constant(size).ok()?));
+        }
+        still.loads.retain(|load| load.direction != [0.0, 0.0]);
+        let mut shaken = Vec::new();
+        let water = Earthquake::new(1.0, 0.0).ok()?.loads(&case.added_mass);
+        for load in water.iter().filter(|load| load.source == LoadSource::ShakenWater) {
+            shaken.extend(acting_as(load, body, gravity, mass, &History::constant(1.0).ok()?));
+        }
+        still.check().ok()?;
+        Some(Body { still, shaken })
+    }
+
+    /// What becomes of it on a base that moves so, times a factor.
+    fn under(&self, base: &Base, factor: f64) -> Result<[bool; 3], MotionError> {
+        let mut motion = self.still.clone();
+        let times = |history: &Option<History>| history.clone().map(|history| history.times_factor(factor));
+        motion.base = Base { horizontal: times(&base.horizontal), vertical: times(&base.vertical) };
+        if let Some(history) = &motion.base.horizontal {
+            let along = self.shaken.iter().map(|load| Load { history: history.clone(), ..load.clone() });
+            motion.loads.extend(along);
+        }
+        let outcome = simulate(&motion, Keep::default())?;
+        let mut became = [false; 3];
+        became[ROCKED] = outcome.max_theta > 0.0;
+        became[MOVED] = became[ROCKED] || outcome.max_slide > 0.0;
+        became[OVERTURNED] = outcome.overturned();
+        Ok(became)
+    }
+}
+
+/// What may become of a body: its places in what [`Body::under`] tells.
+const MOVED: usize = 0;
+const ROCKED: usize = 1;
+const OVERTURNED: usize = 2;
+
+/// The largest |acceleration| of a base to the sides.
+fn peak_of(base: &Base) -> f64 {
+    base.horizontal.as_ref().map_or(0.0, |history| history.peak().abs())
+}
+
+/// What becomes of every body, under every record, at every peak, shared out to threads. What is no body stands.
 fn follow(
-    bodies: &[Option<Motion>],
+    bodies: &[Option<Body>],
+    bases: &[Base],
     peaks: &[f64],
     threads: usize,
-) -> Result<Vec<Vec<Option<Rocked>>>, standfast_motion::MotionError> {
-    let own_peak =
-        |motion: &Motion| motion.base.horizontal.as_ref().map_or(1.0, |history| history.peak().abs());
-    let at = |motion: &Option<Motion>, peak: f64| {
-        let Some(motion) = motion else { return Ok(None) };
-        OverturningCurve::new(motion).at(peak / own_peak(motion)).map(Some)
+) -> Result<Vec<Vec<Vec<[bool; 3]>>>, MotionError> {
+    let count = peaks.len() * bases.len() * bodies.len();
+    let one = |which: usize| {
+        let (body, pair) = (which % bodies.len(), which / bodies.len());
+        let (base, peak) = (&bases[pair % bases.len()], peaks[pair / bases.len()]);
+        match &bodies[body] {
+            Some(body) => body.under(base, peak / peak_of(base)),
+            None => Ok([false; 3]),
+        }
     };
-    let all: Vec<(usize, usize)> =
-        (0..peaks.len()).flat_map(|peak| (0..bodies.len()).map(move |body| (peak, body))).collect();
-    let share = all.len().div_ceil(threads.max(1)).max(1);
-    let at = &at;
-    let parts: Vec<Result<Vec<_>, _>> = std::thread::scope(|scope| {
-        let work = all.chunks(share).map(|part| {
-            scope.spawn(move || part.iter().map(|&(peak, body)| at(&bodies[body], peaks[peak])).collect())
-        });
+    let threads = threads.clamp(1, count);
+    let one = &one;
+    // In turn, because those of a strong shaking take longer.
+    let parts: Vec<Result<Vec<[bool; 3]>, MotionError>> = std::thread::scope(|scope| {
+        let work = (0..threads)
+            .map(|thread| scope.spawn(move || (thread..count).step_by(threads).map(one).collect()));
         let work: Vec<_> = work.collect();
         work.into_iter().map(|thread| thread.join().expect("no motion panics")).collect()
     });
-    let mut found = Vec::with_capacity(all.len());
-    for part in parts {
-        found.extend(part?);
-    }
-    Ok(found.chunks(bodies.len()).map(<[_]>::to_vec).collect())
+    let parts = parts.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let became: Vec<[bool; 3]> = (0..count).map(|which| parts[which % threads][which / threads]).collect();
+    let of_record = |at: &[[bool; 3]]| at.chunks(bodies.len()).map(<[_]>::to_vec).collect();
+    Ok(became.chunks(bodies.len() * bases.len()).map(of_record).collect())
 }
 
 /// The answer to a file that may say how its loads go with time, which is asked at the first instant, as `assess` asks it; over the peak of

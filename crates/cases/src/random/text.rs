@@ -132,11 +132,13 @@ impl Probability {
         let Overturning { records, bodies, not_a_body, points, fit, gravity } = overturning;
         let of_records = match &records[..] {
             [one] => format!("the record {one}"),
-            many => format!("{} records in turn", many.len()),
+            many => format!("{} records", many.len()),
         };
         let of_records = of_records.replace("the record that of the case", "the shaking of the case");
+        let pairs = if records.len() > 1 { ", every pair" } else { "" };
         let words = format!(
-            "In time, under {of_records} scaled to each peak ({bodies} bodies drawn, seed {})",
+            "In time, under {of_records} × {} bodies{pairs}, scaled to each peak (seed {})",
+            grouped(*bodies),
             self.request.effort.seed
         );
         let mut rows = vec![row!["peak (g)", "moves", "rocks", "overturns", ""]];
@@ -151,6 +153,14 @@ impl Probability {
         }
         let mut text = format!("\n{}", paragraph(&words, 0));
         text += &columns(&rows, 2, &[0, 1, 2, 3]);
+        let of_whom = match records.len() {
+            1 => "The interval is that of further bodies under this shaking: another one would have its own."
+                .to_owned(),
+            many => format!(
+                "The interval is that of a further record like these {many}, which all bodies share, and of a further body."
+            ),
+        };
+        text += &paragraph(&of_whom, 2);
         if *not_a_body > 0 {
             text += &paragraph(&format!("{not_a_body} draws are no body, and are counted as standing."), 2);
         }
