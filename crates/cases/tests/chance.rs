@@ -2,8 +2,8 @@
 
 use standfast_cases::design::{Design, Extreme, Request as DesignRequest, Spelling};
 use standfast_cases::random::{
-    Draws, Effort, Estimate, Happening, Method, Overturning, Probability, ProbabilityError, Request,
-    WeighedDraws, template,
+    Draws, Effort, Estimate, FirstInstant, Happening, Method, Over, Overturning, Probability,
+    ProbabilityError, Request, WeighedDraws, template,
 };
 use standfast_cases::{Assessment, CaseFile};
 use standfast_probability::normal::{above, below, quantile_above};
@@ -211,7 +211,7 @@ fn a_template_answers_with_every_example() {
     assert!(count >= 8, "{count}");
 }
 
-/// The weights of the draws, summed by mode, are the printed probabilities; with other methods not everything is drawn.
+/// The weights of the draws, summed by mode, are the printed probabilities of plain Monte Carlo.
 #[test]
 fn weighed_draws_add_up_to_the_answer() {
     let text = format!(
@@ -236,9 +236,30 @@ fn weighed_draws_add_up_to_the_answer() {
             assert_eq!(draws.happens[row].name() == "SL", slides);
         }
     }
+    // Of an answer that integrates friction they are the same ones, drawn by the laws: shares of them are its probabilities, within what
+    // so many tell.
     let found = answer(&text, Request::default());
-    let error = WeighedDraws::of_text("case.toml", &text, &found).unwrap_err();
-    assert!(error.to_string().contains("integrate"), "{error}");
+    let integrated = WeighedDraws::of_text("case.toml", &text, &found).unwrap();
+    let count = 1 << 16;
+    assert_eq!(integrated.weights.len(), 2 * count);
+    assert_eq!(integrated.values[0][..100], draws.values[0][..100]);
+    for (place, chances) in found.situations.iter().enumerate() {
+        assert_eq!(chances.method, Method::Integrate);
+        let of_situation = || (0..integrated.weights.len()).filter(|row| integrated.of[*row] == place);
+        let all: f64 = of_situation().map(|row| integrated.weights[row]).sum();
+        assert!((all - 1.0).abs() < 1e-9);
+        for (happening, Estimate { value: p, .. }) in &chances.modes {
+            let hits = of_situation().filter(|row| integrated.happens[*row] == *happening).count();
+            let spread = (p * (1.0 - p) / count as f64).sqrt();
+            assert!(
+                (hits as f64 / count as f64 - p).abs() <= 4.0 * spread + 1e-12,
+                "{happening:?} {hits} {p}"
+            );
+        }
+    }
+    let few = Effort { points: 1000, ..Effort::default() };
+    let found = answer(&text, Request { effort: few, ..Request::default() });
+    assert_eq!(WeighedDraws::of_text("case.toml", &text, &found).unwrap().weights.len(), 2000);
 }
 
 const GODA: &str = include_str!("../../../examples/goda-2000.toml");
@@ -310,7 +331,8 @@ fn rotations_are_those_of_the_motion_in_time() {
     assert!(e.high - e.low < 0.08 * by_hand, "{e:?}");
 }
 
-/// Each body and each peak by hand: the draw's friction and width written into the case, the record scaled, followed by `simulate`.
+/// Each pair of body and record by hand, at each peak: the draw's friction and width written into the case, the record scaled, followed by
+/// `simulate`; alone, and with water that moves along and a permanent force, which is drawn too.
 #[test]
 fn overturning_is_that_of_the_motions_one_by_one() {
     let body = |width: f64, friction: f64| {
@@ -329,49 +351,84 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         let rows: Vec<String> = (0..=60).map(|i| format!("{},{}", f64::from(i) * 0.05, value(i))).collect();
         format!("time_s,a_g\n{}\n", rows.join("\n"))
     };
+    let names = ["one.csv", "two.csv", "three.csv"];
     let files = |name: &str| match name {
         "one.csv" => Ok(record(1.0)),
         "two.csv" => Ok(record(0.6)),
+        "three.csv" => Ok(record(0.9)),
         _ => Err("no such file".to_owned()),
     };
-    let random = "[random]\nrecords = [\"one.csv\", \"two.csv\"]\nwidth = { uniform = { from = \"0.4 m\", to = \"0.8 m\" } }\nfriction = { normal = { sd = 0.05 } }\n";
-    let text = format!("{}{}{random}", body(0.6, 0.6), shaken("one.csv", 3.0));
-    let (still, _) = standfast_cases::motion::still_case("case.toml", &text, &files).unwrap().unwrap();
-    let effort = Effort { points: 40 * 3, ..Effort::default() };
-    let request = Request { effort, ..Request::default() };
-    let over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
-    let found = Overturning::of("case.toml", &text, &still, &request, &over, &files).unwrap();
-    assert_eq!((found.bodies, found.records.len(), found.points.len()), (40, 2, 3));
-    let draws = Draws::of_text("case.toml", &still, Some(&situation(&still)), 40, 1).unwrap();
-    for (point, peak) in found.points.iter().zip([2.0, 6.0, 10.0]) {
-        let mut hits = [0, 0];
-        for i in 0..40 {
-            let file = ["one.csv", "two.csv"][i % 2];
-            let case = format!("{}{}", body(draws.values[0][i], draws.values[1][i]), shaken(file, peak));
-            let cases = standfast_cases::motion::body_cases("case.toml", &case, &files).unwrap();
-            let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
-            hits[0] += u32::from(outcome.overturned());
-            hits[1] += u32::from(outcome.max_theta > 0.0);
+    let widths =
+        "width = { uniform = { from = \"0.4 m\", to = \"0.8 m\" } }\nfriction = { normal = { sd = 0.05 } }\n";
+    let listed = format!("[random]\nrecords = {names:?}\n{widths}");
+    let force = |size: f64| {
+        format!(
+            "[added_mass]\nmass = 800\n[[load]]\nname = \"prop\"\nforce = {size}\nelevation = 0.5\npermanent = true\n"
+        )
+    };
+    let biased = format!("{listed}bias.force = {{ uniform = {{ from = 0.5, to = 2 }} }}\n");
+    const BODIES: usize = 20;
+    let peaks = [2.0, 6.0, 10.0];
+    let mut shares = Vec::new();
+    for (random, extra) in [(&listed, None), (&biased, Some(900.0))] {
+        let of_force = |size: f64| extra.map_or(String::new(), |force_of: f64| force(force_of * size));
+        let text = format!("{}{}{}{random}", body(0.6, 0.6), shaken("one.csv", 3.0), of_force(1.0));
+        let (still, _) = standfast_cases::motion::still_case("case.toml", &text, &files).unwrap().unwrap();
+        // A motion counts as 1024 points.
+        let points = (BODIES * names.len() * peaks.len() * 1024) as u64;
+        let effort = Effort { points, ..Effort::default() };
+        let request = Request { effort, ..Request::default() };
+        let over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
+        let found = Overturning::of("case.toml", &text, &still, &request, &over, &files).unwrap();
+        assert_eq!((found.bodies, found.records.len(), found.points.len()), (BODIES as u64, 3, 3));
+        let alone = Request { effort: Effort { threads: 1, ..effort }, ..request };
+        assert_eq!(Overturning::of("case.toml", &text, &still, &alone, &over, &files).unwrap(), found);
+        let draws = Draws::of_text("case.toml", &still, Some(&situation(&still)), BODIES as u64, 1).unwrap();
+        for (point, peak) in found.points.iter().zip(peaks) {
+            let mut became = [vec![], vec![], vec![]];
+            for file in names {
+                let of_record: Vec<[bool; 3]> = (0..BODIES)
+                    .map(|i| {
+                        let bias = draws.values.get(2).map_or(1.0, |values| values[i]);
+                        let case = body(draws.values[0][i], draws.values[1][i]) + &shaken(file, peak);
+                        let case = case + &of_force(bias);
+                        let cases = standfast_cases::motion::body_cases("case.toml", &case, &files).unwrap();
+                        let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
+                        let turned = outcome.max_theta > 0.0;
+                        [turned || outcome.max_slide > 0.0, turned, outcome.overturned()]
+                    })
+                    .collect();
+                for (which, rows) in became.iter_mut().enumerate() {
+                    rows.push(of_record.iter().map(|became| became[which]).collect::<Vec<bool>>());
+                }
+            }
+            assert!((point.peak - peak).abs() < 1e-12);
+            let found = [point.moved, point.rocked, point.overturned];
+            assert_eq!(found, became.map(|rows| Estimate::of_pairs(&rows)), "{peak}");
         }
-        assert!((point.peak - peak).abs() < 1e-12);
-        assert_eq!(
-            [point.overturned.value, point.rocked.value].map(|p| (p * 40.0).round() as u32),
-            hits,
-            "{peak}"
-        );
+        shares.push(found.points[2].overturned);
+        assert!(found.points[0].overturned.value < found.points[2].overturned.value, "{found:?}");
+        // Three records tell little of a fourth.
+        let plain = Estimate::of_hits((found.points[2].overturned.value * 60.0).round() as u64, 60);
+        let e = found.points[2].overturned;
+        assert!(e.low < plain.low && plain.high < e.high, "{e:?} {plain:?}");
     }
-    let overturned: Vec<f64> = found.points.iter().map(|point| point.overturned.value).collect();
-    assert!(overturned[0] < overturned[2] && overturned[2] > 0.2, "{overturned:?}");
-    let load = format!("{text}[[load]]\nforce = 1e3\nelevation = 1\npermanent = true\n");
-    let error = Overturning::of(
-        "case.toml",
-        &load,
-        &format!("{still}[[load]]\nforce = 1e3\nelevation = 1\npermanent = true\n"),
-        &request,
-        &over,
-        &files,
-    );
-    assert!(error.unwrap_err().to_string().contains("loads beside its weight"));
+    assert!(shares[0] != shares[1], "{shares:?}");
+    let text = format!("{}{}{listed}", body(0.6, 0.6), shaken("one.csv", 3.0));
+    let over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
+    for (load, said) in [
+        (
+            "[[load]]\nname = \"prop\"\nforce = 1e3\nelevation = 1\nhistory = { shape = \"triangle\", rise = 1, duration = 2 }\n",
+            "varies",
+        ),
+        ("", "`friction`"),
+    ] {
+        let over: &Over = if load.is_empty() { &"friction=0.5..0.6:3".parse().unwrap() } else { &over };
+        let error =
+            FirstInstant::of("case.toml", &format!("{text}{load}"), Request::default(), Some(over), &files);
+        let error = error.unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    }
 }
 
 /// The first of a case's sets of loads, as it is called.

@@ -349,7 +349,7 @@ pub struct ProbabilityArgs {
     /// Probabilities up to this need not be precise
     #[arg(long, default_value = "1e-6", value_parser = part)]
     pub floor: f64,
-    /// The most points that are taken
+    /// The most points that are taken; a motion followed in time counts as 1024
     #[arg(long, default_value_t = 1 << 22)]
     pub samples: u64,
     /// The years of a life, before those of the file
@@ -359,7 +359,8 @@ pub struct ProbabilityArgs {
     /// [motion.base]: overturning in time, the shaking scaled to each peak
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
     pub over: Option<Over>,
-    /// Write every draw with its values, weight and mode: .csv, .parquet or .arrow; draws everything, by monte-carlo
+    /// Write draws of the random numbers, each with its weight and mode: .csv, .parquet, .arrow or .xlsx; those counted by monte-carlo,
+    /// beside other methods 65 536 independent ones at most
     #[arg(long, value_name = "FILE")]
     pub draws: Option<DrawsFile>,
     /// What becomes of waves that begin a rotation: counted apart, or followed by the motion in time

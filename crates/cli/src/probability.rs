@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use miette::Diagnostic;
 use standfast_cases::random::{
-    Effort, FirstInstant, Method, Probability, ProbabilityError, Request, WeighedDraws, template,
+    Effort, FirstInstant, Probability, ProbabilityError, Request, WeighedDraws, template,
 };
 use standfast_cases::{CaseError, CaseFile};
 use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
@@ -31,11 +31,12 @@ impl FromStr for DrawsFile {
 
     fn from_str(text: &str) -> Result<DrawsFile, ExtensionError> {
         let (path, format) =
-            write::by_extension(text, "csv, parquet, arrow or arrows", |extension| match extension {
+            write::by_extension(text, "csv, parquet, arrow, arrows or xlsx", |extension| match extension {
                 "csv" | "txt" => Some(TableFormat::Csv),
                 "parquet" | "pq" => Some(TableFormat::Parquet),
                 "arrow" | "ipc" | "feather" => Some(TableFormat::Arrow),
                 "arrows" => Some(TableFormat::Arrows),
+                "xlsx" => Some(TableFormat::Xlsx),
                 _ => None,
             })?;
         Ok(DrawsFile { path, format })
@@ -109,19 +110,13 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
         points: args.samples,
         threads: args.threads.map_or(plain.threads, NonZeroUsize::get),
     };
+    if let Some(file) = args.draws.as_ref().filter(|file| case_file::is_at(&args.case, &file.path)) {
+        let path = file.path.clone();
+        return Err(ProbabilityCommandError::Overwrite { path });
+    }
     let follow = args.rotations == RotationsArg::Simulate;
     let plainly = Request { effort, years: args.years, follow, ..Request::default() };
-    let mut request = args.method.map_or(plainly, |method| plainly.with(method));
-    if let Some(file) = &args.draws {
-        if case_file::is_at(&args.case, &file.path) {
-            return Err(ProbabilityCommandError::Overwrite { path: args.case.clone() });
-        }
-        // What is written has to be drawn.
-        let method = *request.method.get_or_insert(Method::MonteCarlo);
-        if method != Method::MonteCarlo {
-            return Err(ProbabilityError::NotDrawn { method }.into());
-        }
-    }
+    let request = args.method.map_or(plainly, |method| plainly.with(method));
     let found = FirstInstant::of(&name, &text, request, args.over.as_ref(), &record_reader(&args.case))?;
     let (answer, text) = (&found.answer, &found.still);
     if let Some(file) = &args.draws {

@@ -1,4 +1,4 @@
-//! Columns that a program has, as a table: text, Parquet or Arrow.
+//! Columns that a program has, as a table: text, Parquet, Arrow or a workbook.
 
 use std::io::Write;
 
@@ -36,7 +36,7 @@ impl PlainValues {
 /// Writes columns of the same length. Numbers have as many digits as they need to be read again as what they are.
 ///
 /// # Errors
-/// If writing fails, or the format is a workbook, or one that this build does not have.
+/// If writing fails, there are more rows than a workbook has, or the format is one that this build does not have.
 pub fn write_columns<W: Write + Send>(
     columns: &[PlainColumn],
     format: TableFormat,
@@ -49,10 +49,16 @@ pub fn write_columns<W: Write + Send>(
             columnar::write(columns, format, output)
                 .map_err(|error| TableError::Write(std::io::Error::other(error)))
         }
-        other => Err(TableError::Write(std::io::Error::other(format!(
-            "draws are written as CSV, Parquet or Arrow, and {} is none of them or not in this build",
-            other.name()
-        )))),
+        #[cfg(feature = "xlsx")]
+        TableFormat::Xlsx => {
+            let batch =
+                columnar::batch(columns).map_err(|error| TableError::Write(std::io::Error::other(error)))?;
+            crate::columnar::write_sheet(&batch, output)
+        }
+        #[allow(unreachable_patterns, reason = "in a build that has all of them")]
+        other => {
+            Err(TableError::Write(std::io::Error::other(format!("{} is not in this build", other.name()))))
+        }
     }
 }
 
@@ -83,17 +89,13 @@ mod columnar {
 
     use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray};
     use arrow_ipc::writer::{FileWriter, StreamWriter};
-    use arrow_schema::{DataType, Field, Schema};
+    use arrow_schema::{ArrowError, DataType, Field, Schema};
     use parquet::arrow::ArrowWriter;
 
     use super::{PlainColumn, PlainValues};
     use crate::TableFormat;
 
-    pub(super) fn write<W: Write + Send>(
-        columns: &[PlainColumn],
-        format: TableFormat,
-        output: W,
-    ) -> Result<(), Box<dyn Error + Send + Sync>> {
+    pub(super) fn batch(columns: &[PlainColumn]) -> Result<RecordBatch, ArrowError> {
         let field = |column: &PlainColumn| {
             let kind = match column.values {
                 PlainValues::Numbers(_) => DataType::Float64,
@@ -111,7 +113,16 @@ mod columnar {
             }
         };
         let schema = Arc::new(Schema::new(columns.iter().map(field).collect::<Vec<_>>()));
-        let batch = RecordBatch::try_new(schema.clone(), columns.iter().map(array).collect())?;
+        RecordBatch::try_new(schema, columns.iter().map(array).collect())
+    }
+
+    pub(super) fn write<W: Write + Send>(
+        columns: &[PlainColumn],
+        format: TableFormat,
+        output: W,
+    ) -> Result<(), Box<dyn Error + Send + Sync>> {
+        let batch = batch(columns)?;
+        let schema = batch.schema();
         match format {
             TableFormat::Parquet => {
                 let mut writer = ArrowWriter::try_new(output, schema, None)?;

@@ -56,7 +56,8 @@ impl Draws {
     }
 }
 
-/// Everything that a plain Monte Carlo draws, with its weight: what each mode has of all weights is its probability.
+/// Draws of an answer, each as likely as the others, with their weights: what each mode has of all weights is its share of the draws, and
+/// by plain Monte Carlo its probability.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WeighedDraws {
     /// What is random: names, and the units of values, where they have one.
@@ -73,11 +74,15 @@ pub struct WeighedDraws {
     pub situations: Vec<Option<String>>,
 }
 
+/// So many draws go with an answer for which not everything is drawn.
+const DRAWS: u64 = 1 << 16;
+
 impl WeighedDraws {
-    /// The draws of which the answer to this text is.
+    /// The draws of the answer to this text: all that plain Monte Carlo counted. Other methods integrate a number or take other points; of
+    /// them it is as many draws as their points allow, 65 536 at most, drawn independently by the laws with the same seed.
     ///
     /// # Errors
-    /// If the answer is of another method, which does not draw every number.
+    /// If the text is that of another file, or of a storm without a body.
     pub fn of_text(name: &str, text: &str, answer: &Probability) -> Result<WeighedDraws, ProbabilityError> {
         let asked = Asked::read(name, text, answer.request.years)?;
         let problems = asked.problems(None)?;
@@ -91,13 +96,14 @@ impl WeighedDraws {
         };
         all.inputs = problems[0].random().iter().map(|input| (input.name.clone(), input.unit())).collect();
         for (place, chances) in answer.situations.iter().enumerate() {
-            if chances.method != Method::MonteCarlo {
-                return Err(ProbabilityError::NotDrawn { method: chances.method });
-            }
             let same = |problem: &&Problem| problem.situation() == chances.situation;
             let problem = problems.iter().find(same).ok_or(ProbabilityError::NoRandom)?;
-            let weight = 1.0 / chances.points as f64;
-            sample::draws(problem.laws(), answer.request.effort.seed, chances.points, |draw| {
+            let count = match chances.method {
+                Method::MonteCarlo => chances.points,
+                _ => answer.request.effort.points.clamp(1, DRAWS),
+            };
+            let weight = 1.0 / count as f64;
+            sample::draws(problem.laws(), answer.request.effort.seed, count, |draw| {
                 all.values.iter_mut().zip(draw).for_each(|(column, value)| column.push(*value));
                 all.of.push(place);
                 all.weights.push(weight);

@@ -50,13 +50,6 @@ pub enum ProbabilityError {
         /// How many there are.
         numbers: usize,
     },
-    /// Draws of a method that integrates.
-    #[error("draws are of everything that is random, and {method} integrates a number")]
-    #[diagnostic(help("monte-carlo draws all of them"))]
-    NotDrawn {
-        /// The method.
-        method: Method,
-    },
     /// A life of no whole number of years, of which some would have to be drawn.
     #[error("a life of {years} years; expected a whole number, because its years are drawn one by one")]
     #[diagnostic(help("up to three random numbers are integrated, over any number of years"))]

@@ -32,6 +32,17 @@ use parquet::{self as pq, Encoder, Group, Part};
 use sink::{Output, Remembering, Sink, Writing};
 use source::{Piece, Reading, Source};
 
+/// Writes a batch as the sheet of a workbook.
+#[cfg(feature = "xlsx")]
+pub(crate) fn write_sheet(batch: &RecordBatch, output: impl Write) -> Result<(), TableError> {
+    let words = |cause| TableError::Write(io::Error::other(cause));
+    let rows = Some(batch.num_rows() as u64);
+    let sheet = workbook::Sheet::create(output, &batch.schema(), 0, rows);
+    let mut sheet = sheet.map_err(|error| error.into_table(words))?;
+    sheet.write(batch).map_err(|error| error.into_table(words))?;
+    sheet.finish().map(|_| ()).map_err(words)
+}
+
 /// Answers a whole table.
 pub(crate) fn answer<W: Write + Send>(
     input: Input<'_>,
