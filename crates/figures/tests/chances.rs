@@ -138,7 +138,12 @@ fn clouds_are_tidy() {
         let panels: Vec<CloudPanel<'_>> = [("force $k$", "friction $μ$"), ("force $k$", "elevation $k′$")]
             .into_iter()
             .take(count)
-            .map(|(across, up)| CloudPanel { across: axis(across), up: axis(up), points: points.clone() })
+            .map(|(across, up)| CloudPanel {
+                across: axis(across),
+                up: axis(up),
+                areas: vec![(Mode::SlideLeft, vec![(0.0, 0.0), (0.5, 0.0), (0.5, 0.9)])],
+                points: points.clone(),
+            })
             .collect();
         let chart = ChanceCloud { title: "Draws", caption: "200 draws.", panels: &panels, modes: &modes };
         assert_tidy(&chance_cloud(&chart));

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::{fs, io};
 
 use standfast::initiation::Chart;
+use standfast::wave::Goda;
 use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
 use standfast_cases::random::{Effort, Over, Probability, Request};
@@ -106,20 +107,40 @@ fn kink(root: &Path) -> io::Result<Figure> {
     let sea = Law::gumbel_of_mean(4.5, 0.9).map_err(io::Error::other)?;
     let sea = standfast_probability::law::Distribution::truncated(sea, 1.0, f64::INFINITY)
         .map_err(io::Error::other)?;
-    let mut points = Vec::new();
-    for i in 0..=60 {
-        let height = 4.2 + 1.2 * f64::from(i) / 60.0;
+    let goda_at = |height: f64| -> io::Result<Goda> {
         let text = text.replace("deep_water_height = \"6.3 m\"", &format!("deep_water_height = {height}"));
         let case = CaseFile::parse("kink", &text).and_then(|file| file.case()).map_err(io::Error::other)?;
-        let Some(wave) = &case.wave else { continue };
-        let slides = Slides { thrust: wave.goda.force, uplift: wave.goda.uplift, weight: 2_318_640.0 };
+        Ok(case.wave.ok_or_else(|| io::Error::other("a case with waves"))?.goda)
+    };
+    let mut heights: Vec<f64> = (0..=60).map(|i| 4.2 + 1.2 * f64::from(i) / 60.0).collect();
+    // Where other formulas begin to apply, on both sides of it to the last bit.
+    for pair in heights.clone().windows(2) {
+        let (mut low, mut high) = (pair[0], pair[1]);
+        let first = goda_at(low)?.formulas;
+        if goda_at(high)?.formulas == first {
+            continue;
+        }
+        loop {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if goda_at(middle)?.formulas == first { low = middle } else { high = middle }
+        }
+        heights.extend([low, high]);
+    }
+    heights.sort_by(f64::total_cmp);
+    let mut points = Vec::new();
+    for height in heights {
+        let goda = goda_at(height)?;
+        let slides = Slides { thrust: goda.force, uplift: goda.uplift, weight: 2_318_640.0 };
         let Some(point) = design_point(&inputs, &slides, 1) else { continue };
         let distance = point.beta.hypot(sea.z(height));
         points.push((height, Chance { value: distance, low: distance, high: distance }));
     }
     let least = points.iter().copied().min_by(|a, b| a.1.value.total_cmp(&b.1.value));
     let least = least.ok_or_else(|| io::Error::other("no point slides"))?;
-    let words = format!("β = {:.2}", least.1.value);
+    let words = format!("β = {:.3} at {:.3} m", least.1.value, least.0);
     let lines =
         [ChanceLine { name: "distance of the nearest sliding point", look: LineLook::Answer, points }];
     let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };

@@ -1,27 +1,26 @@
 //! The figures of an answer: draws, probabilities, what matters, how they converged, along a number, and how far it slides.
 
-use standfast::{Diagram, Mode};
+use standfast::Mode;
 use standfast_figures::{
-    Chance, ChanceBar, ChanceBars, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, CloudPanel,
-    DiagramContent, Figure, Importance, LineLook, SpectrumAxis, Tornado, chance_bars, chance_cloud,
-    chance_lines, chance_tornado, diagram_with,
+    Chance, ChanceBar, ChanceBars, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, Figure, Importance,
+    LineLook, SpectrumAxis, Tornado, chance_bars, chance_lines, chance_tornado,
 };
-use standfast_probability::normal;
-use standfast_probability::sample::{self, Estimate};
+use standfast_probability::lognormal::Lognormal;
+use standfast_probability::sample::Estimate;
 use toml::de::DeTable;
 
 use super::answer::{Chances, Happening, Method, Probability};
 use super::asked::Asked;
 use super::error::ProbabilityError;
 use super::over::{Fit, Fragility};
-use super::problem::Problem;
+use super::overturn::Overturning;
 use super::storm::Sliding;
 use crate::layout::digits;
 
-/// How many draws a cloud has.
-const DRAWS: u64 = 1000;
-/// What a heavy tail leaves outside of a picture, at each end.
-const TAIL: f64 = 0.005;
+mod areas;
+mod cloud;
+use cloud::Draws;
+
 /// The share of the whole that is seen on an axis of equal steps.
 const LEAST_SEEN: f64 = 0.005;
 /// How many points a curve is drawn through.
@@ -55,6 +54,7 @@ impl Probability {
         let matters = worst.and_then(|worst| self.matters_drawn(worst, &title));
         let course = worst.and_then(|worst| convergence(worst, &title));
         let along = self.fragility.as_ref().map(|fragility| along(fragility, self.floor(), &title));
+        let over = self.overturning.as_ref().map(|overturning| overturns(overturning, &title));
         let slides = self.sliding.as_ref().and_then(|sliding| exceedance(sliding, &title));
         Ok([
             cloud.map(|drawn| figure("-draws", "Draws", drawn)),
@@ -62,6 +62,7 @@ impl Probability {
             matters.map(|drawn| figure("-matters", "What matters", drawn)),
             course.map(|drawn| figure("-convergence", "Convergence", drawn)),
             along.map(|drawn| figure("-fragility", "Fragility", drawn)),
+            over.map(|drawn| figure("-overturning", "Overturning", drawn)),
             slides.map(|drawn| figure("-sliding", "Slides", drawn)),
         ]
         .into_iter()
@@ -264,14 +265,10 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     let mut caption = format!("At {} values.", points.len());
     let told;
     if let Some(Fit { median, dispersion, misfit }) = fit {
-        let unit = unit.map_or_else(String::new, |unit| format!(" {unit}"));
+        let unit = unit.map_or_else(String::new, |unit| format!(" {}", in_words(unit)));
         told = format!("lognormal, misses by {}", digits(*misfit));
-        let value = |i: usize| from + (to - from) * i as f64 / SMOOTH as f64;
-        let fitted = (0..=SMOOTH).map(value).filter(|x| *x > 0.0).map(|x| {
-            let p = normal::below((x / median).ln() / dispersion);
-            (x, Chance { value: p, low: p, high: p })
-        });
-        lines.push(ChanceLine { name: &told, look: LineLook::Fit, points: fitted.collect() });
+        let points = smooth((from, to), (*median, *dispersion));
+        lines.push(ChanceLine { name: &told, look: LineLook::Fit, points });
         caption += &format!(
             " Dashed: the lognormal curve of median {}{unit} and dispersion {}; it misses the probabilities by {} at most.",
             digits(*median),
@@ -283,12 +280,93 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
         lines.push(ChanceLine { name, look: LineLook::Mode(mode), points });
     }
     let across_name = match unit {
-        Some(unit) => format!("{} ({})", escaped(name), unit.replace("m/s2", "m/s$^2$")),
+        Some(unit) => format!("{} ({})", escaped(name), in_markup(unit)),
         None => escaped(name),
     };
     let across = SpectrumAxis { name: &across_name, from, to, logarithmic: false };
     let title = format!("Along {name}: {title}");
     chance_lines(&ChanceLines { title: &title, caption: &caption, across, up, lines: &lines, marks: &[] })
+}
+
+/// What becomes of bodies over the peak of a shaking.
+fn overturns(overturning: &Overturning, title: &str) -> Figure {
+    let Overturning { records, bodies, points, fit, gravity, .. } = overturning;
+    let certain = |p: f64| Chance { value: p, low: p, high: p };
+    let along = |of: &dyn Fn(usize) -> Chance| -> Vec<(f64, Chance)> {
+        points.iter().enumerate().map(|(i, at)| (at.peak / gravity, of(i))).collect()
+    };
+    let mut lines = vec![ChanceLine {
+        name: "overturns, with the interval of 95 %",
+        look: LineLook::Answer,
+        points: along(&|i| chance(points[i].overturned)),
+    }];
+    let (from, to) = (points[0].peak / gravity, points[points.len() - 1].peak / gravity);
+    let each = match &records[..] {
+        [_] => format!("{bodies} bodies under one shaking, scaled to each of {} peaks.", points.len()),
+        many => format!(
+            "{bodies} bodies, each under every one of {} records, scaled to each of {} peaks; the interval is that of a further record and body.",
+            many.len(),
+            points.len()
+        ),
+    };
+    let mut caption = each;
+    let told;
+    if let Some(Fit { median, dispersion, misfit }) = fit {
+        told = format!("lognormal, misses by {}", digits(rounded(*misfit)));
+        lines.push(ChanceLine {
+            name: &told,
+            look: LineLook::Fit,
+            points: smooth((from, to), (median / gravity, *dispersion)),
+        });
+        caption += &format!(
+            " Dashed: the lognormal curve of median {} g and dispersion {}.",
+            digits(*median / gravity),
+            digits(*dispersion)
+        );
+    }
+    lines.push(ChanceLine {
+        name: "rocks",
+        look: LineLook::Mode(Mode::RockO),
+        points: along(&|i| certain(points[i].rocked.value)),
+    });
+    lines.push(ChanceLine {
+        name: "slips or rocks",
+        look: LineLook::Mode(Mode::SlideLeft),
+        points: along(&|i| certain(points[i].moved.value)),
+    });
+    let axis = |name, from, to| SpectrumAxis { name, from, to, logarithmic: false };
+    chance_lines(&ChanceLines {
+        title: &format!("Overturning: {title}"),
+        caption: &caption,
+        across: axis("peak of the shaking ($g$)", from, to),
+        up: axis("probability", 0.0, 1.0),
+        lines: &lines,
+        marks: &[],
+    })
+}
+
+/// A lognormal curve from one value to another.
+fn smooth((from, to): (f64, f64), (median, dispersion): (f64, f64)) -> Vec<(f64, Chance)> {
+    let curve = Lognormal { median, dispersion };
+    let value = |i: usize| from + (to - from) * i as f64 / SMOOTH as f64;
+    let values = (0..=SMOOTH).map(value).filter(|x| *x > 0.0);
+    values.map(|x| (x, curve.at(x))).map(|(x, p)| (x, Chance { value: p, low: p, high: p })).collect()
+}
+
+/// A unit in markup, in which powers are raised.
+fn in_markup(unit: &str) -> String {
+    let mut last = ' ';
+    let raised = unit.chars().map(|c| {
+        let is_power = c.is_ascii_digit() && last.is_alphabetic();
+        last = c;
+        if is_power { format!("$^{c}$") } else { c.to_string() }
+    });
+    raised.collect()
+}
+
+/// The same in plain characters.
+fn in_words(unit: &str) -> String {
+    in_markup(unit).replace("$^2$", "²").replace("$^3$", "³").replace("$^4$", "⁴")
 }
 
 /// A name in which a dollar would begin mathematics.
@@ -343,118 +421,7 @@ fn exceedance(sliding: &Sliding, title: &str) -> Option<Figure> {
     }))
 }
 
-/// Draws of the random numbers, and where they lie.
-struct Draws {
-    values: Vec<Vec<f64>>,
-    modes: Vec<Option<Mode>>,
-    /// γ, k, k', μ in effective coordinates, of each draw that has them.
-    points: Vec<Option<[f64; 4]>>,
-}
-
-impl Draws {
-    /// None of a problem of one random number, which has no cloud.
-    fn of(problem: &Problem, seed: u64) -> Option<Draws> {
-        if problem.random().len() < 2 {
-            return None;
-        }
-        let mut draws = Draws { values: Vec::new(), modes: Vec::new(), points: Vec::new() };
-        sample::draws(problem.laws(), seed, DRAWS, |values| {
-            draws.values.push(values.to_vec());
-            draws.modes.push(problem.drawn(values).happens.mode());
-            draws.points.push(problem.place(values));
-        });
-        Some(draws)
-    }
-
-    fn figure(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
-        let title = format!("Draws: {title}");
-        let placed: Vec<[f64; 4]> = self.points.iter().copied().flatten().collect();
-        let few = placed.len() * 100 < self.points.len() * 99;
-        if few {
-            return self.of_numbers(problem, worst, &title);
-        }
-        let same = |i: usize| placed.iter().all(|p| (p[i] - placed[0][i]).abs() <= 1e-9 * placed[0][i].abs());
-        if let (true, true, Ok(diagram)) = (same(0), same(2), Diagram::new(placed[0][0], placed[0][2])) {
-            let cloud: Vec<(f64, f64)> = placed.iter().map(|p| (p[1], p[3])).collect();
-            return Some(diagram_with(
-                &diagram,
-                &DiagramContent { cloud: &cloud, ..DiagramContent::default() },
-            ));
-        }
-        // A draw that is none has no place; what is left keeps its mode.
-        let modes: Vec<Option<Mode>> =
-            self.points.iter().zip(&self.modes).filter(|(p, _)| p.is_some()).map(|(_, mode)| *mode).collect();
-        let of = |i: usize| placed.iter().map(|p| p[i]).collect::<Vec<f64>>();
-        let names = ["", "force $k$", "elevation $k′$", "friction $μ$"];
-        let panels: Vec<CloudPanel<'_>> = [3, 2]
-            .into_iter()
-            .filter(|i| !same(*i))
-            .map(|i| panel((names[1], &of(1)), (names[i], &of(i))))
-            .collect();
-        let caption = format!(
-            "{} draws in the effective coordinates of the report's plane, in the colours of their modes{}.",
-            placed.len(),
-            outside(&panels)
-        );
-        Some(chance_cloud(&ChanceCloud { title: &title, caption: &caption, panels: &panels, modes: &modes }))
-    }
-
-    /// The two numbers that matter most, of a body that the report's plane is not of.
-    fn of_numbers(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
-        let mut order: Vec<usize> = (0..problem.random().len()).collect();
-        if let Some(point) = &worst.design_point {
-            order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
-        }
-        let [across, up, ..] = order[..] else { return None };
-        let name = |i: usize| {
-            let input = &problem.random()[i];
-            let unit = input.unit().map_or_else(String::new, |unit| format!(" ({unit})"));
-            format!("{}{unit}", escaped(&input.name))
-        };
-        let of = |i: usize| self.values.iter().map(|values| values[i]).collect::<Vec<f64>>();
-        let names = [name(across), name(up)];
-        let panels = [panel((&names[0], &of(across)), (&names[1], &of(up)))];
-        let caption = format!(
-            "{} draws of the two numbers that matter most, in the colours of their modes{}.",
-            self.values.len(),
-            outside(&panels)
-        );
-        Some(chance_cloud(&ChanceCloud { title, caption: &caption, panels: &panels, modes: &self.modes }))
-    }
-}
-
-/// How many places lie outside of a view, in words.
-fn outside(panels: &[CloudPanel<'_>]) -> String {
-    let beyond = |axis: &SpectrumAxis<'_>, x: f64| x < axis.from || x > axis.to;
-    let out = |panel: &CloudPanel<'_>| {
-        panel.points.iter().filter(|(x, y)| beyond(&panel.across, *x) || beyond(&panel.up, *y)).count()
-    };
-    match panels.iter().map(out).max() {
-        Some(count) if count > 0 => format!("; up to {count} of them lie outside"),
-        _ => String::new(),
-    }
-}
-
-fn panel<'a>((across, xs): (&'a str, &[f64]), (up, ys): (&'a str, &[f64])) -> CloudPanel<'a> {
-    let axis = |name: &'a str, values: &[f64]| {
-        let mut sorted = values.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let at = |share: f64| sorted[((share * sorted.len() as f64) as usize).min(sorted.len() - 1)];
-        let (low, high) = (at(TAIL), at(1.0 - TAIL));
-        let room = 0.12 * (high - low).max(1e-9 * high.abs()).max(f64::MIN_POSITIVE);
-        // What cannot be negative does not get an axis that is.
-        let from = if low >= 0.0 { (low - room).max(0.0) } else { low - room };
-        SpectrumAxis { name, from, to: high + room, logarithmic: false }
-    };
-    let points = xs.iter().copied().zip(ys.iter().copied()).collect();
-    CloudPanel { across: axis(across, xs), up: axis(up, ys), points }
-}
-
-impl Problem {
-    /// γ, k, k' and μ of a draw, where the report's plane is of the body.
-    fn place(&self, values: &[f64]) -> Option<[f64; 4]> {
-        let mechanics = self.mechanics(values)?;
-        let [k, k_prime] = mechanics.effective()?;
-        Some([mechanics.block.d, k, k_prime, mechanics.block.mu_s])
-    }
+/// Three digits, as many as a place in a figure has.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
 }

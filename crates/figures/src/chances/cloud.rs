@@ -26,6 +26,8 @@ pub struct CloudPanel<'a> {
     pub across: SpectrumAxis<'a>,
     /// The quantity upwards.
     pub up: SpectrumAxis<'a>,
+    /// Which mode holds where, behind the draws: polygons in the quantities of the axes.
+    pub areas: Vec<(Mode, Vec<(f64, f64)>)>,
     /// Each draw's place, in the order of the modes.
     pub points: Vec<(f64, f64)>,
 }
@@ -61,6 +63,7 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
         let x0 = left + up_width(&up, DOWN) + 9.0;
         let area = Rect { x0, x1: x0 + wide, y0: TOP, y1: TOP + DOWN };
         let plot = Plot { area, across, up };
+        paint(&mut scene, &plot, &panel.areas);
         plot.grid(&mut scene);
         for (_, mode) in &order {
             let of_mode = panel.points.iter().zip(chart.modes).filter(|(_, other)| *other == mode);
@@ -83,8 +86,10 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
         (right, bottom) = (area.x1 + 18.0, below + 24.0);
         left = area.x1 + GAP;
     }
+    let has_area =
+        |mode: &Mode| chart.panels.iter().any(|panel| panel.areas.iter().any(|(other, _)| other == mode));
     let modes: Vec<Mode> =
-        Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m))).collect();
+        Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m)) || has_area(m)).collect();
     let below = modes_key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
     let axes: Vec<String> = chart
         .panels
@@ -96,4 +101,22 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
         .collect();
     let description = format!("Draws as dots: {}.", axes.join("; "));
     finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
+}
+
+/// Areas in the colours of their modes, and thin lines where they meet.
+fn paint(scene: &mut Scene, plot: &Plot, areas: &[(Mode, Vec<(f64, f64)>)]) {
+    let outline = |corners: &[(f64, f64)]| {
+        let mut path =
+            Path::through(&corners.iter().map(|(x, y)| (plot.x(*x), plot.y(*y))).collect::<Vec<_>>());
+        path.close();
+        path
+    };
+    for mode in Mode::ALL {
+        for (_, corners) in areas.iter().filter(|(other, _)| *other == mode) {
+            let path = outline(corners);
+            scene.fill(&path, tint(mode));
+            // Neighbours of one colour show no seam.
+            scene.stroke(&path, Pen::solid(tint(mode), 0.6));
+        }
+    }
 }

@@ -1,0 +1,207 @@
+//! Draws in the colours of their modes, with the modes behind them.
+
+use standfast::initiation::classify;
+use standfast::{Diagram, Mode};
+use standfast_figures::{
+    ChanceCloud, CloudPanel, DiagramContent, Figure, SpectrumAxis, chance_cloud, diagram_with,
+};
+use standfast_probability::sample;
+
+use super::areas::{COARSE, FINE, areas};
+use super::{escaped, in_markup, rounded};
+use crate::layout::digits;
+use crate::random::answer::Chances;
+use crate::random::problem::Problem;
+
+/// What a heavy tail leaves outside of a picture, at each end.
+const TAIL: f64 = 0.005;
+/// How many draws a cloud has.
+const DRAWS: u64 = 1000;
+/// Draws of the random numbers, and where they lie.
+pub(super) struct Draws {
+    values: Vec<Vec<f64>>,
+    modes: Vec<Option<Mode>>,
+    /// Where in effective coordinates each draw lies that has a place there.
+    places: Vec<Option<Place>>,
+}
+
+/// A place in effective coordinates.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    /// γ, k, k', μ.
+    at: [f64; 4],
+    /// Whether the force acts to the right, where modes are those of a mirror.
+    right: bool,
+}
+
+const K: usize = 1;
+const K_PRIME: usize = 2;
+const MU: usize = 3;
+const GAMMA: usize = 0;
+const NAMES: [&str; 4] = ["slenderness $γ$", "force $k$", "elevation $k′$", "friction $μ$"];
+
+impl Draws {
+    /// None of a problem of one random number, which has no cloud.
+    pub(super) fn of(problem: &Problem, seed: u64) -> Option<Draws> {
+        if problem.random().len() < 2 {
+            return None;
+        }
+        let mut draws = Draws { values: Vec::new(), modes: Vec::new(), places: Vec::new() };
+        sample::draws(problem.laws(), seed, DRAWS, |values| {
+            draws.values.push(values.to_vec());
+            draws.modes.push(problem.drawn(values).happens.mode());
+            draws.places.push(problem.place(values));
+        });
+        Some(draws)
+    }
+
+    pub(super) fn figure(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
+        let title = format!("Draws: {title}");
+        let placed: Vec<Place> = self.places.iter().copied().flatten().collect();
+        if placed.len() * 100 < self.places.len() * 99 {
+            return self.of_numbers(problem, worst, &title);
+        }
+        let of = |i: usize| placed.iter().map(|place| place.at[i]).collect::<Vec<f64>>();
+        let first = placed[0].at;
+        let same = |i: usize| of(i).iter().all(|x| (x - first[i]).abs() <= 1e-9 * first[i].abs());
+        if let (true, true, Ok(diagram)) =
+            (same(GAMMA), same(K_PRIME), Diagram::new(first[GAMMA], first[K_PRIME]))
+        {
+            let cloud: Vec<(f64, f64)> = placed.iter().map(|p| (p.at[K], p.at[MU])).collect();
+            return Some(diagram_with(
+                &diagram,
+                &DiagramContent { cloud: &cloud, ..DiagramContent::default() },
+            ));
+        }
+        let varying: Vec<usize> = [K, MU, K_PRIME, GAMMA].into_iter().filter(|i| !same(*i)).collect();
+        let [across, ups @ ..] = &varying[..] else { return self.of_numbers(problem, worst, &title) };
+        if ups.is_empty() {
+            return self.of_numbers(problem, worst, &title);
+        }
+        // A draw that is none has no place; what is left keeps its mode.
+        let modes: Vec<Option<Mode>> =
+            self.places.iter().zip(&self.modes).filter(|(p, _)| p.is_some()).map(|(_, mode)| *mode).collect();
+        let medians: [f64; 4] = std::array::from_fn(|i| median(of(i)));
+        let right = placed[0].right;
+        // Of forces to both sides no one mode holds at a place.
+        let one_sided = placed.iter().all(|place| place.right == right);
+        let panels: Vec<CloudPanel<'_>> = ups
+            .iter()
+            .take(2)
+            .map(|up| {
+                let mut panel = panel((NAMES[*across], &of(*across)), (NAMES[*up], &of(*up)));
+                if one_sided {
+                    panel.areas = areas(&panel, FINE, |x, y| {
+                        let mut at = medians;
+                        (at[*across], at[*up]) = (x, y);
+                        let mode = classify(at[GAMMA], at[K_PRIME], at[K], at[MU]).ok()?;
+                        Some(if right { mode.mirrored() } else { mode })
+                    });
+                }
+                panel
+            })
+            .collect();
+        let behind = if one_sided { behind(ups, &medians) } else { String::new() };
+        let caption = format!(
+            "{} draws in the effective coordinates of the report's plane, in the colours of their modes{}. {behind}",
+            placed.len(),
+            outside(&panels)
+        );
+        Some(chance_cloud(&ChanceCloud {
+            title: &title,
+            caption: caption.trim_end(),
+            panels: &panels,
+            modes: &modes,
+        }))
+    }
+
+    /// The two numbers that matter most, of a body that the report's plane is not of.
+    fn of_numbers(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
+        let mut order: Vec<usize> = (0..problem.random().len()).collect();
+        if let Some(point) = &worst.design_point {
+            order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
+        }
+        let [across, up, ref others @ ..] = order[..] else { return None };
+        let name = |i: usize| {
+            let input = &problem.random()[i];
+            let unit = input.unit().map_or_else(String::new, |unit| format!(" ({})", in_markup(unit)));
+            format!("{}{unit}", escaped(&input.name))
+        };
+        let of = |i: usize| self.values.iter().map(|values| values[i]).collect::<Vec<f64>>();
+        let names = [name(across), name(up)];
+        let mut panel = panel((&names[0], &of(across)), (&names[1], &of(up)));
+        let medians: Vec<f64> = (0..order.len()).map(|i| median(of(i))).collect();
+        panel.areas = areas(&panel, COARSE, |x, y| {
+            let mut values = medians.clone();
+            (values[across], values[up]) = (x, y);
+            problem.drawn(&values).happens.mode()
+        });
+        let panels = [panel];
+        let which = if others.is_empty() { "" } else { " of the two numbers that matter most" };
+        let behind = if others.is_empty() {
+            "Behind them the modes."
+        } else {
+            "Behind them the modes where all other numbers have their medians."
+        };
+        let caption = format!(
+            "{} draws{which}, in the colours of their modes{}. {behind}",
+            self.values.len(),
+            outside(&panels)
+        );
+        Some(chance_cloud(&ChanceCloud { title, caption: &caption, panels: &panels, modes: &self.modes }))
+    }
+}
+
+/// What the modes behind draws are of, where several views each leave out what the others show.
+fn behind(ups: &[usize], medians: &[f64; 4]) -> String {
+    if ups.len() == 1 {
+        return "Behind them the modes.".to_owned();
+    }
+    let letters = ["γ", "k", "k′", "μ"];
+    let held: Vec<String> =
+        ups.iter().map(|i| format!("{} = {}", letters[*i], digits(rounded(medians[*i])))).collect();
+    format!("Behind them the modes where what an axis does not show has its median, {}.", held.join(", "))
+}
+
+/// The middle one of some values.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// How many places lie outside of a view, in words.
+fn outside(panels: &[CloudPanel<'_>]) -> String {
+    let beyond = |axis: &SpectrumAxis<'_>, x: f64| x < axis.from || x > axis.to;
+    let out = |panel: &CloudPanel<'_>| {
+        panel.points.iter().filter(|(x, y)| beyond(&panel.across, *x) || beyond(&panel.up, *y)).count()
+    };
+    match panels.iter().map(out).max() {
+        Some(count) if count > 0 => format!("; up to {count} of them lie outside"),
+        _ => String::new(),
+    }
+}
+
+fn panel<'a>((across, xs): (&'a str, &[f64]), (up, ys): (&'a str, &[f64])) -> CloudPanel<'a> {
+    let axis = |name: &'a str, values: &[f64]| {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let at = |share: f64| sorted[((share * sorted.len() as f64) as usize).min(sorted.len() - 1)];
+        let (low, high) = (at(TAIL), at(1.0 - TAIL));
+        let room = 0.12 * (high - low).max(1e-9 * high.abs()).max(f64::MIN_POSITIVE);
+        // What cannot be negative does not get an axis that is.
+        let from = if low >= 0.0 { (low - room).max(0.0) } else { low - room };
+        SpectrumAxis { name, from, to: high + room, logarithmic: false }
+    };
+    let points = xs.iter().copied().zip(ys.iter().copied()).collect();
+    CloudPanel { across: axis(across, xs), up: axis(up, ys), areas: Vec::new(), points }
+}
+
+impl Problem {
+    /// Where a draw lies in effective coordinates, if the report's plane is of the body.
+    fn place(&self, values: &[f64]) -> Option<Place> {
+        let mechanics = self.mechanics(values)?;
+        let [k, k_prime] = mechanics.effective()?;
+        let block = &mechanics.block;
+        Some(Place { at: [block.d, k, k_prime, block.mu_s], right: mechanics.wrench().x > 0.0 })
+    }
+}
