@@ -102,7 +102,7 @@ MADE = '''\
 from __future__ import annotations
 '''
 #: Keys of a document for which there is something else.
-OWN = {"MotionDocument": ("figures",), "SpectrumDocument": ("figures", "points")}
+OWN = {"MotionDocument": ("figures",), "SpectrumDocument": ("figures", "points"), "ProbabilityDocument": ("figures",)}
 #: The classes of all of them.
 CLASSES = [place for file in FILES.values() for place in file.classes]
 

@@ -96,7 +96,7 @@ mod _standfast {
     #[pymodule_export]
     use super::limits::{limit_state_names, limit_states};
     #[pymodule_export]
-    use super::probability::{draws, plain_effort, probability};
+    use super::probability::{ChanceAnswer, draws, plain_effort, probability};
     #[pymodule_export]
     use super::sheet::{sheet, title_block};
     #[pymodule_export]

@@ -27,13 +27,33 @@ pub(crate) struct Asked {
     threads: Option<NonZero<usize>>,
 }
 
-/// Probabilities as text and as JSON; `file` is what errors call the case, and its text.
+/// The answer to a case with random numbers.
+#[pyclass(frozen, module = "standfast._standfast")]
+pub(crate) struct ChanceAnswer(FirstInstant);
+
+#[pymethods]
+impl ChanceAnswer {
+    /// For reading.
+    fn text(&self) -> String {
+        self.0.text()
+    }
+
+    /// As one JSON document.
+    fn json(&self) -> String {
+        self.0.answer.json()
+    }
+
+    /// Words and SVG of each figure.
+    fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String)>> {
+        let figures = py.detach(|| self.0.answer.figures(&self.0.still));
+        let figures = figures.map_err(|error| PyValueError::new_err(report(&error)))?.into_iter();
+        Ok(figures.map(|figure| (figure.words.to_owned(), figure.figure.svg().to_owned())).collect())
+    }
+}
+
+/// How likely each mode is; `file` is what errors call the case, and its text.
 #[pyfunction]
-pub(crate) fn probability(
-    py: Python<'_>,
-    file: (String, String),
-    asked: Asked,
-) -> PyResult<(String, String)> {
+pub(crate) fn probability(py: Python<'_>, file: (String, String), asked: Asked) -> PyResult<ChanceAnswer> {
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| PyValueError::new_err(error))?;
     let plain = Effort::default();
@@ -52,8 +72,7 @@ pub(crate) fn probability(
     })?;
     patiently(py, move || {
         let answer = FirstInstant::of(&file.0, &file.1, request, over.as_ref(), &beside(&file.0));
-        let answer = answer.map_err(|error| PyValueError::new_err(report(&error)))?;
-        Ok((answer.text(), answer.answer.json()))
+        answer.map(ChanceAnswer).map_err(|error| PyValueError::new_err(report(&error)))
     })?
 }
 

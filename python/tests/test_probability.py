@@ -12,9 +12,12 @@ from typing import Any
 
 import numpy as np
 import polars as pl
+import pyarrow.ipc
+import pyarrow.parquet
 import pytest
 import standfast
 from test_schema import EVERY_RANDOM, errors
+from test_workbook import cells
 
 ROOT = Path(__file__).parents[2]
 GODA = ROOT / "examples/goda-2000-random.toml"
@@ -104,6 +107,70 @@ def test_draws_of_a_case_are_what_assess_table_answers() -> None:
     np.testing.assert_allclose(columns["k_eff"], thrust / (found["buoyant_weight"] - uplift), rtol=1e-9)
     slides = thrust > columns["friction"] * (found["buoyant_weight"] - uplift)
     assert 0 < slides.sum() and ((drawn.mode == "SL") == slides).all()
+
+
+@pytest.mark.parametrize("method", ["integrate", "sobol", "monte-carlo"])
+@pytest.mark.parametrize("ending", ["csv", "parquet", "arrow", "arrows", "xlsx"])
+def test_files_of_draws_are_read_back_as_what_they_are(program: list[str], tmp_path: Path, ending: str, method: str) -> None:
+    """By polars, pyarrow and the standard library: each number to its last digit is that of `draws`."""
+    case, file = tmp_path / "plane.toml", tmp_path / f"draws.{ending}"
+    case.write_text(
+        "[point]\ngamma = 0.8\nk_prime = 0.9167\n[random]\nk = { gumbel = { mean = 0.45, sd = 0.1 } }\n"
+        "mu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.0 }\n"
+    )
+    asked = ["--draws", str(file), "--method", method, "--samples", "3000", "--seed", "5", "--floor", "0.9"]
+    assert f"Draws written to {file}" in printed(program, case, *asked)
+    columns: dict[str, list[Any]]
+    if ending == "xlsx":
+        header, *rows = cells(file)
+        columns = dict(zip(map(str, header), map(list, zip(*rows))))
+    elif ending == "csv":
+        columns = pl.read_csv(file).to_dict(as_series=False)
+    elif ending == "parquet":
+        columns = pyarrow.parquet.read_table(file).to_pydict()
+    else:
+        opened = pyarrow.ipc.open_file if ending == "arrow" else pyarrow.ipc.open_stream
+        columns = opened(file.read_bytes()).read_all().to_pydict()
+    n = len(columns["k"])
+    # Plain Monte Carlo counts whole blocks.
+    assert n == (65_536 if method == "monte-carlo" else 3000)
+    drawn = standfast.draws(PLANE, n, seed=5).to_dict()
+    assert list(columns) == ["k", "mu", "weight", "mode"]
+    np.testing.assert_array_equal(np.array(columns["k"]), drawn["k"])
+    np.testing.assert_array_equal(np.array(columns["mu"]), drawn["mu"])
+    assert columns["mode"] == [standfast.Mode(code).symbol for code in drawn["mode"]]
+    assert set(columns["weight"]) == {1 / n}
+
+
+def test_figures_are_those_of_the_program(program: list[str], tmp_path: Path) -> None:
+    case = tmp_path / "plane.toml"
+    case.write_text(
+        "[point]\ngamma = 0.8\nk_prime = 0.9167\n[random]\nk = { gumbel = { mean = 0.45, sd = 0.1 } }\n"
+        "mu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.0 }\n"
+    )
+    over = "gamma=0.7..0.9:3"
+    found = standfast.probability(case, over=over)
+    subprocess.run([*program, "probability", case, "--over", over, "-o", tmp_path / "out"], capture_output=True, check=True)
+    suffixes = {"Draws": "draws", "Probabilities": "modes", "What matters": "matters", "Fragility": "fragility"}
+    assert [figure.title for figure in found.figures] == list(suffixes)
+    for figure in found.figures:
+        assert isinstance(figure, standfast.Figure) and figure._repr_svg_() == figure.svg
+        assert figure.svg == (tmp_path / f"out/plane-{suffixes[figure.title]}.svg").read_text(encoding="utf-8")
+    # A notebook shows the probabilities; a pickle has all of them.
+    assert found._repr_svg_() == found.figures[1].svg
+    assert pickle.loads(pickle.dumps(found)).figures == found.figures
+    assert found["figures"] == [] and len(repr(found.figures)) < 300
+
+
+def test_a_case_in_time_has_figures_of_overturning() -> None:
+    case = {
+        "body": {"width": "0.6 m", "height": "2 m", "density": "2.6 t/m3", "friction": 0.6},
+        "motion": {"t_max": "10 s", "base": {"horizontal": {"shape": "sine", "peak": "4 m/s2", "period": "0.8 s", "duration": "1.6 s"}}},
+        "random": {"width": {"uniform": {"from": "0.5 m", "to": "0.7 m"}}},
+    }
+    found = standfast.probability(case, over="pga=0.3 g..0.9 g:3", samples=3 * 20 * 1024)
+    assert found.overturning is not None and found.overturning.bodies == 20 and len(found.overturning.points) == 3
+    assert "Overturning" in [figure.title for figure in found.figures]
 
 
 def test_draws_are_the_same_for_a_seed_and_begin_with_the_same() -> None:

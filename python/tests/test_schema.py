@@ -188,7 +188,7 @@ def test_probabilities(tmp_path: Path) -> None:
     path = tmp_path / "statue.toml"
     path.write_text(shaken.replace("../records", str(ROOT / "examples/records")))
     over = standfast.probability(path, over="pga=0.4 g..0.8 g:2", samples=8)
-    assert over.overturning is not None and over.overturning.bodies == 4
+    assert over.overturning is not None and over.overturning.bodies == 16
     assert not errors(json.loads(over.to_json()), "probability.schema.json")
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy as np
 from . import _standfast
 from ._answer import Rendered
 from ._arrow import ArrowTable
-from ._assess import case_text
+from ._assess import Figure, case_text
 from ._run import run
 from .chances import ProbabilityDocument
 
@@ -26,10 +27,30 @@ class Probability(ProbabilityDocument, Rendered):
 
     ``print`` shows the text of ``standfast probability``; the keys of its JSON document, which ``docs/probability.schema.json``
     describes, are attributes. ``modes`` has the probability of each mode with its interval, under its symbol or its :class:`Mode`. Of
-    a case with several sets of loads it is the answer to the least safe, and ``others`` has the others.
+    a case with several sets of loads it is the answer to the least safe, and ``others`` has the others. A pickle holds text, document and
+    figures: nothing is drawn again where it is loaded.
     """
 
     _what = "this answer"
+    _drawn: Callable[[], list[tuple[str, str]]]
+
+    def __init__(self, text: str, document: str, figures: list[tuple[str, str]] | Callable[[], list[tuple[str, str]]]) -> None:
+        super().__init__(text, document)
+        vars(self)["_drawn"] = figures if callable(figures) else lambda: figures
+
+    @functools.cached_property
+    def figures(self) -> list[Figure]:
+        """The figures: draws, probabilities with their intervals, what matters, and, where there is such a thing, how the answer settled, what
+        there is along a number, and how far it slides. The item ``"figures"`` names the files of the program's, and is empty here."""
+        return [Figure(*figure) for figure in self._drawn()]
+
+    def _repr_svg_(self) -> str | None:
+        """The probabilities, of which every answer to a body has a figure."""
+        chosen = [figure for figure in self.figures if figure.title == "Probabilities"] or self.figures
+        return chosen[0].svg if chosen else None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._text, self._json, [tuple(figure) for figure in self.figures])
 
     def __repr__(self) -> str:
         likely = [(name, chance) for name, chance in self.modes.items() if chance.probability > 0]
@@ -78,10 +99,11 @@ def probability(
         seed: of all random numbers. The same gives the same answer, for any number of threads.
         precision: how wide half of a 95 % interval may be, relative to its probability.
         floor: probabilities below it need not be precise.
-        samples: the most points that are drawn.
+        samples: the most points that are drawn; a motion that is followed counts as 1024 of them.
         years: of a life, before those of the case.
         over: the same along a number of the case, with what goes with it: ``"width=12 m..20 m:9"``, its name, the first and the last
-            value as a case file has them, and how many. The answer is ``fragility``, with a lognormal curve.
+            value as a case file has them, and how many. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
+            case whose base moves follows bodies in time: ``overturning``.
         rotations: what becomes of waves of a storm that begin a rotation: ``"count"`` them apart, or ``"simulate"`` each in time.
         threads: how many threads to use; ``None`` for as many as there are processors.
 
@@ -119,7 +141,8 @@ def probability(
         method, _whole(seed, "seed", 0), float(precision), float(floor), _whole(samples, "samples", 1),
         None if years is None else float(years), over, rotations == "simulate", how.threads,
     )  # fmt: skip
-    return Probability(*_standfast.probability(case_text(case), asked))
+    found = _standfast.probability(case_text(case), asked)
+    return Probability(found.text(), found.json(), found.figures)
 
 
 def draws(

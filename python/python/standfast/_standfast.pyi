@@ -226,7 +226,19 @@ class _Asked(Protocol):
     @property
     def threads(self) -> int | None: ...
 
-def probability(file: tuple[str, str], asked: _Asked) -> tuple[str, str]: ...
+class ChanceAnswer:
+    """The answer to a case with random numbers."""
+
+    def text(self) -> str:
+        """For reading."""
+
+    def json(self) -> str:
+        """As one JSON document."""
+
+    def figures(self) -> list[tuple[str, str]]:
+        """Words and SVG of each figure."""
+
+def probability(file: tuple[str, str], asked: _Asked) -> ChanceAnswer: ...
 def plain_effort() -> tuple[int, float, float, int]: ...
 def draws(
     file: tuple[str, str], situation: str | None, count: int, seed: int

@@ -280,7 +280,8 @@ class Exceeded(Answer):
 
 
 class AtPeak(Answer):
-    """What becomes of the bodies at one peak."""
+    """What becomes of the bodies at one peak; intervals are those of a further record and body, of one record those of a further
+    body."""
 
     @property
     def peak(self) -> float:
@@ -485,7 +486,7 @@ class Along(Answer):
 
 
 class Fit(Answer):
-    """a lognormal curve Φ(ln(value/median)/dispersion)."""
+    """a lognormal curve Φ(ln(value/median)/dispersion), the likeliest."""
 
     @property
     def median(self) -> float:
@@ -508,12 +509,12 @@ class Overturning(Answer):
 
     @property
     def records(self) -> list[str]:
-        """The records, one for each body in turn."""
+        """The records, each of every body."""
         return list(self._document["records"])
 
     @property
     def bodies(self) -> int:
-        """How many bodies are drawn."""
+        """How many bodies are drawn, each followed under every record."""
         return self._document["bodies"]
 
     @property
@@ -783,8 +784,3 @@ class ProbabilityDocument(Answer):
     def fragility(self) -> Fragility | None:
         """The probabilities along a number of the case; None where none is asked for."""
         return None if self._document["fragility"] is None else part(Fragility, self._document["fragility"])
-
-    @property
-    def figures(self) -> list[str]:
-        """The files of the figures that were written."""
-        return list(self._document["figures"])
