@@ -363,7 +363,7 @@ fn overturning_is_that_of_the_motions_one_by_one() {
     let listed = format!("[random]\nrecords = {names:?}\n{widths}");
     let force = |size: f64| {
         format!(
-            "[added_mass]\nmass = 800\n[[load]]\nname = \"prop\"\nforce = {size}\nelevation = 0.5\npermanent = true\n"
+            "[water]\nlevel = 1\ndensity = 1000\n[added_mass]\nsides = 2\n[[load]]\nname = \"prop\"\nforce = {size}\nelevation = 0.5\npermanent = true\n"
         )
     };
     let biased = format!("{listed}bias.force = {{ uniform = {{ from = 0.5, to = 2 }} }}\n");
