@@ -23,7 +23,10 @@ REGISTRY: Registry[Any] = Registry().with_resources(
 )
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
 EVERY_MOTION = sorted((ROOT / "examples/motion").glob("*.toml"))
-EVERY_RANDOM = [ROOT / "examples/goda-2000-random.toml"]
+EVERY_RANDOM = [
+    ROOT / "examples" / f"{name}.toml"
+    for name in ("goda-2000-random", "statue-random", "probability/plane-random", "probability/column-records")
+]
 ODD = sorted((ROOT / "crates/cli/tests/cmd/loads-answers.in").glob("*.toml"))
 
 BLOCK = {"width": 1, "height": 2, "mass": 4800, "friction": 0.7}

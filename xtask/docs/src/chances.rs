@@ -7,7 +7,7 @@ use standfast::initiation::Chart;
 use standfast::wave::Goda;
 use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Effort, Over, Probability, Request};
+use standfast_cases::random::{Effort, FirstInstant, Over, Probability, Request};
 use standfast_figures::{
     Chance, ChanceLine, ChanceLines, ChanceMark, DesignPoint, DiagramContent, Figure, LineLook, SpectrumAxis,
     chance_lines, diagram_with,
@@ -17,10 +17,11 @@ use standfast_probability::law::Law;
 use standfast_probability::problem::{Inputs, Outcomes, Pieces};
 
 /// What is shown of an example: its path in `examples`, without extension, and the number along which it is asked.
-const EXAMPLES: [(&str, Option<&str>); 3] = [
-    ("goda-2000-storm", None),
-    ("statue-random", Some("earthquake.horizontal=1.5 m/s2..2.75 m/s2:11")),
-    ("probability/plane-random", None),
+const EXAMPLES: [(&str, Option<&str>, u64); 4] = [
+    ("goda-2000-storm", None, POINTS),
+    ("statue-random", Some("earthquake.horizontal=1.5 m/s2..2.75 m/s2:11"), POINTS),
+    ("probability/plane-random", None, POINTS),
+    ("probability/column-records", Some("pga=0.2 g..1.4 g:7"), 1 << 20),
 ];
 /// Enough lives for a picture, and not too many for a test.
 const POINTS: u64 = 1 << 18;
@@ -31,13 +32,18 @@ pub type Example = (String, Vec<(String, String)>);
 /// The figures of the worked examples, by name.
 pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
     let mut all = Vec::new();
-    for (name, over) in EXAMPLES {
-        let text = fs::read_to_string(root.join("examples").join(format!("{name}.toml")))?;
+    for (name, over, points) in EXAMPLES {
+        let path = root.join("examples").join(format!("{name}.toml"));
+        let text = fs::read_to_string(&path)?;
         let over = over.map(|over| over.parse::<Over>().map_err(io::Error::other)).transpose()?;
-        let request =
-            Request { effort: Effort { points: POINTS, ..Effort::default() }, ..Request::default() };
-        let answer = Probability::along(name, &text, request, over.as_ref()).map_err(io::Error::other)?;
-        let figures = answer.figures(&text).map_err(io::Error::other)?.into_iter();
+        let request = Request { effort: Effort { points, ..Effort::default() }, ..Request::default() };
+        let record = |file: &str| {
+            let bytes = fs::read(path.with_file_name(file)).map_err(|error| error.to_string())?;
+            Ok(String::from_utf8_lossy(&bytes).into_owned())
+        };
+        let found =
+            FirstInstant::of(name, &text, request, over.as_ref(), &record).map_err(io::Error::other)?;
+        let figures = found.answer.figures(&found.still).map_err(io::Error::other)?.into_iter();
         let stem = name.rsplit('/').next().unwrap_or(name);
         let files =
             figures.map(|f| (format!("gallery/chance-{stem}{}.svg", f.suffix), f.figure.svg().to_owned()));

@@ -13,7 +13,7 @@ impl Estimate {
     /// factor for the lesser count, have Clopper and Pearson's interval: that of E. L. Korn and B. I. Graubard for clustered samples
     /// (Confidence intervals for proportions with small expected number of positive counts estimated from survey data, Survey
     /// Methodology 24, 1998, 193–201; recalled, not read in the original). Where all or none are hits there is no spread, and the
-    /// lesser count alone tells: the bound is one-sided. Of one row, or one column, it is the interval of its own hits.
+    /// lesser count alone tells: the bound is one-sided. Less than one independent hit tells nothing: 0 to 1. Of one row, or one column, it is the interval of its own hits.
     ///
     /// # Panics
     /// If there are no hits, or rows of different length.
@@ -41,6 +41,9 @@ impl Estimate {
         let independent = value * (1.0 - value) / variance;
         let fewer_by = (NORMAL / student(fewer - 1.0)).powi(2);
         let n = independent.min(pairs) * fewer_by;
+        if n < 1.0 {
+            return Estimate { value, low: 0.0, high: 1.0 };
+        }
         let Estimate { low, high, .. } = Estimate::of_share(value * n, n);
         Estimate { value, low, high }
     }
@@ -69,13 +72,14 @@ mod tests {
         }
     }
 
-    /// By hand: rows with the means ½, ¼ and ¾, columns with 1, ⅔, ⅓ and 0; half of all are hits, and the variance is
-    /// (1/16 + 1/16)/(2·3) + (1/4 + 1/36 + 1/36 + 1/4)/(3·4) = 29/432. Student's factor for two degrees of freedom is 4.3027.
+    /// By hand: rows with the means ½, ½, ¾ and ¼, columns with 1, ½, ½ and 0; half of all are hits, and the variance is
+    /// (1/16 + 1/16)/(3·4) + (1/4 + 1/4)/(3·4) = 5/96. Student's factor for three degrees of freedom is 3.1824.
     #[test]
     fn the_interval_is_that_of_so_many_independent_hits() {
-        let rows = [[1, 1, 0, 0], [1, 0, 0, 0], [1, 1, 1, 0]].map(|row| row.map(|hit| hit == 1).to_vec());
+        let rows = [[1, 1, 0, 0], [1, 0, 1, 0], [1, 1, 1, 0], [1, 0, 0, 0]];
+        let rows = rows.map(|row| row.map(|hit| hit == 1).to_vec());
         let found = Estimate::of_pairs(&rows);
-        let n = 0.25 / (29.0 / 432.0) * (NORMAL / 4.302_652_729_911_275f64).powi(2);
+        let n = 0.25 / (5.0 / 96.0) * (NORMAL / 3.182_446_305_284_263f64).powi(2);
         assert_eq!(found.value, 0.5);
         // Clopper and Pearson's bounds are where 2.5 % are left.
         let k = 0.5 * n;
@@ -83,8 +87,18 @@ mod tests {
         assert!((beta_reg(k + 1.0, n - k, found.high) - 0.975).abs() < 1e-9, "{found:?}");
     }
 
-    /// With as few records as seven that differ much, or hardly, in 95 of 100 repetitions at least the interval has the share that records and
-    /// bodies without end would have; that of independent hits does not.
+    #[test]
+    fn two_rows_that_differ_tell_nothing() {
+        let found = Estimate::of_pairs(&[
+            vec![true; 9],
+            vec![true, false, false, false, false, false, false, false, false],
+        ]);
+        assert_eq!((found.low, found.high), (0.0, 1.0));
+        assert!((found.value - 10.0 / 18.0).abs() < 1e-15);
+    }
+
+    /// With as few rows as seven that differ much, or hardly, in more than 94 of 100 repetitions the interval has the share that rows and
+    /// columns without end would have; that of independent hits does not.
     #[test]
     fn the_interval_covers_what_further_rows_would_give() {
         const REPETITIONS: u64 = 1500;

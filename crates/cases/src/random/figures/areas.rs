@@ -96,3 +96,42 @@ pub(super) fn areas(
     });
     polygons.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use standfast_figures::SpectrumAxis;
+
+    use super::*;
+
+    /// A diamond on two half-planes, and a corner that is no mode: areas are those of school, and nothing is painted twice.
+    #[test]
+    fn areas_are_those_of_the_regions() {
+        let axis = |from, to| SpectrumAxis { name: "", from, to, logarithmic: false };
+        let panel =
+            CloudPanel { across: axis(-2.0, 3.0), up: axis(0.0, 4.0), areas: Vec::new(), points: Vec::new() };
+        let mode = |x: f64, y: f64| match (x, y) {
+            (x, y) if x.abs() + (y - 2.0).abs() < 1.0 => Some(Mode::RockO),
+            (x, y) if x + y > 5.0 => None,
+            (x, _) if x < 0.1234 => Some(Mode::Rest),
+            _ => Some(Mode::SlideLeft),
+        };
+        let found = areas(&panel, FINE, mode);
+        let area = |corners: &[(f64, f64)]| {
+            let next = corners.iter().cycle().skip(1);
+            0.5 * corners.iter().zip(next).map(|(a, b)| a.0 * b.1 - a.1 * b.0).sum::<f64>().abs()
+        };
+        let of = |mode: Mode| {
+            found.iter().filter(|(other, _)| *other == mode).map(|(_, corners)| area(corners)).sum::<f64>()
+        };
+        // Of the diamond, what lies left of x: the half, and beyond it a trapezium.
+        let x: f64 = 0.1234;
+        let (diamond, left) = (2.0, 1.0 + 2.0 * x - x * x);
+        for (name, found, exact) in [
+            ("diamond", of(Mode::RockO), diamond),
+            ("left", of(Mode::Rest), 2.1234 * 4.0 - left),
+            ("right", of(Mode::SlideLeft), (3.0 - x) * 4.0 - (diamond - left) - 2.0),
+        ] {
+            assert!((found - exact).abs() < 2e-3, "{name}: {found}, not {exact}");
+        }
+    }
+}
