@@ -10,6 +10,7 @@ __all__ = [
     "ArrowArray",
     "ArrowTable",
     "CaseAnswer",
+    "ChanceAnswer",
     "MotionAnswer",
     "NUMBER",
     "Sweep",
@@ -226,6 +227,7 @@ class _Asked(Protocol):
     @property
     def threads(self) -> int | None: ...
 
+@final
 class ChanceAnswer:
     """The answer to a case with random numbers."""
 

@@ -110,7 +110,7 @@ assert_type(standfast.probability("case.toml", method="sobol").modes["SL"].proba
 assert_type(standfast.probability("case.toml").life, standfast.chances.Life | None)
 assert_type(standfast.probability("case.toml").figures, list[Figure])
 assert_type(standfast.draws("case.toml", 10, seed=3).mode, standfast.ArrowArray)
-standfast.probability("case.toml", method="form")  # type: ignore[arg-type]
+standfast.probability("case.toml", method="simpson")  # type: ignore[arg-type]
 assert_type(standfast.spectrum("case.toml", "newmark", ratio=(0.1, 0.9)).points, ArrowTable)
 assert_type(standfast.simulate("case.toml").figures, list[Figure])
 standfast.spectrum("case.toml", "rock")  # type: ignore[arg-type]
