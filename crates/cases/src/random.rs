@@ -32,7 +32,7 @@ mod template;
 mod text;
 
 pub use answer::{
-    Chances, FirstDeparture, Happening, LifeChances, Method, MethodAsked, Probability, Request,
+    Chances, FirstDeparture, Happening, LifeChances, Method, MethodAsked, Probability, RandomNumber, Request,
 };
 pub use criterion::ChanceCriterion;
 pub(crate) use criterion::not_rest;

@@ -91,7 +91,7 @@ pub fn sampled_known<O: Outcomes>(
     scrambles(&frame, sets, &about, effort)
 }
 
-/// The same points drawn where the outcomes are: nine tenths as standard normals about the points given, the others about the
+/// The same points drawn where the outcomes are: nineteen twentieths as standard normals about the points given, the others about the
 /// origin, each weighed by what it is drawn too often. The points are independent normals in the order of the inputs, as
 /// [`DesignPoint::u`](crate::form::DesignPoint::u) has them.
 ///
@@ -110,7 +110,7 @@ pub fn importance<O: Outcomes>(
 }
 
 /// The share of points that importance sampling leaves about the origin.
-const AT_ORIGIN: f64 = 0.1;
+const AT_ORIGIN: f64 = 0.05;
 
 fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], effort: &Effort) -> Sampled {
     let dimensions = frame.dimensions();
@@ -122,13 +122,20 @@ fn scrambles<O: Outcomes>(frame: &Frame<O>, sets: &[u64], about: &[Vec<f64>], ef
         count: sets.len(),
         precise: sets.len(),
     };
+    // The first coordinates of a sequence are its most even: for the numbers that matter most at the nearest point. Which point is
+    // taken is left to the last.
+    let mut order: Vec<usize> = (0..dimensions).collect();
+    if let Some(nearest) = about.first() {
+        order.sort_by(|a, b| nearest[*b].abs().total_cmp(&nearest[*a].abs()));
+    }
+    let order = &order;
     let mut sampled = averages.take(effort, || {
         let mut scratch = frame.scratch();
         let mut point = vec![0.0; dimensions];
         move |_: usize, _: u64, coordinates: &[f64], sums: &mut [f64]| {
-            let component = if picked == 1 { coordinates[0] } else { 0.0 };
-            for (u, p) in point.iter_mut().zip(&coordinates[picked..]) {
-                *u = normal::quantile(*p);
+            let component = if picked == 1 { coordinates[dimensions] } else { 0.0 };
+            for (place, p) in order.iter().zip(coordinates) {
+                point[*place] = normal::quantile(*p);
             }
             let weight = displaced(&mut point, component, about);
             frame.evaluate(&point, &mut scratch);

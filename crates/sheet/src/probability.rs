@@ -167,15 +167,15 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
             tbody {
                 @for place in order {
                     tr {
-                        td { code { (answer.random[place].0) } }
+                        td { code { (answer.random[place].name) } }
                         td.n { (format!("{:.2}", point.alpha[place].powi(2))) }
                         td.n { (known(place)) }
-                        td.n { (digits(point.values[place])) }
+                        td.n { data value=(point.values[place]) { (answer.random[place].written(point.values[place])) } }
                     }
                 }
             }
         }
-        p.note { "Known is: held at its median. Values at the design point are in SI units." }
+        p.note { "Known is: held at its median." }
     }
 }
 
@@ -228,7 +228,7 @@ fn sliding(answer: &Probability) -> Markup {
 }
 
 fn left_out(answer: &Probability) -> Markup {
-    let cut: Vec<_> = answer.random.iter().filter(|(_, cut)| *cut >= 1e-12).collect();
+    let cut: Vec<_> = answer.random.iter().filter(|number| number.cut >= 1e-12).collect();
     html! {
         h3 { "What these probabilities leave out" }
         ul {
@@ -237,8 +237,8 @@ fn left_out(answer: &Probability) -> Markup {
             li { "errors of the models, unless a bias stands among the inputs; gross errors of design, execution and use;" }
             li { "what no mode of this calculation has, see the next section." }
         }
-        @for (name, cut) in cut {
-            p { (digits(*cut)) " of the law of " code { (name) } " is cut away: no body has such values." }
+        @for number in cut {
+            p { (digits(number.cut)) " of the law of " code { (number.name) } " is cut away: no body has such values." }
         }
     }
 }

@@ -14,9 +14,12 @@ use super::error::ProbabilityError;
 use super::joined::{Joined, joined};
 use super::over::Fragility;
 use super::overturn::Overturning;
-use super::problem::{NO_MODE, NOT_A_BODY, Problem};
+use super::problem::{Input, NO_MODE, NOT_A_BODY, Problem};
 use super::storm::{self, Sliding};
+use crate::couple::Variable;
+use crate::layout::digits;
 use crate::parse::CaseFile;
+use crate::units::Dimension;
 
 /// How probabilities are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -193,6 +196,29 @@ impl Happening {
     }
 }
 
+/// A number that is random.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RandomNumber {
+    /// Its name, as in the file.
+    pub name: String,
+    /// What of its law was cut because no body has such values.
+    pub cut: f64,
+    /// The dimension of its values, where they have one.
+    pub dimension: Option<Dimension>,
+}
+
+impl RandomNumber {
+    pub(super) fn of(input: &Input) -> RandomNumber {
+        let dimension = input.variable().and_then(Variable::dimension);
+        RandomNumber { name: input.name.clone(), cut: input.cut, dimension }
+    }
+
+    /// A value of it on paper: with its unit, of a dimension.
+    pub fn written(&self, value: f64) -> String {
+        self.dimension.map_or_else(|| digits(value), |dimension| dimension.written(value))
+    }
+}
+
 /// The answer to a case with random numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Probability {
@@ -200,8 +226,8 @@ pub struct Probability {
     pub(super) case: String,
     /// What was asked for.
     pub request: Request,
-    /// What is random: names, and what was cut of each law because no body has such values.
-    pub random: Vec<(String, f64)>,
+    /// What is random.
+    pub random: Vec<RandomNumber>,
     /// The number along which the modes are integrated, and whether in closed form.
     pub line: (String, bool),
     /// Under each set of loads that act together and each acceleration of the base, the least safe first.
@@ -278,7 +304,7 @@ impl Probability {
         Ok(Probability {
             case: name.to_owned(),
             request,
-            random: first.random().iter().map(|input| (input.name.clone(), input.cut)).collect(),
+            random: first.random().iter().map(RandomNumber::of).collect(),
             line,
             situations,
             joined: joined(&problems.iter().collect::<Vec<_>>(), &request)?,

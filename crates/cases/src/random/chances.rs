@@ -21,6 +21,11 @@ use super::problem::{LIFTED, NOT_UNIQUE, Problem, exclusive, not_rest};
 
 /// Above this index probabilities are looked for about the design points.
 const FAR: f64 = 2.5;
+/// Φ(−β) is no probability, but none is so many times as likely.
+const UNLIKELIER: f64 = 1e-2;
+/// How far apart two points about which is drawn lie, in deviations.
+const APART: f64 = 0.1;
+
 /// The sets asked for: what excludes each other, and then the others.
 fn sets() -> Vec<u64> {
     exclusive().map(|outcome| 1 << outcome).chain([not_rest(), 1 << NOT_UNIQUE, 1 << LIFTED]).collect()
@@ -91,12 +96,25 @@ pub(super) fn by<O: Outcomes>(
     }
 }
 
-/// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode, so that none of them is
-/// missed.
-pub(super) fn about(problem: &Problem, points: &[DesignPoint]) -> Vec<Vec<f64>> {
+/// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode that may be likelier than
+/// the floor, so that none of them is missed and none takes points from the others that need not be precise; each once.
+pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Vec<Vec<f64>> {
     let moved = exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
     let of_modes = moved.filter_map(|set| design_point(problem.laws(), problem, set));
-    points.iter().cloned().chain(of_modes).map(|point| point.u).collect()
+    let likely = of_modes.filter(|point| point.first_order() >= UNLIKELIER * floor);
+    let mut about: Vec<Vec<f64>> = Vec::new();
+    for DesignPoint { u, .. } in points.iter().cloned().chain(likely) {
+        let apart = |other: &Vec<f64>| {
+            other.iter().zip(&u).map(|(a, b)| (a - b).powi(2)).sum::<f64>() > APART.powi(2)
+        };
+        if about.iter().all(apart) {
+            about.push(u);
+        }
+    }
+    for a in &about {
+        eprintln!("{a:?}");
+    }
+    about
 }
 
 /// The nearest point of every happening but rest, in which a body is when nothing happens.
@@ -117,7 +135,8 @@ fn sampled(
 ) -> Result<(Method, Sampled), ProbabilityError> {
     let laws = problem.laws();
     let method = method(laws, request, points)?;
-    let about = if method == Method::Importance { about(problem, points) } else { Vec::new() };
+    let about =
+        if method == Method::Importance { about(problem, points, request.effort.floor) } else { Vec::new() };
     let mut sampled = by(method, laws, problem, &sets(), &about, &request.effort);
     if method == Method::Importance {
         // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
@@ -125,6 +144,13 @@ fn sampled(
         if let Some(place) = exclusive().position(|outcome| outcome == usize::from(Mode::Rest.code())) {
             let Estimate { value, low, high } = of_moved;
             sampled.estimates[place] = Estimate { value: 1.0 - value, low: 1.0 - high, high: 1.0 - low };
+        }
+    }
+    let (modes, others) = sampled.estimates.split_at_mut(exclusive().count());
+    for (outcome, of_mode) in exclusive().zip(modes) {
+        // No mode but rest is likelier than that it does not rest: the bound of one that was never met.
+        if outcome != usize::from(Mode::Rest.code()) {
+            of_mode.high = of_mode.high.min(others[0].high);
         }
     }
     Ok((method, sampled))

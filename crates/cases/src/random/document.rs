@@ -6,7 +6,7 @@ use serde::Serialize;
 use standfast_probability::form::DesignPoint;
 use standfast_probability::sample::Estimate;
 
-use super::answer::{Chances, Happening, Probability};
+use super::answer::{Chances, Happening, Probability, RandomNumber};
 use super::over::{Along, Fit, Fragility};
 use super::overturn::{AtPeak, Overturning};
 use super::storm::{Exceeded, Quantile, Sliding};
@@ -295,7 +295,11 @@ impl Probability {
             schema: SCHEMA,
             case: &self.case,
             seed: self.request.effort.seed,
-            random: self.random.iter().map(|(name, cut)| RandomDocument { name, cut: *cut }).collect(),
+            random: self
+                .random
+                .iter()
+                .map(|RandomNumber { name, cut, .. }| RandomDocument { name, cut: *cut })
+                .collect(),
             integrated: &self.line.0,
             worst: self.document(worst),
             others: others.iter().map(|chances| self.document(chances)).collect(),
@@ -319,7 +323,7 @@ impl Probability {
 
     fn document<'a>(&'a self, chances: &'a Chances) -> ChancesDocument<'a> {
         let point = chances.design_point.as_ref();
-        let names = || self.random.iter().map(|(name, _)| name.as_str());
+        let names = || self.random.iter().map(|number| number.name.as_str());
         let importance = names().enumerate().map(|(place, name)| {
             let alpha = point.map(|point| point.alpha[place]);
             ImportanceDocument {

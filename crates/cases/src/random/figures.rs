@@ -157,7 +157,7 @@ impl Probability {
         let numbers: Vec<Importance<'_>> = order
             .iter()
             .map(|&i| Importance {
-                name: &self.random[i].0,
+                name: &self.random[i].name,
                 alpha2: point.alpha[i].powi(2),
                 known: worst.known[i].value,
             })

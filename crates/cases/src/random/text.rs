@@ -5,7 +5,7 @@ use std::fmt::Write;
 use standfast::Mode;
 use standfast_probability::sample::{Effort, Estimate};
 
-use super::answer::{Chances, FirstDeparture, Happening, Method, Probability};
+use super::answer::{Chances, FirstDeparture, Happening, Method, Probability, RandomNumber};
 use super::joined::Joined;
 use super::over::{Fit, Fragility};
 use super::overturn::{AtPeak, Overturning};
@@ -208,7 +208,7 @@ impl Probability {
             text += &self.imprecise();
         }
         // Less is in the JSON alone.
-        for (name, cut) in self.random.iter().filter(|(_, cut)| *cut >= 1e-12) {
+        for RandomNumber { name, cut, .. } in self.random.iter().filter(|number| number.cut >= 1e-12) {
             text += &paragraph(
                 &format!("{} of the law of {name} is cut away: no body has such values.", digits(*cut)),
                 2,
@@ -283,10 +283,10 @@ impl Probability {
         for place in order {
             let known = chances.known.get(place).map_or(String::new(), |e| below_or(*e));
             rows.push(row![
-                format!("  {}", self.random[place].0),
+                format!("  {}", self.random[place].name),
                 format!("{:.2}", point.alpha[place].powi(2)),
                 known,
-                digits(point.values[place])
+                self.random[place].written(point.values[place])
             ]);
         }
         format!("\n{}", columns(&rows, 0, &[1, 2, 3]))
@@ -295,7 +295,7 @@ impl Probability {
     /// Where each mode is nearest to the medians, if that is asked for.
     fn nearest(&self, chances: &Chances) -> String {
         let Some(points) = &chances.design_points else { return String::new() };
-        let names = self.random.iter().map(|(name, _)| name.clone());
+        let names = self.random.iter().map(|number| number.name.clone());
         let head = ["Nearest point (FORM)", "β", "Φ(−β)", "P"].map(str::to_owned);
         let mut rows: Vec<Vec<String>> = vec![head.into_iter().chain(names).collect()];
         for (happening, point) in points {
@@ -307,7 +307,8 @@ impl Probability {
                 digits(point.first_order()),
                 of_mode.map_or_else(String::new, |(_, e)| below_or(*e)),
             ];
-            rows.push(figures.into_iter().chain(point.values.iter().map(|value| digits(*value))).collect());
+            let values = self.random.iter().zip(&point.values).map(|(number, value)| number.written(*value));
+            rows.push(figures.into_iter().chain(values).collect());
         }
         let right: Vec<usize> = (1..rows[0].len()).collect();
         let mut text = format!("\n{}", columns(&rows, 0, &right));

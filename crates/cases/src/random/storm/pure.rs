@@ -31,7 +31,9 @@ use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
 use crate::error::CaseError;
 use crate::key::Range;
 use crate::random::RANDOM;
-use crate::random::answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Probability, Request};
+use crate::random::answer::{
+    Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber, Request,
+};
 use crate::random::error::ProbabilityError;
 use crate::random::problem::{Bias, Input, Quantity, exclusive};
 use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table};
@@ -221,7 +223,7 @@ impl PureStorm {
         Ok(Probability {
             case: name.to_owned(),
             request,
-            random: self.random.iter().map(|input| (input.name.clone(), input.cut)).collect(),
+            random: self.random.iter().map(RandomNumber::of).collect(),
             line: ("the height of waves".to_owned(), true),
             situations: vec![chances],
             joined: None,
