@@ -111,9 +111,6 @@ pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Ve
             about.push(u);
         }
     }
-    for a in &about {
-        eprintln!("{a:?}");
-    }
     about
 }
 
