@@ -6,7 +6,8 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::Mode;
-use standfast_cases::random::{Draws, Effort, FirstInstant, MethodAsked, Over, Request};
+use standfast::ground::GroundVerdict;
+use standfast_cases::random::{Draws, Effort, FirstInstant, Happening, MethodAsked, Over, Request};
 use standfast_cases::report;
 
 use crate::assess::beside;
@@ -106,7 +107,12 @@ pub(crate) fn draws(
     })??;
     let place = |place: usize| drawn.drawn.iter().map(move |d| d.effective.map_or(f64::NAN, |p| p[place]));
     let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));
-    let modes = drawn.drawn.iter().map(|d| d.happens.mode().map_or(NO_MODE, Mode::code));
+    let code = |happens: Happening| match happens {
+        Happening::Mode(mode) => mode.code(),
+        Happening::BearingFailure => GroundVerdict::BEARING_FAILURE_CODE,
+        _ => NO_MODE,
+    };
+    let modes = drawn.drawn.iter().map(|d| code(d.happens));
     let modes = PyArray1::from_iter(py, modes);
     let inputs = drawn.inputs.into_iter().zip(drawn.values);
     let inputs = inputs.map(|((name, unit), values)| (name, unit, PyArray1::from_vec(py, values)));

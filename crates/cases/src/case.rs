@@ -211,6 +211,11 @@ impl Case {
         Ok(case)
     }
 
+    /// Whether its base may crush, or the ground under it fail.
+    pub fn gives_way(&self) -> bool {
+        self.ground.is_some_and(|ground| ground.limit.is_some())
+    }
+
     /// Which loads act together: in each combination; or else beside each force that acts alone; or else all.
     pub fn acting(&self) -> Vec<Acting> {
         if !self.combinations.is_empty() {
@@ -224,13 +229,23 @@ impl Case {
     /// The accelerations of the base that are tried: as given, and unless that is fixed to the other side, and down for up; none
     /// where no earthquake acts.
     pub fn earthquakes(&self, acting: Acting) -> Vec<Earthquake> {
+        let turned = self.shakings(acting).into_iter().map(|signs| self.shaken(signs));
+        turned.flatten().collect()
+    }
+
+    /// By what signs the acceleration of the base is multiplied in turn, to the sides and upwards; none where no earthquake acts.
+    pub fn shakings(&self, acting: Acting) -> Vec<[f64; 2]> {
         let acts = self.earthquake_factor(acting) != 0.0;
         let Some(given) = self.earthquake.filter(|_| acts) else { return Vec::new() };
         let signs = |both: bool, value: f64| if both && value != 0.0 { &[1.0, -1.0][..] } else { &[1.0] };
         let (sides, ways) =
             (signs(self.both_sides, given.horizontal()), signs(self.both_ways, given.vertical()));
-        let turned = sides.iter().flat_map(|side| ways.iter().map(move |way| given.turned(*side, *way)));
-        turned.collect()
+        sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
+    }
+
+    /// The acceleration of the base times signs, to the sides and upwards.
+    pub fn shaken(&self, [side, way]: [f64; 2]) -> Option<Earthquake> {
+        self.earthquake.map(|given| given.turned(side, way))
     }
 
     /// What an earthquake is multiplied by: the factor of a combination, which may be zero.

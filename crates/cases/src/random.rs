@@ -10,8 +10,10 @@
 //! known in closed form, so that friction is not sampled; where it is certain, a number takes its place in which the loads are
 //! linear.
 
+mod along;
 mod answer;
 mod asked;
+mod base;
 mod chances;
 mod criterion;
 mod departure;
@@ -21,10 +23,12 @@ mod error;
 mod figures;
 mod joined;
 mod mechanics;
+mod outcome;
 mod over;
 mod overturn;
 mod point;
 mod problem;
+mod quantity;
 mod read;
 mod resolve;
 mod storm;
@@ -49,7 +53,8 @@ pub(crate) use storm::{STORM, read as read_storm};
 
 pub use template::template;
 
-pub use problem::{Bias, Coordinate, Problem, Quantity};
+pub use problem::Problem;
+pub use quantity::{Bias, Coordinate, Quantity};
 pub(crate) use read::read;
 pub use read::{Named, Random, RandomProblem, Rate};
 

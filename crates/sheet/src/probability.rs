@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 use standfast::Mode;
+use standfast::ground::GroundVerdict;
 use standfast_cases::CaseFile;
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
@@ -92,6 +93,10 @@ fn words(happening: Happening) -> String {
     match happening {
         Happening::Mode(Mode::Rest) => "stays at rest (RE)".to_owned(),
         Happening::Mode(mode) => format!("{} ({mode})", mode.words()),
+        Happening::BearingFailure => {
+            let fails = GroundVerdict::BearingFailure;
+            format!("{} ({fails})", fails.words())
+        }
         other => other.name(),
     }
 }

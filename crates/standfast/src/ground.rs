@@ -17,6 +17,7 @@
 //! | How far does an elastic base let the body turn, and when does it topple? | [`elastic`] |
 //! | When is a short peak force not a static one? | [`impact`] |
 //! | What begins at which load factor and friction? | [`load_plane`] |
+//! | What begins for every friction under given loads? | [`strength::friction_spans`], [`bearing::BearingBlock`] |
 //!
 //! Everything else of this library stands on rigid ground. No partial factor is applied here.
 
@@ -149,6 +150,32 @@ pub struct GroundStage {
     pub verdict: Option<GroundVerdict>,
     /// All consistent modes; none where the ground fails.
     pub modes: Modes,
+}
+
+/// Frictions with the same modes, on ground that can fail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundSpan {
+    /// The friction μ_s at which it begins; 0 for the first.
+    pub from: f64,
+    /// The friction at which it ends; infinite for the last.
+    pub to: f64,
+    /// What is reported.
+    pub verdict: Option<GroundVerdict>,
+    /// All consistent modes; none where the ground fails.
+    pub modes: Modes,
+    /// Which boundary is at `from`, by a number; 0 for the first span. As long as verdicts, modes and numbers stay the same, the ends of
+    /// the spans are smooth functions of block and wrench.
+    pub boundary: usize,
+}
+
+impl GroundSpan {
+    /// Adds what holds from one friction to another, to the last span if it holds there too.
+    fn push(self, spans: &mut Vec<GroundSpan>) {
+        match spans.last_mut() {
+            Some(last) if (last.verdict, last.modes) == (self.verdict, self.modes) => last.to = self.to,
+            _ => spans.push(self),
+        }
+    }
 }
 
 impl GroundStage {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use standfast::Mode;
+use standfast::ground::GroundVerdict;
 use standfast_probability::form::{DesignPoint, generalized};
 use standfast_probability::sample::{Effort, Estimate};
 
@@ -12,9 +13,11 @@ use super::chances::chances;
 use super::criterion::{ChanceCriterion, bound};
 use super::error::ProbabilityError;
 use super::joined::{Joined, joined};
+use super::outcome::NOT_A_BODY;
 use super::over::Fragility;
 use super::overturn::Overturning;
-use super::problem::{Input, NO_MODE, NOT_A_BODY, Problem};
+use super::problem::Problem;
+use super::quantity::Input;
 use super::storm::{self, Sliding};
 use crate::couple::Variable;
 use crate::layout::digits;
@@ -171,6 +174,8 @@ pub struct LifeChances {
 pub enum Happening {
     /// A mode.
     Mode(Mode),
+    /// The ground fails under it.
+    BearingFailure,
     /// No mode is consistent.
     NoMode,
     /// The numbers drawn do not go together.
@@ -178,20 +183,22 @@ pub enum Happening {
 }
 
 impl Happening {
-    /// A mode's symbol, or words.
+    /// A mode's symbol, that of ground that fails, or words.
     pub fn name(self) -> String {
         match self {
             Happening::Mode(mode) => mode.to_string(),
+            Happening::BearingFailure => GroundVerdict::BearingFailure.to_string(),
             Happening::NoMode => "no mode".to_owned(),
             Happening::NotABody => "not a body".to_owned(),
         }
     }
 
     pub(super) fn of(outcome: usize) -> Happening {
-        match Mode::from_code(outcome as u8) {
-            _ if outcome == NOT_A_BODY => Happening::NotABody,
-            Some(mode) if outcome != NO_MODE => Happening::Mode(mode),
-            _ => Happening::NoMode,
+        match GroundVerdict::from_code(outcome as u8) {
+            Some(GroundVerdict::Begins(mode)) => Happening::Mode(mode),
+            Some(GroundVerdict::BearingFailure) => Happening::BearingFailure,
+            None if outcome == NOT_A_BODY => Happening::NotABody,
+            None => Happening::NoMode,
         }
     }
 }

@@ -9,10 +9,8 @@ use super::point;
 use super::problem::Problem;
 use super::read::{Random, RandomProblem};
 use super::storm::{self, PureStorm};
-use crate::case::Limit;
 use crate::error::CaseError;
 use crate::parse::CaseFile;
-use crate::units::Dimension;
 
 /// What is asked about.
 pub(super) enum Asked {
@@ -85,13 +83,5 @@ impl Problem {
 pub(super) fn problems_of(file: &CaseFile, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
     let random = file.random().ok_or(ProbabilityError::NoRandom)?;
     let case = file.case()?;
-    // On a base that is elastic and bears everything the modes are those on a rigid one.
-    if let Some(limit) = case.ground.and_then(|ground| ground.limit) {
-        let what = match limit {
-            Limit::Strength(strength) => format!("the strength {}", Dimension::Pressure.written(strength)),
-            Limit::Ground(_) => "a law by which it fails".to_owned(),
-        };
-        return Err(ProbabilityError::Ground { what });
-    }
     Ok(Problem::of(file, case, random, years)?)
 }

@@ -15,9 +15,10 @@ use standfast_probability::sample::{
 };
 
 use super::answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Request};
-use super::departure::{self, AT_ONCE, Departures, NEVER};
+use super::departure::{AT_ONCE, Departures, NEVER};
 use super::error::ProbabilityError;
-use super::problem::{LIFTED, NOT_UNIQUE, Problem, exclusive, not_rest};
+use super::outcome::{LIFTED, NOT_UNIQUE, not_rest};
+use super::problem::Problem;
 
 /// Above this index probabilities are looked for about the design points.
 const FAR: f64 = 2.5;
@@ -27,8 +28,12 @@ const UNLIKELIER: f64 = 1e-2;
 const APART: f64 = 0.1;
 
 /// The sets asked for: what excludes each other, and then the others.
-fn sets() -> Vec<u64> {
-    exclusive().map(|outcome| 1 << outcome).chain([not_rest(), 1 << NOT_UNIQUE, 1 << LIFTED]).collect()
+fn sets(problem: &Problem) -> Vec<u64> {
+    problem
+        .exclusive()
+        .map(|outcome| 1 << outcome)
+        .chain([not_rest(), 1 << NOT_UNIQUE, 1 << LIFTED])
+        .collect()
 }
 
 /// The modes of an event and that the body does not rest, and nothing else.
@@ -38,8 +43,8 @@ pub(super) fn event(
 ) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
     let (problem, points) = placed(problem);
     let (_, sampled) = sampled(&problem, &points, request)?;
-    let count = exclusive().count();
-    let modes = exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
+    let count = problem.exclusive().count();
+    let modes = problem.exclusive().map(Happening::of).zip(sampled.estimates.iter().copied()).collect();
     Ok((modes, sampled.estimates[count]))
 }
 
@@ -99,7 +104,7 @@ pub(super) fn by<O: Outcomes>(
 /// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode that may be likelier than
 /// the floor, so that none of them is missed and none takes points from the others that need not be precise; each once.
 pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Vec<Vec<f64>> {
-    let moved = exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
+    let moved = problem.exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
     let of_modes = moved.filter_map(|set| design_point(problem.laws(), problem, set));
     let likely = of_modes.filter(|point| point.first_order() >= UNLIKELIER * floor);
     let mut about: Vec<Vec<f64>> = Vec::new();
@@ -121,7 +126,7 @@ fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
         let point = design_point(problem.laws(), problem, 1 << outcome)?;
         Some((Happening::of(outcome), point))
     };
-    exclusive().filter(|outcome| *outcome != rest).filter_map(found).collect()
+    problem.exclusive().filter(|outcome| *outcome != rest).filter_map(found).collect()
 }
 
 /// The method, and the probabilities of all sets.
@@ -134,17 +139,18 @@ fn sampled(
     let method = method(laws, request, points)?;
     let about =
         if method == Method::Importance { about(problem, points, request.effort.floor) } else { Vec::new() };
-    let mut sampled = by(method, laws, problem, &sets(), &about, &request.effort);
+    let mut sampled = by(method, laws, problem, &sets(problem), &about, &request.effort);
     if method == Method::Importance {
         // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
-        let of_moved = sampled.estimates[exclusive().count()];
-        if let Some(place) = exclusive().position(|outcome| outcome == usize::from(Mode::Rest.code())) {
+        let of_moved = sampled.estimates[problem.exclusive().count()];
+        if let Some(place) = problem.exclusive().position(|outcome| outcome == usize::from(Mode::Rest.code()))
+        {
             let Estimate { value, low, high } = of_moved;
             sampled.estimates[place] = Estimate { value: 1.0 - value, low: 1.0 - high, high: 1.0 - low };
         }
     }
-    let (modes, others) = sampled.estimates.split_at_mut(exclusive().count());
-    for (outcome, of_mode) in exclusive().zip(modes) {
+    let (modes, others) = sampled.estimates.split_at_mut(problem.exclusive().count());
+    for (outcome, of_mode) in problem.exclusive().zip(modes) {
         // No mode but rest is likelier than that it does not rest: the bound of one that was never met.
         if outcome != usize::from(Mode::Rest.code()) {
             of_mode.high = of_mode.high.min(others[0].high);
@@ -186,7 +192,7 @@ pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, P
         method,
         points: sampled.points,
         precise: sampled.precise,
-        modes: exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
+        modes: problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect(),
         not_rest: *not_rest,
         not_unique: *not_unique,
         lifted: *lifted,
@@ -195,7 +201,7 @@ pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, P
         design_point: points.into_iter().next(),
         design_points: request.form.then(|| of_each(problem)),
         life: life(problem, effort)?,
-        course: sampled.course.iter().map(|(points, e)| (*points, e[exclusive().count()])).collect(),
+        course: sampled.course.iter().map(|(points, e)| (*points, e[problem.exclusive().count()])).collect(),
     })
 }
 
@@ -206,7 +212,7 @@ const OF_DEPARTURES: u64 = 1 << 17;
 
 fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {
     let (laws, departures) = (problem.laws(), Departures(problem));
-    let codes: Vec<usize> = departure::exclusive().collect();
+    let codes: Vec<usize> = departures.exclusive().collect();
     let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
     // A mode that is next to never the first is not worth more points than all that is asked of the full load.
     let effort = &Effort { points: points.max(OF_DEPARTURES).min(effort.points), ..*effort };
@@ -229,7 +235,7 @@ fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u
 fn life(problem: &Problem, effort: &Effort) -> Result<Option<LifeChances>, ProbabilityError> {
     let Some(life) = problem.life() else { return Ok(None) };
     let numbers = problem.random().len();
-    let sets: Vec<u64> = exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
+    let sets: Vec<u64> = problem.exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();
     let yearly = problem.along_yearly();
     let (found, method) = match yearly {
         None => return Err(ProbabilityError::NothingYearly { years: life.years }),
@@ -244,7 +250,7 @@ fn life(problem: &Problem, effort: &Effort) -> Result<Option<LifeChances>, Proba
         Some(_) => (lives(problem.laws(), problem, &sets, &life, effort), Method::Sobol),
     };
     let [modes @ .., not_rest] = &found.estimates[..] else { unreachable!("as many as sets") };
-    let modes = exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
+    let modes = problem.exclusive().map(Happening::of).zip(modes.iter().copied()).collect();
     let (years, precise) = (life.years, found.precise);
     Ok(Some(LifeChances { years, not_rest: *not_rest, modes, method, precise }))
 }

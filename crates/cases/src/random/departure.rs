@@ -2,32 +2,37 @@
 
 use std::cell::RefCell;
 
-use standfast::Departure;
 use standfast::contact::departure::{DepartureSpan, by_friction, by_share};
-use standfast::contact::path::departure;
+use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::{Departure, Mode};
 use standfast_probability::problem::{Outcomes, Pieces};
 
+use super::base::Base;
 use super::mechanics::Mechanics;
-use super::problem::{COUNT, Line, NO_MODE, NOT_A_BODY, Problem, modes};
+use super::outcome::{COUNT, NOT_A_BODY, of_verdict};
+use super::problem::{Line, Problem};
 
 /// The body rests under any multiple of the variable loads.
 pub(super) const NEVER: usize = 16;
 /// It moves as soon as any share of the variable loads acts, or under the permanent loads alone.
 pub(super) const AT_ONCE: usize = 17;
 
-/// The outcomes that exclude each other and add up to one.
-pub(super) fn exclusive() -> impl Iterator<Item = usize> {
-    modes().filter(|code| *code != 0).chain([NO_MODE, NOT_A_BODY, NEVER, AT_ONCE])
-}
-
 /// First departures of a problem in place of modes under the full load.
 pub(super) struct Departures<'a>(pub(super) &'a Problem);
 
-fn outcome(departure: Departure) -> usize {
+fn outcome(departure: GroundDeparture) -> usize {
+    match departure {
+        GroundDeparture::Never => NEVER,
+        GroundDeparture::AtOnce { .. } => AT_ONCE,
+        GroundDeparture::At { verdict, .. } => of_verdict(verdict),
+    }
+}
+
+fn of_rigid(departure: Departure) -> usize {
     match departure {
         Departure::Never => NEVER,
         Departure::AtOnce { .. } => AT_ONCE,
-        Departure::At { mode, .. } => mode.map_or(NO_MODE, |mode| usize::from(mode.code())),
+        Departure::At { mode, .. } => of_verdict(mode.map(GroundVerdict::Begins)),
     }
 }
 
@@ -40,6 +45,24 @@ thread_local! {
 }
 
 impl Departures<'_> {
+    /// The outcomes that exclude each other and add up to one.
+    pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> {
+        let moved = self.0.exclusive().filter(|code| *code != usize::from(Mode::Rest.code()));
+        moved.chain([NEVER, AT_ONCE])
+    }
+
+    /// The spans along friction on a base that gives way.
+    fn along_friction_on(&self, place: usize, mechanics: &Mechanics, values: Vec<f64>, pieces: &mut Pieces) {
+        let Mechanics { block, base, permanent, variable, .. } = mechanics;
+        match base.departures(block, permanent, variable, self.0.reach(place)) {
+            Ok(Some(spans)) => {
+                spans.into_iter().for_each(|(from, to, departure)| pieces.push(from, to, outcome(departure)));
+            }
+            Ok(None) => self.scan(place, values, pieces),
+            Err(_) => pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY),
+        }
+    }
+
     /// The spans along friction, for block and loads as they were last or anew.
     fn along_friction(&self, mechanics: &Mechanics, pieces: &mut Pieces) {
         let Mechanics { block, permanent, variable, .. } = mechanics;
@@ -62,7 +85,9 @@ impl Departures<'_> {
 
 fn push(spans: Option<&[DepartureSpan]>, pieces: &mut Pieces) {
     match spans {
-        Some(spans) => spans.iter().for_each(|span| pieces.push(span.from, span.to, outcome(span.departure))),
+        Some(spans) => {
+            spans.iter().for_each(|span| pieces.push(span.from, span.to, of_rigid(span.departure)))
+        }
         None => pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY),
     }
 }
@@ -88,7 +113,10 @@ impl Outcomes for Departures<'_> {
                 values[place] = 1.0;
                 let Some(mechanics) = self.0.departing(&values) else { return nothing(pieces) };
                 pieces.branch(u64::from(mechanics.formulas));
-                self.along_friction(&mechanics, pieces);
+                match mechanics.base {
+                    Base::Rigid => self.along_friction(&mechanics, pieces),
+                    _ => self.along_friction_on(place, &mechanics, values, pieces),
+                }
             }
             Line::Load(place) => {
                 values[place] = 0.0;
@@ -110,10 +138,8 @@ impl Outcomes for Departures<'_> {
     }
 
     fn at(&self, values: &[f64]) -> u64 {
-        let departs = |Mechanics { block, permanent, variable, .. }: Mechanics| {
-            departure(&block, &permanent, &variable).ok()
-        };
-        1 << self.0.departing(values).and_then(departs).map_or(NOT_A_BODY, outcome)
+        let departing = self.0.departing(values).and_then(|mechanics| mechanics.departure());
+        1 << departing.map_or(NOT_A_BODY, outcome)
     }
 }
 

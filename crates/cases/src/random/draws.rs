@@ -7,7 +7,8 @@ use super::answer::{Happening, Method, Probability};
 use super::asked::Asked;
 use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
-use super::problem::{Input, Problem};
+use super::problem::Problem;
+use super::quantity::Input;
 use crate::units::Dimension;
 
 /// Draws of the random numbers of a case, with the mode under each: those of plain Monte Carlo with the same seed, the first of
@@ -130,8 +131,7 @@ impl Problem {
         let Some(mechanics) = self.mechanics(values) else {
             return Drawn { effective: None, happens: Happening::NotABody };
         };
-        let modes = Problem::outcomes(&mechanics.block, &mechanics.wrench());
-        Drawn { effective: mechanics.effective(), happens: Happening::reported(modes) }
+        Drawn { effective: mechanics.effective(), happens: Happening::reported(mechanics.outcomes()) }
     }
 }
 
@@ -153,7 +153,7 @@ impl Mechanics {
 impl Happening {
     /// The one of the outcomes that hold which excludes the others.
     fn reported(outcomes: u64) -> Happening {
-        super::problem::exclusive()
+        super::outcome::exclusive(true)
             .find(|outcome| outcomes >> outcome & 1 == 1)
             .map_or(Happening::NotABody, Happening::of)
     }
@@ -162,7 +162,7 @@ impl Happening {
     pub fn mode(self) -> Option<Mode> {
         match self {
             Happening::Mode(mode) => Some(mode),
-            Happening::NoMode | Happening::NotABody => None,
+            Happening::BearingFailure | Happening::NoMode | Happening::NotABody => None,
         }
     }
 }

@@ -26,15 +26,6 @@ pub enum ProbabilityError {
     #[error("the case file has no [random] table, which says what is random and by which law")]
     #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
     NoRandom,
-    /// A base that gives way.
-    #[error("[ground] of the case has {what}, and probabilities are those of a body on a rigid base")]
-    #[diagnostic(help(
-        "leave [ground] out: what begins on it has no interval of friction in closed form, and is not searched"
-    ))]
-    Ground {
-        /// What it has, with its value.
-        what: String,
-    },
     /// Draws, or what there is along a number, of a storm without a body.
     #[error("the file is of a [storm] without a [body], of which this is not asked")]
     #[diagnostic(help("give the body, its loads and its [wave]"))]

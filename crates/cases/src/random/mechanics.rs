@@ -1,17 +1,22 @@
 //! The contact problem that drawn values make, with what each bias is on kept apart.
 
 use standfast::contact::Block;
+use standfast::ground::GroundDeparture;
 use standfast::loads::{Earthquake, LoadSource};
 use standfast::wave::{Goda, Heights, goda};
-use standfast::{Situation, Wrench};
+use standfast::{InputError, Situation, Wrench};
 
-use super::problem::Bias;
-use crate::case::{Acting, Case, Waves};
+use super::base::Base;
+use super::outcome::LIFTED;
+use super::quantity::Bias;
+use crate::case::{Acting, Case, Foundation, Waves};
 
 /// The contact problem that values make.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mechanics {
     pub(super) block: Block,
+    /// What it stands on.
+    pub(super) base: Base,
     /// Of the permanent loads.
     pub(super) permanent: Wrench,
     /// Of the variable loads, which rise on the way to a first departure.
@@ -25,12 +30,25 @@ impl Mechanics {
     pub(super) fn wrench(&self) -> Wrench {
         self.permanent + self.variable
     }
+
+    /// What comes of all loads, a bit for each outcome.
+    pub(super) fn outcomes(&self) -> u64 {
+        let wrench = self.wrench();
+        u64::from(wrench.p <= 0.0) << LIFTED | self.base.outcomes(&self.block, &wrench)
+    }
+
+    /// Where it leaves rest as the variable loads rise; none where the numbers do not go together.
+    pub(super) fn departure(&self) -> Option<GroundDeparture> {
+        self.base.departure(&self.block, &self.permanent, &self.variable).ok()
+    }
 }
 
 /// What acts on a block, in its units: what each bias is on, and all else.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Components {
     pub(super) block: Block,
+    /// What it stands on.
+    pub(super) base: Base,
     /// Which of the waves' formulas applied.
     pub(super) formulas: u32,
     pub(super) thrust: Wrench,
@@ -41,10 +59,15 @@ pub(super) struct Components {
 }
 
 impl Components {
-    pub(super) fn of(situation: &Situation, formulas: u32) -> Components {
+    pub(super) fn of(
+        situation: &Situation,
+        foundation: Option<&Foundation>,
+        formulas: u32,
+    ) -> Result<Components, InputError> {
         let nothing = Wrench::ZERO;
         let mut all = Components {
             block: situation.block(),
+            base: Base::under(situation, foundation)?,
             formulas,
             thrust: nothing,
             uplift: nothing,
@@ -61,7 +84,7 @@ impl Components {
             };
             *part = *part + situation.reduced_wrench(&situation.wrench_of(load));
         }
-        all
+        Ok(all)
     }
 
     /// Thrust and uplift of a wave on a block, in units of m g and half the width (N, m).
@@ -107,7 +130,8 @@ impl Quick {
     /// None where the case has no waves, or multiplies them.
     pub(super) fn of(case: &Case, acting: Acting, earthquake: Option<Earthquake>) -> Option<Quick> {
         let waves = case.wave.clone().filter(|_| !matches!(acting, Acting::Combination(_)))?;
-        let components = Components::of(&case.situation(acting, earthquake).ok()?, waves.goda.formulas);
+        let situation = case.situation(acting, earthquake).ok()?;
+        let components = Components::of(&situation, case.ground.as_ref(), waves.goda.formulas).ok()?;
         let scale = (case.body.mass() * case.gravity, case.body.width() / 2.0);
         Some(Quick { waves, components, scale })
     }

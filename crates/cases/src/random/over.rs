@@ -18,7 +18,8 @@ use super::answer::{Happening, Probability, Request};
 use super::asked::{Asked, problems_of};
 use super::chances::event;
 use super::error::ProbabilityError;
-use super::problem::{Coordinate, Problem};
+use super::problem::Problem;
+use super::quantity::Coordinate;
 use super::resolve::find;
 use crate::couple::vary;
 

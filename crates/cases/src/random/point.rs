@@ -17,7 +17,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::RANDOM;
-use super::problem::Coordinate;
+use super::quantity::Coordinate;
 use super::read::{Random, RandomProblem, read};
 use crate::error::CaseError;
 use crate::parse::{plain_number, type_of};

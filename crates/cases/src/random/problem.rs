@@ -3,119 +3,26 @@
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use standfast::contact::{Block, friction, path, solve};
+use standfast::contact::Block;
 use standfast::loads::Earthquake;
 use standfast::wave::Heights;
-use standfast::{Mode, Modes, Point, Wrench};
+use standfast::{Point, Wrench};
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::{Inputs as Laws, Outcomes, Pieces};
+use standfast_probability::problem::Inputs as Laws;
 
+use super::base::Base;
 use super::mechanics::{Components, Mechanics, Quick};
+use super::outcome;
+use super::quantity::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Random, Rate};
 use super::resolve::{Names, Resolve};
-use super::storm::StormField;
 use crate::case::{Acting, Case};
 use crate::couple::{Variable, vary};
 use crate::error::CaseError;
 use crate::inputs::Inputs;
-use crate::key::{Id, Key, Range};
+use crate::key::{Key, Table};
 use crate::layout::digits;
 use crate::parse::CaseFile;
-
-/// What a random number is.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Quantity {
-    /// A number of the case file, with what goes with it.
-    Key(Variable),
-    /// What loads are multiplied by.
-    Bias(Bias),
-    /// One of the four numbers of the report's problem.
-    Point(Coordinate),
-    /// A number of a pure problem of sliding.
-    Storm(StormField),
-}
-
-/// A number of the report's problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Coordinate {
-    /// γ, the slenderness.
-    Gamma,
-    /// k', the elevation of the force.
-    KPrime,
-    /// k, the force.
-    K,
-    /// μ, the friction.
-    Mu,
-}
-
-impl Coordinate {
-    /// All of them.
-    pub const ALL: [Coordinate; 4] = [Coordinate::Gamma, Coordinate::KPrime, Coordinate::K, Coordinate::Mu];
-
-    /// Its name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Coordinate::Gamma => "gamma",
-            Coordinate::KPrime => "k_prime",
-            Coordinate::K => "k",
-            Coordinate::Mu => "mu",
-        }
-    }
-
-    /// Which values it takes.
-    pub fn range(self) -> Range {
-        match self {
-            Coordinate::Gamma => Range::Positive,
-            Coordinate::KPrime => Range::Finite,
-            Coordinate::K | Coordinate::Mu => Range::NotNegative,
-        }
-    }
-}
-
-/// A factor between what formulas give and what acts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bias {
-    /// On the horizontal wave force, and on its moment unless that has one of its own.
-    Thrust,
-    /// On the uplift of the wave, and on its moment unless that has one of its own.
-    Uplift,
-    /// On the moment of the horizontal wave force about the heel.
-    ThrustMoment,
-    /// On the moment of the uplift about the heel.
-    UpliftMoment,
-    /// On every force of `[[load]]`.
-    Force,
-}
-
-impl Bias {
-    /// All of them.
-    pub const ALL: [Bias; 5] =
-        [Bias::Thrust, Bias::Uplift, Bias::ThrustMoment, Bias::UpliftMoment, Bias::Force];
-
-    /// Its name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Bias::Thrust => "bias.P",
-            Bias::Uplift => "bias.U",
-            Bias::ThrustMoment => "bias.M_p",
-            Bias::UpliftMoment => "bias.M_U",
-            Bias::Force => "bias.force",
-        }
-    }
-}
-
-/// A number that is random.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Input {
-    /// Its name, as in the file.
-    pub name: String,
-    /// What it is.
-    pub quantity: Quantity,
-    /// How often it is drawn.
-    pub every: Rate,
-    /// What of its law was cut because no body has such values.
-    pub cut: f64,
-}
 
 /// A case, its random numbers, and the loads that act.
 #[derive(Debug, Clone)]
@@ -125,6 +32,7 @@ pub struct Problem {
     random: Vec<Input>,
     laws: Laws,
     years: Option<f64>,
+    lines: Lines,
     pub(super) line: Line,
 }
 
@@ -136,7 +44,8 @@ enum Model {
         inputs: Box<Inputs>,
         case: Box<Case>,
         acting: Acting,
-        earthquake: Option<Earthquake>,
+        /// By what its acceleration of the base is multiplied; none where no earthquake acts.
+        shaking: Option<[f64; 2]>,
         /// Where of the case's numbers wave heights alone are random.
         quick: Option<Box<Quick>>,
     },
@@ -155,35 +64,11 @@ pub(super) enum Line {
     Scan(usize),
 }
 
+/// Beyond so many deviations no method looks.
+const FARTHEST: f64 = 12.0;
+
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
-
-/// The outcomes behind those of the modes, which have their codes: more than one mode is consistent.
-pub(super) const NOT_UNIQUE: usize = 16;
-/// Nothing presses the body on its base.
-pub(super) const LIFTED: usize = 17;
-/// The numbers do not go together.
-pub(super) const NOT_A_BODY: usize = 18;
-/// No mode is consistent.
-pub(super) const NO_MODE: usize = 19;
-pub(super) const COUNT: usize = 20;
-
-/// The outcomes that exclude each other and add up to one.
-pub(super) fn exclusive() -> impl Iterator<Item = usize> {
-    modes().chain([NO_MODE, NOT_A_BODY])
-}
-
-/// The codes of all modes.
-pub(super) fn modes() -> impl Iterator<Item = usize> {
-    (0..16).filter(|code| Mode::from_code(*code as u8).is_some())
-}
-
-/// Everything but rest: modes, and what is no body.
-pub(super) fn not_rest() -> u64 {
-    exclusive()
-        .filter(|outcome| *outcome != usize::from(Mode::Rest.code()))
-        .fold(0, |set, outcome| set | 1 << outcome)
-}
 
 impl Problem {
     /// The problems of a case file, which is of this case, with a `[random]` table: one for each set of loads that act together and each acceleration of
@@ -199,24 +84,27 @@ impl Problem {
     ) -> Result<Vec<Problem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
         let (inputs, laws) = Resolve(Names::Case(file, &case)).all(random).map_err(wrong)?;
-        let line = line(&inputs);
+        let lines = Lines::of(&inputs, Some(&case));
+        let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
         let mut problems = Vec::new();
         for acting in case.acting() {
-            let shaken = case.earthquakes(acting);
-            let each: Vec<Option<Earthquake>> =
-                if shaken.is_empty() { vec![None] } else { shaken.into_iter().map(Some).collect() };
-            for earthquake in each {
+            let shakings = case.shakings(acting);
+            let each: Vec<Option<[f64; 2]>> =
+                if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
+            for shaking in each {
+                let earthquake = shaking.and_then(|signs| case.shaken(signs));
                 let (inputs_of_case, case) = (Box::new(unnamed.clone()), Box::new(case.clone()));
                 let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, earthquake)).flatten();
                 let quick = quick.map(Box::new);
                 problems.push(Problem {
                     id: unique(),
-                    model: Model::Case { inputs: inputs_of_case, case, acting, earthquake, quick },
+                    model: Model::Case { inputs: inputs_of_case, case, acting, shaking, quick },
                     random: inputs.clone(),
                     laws: laws.clone(),
                     years: years.or(random.years),
+                    lines,
                     line,
                 });
             }
@@ -230,8 +118,10 @@ impl Problem {
     /// If a name, a law or a correlation is wrong.
     pub(super) fn of_point(point: [f64; 4], random: &Random, years: Option<f64>) -> At<Problem> {
         let (inputs, laws) = Resolve(Names::Point(point)).all(random)?;
-        let (model, line) = (Model::Point(point), line(&inputs));
-        Ok(Problem { id: unique(), model, random: inputs, laws, years: years.or(random.years), line })
+        let lines = Lines::of(&inputs, None);
+        let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
+        let (model, years) = (Model::Point(point), years.or(random.years));
+        Ok(Problem { id: unique(), model, random: inputs, laws, years, lines, line })
     }
 
     /// What is random, in the order of the file.
@@ -254,15 +144,28 @@ impl Problem {
 
     /// Which loads act, and how the base is shaken, in words; none where the case leaves no choice.
     pub fn situation(&self) -> Option<String> {
-        let Model::Case { case, acting, earthquake, .. } = &self.model else { return None };
+        let Model::Case { case, acting, shaking, .. } = &self.model else { return None };
         let name = case.acting_name(*acting);
+        let of_earthquake =
+            |input: &Input| input.variable().is_some_and(|of| of.id().key.info().table == Table::Earthquake);
+        let is_random = self.random.iter().any(of_earthquake);
         let turned = |earthquake: Earthquake| {
+            if is_random {
+                let side = if earthquake.horizontal() < 0.0 { "left" } else { "right" };
+                let way = match earthquake.vertical() {
+                    0.0 => "",
+                    down if down < 0.0 => " and downwards",
+                    _ => " and upwards",
+                };
+                return format!("base shaken to the {side}{way}");
+            }
             format!(
                 "base at {} m/s² to the right, {} upwards",
                 digits(earthquake.horizontal()),
                 digits(earthquake.vertical())
             )
         };
+        let earthquake = shaking.and_then(|signs| case.shaken(signs));
         match (name, earthquake.map(turned)) {
             (Some(name), Some(shaken)) => Some(format!("{name}, {shaken}")),
             (name, shaken) => name.or(shaken),
@@ -277,12 +180,7 @@ impl Problem {
 
     /// The same along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<Problem> {
-        let yearly = |place: &usize| self.random[*place].every == Rate::Year;
-        let linear = |place: &usize| self.random[*place].is_linear();
-        let friction = self.random.iter().position(Input::is_friction).filter(yearly).map(Line::Friction);
-        let load = || (0..self.random.len()).find(|place| yearly(place) && linear(place)).map(Line::Load);
-        let scan = || (0..self.random.len()).find(yearly).map(Line::Scan);
-        let line = friction.or_else(load).or_else(scan)?;
+        let line = self.lines.first(&self.random, |place| self.random[place].every == Rate::Year)?;
         Some(Problem { line, ..self.clone() })
     }
 
@@ -297,10 +195,29 @@ impl Problem {
             Line::Friction(_) | Line::Scan(_) => return None,
             Line::Load(place) => alpha[place].abs(),
         };
+        if !self.lines.loads {
+            return None;
+        }
         let linear = (0..self.random.len()).filter(|place| self.random[*place].is_linear());
         let best = linear.max_by(|a, b| alpha[*a].abs().total_cmp(&alpha[*b].abs()).then(b.cmp(a)))?;
         let line = Line::Load(best);
         (line != self.line && alpha[best].abs() > own).then(|| Problem { line, id: unique(), ..self.clone() })
+    }
+
+    /// Whether a number is friction that is put in beside what everything else makes: not where friction to slip has a law of its own.
+    pub(super) fn is_apart(&self, place: usize) -> bool {
+        self.random[place].is_friction() && self.lines.friction
+    }
+
+    /// The outcomes that exclude each other and add up to one.
+    pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> + use<> {
+        let gives_way = self.case().is_some_and(|(case, _)| case.gives_way());
+        outcome::exclusive(gives_way)
+    }
+
+    /// A value that a number has as good as never more than.
+    pub(super) fn reach(&self, place: usize) -> f64 {
+        self.laws.laws()[place].value(FARTHEST)
     }
 
     /// Whether the number along which modes are known has to be scanned.
@@ -324,12 +241,12 @@ impl Problem {
         }
         let components = self.components(values)?;
         let mut block = components.block;
-        if let Some(place) = self.random.iter().position(Input::is_friction) {
+        if let Some(place) = (0..self.random.len()).find(|place| self.is_apart(*place)) {
             let ratio = if block.mu_s > 0.0 { block.mu_k / block.mu_s } else { 1.0 };
             (block.mu_s, block.mu_k) = (values[place], values[place] * ratio);
         }
         let [permanent, variable] = components.wrenches(|bias| self.bias(bias, values));
-        Some(Mechanics { block, permanent, variable, formulas: components.formulas })
+        Some(Mechanics { block, base: components.base, permanent, variable, formulas: components.formulas })
     }
 
     /// The same on the way to the full load: of the report's force, at any size, only the elevation counts.
@@ -360,14 +277,8 @@ impl Problem {
 
     /// What acts, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
     pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
-        let slow = |input: &&Input| input.variable().is_some() && !input.is_friction();
-        let keys: Vec<f64> = self
-            .random
-            .iter()
-            .zip(values)
-            .filter(|(input, _)| slow(input))
-            .map(|(_, value)| *value)
-            .collect();
+        let slow = |place: &usize| self.random[*place].variable().is_some() && !self.is_apart(*place);
+        let keys: Vec<f64> = (0..self.random.len()).filter(slow).map(|place| values[place]).collect();
         LAST.with_borrow_mut(|last| match last {
             Some((id, of, components)) if *id == self.id && *of == keys => *components,
             last => {
@@ -379,13 +290,14 @@ impl Problem {
     }
 
     fn assembled(&self, values: &[f64]) -> Option<Components> {
-        let Model::Case { acting, earthquake, quick, .. } = &self.model else { return None };
+        let Model::Case { acting, shaking, quick, .. } = &self.model else { return None };
         if let Some(quick) = quick {
             return quick.components(self.heights(values)?);
         }
         let case = self.case_with(values)?;
         let formulas = case.wave.as_ref().map_or(0, |wave| wave.goda.formulas);
-        Some(Components::of(&case.situation(*acting, *earthquake).ok()?, formulas))
+        let earthquake = shaking.and_then(|signs| case.shaken(signs));
+        Components::of(&case.situation(*acting, earthquake).ok()?, case.ground.as_ref(), formulas).ok()
     }
 
     /// The case with these values of all numbers but friction; none if they do not go together.
@@ -398,9 +310,10 @@ impl Problem {
             .random
             .iter()
             .zip(values)
+            .enumerate()
             // A friction of zero would leave no ratio of slip to stick.
-            .filter(|(input, _)| !input.is_friction())
-            .filter_map(|(input, value)| Some((input.variable()?, *value)))
+            .filter(|(place, _)| !self.is_apart(*place))
+            .filter_map(|(_, (input, value))| Some((input.variable()?, *value)))
             .collect();
         Case::of(&vary(inputs, case, &named)).ok()
     }
@@ -432,16 +345,8 @@ impl Problem {
         Point::new(gamma, k_prime, k, mu).ok()?;
         let permanent = Wrench { x: 0.0, p: 1.0, m: 0.0 };
         let variable = Wrench { x: -k, p: 0.0, m: k * k_prime * gamma };
-        Some(Mechanics { block: Block::uniform(gamma, mu), permanent, variable, formulas: 0 })
-    }
-
-    /// The outcomes of a block under a wrench.
-    pub(super) fn outcomes(block: &Block, wrench: &Wrench) -> u64 {
-        let lifted = u64::from(wrench.p <= 0.0) << LIFTED;
-        match solve(block, wrench) {
-            Ok(solution) => lifted | of_modes(solution.mode(), solution.modes),
-            Err(_) => 1 << NOT_A_BODY,
-        }
+        let block = Block::uniform(gamma, mu);
+        Some(Mechanics { block, base: Base::Rigid, permanent, variable, formulas: 0 })
     }
 }
 
@@ -459,131 +364,6 @@ fn unique() -> u64 {
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
-/// A mode's outcome, and whether it is the only one.
-fn of_modes(mode: Option<Mode>, modes: Modes) -> u64 {
-    let reported = mode.map_or(NO_MODE, |mode| usize::from(mode.code()));
-    1 << reported | u64::from(modes.len() > 1) << NOT_UNIQUE
-}
-
-impl Outcomes for Problem {
-    fn count(&self) -> usize {
-        COUNT
-    }
-
-    fn line(&self) -> usize {
-        match self.line {
-            Line::Friction(place) | Line::Load(place) | Line::Scan(place) => place,
-        }
-    }
-
-    fn is_quick(&self, input: usize) -> bool {
-        // Formulas of waves and bodies are not worked out again.
-        self.random[input].variable().is_none() || self.random[input].is_friction()
-    }
-
-    fn along(&self, values: &[f64], pieces: &mut Pieces) {
-        let mut values = values.to_vec();
-        let everywhere =
-            |pieces: &mut Pieces, outcome| pieces.push(f64::NEG_INFINITY, f64::INFINITY, outcome);
-        match self.line {
-            Line::Friction(place) => {
-                values[place] = 1.0;
-                let Some(mechanics) = self.mechanics(&values) else {
-                    return everywhere(pieces, NOT_A_BODY);
-                };
-                let (block, wrench) = (mechanics.block, mechanics.wrench());
-                pieces.branch(u64::from(mechanics.formulas));
-                if wrench.p <= 0.0 {
-                    everywhere(pieces, LIFTED);
-                }
-                let Ok(spans) = friction::spans(&block, &wrench) else {
-                    return everywhere(pieces, NOT_A_BODY);
-                };
-                for span in spans {
-                    pieces.branch(span.condition as u64);
-                    push_all(pieces, span.from, span.to, of_modes(span.mode, span.modes));
-                }
-            }
-            Line::Load(place) => {
-                values[place] = 0.0;
-                let without = self.mechanics(&values);
-                values[place] = 1.0;
-                let (Some(without), Some(with)) = (without, self.mechanics(&values)) else {
-                    return everywhere(pieces, NOT_A_BODY);
-                };
-                pieces.branch(u64::from(with.formulas));
-                let (block, start) = (with.block, without.wrench());
-                let slope = with.wrench() + start * -1.0;
-                let level = -start.p / slope.p;
-                match (start.p > 0.0, level > 0.0) {
-                    (true, true) => pieces.push(level, f64::INFINITY, LIFTED),
-                    (false, true) => pieces.push(f64::NEG_INFINITY, level, LIFTED),
-                    (false, false) => everywhere(pieces, LIFTED),
-                    (true, false) => {}
-                }
-                let Ok(stages) = path::stages(&block, &start, &slope) else {
-                    return everywhere(pieces, NOT_A_BODY);
-                };
-                for stage in stages {
-                    push_all(pieces, stage.from, stage.to, of_modes(stage.mode, stage.modes));
-                }
-            }
-            Line::Scan(place) => {
-                let values = RefCell::new(values);
-                pieces.scan(&self.laws.laws()[place], |x| {
-                    let mut values = values.borrow_mut();
-                    values[place] = x;
-                    self.at(&values)
-                });
-            }
-        }
-    }
-
-    fn at(&self, values: &[f64]) -> u64 {
-        match self.mechanics(values) {
-            Some(mechanics) => Problem::outcomes(&mechanics.block, &mechanics.wrench()),
-            None => 1 << NOT_A_BODY,
-        }
-    }
-}
-
-pub(super) fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
-    (0..COUNT)
-        .filter(|outcome| outcomes >> outcome & 1 == 1)
-        .for_each(|outcome| pieces.push(from, to, outcome));
-}
-
-impl Input {
-    pub(super) fn variable(&self) -> Option<&Variable> {
-        match &self.quantity {
-            Quantity::Key(variable) => Some(variable),
-            Quantity::Bias(_) | Quantity::Point(_) | Quantity::Storm(_) => None,
-        }
-    }
-
-    /// Whether it is this number of the case.
-    pub(super) fn is_of(&self, variable: &Variable) -> bool {
-        self.variable().is_some_and(|own| own.id() == variable.id())
-    }
-
-    pub(super) fn is_friction(&self) -> bool {
-        match &self.quantity {
-            Quantity::Key(variable) => variable.id() == Id::from(Key::Friction),
-            Quantity::Bias(_) | Quantity::Storm(_) => false,
-            Quantity::Point(coordinate) => *coordinate == Coordinate::Mu,
-        }
-    }
-
-    /// Whether the wrench is linear in it.
-    fn is_linear(&self) -> bool {
-        match &self.quantity {
-            Quantity::Bias(_) | Quantity::Point(Coordinate::K) => true,
-            Quantity::Point(_) | Quantity::Storm(_) => false,
-            Quantity::Key(variable) => variable.id().key == Key::Force,
-        }
-    }
-}
-
 /// Whether of a case's numbers, beside friction, only heights of waves are random.
 fn only_heights(inputs: &[Input]) -> bool {
     let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
@@ -591,8 +371,30 @@ fn only_heights(inputs: &[Input]) -> bool {
     of_case.into_iter().all(|variable| heights.contains(&variable.id().key))
 }
 
-fn line(inputs: &[Input]) -> Line {
-    let friction = inputs.iter().position(Input::is_friction).map(Line::Friction);
-    let load = || inputs.iter().position(Input::is_linear).map(Line::Load);
-    friction.or_else(load).unwrap_or(Line::Scan(0))
+/// Along which numbers the modes are known in closed form.
+#[derive(Debug, Clone, Copy)]
+struct Lines {
+    /// Friction; not where that to slip has a law of its own, as the conditions take both in one proportion.
+    friction: bool,
+    /// Numbers in which the wrench is linear; not on a base that gives way.
+    loads: bool,
+}
+
+impl Lines {
+    fn of(inputs: &[Input], case: Option<&Case>) -> Lines {
+        let gives_way = case.is_some_and(Case::gives_way);
+        Lines { friction: !inputs.iter().any(Input::is_kinetic_friction), loads: !gives_way }
+    }
+
+    /// The first along which the modes are known, of those for which this holds.
+    fn first(self, inputs: &[Input], among: impl Fn(usize) -> bool) -> Option<Line> {
+        let find = |of: &dyn Fn(&Input) -> bool| {
+            (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
+        };
+        let friction = find(&Input::is_friction).filter(|_| self.friction).map(Line::Friction);
+        // On a base that gives way a load is scanned, which is quicker than another number.
+        let load = || find(&Input::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
+        let scan = || find(&|_| true).map(Line::Scan);
+        friction.or_else(load).or_else(scan)
+    }
 }

@@ -4,12 +4,12 @@ use standfast_probability::copula::{Copula, CopulaError, Correlation};
 use standfast_probability::law::{Distribution, Law, LawError};
 use standfast_probability::problem::Inputs as Laws;
 
-use super::problem::{Bias, Coordinate, Input, Quantity};
+use super::quantity::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
 use super::storm::StormField;
 use crate::case::Case;
 use crate::couple::Variable;
-use crate::key::Range;
+use crate::key::{Kind, Range};
 use crate::layout::digits;
 use crate::parse::CaseFile;
 use crate::suggest::closest;
@@ -124,22 +124,24 @@ impl Resolve<'_> {
         let law = self.plain_law(named, quantity)?;
         let (lower, upper) = self.bounds(named, quantity)?;
         let refused = |error: LawError| empty_range(named, lower, upper, &error);
-        let (physical, limit) = match range(quantity) {
-            Range::Finite => (f64::NEG_INFINITY, ""),
-            Range::NotNegative => (0.0, "it is negative"),
-            Range::Positive | Range::Share | Range::GroundAngle => (0.0, "it is zero or less"),
-        };
+        let (range, [least, most]) = (range(quantity), range(quantity).ends());
         let asked = Distribution::truncated(law.clone(), lower, upper).map_err(refused)?;
-        if lower >= physical {
+        if lower >= least && upper <= most {
             return Ok((asked, 0.0));
         }
-        let cut = asked.tails(physical).below;
-        if cut > 1e-3 {
-            let (name, share, limit) = (named.name.clone(), digits(cut), limit.to_owned());
+        let cut = [asked.tails(least).below, asked.tails(most).above];
+        let share: f64 = cut.iter().sum();
+        if share > 1e-3 {
+            let limit = match range {
+                Range::NotNegative => "it is negative".to_owned(),
+                _ if cut[1] == 0.0 => "it is zero or less".to_owned(),
+                _ => format!("it is not {}", range.words()),
+            };
+            let (name, share) = (named.name.clone(), digits(share));
             return Err((RandomProblem::Unphysical { name, share, limit }, named.span.clone()));
         }
-        let whole = Distribution::truncated(law, lower.max(physical), upper).map_err(refused)?;
-        Ok((whole, cut))
+        let whole = Distribution::truncated(law, lower.max(least), upper.min(most)).map_err(refused)?;
+        Ok((whole, share))
     }
 
     /// Where a law is cut, without bound where nothing is said.
@@ -261,6 +263,12 @@ impl Resolve<'_> {
                     let written = format!("\"{text}\"");
                     (RandomProblem::Value { what, written, expected }, parameter.span.clone())
                 })
+            }
+            (Written::Number(_), Quantity::Key(variable), Names::Case(file, _))
+                if variable.key().info().kind == Kind::InGravity =>
+            {
+                // A share of g, as behind the key itself.
+                Ok(self.plain(named, parameter)? * file.inputs().gravity())
             }
             _ => self.plain(named, parameter),
         }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use standfast::Mode;
+use standfast::ground::GroundVerdict;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::answer::{Chances, FirstDeparture, Happening, Method, Probability, RandomNumber};
@@ -361,6 +362,10 @@ pub(super) fn words(happening: Happening) -> String {
     match happening {
         Happening::Mode(Mode::Rest) => "stays at rest, RE".to_owned(),
         Happening::Mode(mode) => format!("{}, {mode}", mode.words()),
+        Happening::BearingFailure => {
+            let fails = GroundVerdict::BearingFailure;
+            format!("{}, {fails}", fails.words())
+        }
         other => other.name(),
     }
 }

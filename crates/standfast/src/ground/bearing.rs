@@ -55,11 +55,13 @@
 //! # Ok::<(), standfast::InputError>(())
 //! ```
 
+mod block;
 mod edges;
 mod path;
 mod plane;
 mod situated;
 
+pub use block::BearingBlock;
 pub use path::{GroundPath, LoadFactors};
 pub use plane::{BearingPlane, BearingPoint};
 pub use situated::{BearingOutcome, outcome};

@@ -63,6 +63,7 @@ mod chart;
 mod conditions;
 mod edges;
 mod events;
+mod friction;
 mod path;
 mod point;
 mod situated;
@@ -70,6 +71,8 @@ mod trace;
 mod turning;
 
 pub use chart::{CrushChart, CrushEdge, CrushMap, CrushRegion, CrushStrip, RockEdgePoint};
+pub use edges::reduced_strength;
+pub use friction::{departure, friction_spans};
 pub use path::{CrushStage, LoadRange, bearing_range, rest_range, stages};
 pub use point::CrushPoint;
 pub use situated::{CrushOutcome, outcome};
@@ -245,13 +248,19 @@ fn bound(z: f64, d: f64, gyration: f64, rigid: bool) -> f64 {
 /// # Errors
 /// As the [contact problem's](crate::contact::solve); or if `strength` is neither above zero nor infinite.
 pub fn solve(block: &Block, wrench: &Wrench, strength: f64) -> Result<CrushSolution, InputError> {
+    check(block, wrench, strength)?;
+    let given = Loaded { block: *block, wrench: *wrench, strength };
+    let Found { modes, verdict } = enumerate(&given);
+    Ok(CrushSolution { modes, verdict, given })
+}
+
+/// Refuses what no block, no wrench and no strength can be.
+fn check(block: &Block, wrench: &Wrench, strength: f64) -> Result<(), InputError> {
     crate::contact::check(block, wrench)?;
     if strength != f64::INFINITY {
         InputError::positive(Quantity::Strength, strength)?;
     }
-    let given = Loaded { block: *block, wrench: *wrench, strength };
-    let Found { modes, verdict } = enumerate(&given);
-    Ok(CrushSolution { modes, verdict, given })
+    Ok(())
 }
 
 /// The motion of a consistent mode.

@@ -35,7 +35,8 @@ use crate::random::answer::{
     Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber, Request,
 };
 use crate::random::error::ProbabilityError;
-use crate::random::problem::{Bias, Input, Quantity, exclusive};
+use crate::random::outcome::exclusive;
+use crate::random::quantity::{Bias, Input, Quantity};
 use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table};
 use crate::random::resolve::{Names, Resolve};
 use crate::units::Dimension;
@@ -182,7 +183,7 @@ impl PureStorm {
                 Happening::Mode(Mode::SlideLeft) => slides,
                 _ => nothing,
             };
-            exclusive().map(Happening::of).map(|happening| (happening, of(happening))).collect()
+            exclusive(false).map(Happening::of).map(|happening| (happening, of(happening))).collect()
         };
         let first = all(Estimate { value: 1.0, low: 1.0, high: 1.0 });
         let chances = Chances {

@@ -10,7 +10,7 @@ use standfast_probability::sums::Other;
 
 use crate::case::{Acting, Case, Waves};
 use crate::motion::{acting_as, is_own_weight, standing};
-use crate::random::problem::Bias;
+use crate::random::quantity::Bias;
 
 /// What comes of the wave: how far the body has slid at the end, and whether it overturned. None if it cannot be followed.
 pub(super) fn wave(

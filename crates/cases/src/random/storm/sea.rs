@@ -11,7 +11,8 @@ use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
 use crate::case::{Acting, Case, Waves};
 use crate::random::answer::Request;
 use crate::random::mechanics::Components;
-use crate::random::problem::{Bias, Problem};
+use crate::random::problem::Problem;
+use crate::random::quantity::Bias;
 
 /// The storms of a case with random numbers.
 pub(in crate::random) struct SeaStorm<'a> {

@@ -1,6 +1,7 @@
 //! The ground while the load rises: its load factor beside that of sliding and rocking.
 
 use super::{Ground, Reaction};
+use crate::contact::Block;
 use crate::error::InputError;
 use crate::ground::roots::between;
 use crate::ground::{GroundDeparture, GroundVerdict};
@@ -58,6 +59,28 @@ impl Footing {
         })
     }
 
+    /// That of a block of which a length of 1 is `length` (m) and a force of 1 is `force` (N per metre run).
+    pub(super) fn under_block(
+        block: &Block,
+        length: f64,
+        force: f64,
+        permanent: &Wrench,
+        variable: &Wrench,
+    ) -> Footing {
+        let [permanent, variable] = [permanent, variable].map(|Wrench { x, p, m }| Wrench {
+            x: x * force,
+            p: p * force,
+            m: m * force * length,
+        });
+        Footing {
+            half_width: (block.b1 + block.b2) / 2.0 * length,
+            middle: (block.b2 - block.b1) / 2.0 * length,
+            depth: block.d * length,
+            permanent,
+            variable,
+        }
+    }
+
     /// The reaction of a body at rest.
     pub(super) fn reaction(&self, factor: f64) -> Option<Reaction> {
         let wrench = self.permanent + self.variable * factor;
@@ -104,6 +127,10 @@ impl GroundPath {
     /// If the base is round: the formulas are those of a strip. Of a body of a given length they leave out its ends.
     pub fn new(ground: Ground, situation: &Situation) -> Result<GroundPath, InputError> {
         Ok(GroundPath { ground, footing: Footing::of(situation)? })
+    }
+
+    pub(super) fn on(ground: Ground, footing: Footing) -> GroundPath {
+        GroundPath { ground, footing }
     }
 
     /// The ground.
@@ -197,6 +224,11 @@ impl GroundPath {
             (None, None) => true,
             _ => false,
         }
+    }
+
+    /// The least load factor at which the ground fails under a body at rest.
+    pub(super) fn failure(&self) -> f64 {
+        self.load_factor(&self.ground)
     }
 
     /// Where the ground fails as the variable loads rise.

@@ -23,7 +23,7 @@ pub(in crate::ground) struct CrushEdges {
 
 impl CrushEdges {
     pub(in crate::ground) fn new(situation: &Situation, strength: f64) -> Result<CrushEdges, InputError> {
-        Ok(CrushEdges { rising: Rising::of(situation), strength: reduced(situation, strength)? })
+        Ok(CrushEdges { rising: Rising::of(situation), strength: reduced_strength(situation, strength)? })
     }
 
     pub(in crate::ground) fn rising(&self) -> &Rising {
@@ -50,38 +50,42 @@ impl CrushEdges {
         match edge {
             LoadEdge::Friction { slips } => Some(rising.sticking(rising.inclination(factor)?, slips)),
             LoadEdge::Reaction { slip, corner } => {
-                Some(rising.sticking(self.reaction(slip, corner, factor)?, true))
+                Some(rising.sticking(reaction(&self.given(factor, 0.0), slip, corner)?, true))
             }
-            LoadEdge::Turn { corner, slips } => Some(rising.sticking(self.turn(corner, factor)?, slips)),
+            LoadEdge::Turn { corner, slips } => {
+                Some(rising.sticking(turn(&self.given(factor, 0.0), corner)?, slips))
+            }
             LoadEdge::Bearing { .. } => None,
         }
     }
-
-    /// The friction with which a body that slides puts its reaction as near to a corner as the base bears it.
-    fn reaction(&self, slip: Slip, corner: Corner, factor: f64) -> Option<f64> {
-        let Wrench { p, m, .. } = self.rising.wrench(factor);
-        let (σ, block) = (orientation(corner), &self.rising.block);
-        let b = if corner == Corner::O { block.b1 } else { block.b2 };
-        let room = b * p - p * p / (2.0 * self.strength);
-        (p > 0.0).then(|| slip.sign() * (m - σ * room) / (block.d * p))
-    }
-
-    /// |X + m_x dθ̈|/N of a body that rocks about a corner; `None` of one that does not.
-    fn turn(&self, corner: Corner, factor: f64) -> Option<f64> {
-        let given = self.given(factor, 0.0);
-        let n = given.numbers::<f64>();
-        // As of a motion, with exact digits where the turn begins.
-        let surplus = Turn::about(&given.numbers::<Approx>(), corner, None).surplus.precise();
-        let exactly = || Turn::about(&given.numbers::<Exact>(), corner, None).surplus.to_f64();
-        let a = Rate::of(&n, corner, None, surplus.unwrap_or_else(exactly)).root()?;
-        let [q0, q1] = n.q;
-        let normal = q0 * (n.p + n.m_y * n.edge(corner) * a) / (q0 + q1 * n.m_y * a);
-        (normal > 0.0).then(|| (n.x + n.m_x * n.d * orientation(corner) * a).abs() / normal)
-    }
 }
 
-/// A strength q_u (Pa) per length in the units of a situation's block: lengths in B, forces in m g.
-pub(super) fn reduced(situation: &Situation, strength: f64) -> Result<f64, InputError> {
+/// The friction to slip with which a body that slides puts its reaction as near to a corner as the base bears it.
+pub(super) fn reaction(given: &Loaded, slip: Slip, corner: Corner) -> Option<f64> {
+    let Loaded { block, wrench: Wrench { p, m, .. }, strength } = given;
+    let σ = orientation(corner);
+    let b = if corner == Corner::O { block.b1 } else { block.b2 };
+    let room = b * p - p * p / (2.0 * strength);
+    (*p > 0.0).then(|| slip.sign() * (m - σ * room) / (block.d * p))
+}
+
+/// |X + m_x dθ̈|/N of a body that rocks about a corner; `None` of one that does not.
+pub(super) fn turn(given: &Loaded, corner: Corner) -> Option<f64> {
+    let n = given.numbers::<f64>();
+    // As of a motion, with exact digits where the turn begins.
+    let surplus = Turn::about(&given.numbers::<Approx>(), corner, None).surplus.precise();
+    let exactly = || Turn::about(&given.numbers::<Exact>(), corner, None).surplus.to_f64();
+    let a = Rate::of(&n, corner, None, surplus.unwrap_or_else(exactly)).root()?;
+    let [q0, q1] = n.q;
+    let normal = q0 * (n.p + n.m_y * n.edge(corner) * a) / (q0 + q1 * n.m_y * a);
+    (normal > 0.0).then(|| (n.x + n.m_x * n.d * orientation(corner) * a).abs() / normal)
+}
+
+/// A strength q_u (Pa) per length in the units of a situation's block, as [`solve`](super::solve) takes it: lengths in B, forces in m g.
+///
+/// # Errors
+/// If it is not above zero, or the base is round.
+pub fn reduced_strength(situation: &Situation, strength: f64) -> Result<f64, InputError> {
     let strength = InputError::positive(Quantity::Strength, strength)?;
     let body = situation.body();
     let Plan::Rectangle { length } = body.plan() else {

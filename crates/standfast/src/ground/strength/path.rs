@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::conditions::{CORNERS, SLIPS, enumerate};
 use super::events::events;
-use super::{Loaded, solve};
+use super::{Loaded, check};
 use crate::contact::Block;
 use crate::error::{InputError, LARGEST};
 use crate::ground::GroundVerdict;
@@ -109,8 +109,8 @@ fn range(
     which: Range<usize>,
 ) -> Result<Option<LoadRange>, InputError> {
     // Numbers out of range are refused.
-    solve(block, permanent, strength)?;
-    solve(block, variable, strength)?;
+    check(block, permanent, strength)?;
+    check(block, variable, strength)?;
     Ok(hold(&conditions(block, permanent, variable, strength)[which]))
 }
 
@@ -147,8 +147,8 @@ pub fn stages(
     variable: &Wrench,
     strength: f64,
 ) -> Result<Vec<CrushStage>, InputError> {
-    solve(block, permanent, strength)?;
-    solve(block, variable, strength)?;
+    check(block, permanent, strength)?;
+    check(block, variable, strength)?;
     let largest = variable.x.abs().max(variable.p.abs()).max(variable.m.abs());
     let closed = conditions(block, permanent, variable, strength).into_iter().flat_map(Quadratic::zeros);
     let turning = events(block, permanent, variable, strength);

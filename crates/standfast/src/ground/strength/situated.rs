@@ -1,6 +1,6 @@
 //! A situation on a base that crushes, in SI units.
 
-use super::edges::reduced;
+use super::edges::reduced_strength;
 use super::path::{CrushStage, bearing_range, stages};
 use super::{CrushMotion, solve};
 use crate::error::InputError;
@@ -48,7 +48,7 @@ pub struct CrushOutcome {
 /// # Errors
 /// If `strength` is not above zero, the base is round, or a number is out of range.
 pub fn outcome(situation: &Situation, strength: f64) -> Result<CrushOutcome, InputError> {
-    let reduced = reduced(situation, strength)?;
+    let reduced = reduced_strength(situation, strength)?;
     let body = situation.body();
     // Lengths in B, forces in m g, as those of the situation's block.
     let (half_width, weight) = (body.width() / 2.0, body.mass() * situation.gravity());

@@ -1,0 +1,89 @@
+//! The modes as intervals along the number that is not sampled.
+
+use std::cell::RefCell;
+
+use standfast::contact::path;
+use standfast::ground::GroundVerdict;
+use standfast_probability::problem::{Outcomes, Pieces};
+
+use super::outcome::{COUNT, LIFTED, NOT_A_BODY, of_modes, push_all};
+use super::problem::{Line, Problem};
+
+impl Outcomes for Problem {
+    fn count(&self) -> usize {
+        COUNT
+    }
+
+    fn line(&self) -> usize {
+        match self.line {
+            Line::Friction(place) | Line::Load(place) | Line::Scan(place) => place,
+        }
+    }
+
+    fn is_quick(&self, input: usize) -> bool {
+        // Formulas of waves and bodies are not worked out again.
+        self.random()[input].variable().is_none() || self.is_apart(input)
+    }
+
+    fn along(&self, values: &[f64], pieces: &mut Pieces) {
+        let mut values = values.to_vec();
+        let everywhere =
+            |pieces: &mut Pieces, outcome| pieces.push(f64::NEG_INFINITY, f64::INFINITY, outcome);
+        match self.line {
+            Line::Friction(place) => {
+                values[place] = 1.0;
+                let Some(mechanics) = self.mechanics(&values) else {
+                    return everywhere(pieces, NOT_A_BODY);
+                };
+                let (block, wrench) = (mechanics.block, mechanics.wrench());
+                pieces.branch(u64::from(mechanics.formulas));
+                if wrench.p <= 0.0 {
+                    everywhere(pieces, LIFTED);
+                }
+                if mechanics.base.by_friction(&block, &wrench, self.reach(place), pieces).is_err() {
+                    everywhere(pieces, NOT_A_BODY);
+                }
+            }
+            Line::Load(place) => {
+                values[place] = 0.0;
+                let without = self.mechanics(&values);
+                values[place] = 1.0;
+                let (Some(without), Some(with)) = (without, self.mechanics(&values)) else {
+                    return everywhere(pieces, NOT_A_BODY);
+                };
+                pieces.branch(u64::from(with.formulas));
+                let (block, start) = (with.block, without.wrench());
+                let slope = with.wrench() + start * -1.0;
+                let level = -start.p / slope.p;
+                match (start.p > 0.0, level > 0.0) {
+                    (true, true) => pieces.push(level, f64::INFINITY, LIFTED),
+                    (false, true) => pieces.push(f64::NEG_INFINITY, level, LIFTED),
+                    (false, false) => everywhere(pieces, LIFTED),
+                    (true, false) => {}
+                }
+                let Ok(stages) = path::stages(&block, &start, &slope) else {
+                    return everywhere(pieces, NOT_A_BODY);
+                };
+                for stage in stages {
+                    let verdict = stage.mode.map(GroundVerdict::Begins);
+                    push_all(pieces, stage.from, stage.to, of_modes(verdict, stage.modes));
+                }
+            }
+            Line::Scan(place) => {
+                let values = RefCell::new(values);
+                pieces.scan(&self.laws().laws()[place], |x| {
+                    let mut values = values.borrow_mut();
+                    values[place] = x;
+                    self.at(&values)
+                });
+            }
+        }
+    }
+
+    fn at(&self, values: &[f64]) -> u64 {
+        match self.mechanics(values) {
+            Some(mechanics) => mechanics.outcomes(),
+            None => 1 << NOT_A_BODY,
+        }
+    }
+}

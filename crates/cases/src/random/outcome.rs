@@ -1,0 +1,51 @@
+//! What may come of a draw, by number, a bit for each: the modes by their codes, and what else there is.
+
+use standfast::ground::GroundVerdict;
+use standfast::{Mode, Modes};
+use standfast_probability::problem::Pieces;
+
+/// The ground fails.
+pub(super) const BEARING_FAILURE: usize = GroundVerdict::BEARING_FAILURE_CODE as usize;
+/// The outcomes behind those of the modes, which have their codes: more than one mode is consistent.
+pub(super) const NOT_UNIQUE: usize = 16;
+/// Nothing presses the body on its base.
+pub(super) const LIFTED: usize = 17;
+/// The numbers do not go together.
+pub(super) const NOT_A_BODY: usize = 18;
+/// No mode is consistent.
+pub(super) const NO_MODE: usize = 19;
+pub(super) const COUNT: usize = 20;
+
+/// The outcomes that exclude each other and add up to one, on a base that may fail or on one that cannot.
+pub(super) fn exclusive(may_fail: bool) -> impl Iterator<Item = usize> {
+    modes().chain(may_fail.then_some(BEARING_FAILURE)).chain([NO_MODE, NOT_A_BODY])
+}
+
+/// The codes of all modes.
+pub(super) fn modes() -> impl Iterator<Item = usize> {
+    (0..16).filter(|code| Mode::from_code(*code as u8).is_some())
+}
+
+/// Everything but rest: modes, ground that fails, and what is no body.
+pub(super) fn not_rest() -> u64 {
+    exclusive(true)
+        .filter(|outcome| *outcome != usize::from(Mode::Rest.code()))
+        .fold(0, |set, outcome| set | 1 << outcome)
+}
+
+/// A verdict's outcome.
+pub(super) fn of_verdict(verdict: Option<GroundVerdict>) -> usize {
+    verdict.map_or(NO_MODE, |verdict| usize::from(verdict.code()))
+}
+
+/// A verdict's outcome, and whether its mode is the only one.
+pub(super) fn of_modes(verdict: Option<GroundVerdict>, modes: Modes) -> u64 {
+    1 << of_verdict(verdict) | u64::from(modes.len() > 1) << NOT_UNIQUE
+}
+
+/// Outcomes that hold from one value to another, a bit for each.
+pub(super) fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
+    (0..COUNT)
+        .filter(|outcome| outcomes >> outcome & 1 == 1)
+        .for_each(|outcome| pieces.push(from, to, outcome));
+}

@@ -1,0 +1,137 @@
+//! What is random: numbers of a case, of the report's plane, of a storm, and what loads are multiplied by.
+
+use super::read::Rate;
+use super::storm::StormField;
+use crate::couple::Variable;
+use crate::key::{Id, Key, Range};
+
+/// What a random number is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Quantity {
+    /// A number of the case file, with what goes with it.
+    Key(Variable),
+    /// What loads are multiplied by.
+    Bias(Bias),
+    /// One of the four numbers of the report's problem.
+    Point(Coordinate),
+    /// A number of a pure problem of sliding.
+    Storm(StormField),
+}
+
+/// A number of the report's problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coordinate {
+    /// γ, the slenderness.
+    Gamma,
+    /// k', the elevation of the force.
+    KPrime,
+    /// k, the force.
+    K,
+    /// μ, the friction.
+    Mu,
+}
+
+impl Coordinate {
+    /// All of them.
+    pub const ALL: [Coordinate; 4] = [Coordinate::Gamma, Coordinate::KPrime, Coordinate::K, Coordinate::Mu];
+
+    /// Its name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Coordinate::Gamma => "gamma",
+            Coordinate::KPrime => "k_prime",
+            Coordinate::K => "k",
+            Coordinate::Mu => "mu",
+        }
+    }
+
+    /// Which values it takes.
+    pub fn range(self) -> Range {
+        match self {
+            Coordinate::Gamma => Range::Positive,
+            Coordinate::KPrime => Range::Finite,
+            Coordinate::K | Coordinate::Mu => Range::NotNegative,
+        }
+    }
+}
+
+/// A factor between what formulas give and what acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bias {
+    /// On the horizontal wave force, and on its moment unless that has one of its own.
+    Thrust,
+    /// On the uplift of the wave, and on its moment unless that has one of its own.
+    Uplift,
+    /// On the moment of the horizontal wave force about the heel.
+    ThrustMoment,
+    /// On the moment of the uplift about the heel.
+    UpliftMoment,
+    /// On every force of `[[load]]`.
+    Force,
+}
+
+impl Bias {
+    /// All of them.
+    pub const ALL: [Bias; 5] =
+        [Bias::Thrust, Bias::Uplift, Bias::ThrustMoment, Bias::UpliftMoment, Bias::Force];
+
+    /// Its name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Bias::Thrust => "bias.P",
+            Bias::Uplift => "bias.U",
+            Bias::ThrustMoment => "bias.M_p",
+            Bias::UpliftMoment => "bias.M_U",
+            Bias::Force => "bias.force",
+        }
+    }
+}
+
+/// A number that is random.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// Its name, as in the file.
+    pub name: String,
+    /// What it is.
+    pub quantity: Quantity,
+    /// How often it is drawn.
+    pub every: Rate,
+    /// What of its law was cut because no body has such values.
+    pub cut: f64,
+}
+
+impl Input {
+    pub(super) fn variable(&self) -> Option<&Variable> {
+        match &self.quantity {
+            Quantity::Key(variable) => Some(variable),
+            Quantity::Bias(_) | Quantity::Point(_) | Quantity::Storm(_) => None,
+        }
+    }
+
+    /// Whether it is this number of the case.
+    pub(super) fn is_of(&self, variable: &Variable) -> bool {
+        self.variable().is_some_and(|own| own.id() == variable.id())
+    }
+
+    pub(super) fn is_friction(&self) -> bool {
+        match &self.quantity {
+            Quantity::Key(variable) => variable.id() == Id::from(Key::Friction),
+            Quantity::Bias(_) | Quantity::Storm(_) => false,
+            Quantity::Point(coordinate) => *coordinate == Coordinate::Mu,
+        }
+    }
+
+    /// Whether it is friction to slip, with a law of its own.
+    pub(super) fn is_kinetic_friction(&self) -> bool {
+        self.variable().is_some_and(|variable| variable.id() == Id::from(Key::KineticFriction))
+    }
+
+    /// Whether the wrench is linear in it.
+    pub(super) fn is_linear(&self) -> bool {
+        match &self.quantity {
+            Quantity::Bias(_) | Quantity::Point(Coordinate::K) => true,
+            Quantity::Point(_) | Quantity::Storm(_) => false,
+            Quantity::Key(variable) => variable.id().key == Key::Force,
+        }
+    }
+}
