@@ -5,7 +5,6 @@ use std::num::NonZero;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast::Mode;
 use standfast::ground::GroundVerdict;
 use standfast_cases::random::{Draws, Effort, FirstInstant, Happening, MethodAsked, Over, Request};
 use standfast_cases::report;

@@ -22,6 +22,9 @@ pub(super) enum Base {
     Failing(BearingBlock),
 }
 
+/// Departures, each from a friction to another.
+type Departures = Vec<(f64, f64, GroundDeparture)>;
+
 fn begins(mode: Option<Mode>) -> Option<GroundVerdict> {
     mode.map(GroundVerdict::Begins)
 }
@@ -103,7 +106,7 @@ impl Base {
         permanent: &Wrench,
         variable: &Wrench,
         up_to: f64,
-    ) -> Result<Option<Vec<(f64, f64, GroundDeparture)>>, InputError> {
+    ) -> Result<Option<Departures>, InputError> {
         if block.mu_k != block.mu_s {
             return Ok(None);
         }
@@ -142,12 +145,12 @@ fn between(
     mut parting: Vec<f64>,
     up_to: f64,
     decide: impl Fn(f64) -> Result<GroundDeparture, InputError>,
-) -> Result<Vec<(f64, f64, GroundDeparture)>, InputError> {
+) -> Result<Departures, InputError> {
     parting.retain(|μ| *μ > 0.0 && *μ < up_to.min(HELD));
     parting.sort_by(f64::total_cmp);
     // What begins just beyond the end of rest is looked for beyond it: its frictions are those at the end but for that.
     parting.dedup_by(|later, earlier| *later - *earlier <= ONE * later.abs());
-    let mut spans: Vec<(f64, f64, GroundDeparture)> = Vec::new();
+    let mut spans = Departures::new();
     let mut from = 0.0;
     for to in parting.into_iter().chain([f64::INFINITY]) {
         let end = to.min(up_to);
