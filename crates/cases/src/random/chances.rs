@@ -173,12 +173,14 @@ pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, P
         Method::Importance => points.iter().map(|point| point.u.clone()).collect(),
         _ => Vec::new(),
     };
+    // What would be gained is worth no more points than what is.
+    let of_known = &Effort { points: sampled.points.min(effort.points), ..*effort };
     let known = (0..numbers).map(|number| {
         let set = [not_rest()];
         let found = if few {
             estimates(&integrate_known(laws, problem, &set, number))
         } else {
-            sampled_known(laws, problem, &set, number, &about, effort)
+            sampled_known(laws, problem, &set, number, &about, of_known)
         };
         found.estimates[0]
     });
