@@ -64,6 +64,26 @@ def test_answers_are_typed() -> None:
     assert repr(found).startswith("<Probability the case: RE 0.") and pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
 
 
+def test_form_adds_the_nearest_point_of_every_mode(program: list[str], tmp_path: Path) -> None:
+    """Rocking begins at the corner A of the plane, where k and μ are 1/(γ(1 + k'))."""
+    found = standfast.probability(PLANE, method="form")
+    points = found.design_points
+    assert found.method == "integrate" and points is not None and standfast.probability(PLANE).design_points is None
+    corner = 1 / (0.8 * 1.9167)
+    rocks = points["RO"]
+    assert rocks.point == pytest.approx({"k": corner, "mu": corner}, abs=1e-9)
+    assert points[standfast.Mode.ROCK_O].beta == rocks.beta == pytest.approx(math.hypot(*(rocks.beta * a for a in rocks.alpha.values())))
+    assert rocks.first_order == pytest.approx(0.5 * math.erfc(rocks.beta / math.sqrt(2)), rel=1e-9)
+    path = tmp_path / "plane.toml"
+    path.write_text(
+        "[point]\ngamma = 0.8\nk_prime = 0.9167\n[random]\nk = { gumbel = { mean = 0.45, sd = 0.1 } }\n"
+        "mu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0 }\n"
+    )
+    document = json.loads(printed(program, path, "--method", "form", "--format", "json"))
+    assert document["design_points"] == json.loads(found.to_json())["design_points"]
+    assert not errors(document, "probability.schema.json")
+
+
 def test_along_a_number_each_point_is_its_own_case(program: list[str]) -> None:
     found = standfast.probability(PLANE, over="gamma=0.7..0.9:3")
     assert found.fragility is not None and found.fragility.name == "gamma" and found.fragility.fit is not None
