@@ -344,16 +344,16 @@ pub struct ProbabilityArgs {
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// How wide half of a 95 % interval may be, relative to its probability
-    #[arg(long, default_value = "0.05", value_parser = part)]
+    #[arg(long, default_value = "0.05", value_parser = part, allow_negative_numbers = true)]
     pub precision: f64,
     /// Probabilities up to this need not be precise
-    #[arg(long, default_value = "1e-6", value_parser = part)]
+    #[arg(long, default_value = "1e-6", value_parser = part, allow_negative_numbers = true)]
     pub floor: f64,
     /// The most points that are taken; a motion followed in time counts as 1024
-    #[arg(long, default_value_t = 1 << 22)]
+    #[arg(long, default_value_t = 1 << 22, value_parser = clap::value_parser!(u64).range(1..), allow_negative_numbers = true)]
     pub samples: u64,
     /// The years of a life, before those of the file
-    #[arg(long, value_parser = time_step)]
+    #[arg(long, value_parser = time_step, allow_negative_numbers = true)]
     pub years: Option<f64>,
     /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values; pga of a case with
     /// [motion.base]: overturning in time, the shaking scaled to each peak

@@ -97,12 +97,15 @@ pub fn integrate_above<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64],
 /// Relative to an integral, by what the rules of one panel may differ. What the finer leaves is far less.
 const PRECISION: f64 = 1e-9;
 /// What is too little to look at, whatever the integral.
-const NEGLIGIBLE: f64 = 1e-22;
+const NEGLIGIBLE: f64 = 1e-18;
 /// The share of it that may be left out beyond the ends of one integral, so that an answer of 1e-16 has its digits.
-const LEFT_OUT: f64 = 1e-6;
+const LEFT_OUT: f64 = 1e-10;
 /// How far the search for kinks goes from one u to the next, and where only their list is asked for.
 const SCAN: f64 = 0.1875;
 const INNER_SCAN: f64 = 0.375;
+/// So many kinks within one step are none: rounding makes the pattern change from one value to the next, in the tails, where a boundary is the
+/// small difference of large terms. Halving has to do there, and has nothing to do.
+const CROWDED: usize = 8;
 /// How far out the list of kinks counts: beyond lies 2e-21.
 const LISTED: f64 = 9.375;
 /// How near a kink is found, and how near to tell what comes after it.
@@ -238,12 +241,21 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         for (a, b) in steps(reach, SCAN) {
             let here = self.pattern(depth, b);
             let mut found = Vec::new();
-            self.part(depth, COARSE, (a, last), (b, here), &mut |kink, _| found.push(kink));
+            self.part(depth, COARSE, (a, last), (b, here), &mut |kink, _| {
+                found.push(kink);
+                found.len() < CROWDED
+            });
+            if found.len() == CROWDED {
+                found.clear();
+            }
             for kink in found {
                 let before = kink - COARSE * kink.abs().max(1.0);
                 if self.is_step(depth, before, kink) {
                     let sides = [before, kink].map(|u| (u, self.pattern(depth, u)));
-                    self.part(depth, LAST_BIT, sides[0], sides[1], &mut |kink, _| ends.push(kink));
+                    self.part(depth, LAST_BIT, sides[0], sides[1], &mut |kink, _| {
+                        ends.push(kink);
+                        true
+                    });
                 } else {
                     ends.push(kink);
                 }
@@ -264,25 +276,26 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     }
 
     /// Finds every change of the pattern between two values, from left to right, and tells where it is and what follows. Where
-    /// the patterns at both ends differ nothing between them is missed that is wider than the resolution.
+    /// the patterns at both ends differ nothing between them is missed that is wider than the resolution. Ends, with false, where it is told
+    /// that enough is found.
     fn part(
         &mut self,
         depth: usize,
         resolution: f64,
         (a, before): (f64, u64),
         (b, after): (f64, u64),
-        found: &mut impl FnMut(f64, u64),
-    ) {
+        found: &mut impl FnMut(f64, u64) -> bool,
+    ) -> bool {
         if before == after {
-            return;
+            return true;
         }
         let middle = 0.5 * (a + b);
         if middle <= a || middle >= b || b - a < resolution * a.abs().max(1.0) {
             return found(b, after);
         }
         let here = self.pattern(depth, middle);
-        self.part(depth, resolution, (a, before), (middle, here), found);
-        self.part(depth, resolution, (middle, here), (b, after), found);
+        self.part(depth, resolution, (a, before), (middle, here), found)
+            && self.part(depth, resolution, (middle, here), (b, after), found)
     }
 
     /// The pattern at a value of the normal with number `depth`: the signature there, or the list of those along the next one.
@@ -296,7 +309,15 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         let mut list = mixed(0, last);
         for (a, b) in steps(LISTED, INNER_SCAN) {
             let here = self.pattern(depth + 1, b);
-            self.part(depth + 1, COARSE, (a, last), (b, here), &mut |_, then| list = mixed(list, then));
+            let (before, mut changes) = (list, 0);
+            self.part(depth + 1, COARSE, (a, last), (b, here), &mut |_, then| {
+                list = mixed(list, then);
+                changes += 1;
+                changes < CROWDED
+            });
+            if changes == CROWDED {
+                list = mixed(before, 0);
+            }
             last = here;
         }
         list

@@ -83,6 +83,31 @@ fn integrals_are_those_of_the_benchmarks() {
     assert_close("RP75, published", rp75, 0.00982, 1e-3);
     assert_close("RP31, published", rp31, 0.0032, 1e-2);
     // RP22 is published as 0.00416, 1 % below what its formula gives.
+    let rp89 = mean(|x| normal::above((8.0 - x * x).min(6.0 - x / 5.0)));
+    let g = |x: &[f64]| (8.0 - x[0] * x[0] - x[1]).min(6.0 - x[0] / 5.0 - x[1]);
+    assert_close("RP89", p(g), rp89, 1e-7);
+    assert_close("RP89, published", rp89, 0.00543, 1e-2);
+    // RP110: x₁ > 4 or x₂ > 5; the steps of its formula never reach zero.
+    let rp110 = normal::above(4.0) + normal::above(5.0) - normal::above(4.0) * normal::above(5.0);
+    let g = |x: &[f64]| {
+        let first = if x[0] <= 3.5 { 0.85 - 0.1 * x[0] } else { 4.0 - x[0] };
+        first.min(if x[1] <= 2.0 { 2.3 - x[1] } else { 0.5 - 0.1 * x[1] })
+    };
+    assert_close("RP110", p(g), rp110, 1e-9);
+    assert_close("RP110, published", rp110, 0.0000319, 1e-2);
+    let inputs = Inputs::independent(vec![
+        Law::normal(78064.0, 11710.0).unwrap().into(),
+        Law::normal(0.0104, 0.00156).unwrap().into(),
+    ]);
+    // The first is above zero but for 1e-11.
+    let limit = |x1: f64| (146.14 / x1 - 0.0104) / 0.00156;
+    let rp28 = mean(|u| {
+        let x1 = 78064.0 + 11710.0 * u;
+        if x1 > 0.0 { normal::below(limit(x1)) } else { normal::above(limit(x1)) }
+    });
+    let g = |x: &[f64]| x[0] * x[1] - 146.14;
+    assert_close("RP28", integrate(&inputs, &event(&inputs, g), &[1]).probabilities[0], rp28, 1e-7);
+    assert_close("RP28, published", rp28, 1.46e-7, 2e-2);
 }
 
 /// RP107: the sum of ten normals, above 5√10; β is 5 and P is Φ(−5), for every method.

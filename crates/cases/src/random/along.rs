@@ -6,7 +6,7 @@ use standfast::contact::path;
 use standfast::ground::GroundVerdict;
 use standfast_probability::problem::{Outcomes, Pieces};
 
-use super::outcome::{COUNT, LIFTED, NOT_A_BODY, of_modes, push_all};
+use super::outcome::{COUNT, LIFTED, NOT_A_BODY, of_modes, push_all, told_apart};
 use super::problem::{Line, Problem};
 
 impl Outcomes for Problem {
@@ -64,9 +64,12 @@ impl Outcomes for Problem {
                 let Ok(stages) = path::stages(&block, &start, &slope) else {
                     return everywhere(pieces, NOT_A_BODY);
                 };
-                for stage in stages {
+                let stages = stages.iter().map(|stage| {
                     let verdict = stage.mode.map(GroundVerdict::Begins);
-                    push_all(pieces, stage.from, stage.to, of_modes(verdict, stage.modes));
+                    (stage.from, stage.to, of_modes(verdict, stage.modes), 0)
+                });
+                for (from, to, outcomes, _) in told_apart(stages) {
+                    push_all(pieces, from, to, outcomes);
                 }
             }
             Line::Scan(place) => {

@@ -8,7 +8,7 @@ use standfast::ground::{GroundDeparture, GroundVerdict};
 use standfast::{Departure, InputError, Mode, Situation, Wrench};
 use standfast_probability::problem::Pieces;
 
-use super::outcome::{NOT_A_BODY, of_modes, push_all};
+use super::outcome::{NOT_A_BODY, of_modes, push_all, told_apart};
 use crate::case::{Foundation, Limit};
 
 /// What a block stands on.
@@ -65,9 +65,12 @@ impl Base {
     ) -> Result<(), InputError> {
         let spans = match self {
             Base::Rigid => {
-                for span in friction::spans(block, wrench)? {
-                    pieces.branch(span.condition as u64);
-                    push_all(pieces, span.from, span.to, of_modes(begins(span.mode), span.modes));
+                let spans = friction::spans(block, wrench)?;
+                let spans =
+                    spans.iter().map(|s| (s.from, s.to, of_modes(begins(s.mode), s.modes), s.condition));
+                for (from, to, outcomes, condition) in told_apart(spans) {
+                    pieces.branch(condition as u64);
+                    push_all(pieces, from, to, outcomes);
                 }
                 return Ok(());
             }

@@ -43,6 +43,23 @@ pub(super) fn of_modes(verdict: Option<GroundVerdict>, modes: Modes) -> u64 {
     1 << of_verdict(verdict) | u64::from(modes.len() > 1) << NOT_UNIQUE
 }
 
+/// An interval of the line with the outcomes that hold, a bit for each, and what tells it from the one before.
+pub(super) type Stretch = (f64, f64, u64, usize);
+
+/// Intervals from left to right without those so narrow that rounding alone may have made them, between two values of one boundary: they
+/// would come and go with every other number, and an integral would look for a kink at each.
+pub(super) fn told_apart(all: impl Iterator<Item = Stretch>) -> Vec<Stretch> {
+    const ROUNDING: f64 = 1e-12;
+    let mut apart: Vec<Stretch> = Vec::new();
+    for next in all.filter(|(from, to, ..)| to - from > ROUNDING * to.min(f64::MAX)) {
+        match apart.last_mut() {
+            Some(last) if last.2 == next.2 => last.1 = next.1,
+            _ => apart.push(next),
+        }
+    }
+    apart
+}
+
 /// Outcomes that hold from one value to another, a bit for each.
 pub(super) fn push_all(pieces: &mut Pieces, from: f64, to: f64, outcomes: u64) {
     (0..COUNT)

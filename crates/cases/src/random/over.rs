@@ -175,7 +175,12 @@ impl Over {
                 } else {
                     "it is no number of the case; a load is named by its name, as in load.push.force"
                 };
-                let variable = find(file, &case, &self.name).ok_or_else(|| self.wrong(unknown))?;
+                let variable = find(file, &case, &self.name).map_err(|found| match found.suggestion {
+                    Some(meant) if !self.is_of_peak() => {
+                        self.wrong(format!("{unknown}; did you mean `{meant}`?"))
+                    }
+                    _ => self.wrong(unknown),
+                })?;
                 let read = |text: &str| {
                     variable.read(text, file.inputs()).map_err(|problem| self.wrong(problem.to_string()))
                 };

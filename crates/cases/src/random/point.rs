@@ -55,6 +55,11 @@ fn values(point: &Spanned<DeValue<'_>>, random: &Random) -> super::read::At<[f64
         let (name, allowed) = (key.get_ref().to_string(), names.map(str::to_owned).to_vec());
         return Err((RandomProblem::Name { what: what(), name, allowed }, key.span()));
     }
+    if let Some(named) = random.named.iter().find(|named| !names.contains(&named.name.as_str())) {
+        let (what, name) = ("[random] of a [point]".to_owned(), named.name.clone());
+        let allowed = names.map(str::to_owned).to_vec();
+        return Err((RandomProblem::Name { what, name, allowed }, named.span.clone()));
+    }
     let mut values = [0.0; 4];
     for coordinate in Coordinate::ALL {
         let name = coordinate.name();

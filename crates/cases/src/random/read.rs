@@ -294,6 +294,10 @@ pub(super) fn written(item: &Item<'_>) -> Option<Written> {
 pub(super) fn number(item: &Item<'_>, what: &str) -> At<f64> {
     match written(item) {
         Some(Written::Number(number)) if number.is_finite() => Ok(number),
+        Some(Written::Number(number)) => {
+            let (what, written) = (what.to_owned(), number.to_string());
+            Err((RandomProblem::Value { what, written, expected: "a finite number".into() }, item.span()))
+        }
         _ => Err(wrong(item, what, "a number without unit or quotes")),
     }
 }

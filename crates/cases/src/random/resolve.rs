@@ -8,7 +8,7 @@ use super::quantity::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
 use super::storm::StormField;
 use crate::case::Case;
-use crate::couple::Variable;
+use crate::couple::{Unknown, Variable};
 use crate::key::{Kind, Range};
 use crate::layout::digits;
 use crate::parse::CaseFile;
@@ -283,7 +283,10 @@ impl Resolve<'_> {
                     Written::Text(text) => format!("\"{text}\""),
                 };
                 let what = format!("`{}` of `{}`", parameter.name, named.name);
-                let expected = "a number without unit or quotes".to_owned();
+                let expected = match &parameter.value {
+                    Written::Number(_) => "a finite number".to_owned(),
+                    Written::Text(_) => "a number without unit or quotes".to_owned(),
+                };
                 Err((RandomProblem::Value { what, written, expected }, parameter.span.clone()))
             }
         }
@@ -298,8 +301,8 @@ fn spelled(case: &Case, name: &str) -> Option<String> {
 }
 
 /// The number of a case under a name.
-pub(super) fn find(file: &CaseFile, case: &Case, name: &str) -> Option<Variable> {
-    Variable::find(spelled(case, name).as_deref().unwrap_or(name), file.inputs()).ok()
+pub(super) fn find(file: &CaseFile, case: &Case, name: &str) -> Result<Variable, Unknown> {
+    Variable::find(spelled(case, name).as_deref().unwrap_or(name), file.inputs())
 }
 
 /// What a name stands for in a storm without a body.

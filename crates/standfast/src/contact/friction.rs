@@ -61,7 +61,7 @@ pub fn spans(block: &Block, wrench: &Wrench) -> Result<Vec<Span>, InputError> {
     crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     // One friction, computed from two conditions; the first of them names it.
     crossings.dedup_by(|later, earlier| {
-        let same = later.0 - earlier.0 <= ONE * later.0;
+        let same = later.0 - earlier.0 <= ONE * later.0.max(1.0);
         earlier.1 = if same { earlier.1.min(later.1) } else { earlier.1 };
         same
     });
@@ -119,5 +119,5 @@ const UNSURE: f64 = 1e-9;
 
 /// Beyond this no friction is asked for: a condition whose share in μ is all rounding crosses there.
 const LARGEST: f64 = 1e9;
-/// Relative distance of two crossings that are one.
+/// Distance of two crossings that are one, relative to the larger or to 1: where terms cancel, a small crossing is known no better.
 const ONE: f64 = 1e-13;
