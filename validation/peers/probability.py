@@ -705,8 +705,48 @@ def compare(program, problems):
         sys.stdout.flush()
 
 
+COVERED = [
+    "two normals", "small, lognormal", "Gumbel", "case 2, SRO+", "below C", "several modes hold", "k' below -1", "correlated by rank",
+    "force and its height", "all four", "all four, small", "friction, P", "friction, sea", "four", "four, correlated", "four, small", "six",
+]  # fmt: skip
+
+
+def coverage(program, seeds):
+    """How often the answer lies in the interval of 95 %, by method and by what is asked, for probabilities above 1e-6."""
+    problems = [p for p in [*plane_problems(), *caisson_problems()] if p.name in COVERED]
+    by_method, by_mode, by_problem = {}, {}, {}
+    for problem in problems:
+        few = len(problem.order) <= 3
+        p, error = problem.integrate() if few else problem.sobol(15)
+        names = ["RE", *MODES[1:], "several"]
+        expected = {n: x for n, x in zip(names, p) if x > 1e-6 and 1 - x > 1e-6}
+        expected["not rest"] = p[1:7].sum() + p[8]
+        for method in ("sobol", "importance", "monte-carlo"):
+            for seed in range(1, seeds + 1):
+                try:
+                    document, _ = ask(program, problem.case(), "--method", method, "--seed", str(seed))
+                except RuntimeError as error:
+                    print(problem.name, method, error)
+                    break
+                found = answers(document, None)
+                for name, x in expected.items():
+                    got, low, high = found[name]
+                    inside = low <= x <= high
+                    for table, key in ((by_method, (method, "not rest" if name == "not rest" else "modes")), (by_mode, (method, name)), (by_problem, (problem.name, method))):
+                        table.setdefault(key, []).append((inside, (got - x) / max(high - low, 1e-300) * 2, low <= x, x <= high))
+        for key, hits in by_problem.items():
+            if key[0] == problem.name:
+                print(f"{key[0]:32s} {key[1]:12s} {100 * np.mean([h[0] for h in hits]):6.1f} % of {len(hits)}; mean (answer - reference)/half-width {np.mean([h[1] for h in hits]):+.2f}", flush=True)
+    for table in (by_method, by_mode):
+        for key, hits in sorted(table.items()):
+            print(f"{key[0]:12s} {key[1]:10s} {100 * np.mean([h[0] for h in hits]):6.1f} % of {len(hits)}; {sum(not h[2] for h in hits)} below, {sum(not h[3] for h in hits)} above")
+
+
 if __name__ == "__main__":
     program = sys.argv[1]
     what = sys.argv[2:] or ["plane", "caisson", "life"]
+    if what[0] == "coverage":
+        coverage(program, int(what[1]))
+        sys.exit()
     for name in what:
         compare(program, {"plane": plane_problems, "caisson": caisson_problems, "life": life_problems}[name]())
