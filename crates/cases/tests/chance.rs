@@ -431,6 +431,55 @@ fn overturning_is_that_of_the_motions_one_by_one() {
     }
 }
 
+/// Every figure there is of answers of many kinds: no label lies on another or leaves the page; draws have the modes behind them.
+#[test]
+fn figures_of_answers_are_tidy() {
+    let tall = "[body]\nwidth = 8\nheight = 14\nmass = 200e3\nfriction = 0.6\n[[load]]\nname = \"push\"\nforce = 700e3\nelevation = 9\n\
+        direction = \"right\"\n[random]\nfriction = { normal = { sd = 0.08 }, lower = 0 }\nwidth = { normal = { sd = 0.4 } }\n\
+        \"load.push.force\" = { gumbel = { cov = 0.15 }, every = \"year\" }\n\"load.push.elevation\" = { uniform = { from = 6, to = 11 } }\n";
+    let plinth = include_str!("../../cli/tests/cmd/probability.in/plinth.toml");
+    let statue = include_str!("../../../examples/statue-random.toml");
+    let sea = include_str!("../../../examples/goda-2000-storm.toml");
+    let plane = "[point]\ngamma = 0.8\nk_prime = 0.9\n[random]\nk = { uniform = { from = 0.3, to = 1.2 } }\nmu = { normal = { mean = 0.6, sd = 0.1 } }\n\
+        gamma = { normal = { mean = 0.8, sd = 0.1 } }\n";
+    let cases: [(&str, Option<&str>, &[&str]); 5] = [
+        (tall, None, &["-draws", "-modes", "-matters", "-convergence"]),
+        (plinth, Some("pga=0.3 g..0.9 g:3"), &["-draws", "-modes", "-overturning"]),
+        (
+            statue,
+            Some("earthquake.horizontal=1.5 m/s2..2.75 m/s2:6"),
+            &["-draws", "-modes", "-matters", "-fragility"],
+        ),
+        (sea, None, &["-draws", "-modes", "-matters", "-sliding"]),
+        (plane, Some("k_prime=0.1..0.9:3"), &["-draws", "-modes", "-matters", "-fragility"]),
+    ];
+    for (text, over, expected) in cases {
+        let over: Option<Over> = over.map(|over| over.parse().unwrap());
+        let effort = Effort { points: 1 << 17, ..Effort::default() };
+        let method = (text == plane).then_some(Method::Sobol);
+        let years = text.contains("every").then_some(50.0);
+        let request = Request { effort, years, method, ..Request::default() };
+        let found = FirstInstant::of("case.toml", text, request, over.as_ref(), &|_| Err("none".to_owned()))
+            .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
+        let figures = found.answer.figures(&found.still).unwrap();
+        let suffixes: Vec<&str> = figures.iter().map(|figure| figure.suffix).collect();
+        assert_eq!(suffixes, expected);
+        for figure in &figures {
+            let (width, height) = figure.figure.size();
+            let labels = figure.figure.labels();
+            for (i, label) in labels.iter().enumerate() {
+                let of = (figure.suffix, figure.figure.title());
+                let rect = label.rect;
+                let within =
+                    rect.x0 >= 1.0 && rect.y0 >= 1.0 && rect.x1 <= width - 1.0 && rect.y1 <= height - 1.0;
+                assert!(within, "{label:?} leaves the page of {of:?}");
+                let over = labels[i + 1..].iter().find(|other| rect.overlaps(&other.rect));
+                assert!(over.is_none(), "{label:?} touches {over:?} in {of:?}");
+            }
+        }
+    }
+}
+
 /// The first of a case's sets of loads, as it is called.
 fn situation(text: &str) -> String {
     match Draws::of_text("case.toml", text, None, 1, 1) {

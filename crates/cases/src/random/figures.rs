@@ -15,7 +15,7 @@ use super::error::ProbabilityError;
 use super::over::{Fit, Fragility};
 use super::overturn::Overturning;
 use super::storm::Sliding;
-use crate::layout::digits;
+use crate::layout::{apart, digits};
 
 mod areas;
 mod cloud;
@@ -219,13 +219,13 @@ fn convergence(worst: &Chances, title: &str) -> Option<Figure> {
         points: course.iter().map(|(points, e)| (*points as f64, chance(*e))).collect(),
     }];
     let title = format!("How the probability settles: {title}");
-    let caption = format!(
-        "By {}: {} after {last} points, {} to {}.",
-        worst.method,
-        digits(answer.value),
-        digits(answer.low),
-        digits(answer.high)
-    );
+    let ends = [answer.low, answer.value, answer.high];
+    let caption = match &apart(&ends)[..] {
+        [low, value, high] if answer.low < answer.high => {
+            format!("By {}: {value} after {last} points, {low} to {high}.", worst.method)
+        }
+        _ => format!("By {}: {} after {last} points.", worst.method, digits(answer.value)),
+    };
     Some(chance_lines(&ChanceLines {
         title: &title,
         caption: &caption,
