@@ -378,6 +378,68 @@ fn several_loads_on_an_eccentric_body() {
     });
 }
 
+/// Friction, integrated in closed form, against all drawn; first departures too; over a life and along a number.
+#[test]
+fn integrated_on_a_base_that_gives_way_is_what_is_drawn() {
+    use standfast_cases::random::{Effort, Method, Probability, Request};
+    let laws = "[random]\nyears = 20\nfriction = { normal = { cov = 0.1 } }\n\
+                \"load.push.force\" = { normal = { cov = 0.2 }, every = \"year\" }\n";
+    let stone = pushed_at(10.8, "strength = 1.5e6", 0.58, 1.9e6);
+    let sand = pushed_at(5.0, "friction_angle_deg = 40\nunit_weight = 1e4\ncohesion = 5e3", 0.45, 1.3e6);
+    for (text, expected) in [(stone, &["RE", "SL", "RO"][..]), (sand, &["RE", "SL", "BF"])] {
+        let of = |method| {
+            let effort = Effort { points: 1 << 17, precision: 1e-4, ..Effort::default() };
+            let request = Request { method: Some(method), effort, ..Request::default() };
+            let over = "load.push.elevation=4..10:3".parse().unwrap();
+            let over = (method == Method::Integrate).then_some(&over);
+            let found = Probability::along("case.toml", &format!("{text}{laws}"), request, over);
+            found.unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
+        };
+        let (integrated, drawn) = (of(Method::Integrate), of(Method::MonteCarlo));
+        let [one, other] = [&integrated, &drawn].map(|found| &found.situations[0]);
+        assert_eq!(one.method, Method::Integrate);
+        let pairs = one.modes.iter().zip(&other.modes);
+        let departures = one.first_departure.modes.iter().zip(&other.first_departure.modes);
+        for ((happening, p), (_, shares)) in pairs.chain(departures) {
+            // Half as wide again as the 95 % interval, as there are many.
+            let (low, high) = (1.5 * shares.low - 0.5 * shares.value, 1.5 * shares.high - 0.5 * shares.value);
+            assert!(low <= p.value && p.value <= high, "{text}{happening:?}: {p:?} {shares:?}");
+        }
+        for name in expected {
+            let of = one.modes.iter().find(|(happening, _)| happening.name() == *name).unwrap();
+            assert!(of.1.value > 0.01, "{name}: {of:?}");
+        }
+        let sum: f64 = one.modes.iter().map(|(_, p)| p.value).sum();
+        assert!((sum - 1.0).abs() < 1e-9, "{sum}");
+        let life = one.life.as_ref().unwrap().not_rest.value;
+        let not_rest = one.not_rest.value;
+        assert!(life > not_rest && life < 1.0 - (1.0 - not_rest).powi(20) + 1e-9, "{life} {not_rest}");
+        let points = integrated.fragility.unwrap().points;
+        assert!(
+            points
+                .iter()
+                .all(|point| (point.modes.iter().map(|(_, p)| p.value).sum::<f64>() - 1.0).abs() < 1e-9)
+        );
+        assert!(points.windows(2).all(|pair| pair[0].not_rest.value < pair[1].not_rest.value));
+    }
+}
+
+/// Storms on a base that gives way, and on one that is elastic.
+#[test]
+fn storms_ask_for_a_base_that_bears() {
+    use standfast_cases::random::{Probability, Request};
+    let goda = include_str!("../../../examples/goda-2000.toml");
+    let laws = "[random]\nfriction = { normal = { cov = 0.1 } }\n[storm]\nwaves = 10\ntau0 = 1\n";
+    let of = |ground: &str| {
+        let text = format!("{goda}\n[ground]\n{ground}\n{laws}");
+        Probability::of_text("case.toml", &text, Request::default())
+            .map(|_| ())
+            .map_err(|error| error.to_string())
+    };
+    assert!(of("strength = 1e6").unwrap_err().contains("[ground] that crushes or fails"));
+    assert_eq!(of("stiffness = 5e7"), Ok(()));
+}
+
 /// A drawn verdict is one of the contact problem's modes, or that the ground fails.
 #[test]
 fn the_ground_s_failure_has_a_name() {

@@ -161,7 +161,7 @@ def draws(
     Returns:
         A table with a column for each random number under its name in the case, in SI units, which ``metadata`` has; ``k_eff`` and
         ``k_prime_eff``, the point of the report's plane, null where the body is not the report's (eccentric, with added mass or two
-        frictions) or nothing presses it on its base; and ``mode``, null where no mode satisfies every law, or the numbers drawn do not go
+        frictions) or nothing presses it on its base; and ``mode``, "BF" where the ground fails, null where no mode satisfies every law, or the numbers drawn do not go
         together. :class:`ArrowTable` says how it becomes one of pandas, polars or pyarrow.
 
     Raises:

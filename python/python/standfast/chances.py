@@ -74,8 +74,8 @@ class Chance(Answer):
 
     @property
     def mode(self) -> str:
-        """a mode by its symbol; "no mode" where none satisfies every law; "not a body" where the numbers drawn do not go
-        together."""
+        """a mode by its symbol; "BF" where the ground fails, of a base that gives way alone; "no mode" where none satisfies every
+        law; "not a body" where the numbers drawn do not go together."""
         return self._document["mode"]
 
     @property
@@ -139,7 +139,7 @@ class DesignPoint(Answer):
 
     @property
     def mode(self) -> str:
-        """a mode by its symbol; "no mode" or "not a body"."""
+        """a mode by its symbol; "BF", "no mode" or "not a body"."""
         return self._document["mode"]
 
     @property

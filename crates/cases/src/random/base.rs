@@ -102,7 +102,8 @@ impl Base {
 
     /// The departures for every friction up to one, from each friction to the next; none where it is not known for certain which frictions part
     /// them. With one friction to stick and to slip, up to the end of rest that friction does not touch the body slides
-    /// if the load there is more than friction holds; what begins beyond is what begins there.
+    /// if the load there is more than friction holds. With more friction what begins at the end turns about the edge that gives way, and sticks
+    /// there: its rotation begins from nothing.
     pub(super) fn departures(
         &self,
         block: &Block,
@@ -125,11 +126,6 @@ impl Base {
             Base::Crushing(strength) => {
                 let end = strength::departure(&with(HELD), permanent, variable, *strength)?.load_factor();
                 parting.push(inclination(&at(end)));
-                if end.is_finite() && end > 0.0 {
-                    let beyond = at(end * (1.0 + 1e-9));
-                    let spans = strength::friction_spans(block, &beyond, *strength, up_to)?;
-                    parting.extend(spans.iter().map(|span| span.from));
-                }
                 found(parting, &|μ| strength::departure(&with(μ), permanent, variable, *strength))
             }
             Base::Failing(ground) => {
@@ -151,7 +147,6 @@ fn between(
 ) -> Result<Departures, InputError> {
     parting.retain(|μ| *μ > 0.0 && *μ < up_to.min(HELD));
     parting.sort_by(f64::total_cmp);
-    // What begins just beyond the end of rest is looked for beyond it: its frictions are those at the end but for that.
     parting.dedup_by(|later, earlier| *later - *earlier <= ONE * later.abs());
     let mut spans = Departures::new();
     let mut from = 0.0;
@@ -173,7 +168,7 @@ fn is_like(one: &GroundDeparture, other: &GroundDeparture) -> bool {
 }
 
 /// Relative distance of two frictions that are one.
-const ONE: f64 = 1e-7;
+const ONE: f64 = 1e-12;
 /// A friction that holds everything.
 const HELD: f64 = 1e9;
 

@@ -209,10 +209,14 @@ impl Problem {
         self.random[place].is_friction() && self.lines.friction
     }
 
+    /// Whether the base may crush, or the ground fail: what begins on it is not what the report's plane says.
+    pub(super) fn gives_way(&self) -> bool {
+        self.case().is_some_and(|(case, _)| case.gives_way())
+    }
+
     /// The outcomes that exclude each other and add up to one.
     pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> + use<> {
-        let gives_way = self.case().is_some_and(|(case, _)| case.gives_way());
-        outcome::exclusive(gives_way)
+        outcome::exclusive(self.gives_way())
     }
 
     /// A value that a number has as good as never more than.

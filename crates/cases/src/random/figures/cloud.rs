@@ -10,7 +10,7 @@ use standfast_probability::sample;
 use super::areas::{COARSE, FINE, areas};
 use super::{escaped, in_markup, rounded};
 use crate::layout::digits;
-use crate::random::answer::Chances;
+use crate::random::answer::{Chances, Happening};
 use crate::random::problem::Problem;
 
 /// What a heavy tail leaves outside of a picture, at each end.
@@ -21,6 +21,8 @@ const DRAWS: u64 = 1000;
 pub(super) struct Draws {
     values: Vec<Vec<f64>>,
     modes: Vec<Option<Mode>>,
+    /// Whether the ground fails under any of them.
+    fails: bool,
     /// Where in effective coordinates each draw lies that has a place there.
     places: Vec<Option<Place>>,
 }
@@ -46,10 +48,12 @@ impl Draws {
         if problem.random().len() < 2 {
             return None;
         }
-        let mut draws = Draws { values: Vec::new(), modes: Vec::new(), places: Vec::new() };
+        let mut draws = Draws { values: Vec::new(), modes: Vec::new(), fails: false, places: Vec::new() };
         sample::draws(problem.laws(), seed, DRAWS, |values| {
             draws.values.push(values.to_vec());
-            draws.modes.push(problem.drawn(values).happens.mode());
+            let happens = problem.drawn(values).happens;
+            draws.modes.push(happens.mode());
+            draws.fails |= happens == Happening::BearingFailure;
             draws.places.push(problem.place(values));
         });
         Some(draws)
@@ -58,7 +62,8 @@ impl Draws {
     pub(super) fn figure(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
         let title = format!("Draws: {title}");
         let placed: Vec<Place> = self.places.iter().copied().flatten().collect();
-        if placed.len() * 100 < self.places.len() * 99 {
+        // The report's plane is that of a rigid base.
+        if problem.gives_way() || placed.len() * 100 < self.places.len() * 99 {
             return self.of_numbers(problem, worst, &title);
         }
         let of = |i: usize| placed.iter().map(|place| place.at[i]).collect::<Vec<f64>>();
@@ -143,8 +148,9 @@ impl Draws {
         } else {
             "Behind them the modes where all other numbers have their medians."
         };
+        let fails = if self.fails { " Hollow, and white behind: the ground fails." } else { "" };
         let caption = format!(
-            "{} draws{which}, in the colours of their modes{}. {behind}",
+            "{} draws{which}, in the colours of their modes{}. {behind}{fails}",
             self.values.len(),
             outside(&panels)
         );

@@ -89,6 +89,14 @@ pub enum SlidingError {
     #[error("the case has a [storm] and no [wave]")]
     #[diagnostic(help("leave [body] out for a storm whose thrust is in proportion to the wave's height"))]
     NoWaves,
+    /// A base that gives way.
+    #[error(
+        "the case has a [storm], and a [ground] that crushes or fails: the slide of a wave's pulse is that on a rigid base"
+    )]
+    #[diagnostic(help(
+        "leave [storm] out for the modes on this base, or `strength` and the ground's law for the slides"
+    ))]
+    Ground,
     /// More than one set of loads.
     #[error("the case has a [storm] and leaves a choice of loads: {what}")]
     #[diagnostic(help("storms are answered for a case whose loads all act together"))]

@@ -151,6 +151,9 @@ pub(in crate::random) fn of_case(
     let Some((case, acting)) = problem.case().filter(|(case, _)| case.wave.is_some()) else {
         return Err(SlidingError::NoWaves);
     };
+    if case.gives_way() {
+        return Err(SlidingError::Ground);
+    }
     if matches!(acting, Acting::Combination(_)) {
         return Err(SlidingError::Choice { what: "a combination, which multiplies its waves" });
     }
