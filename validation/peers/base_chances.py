@@ -1,7 +1,7 @@
 """The base of random bodies: `standfast probability` against plain Monte Carlo over the formulas of base.py, which share nothing with it.
 
     pip install numpy==2.4.6 scipy==1.17.1
-    python base_chances.py [NUMBER [PROGRAM [DRAWS]]]      # 30 cases, `standfast`, 4000 draws
+    python base_chances.py [NUMBER [PROGRAM [DRAWS [ARGUMENT ...]]]]      # 30 cases, `standfast`, 4000 draws
 
 Friction, push and what the base bears are random. Each mode's share of the draws is compared with its probability; a difference of more than
 four and a half standard errors is printed, and the exit code is 1. An elastic base is one that bears everything.
@@ -77,7 +77,7 @@ def main():
         case.push *= 0.6
         case.angle = min(max(case.angle, 26), 44)
         text = "\n".join(line for line in case.toml().splitlines() if not line.startswith("history")) + "\n" + random_table(case)
-        command = [program, "probability", "-", "--no-figures", "--format", "json"]
+        command = [program, "probability", "-", "--no-figures", "--format", "json", *sys.argv[4:]]
         run = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
         if run.returncode:
             print(seed, case.kind, run.stderr)
