@@ -606,3 +606,20 @@ fn a_force_of_uncertain_height_meets_every_mode() {
     }
     assert!(chances.points < 1_000_000, "{}", chances.points);
 }
+
+/// Without a body there is no sea whose H_max could cut the heights, so that they may be said not to be cut, and not the contrary.
+#[test]
+fn heights_without_a_sea_are_not_cut() {
+    let refusal = |cut: &str| {
+        let text = format!(
+            "[storm]\nwaves = 1000\ncut = {cut}\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}\n"
+        );
+        Probability::of_text("case.toml", &text, Request::default()).unwrap_err().to_string()
+    };
+    assert!(refusal("false").contains("lacks `tau0`"), "{}", refusal("false"));
+    assert!(
+        refusal("true").contains("expected false, because without a [body] no sea has an H_max"),
+        "{}",
+        refusal("true")
+    );
+}

@@ -6,6 +6,7 @@ use thiserror::Error;
 use super::{Extreme, Spelling, Target};
 use crate::couple::Unknown;
 use crate::error::CaseError;
+use crate::key::Key;
 use crate::motion::BodyCaseError;
 
 /// Why there is no design.
@@ -107,7 +108,7 @@ pub enum DesignError {
     },
     /// The target does not depend on the quantity.
     #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
-    #[diagnostic(help("another quantity helps: see the sensitivities of a target that can be met"))]
+    #[diagnostic(help("{}", of_no_influence(target)))]
     NoInfluence {
         /// What was varied.
         name: String,
@@ -191,5 +192,14 @@ fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
     match suggestion {
         Some(suggestion) => format!("did you mean `{suggestion}`? {names}"),
         None => names,
+    }
+}
+
+/// What helps where a quantity does not change how far a target is.
+fn of_no_influence(target: &Target) -> &'static str {
+    if matches!(target, Target::Criterion(asked) if asked.key == Key::GreatestNotRest) {
+        "of a random quantity its law counts, which goes with the case's value where it has no mean of its own: leave `mean` out and give `cov`, or vary another quantity"
+    } else {
+        "another quantity helps: see the sensitivities of a target that can be met"
     }
 }

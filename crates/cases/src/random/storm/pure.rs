@@ -37,7 +37,7 @@ use crate::random::answer::{
 use crate::random::error::ProbabilityError;
 use crate::random::outcome::exclusive;
 use crate::random::quantity::{Bias, Input, Quantity};
-use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table};
+use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table, wrong as of_type};
 use crate::random::resolve::{Names, Resolve};
 use crate::units::Dimension;
 
@@ -132,7 +132,11 @@ pub(in crate::random) fn read_file(
     };
     let storm = table(item, "`storm`", "a table").and_then(|table| {
         let fields = StormField::ALL.map(StormField::name);
-        only(table, &KEYS.into_iter().chain(fields).collect::<Vec<_>>())?;
+        only(table, &KEYS.into_iter().chain(fields).chain(["cut"]).collect::<Vec<_>>())?;
+        if let Some(cut) = table.get("cut").filter(|cut| cut.get_ref().as_bool() != Some(false)) {
+            let expected = "false, because without a [body] no sea has an H_max";
+            return Err(of_type(cut, "`cut` of [storm]", expected));
+        }
         let storm = of_all(item, table)?;
         let Tau0::Given(tau0) = storm.tau0 else {
             let message = "\"shimosako-takahashi\" takes the waves of a case; expected a time".to_owned();
