@@ -580,7 +580,7 @@ def plane_problems():
     z1, z2 = (math.sqrt(math.log1p(c * c)) for c in (0.25, 0.3))
     closed = math.log1p(0.5 * 0.25 * 0.3) / (z1 * z2)
     yield Problem("correlated linearly, lognormals", report, {"mu": mu, "k": k}, correlation=[("mu", "k", "linear", 0.5, closed)])
-    mu, k = N(0.6, 0.1), Law("gumbel", mean=0.4, sd=0.1)
+    mu, k = N(0.6, 0.1, lower=0.0), Law("gumbel", mean=0.4, sd=0.1, lower=0.0)
     yield Problem("correlated linearly, normal and Gumbel", report, {"mu": mu, "k": k}, correlation=[("mu", "k", "linear", 0.4, nataf_linear(mu, k, 0.4))])
     yield Problem("only friction", Plane(gamma=2.0, k_prime=0.9167, k=0.5), {"mu": LN(0.4, 0.3)}, along="mu")
     yield Problem("only the force", Plane(gamma=1.5, k_prime=0.4, mu=0.45), {"k": Law("gumbel", mean=0.35, sd=0.12, lower=0.0)})

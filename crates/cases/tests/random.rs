@@ -623,3 +623,12 @@ fn heights_without_a_sea_are_not_cut() {
         refusal("true")
     );
 }
+
+/// k' = −0.6, where rocking begins by a step at a k far out: 4.4e-12, as validation/peers/probability.py integrates it along k and along μ.
+#[test]
+fn a_rare_mode_that_begins_by_a_step_has_its_digits() {
+    let text = "[point]\ngamma = 1.5\nk_prime = -0.6\n[random]\nmu = { lognormal = { mean = 0.5, cov = 0.2 } }\n\
+        k = { gumbel = { mean = 1.0, sd = 0.4 }, lower = 0 }\n";
+    let found = answer(text, Request::default());
+    assert_close("RO", chance(&found.situations[0], Mode::RockO), 4.443731787831e-12, 1e-10);
+}

@@ -267,27 +267,13 @@ impl<'a> Pair<'a> {
             Measure::Normal(rho) => Some(rho).filter(|rho| rho.abs() < 1.0),
             Measure::Rank(rank) => Some(2.0 * (PI * rank / 6.0).sin()).filter(|_| rank.abs() < 1.0),
             Measure::Linear(linear) => {
-                let beyond = |rho: f64| self.measured(rho) - linear;
                 let (mut low, mut high) = (-1.0 + 1e-9, 1.0 - 1e-9);
-                let (mut below, mut above) = (beyond(low), beyond(high));
-                if !(below < 0.0 && above > 0.0) {
+                if !(self.measured(low) < linear && linear < self.measured(high)) {
                     return None;
                 }
-                // False position; an end that stays twice counts half (the Illinois rule).
-                let mut last = 0.0;
-                for _ in 0..100 {
-                    let rho = (low * above - high * below) / (above - below);
-                    let there = beyond(rho);
-                    if there.abs() < 1e-15 || high - low < 1e-15 || !(low < rho && rho < high) {
-                        return Some(rho);
-                    }
-                    let again = if there * last > 0.0 { 0.5 } else { 1.0 };
-                    if there < 0.0 {
-                        (low, below, above) = (rho, there, again * above);
-                    } else {
-                        (high, above, below) = (rho, there, again * below);
-                    }
-                    last = there;
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    if self.measured(middle) < linear { low = middle } else { high = middle }
                 }
                 Some(0.5 * (low + high))
             }
@@ -335,7 +321,7 @@ fn moments(law: &Distribution) -> (f64, f64) {
 /// The mean of a function of a standard normal.
 fn expected(f: impl Fn(f64) -> f64) -> f64 {
     const REACH: f64 = 9.0;
-    const PANELS: u32 = 12;
+    const PANELS: u32 = 6;
     let width = 2.0 * REACH / f64::from(PANELS);
     (0..PANELS)
         .map(|i| -REACH + f64::from(i) * width)

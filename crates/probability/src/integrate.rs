@@ -113,6 +113,9 @@ const LAST_BIT: f64 = 2e-16;
 const COARSE: f64 = 1e-7;
 /// How much a probability may change over a kink found coarsely: beyond this it is a step, and found to the last bit.
 const STEP: f64 = 1e-5;
+/// The same of a rare outcome, relative to its probability, and the share of the negligible that may be lost at it.
+const RARE_STEP: f64 = 1e-2;
+const UNSEEN: f64 = 1e-3;
 /// The widest panel to begin with.
 const WIDEST: f64 = 3.0;
 /// How often a panel may be halved.
@@ -176,7 +179,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             let nothing = vec![0.0; self.sets.len()];
             return Sum { values: nothing.clone(), errors: nothing };
         }
-        let ends = self.kinks(depth, reach);
+        let ends = self.kinks(depth, weight, reach);
         let mut panels: Vec<(f64, f64, u32, Panel)> = Vec::new();
         for pair in ends.windows(2) {
             let parts = ((pair[1] - pair[0]) / WIDEST).ceil().max(1.0);
@@ -236,7 +239,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
 
     /// Where the pattern changes along the normal with number `depth`, with the ends of its range. At a kink that is not quite met
     /// nothing is lost but the square of what it is missed by; a step is found to the last bit.
-    fn kinks(&mut self, depth: usize, reach: f64) -> Vec<f64> {
+    fn kinks(&mut self, depth: usize, weight: f64, reach: f64) -> Vec<f64> {
         let (mut ends, mut last) = (vec![-reach], self.pattern(depth, -reach));
         for (a, b) in steps(reach, SCAN) {
             let here = self.pattern(depth, b);
@@ -250,7 +253,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
             }
             for kink in found {
                 let before = kink - COARSE * kink.abs().max(1.0);
-                if self.is_step(depth, before, kink) {
+                if self.is_step(depth, weight, before, kink) {
                     let sides = [before, kink].map(|u| (u, self.pattern(depth, u)));
                     self.part(depth, LAST_BIT, sides[0], sides[1], &mut |kink, _| {
                         ends.push(kink);
@@ -267,12 +270,17 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
     }
 
     /// Whether probabilities differ between two values that are next to each other.
-    fn is_step(&mut self, depth: usize, a: f64, b: f64) -> bool {
+    fn is_step(&mut self, depth: usize, weight: f64, a: f64, b: f64) -> bool {
         let [one, other] = [a, b].map(|u| {
             self.point[depth] = u;
             self.from(depth + 1, normal::density(u).max(f64::MIN_POSITIVE)).values
         });
-        one.iter().zip(&other).any(|(one, other)| (one - other).abs() > STEP)
+        // Of a rare outcome a small step is all there is: what is lost at it counts as far as an answer sees it.
+        let seen = UNSEEN * self.negligible / (weight * normal::density(b) * (b - a)).max(f64::MIN_POSITIVE);
+        one.iter().zip(&other).any(|(one, other)| {
+            let change = (one - other).abs();
+            change > STEP || change > seen.max(RARE_STEP * one.max(*other))
+        })
     }
 
     /// Finds every change of the pattern between two values, from left to right, and tells where it is and what follows. Where
