@@ -148,7 +148,7 @@ impl Draws {
         } else {
             "Behind them the modes where all other numbers have their medians."
         };
-        let fails = if self.fails { " Hollow, and white behind: the ground fails." } else { "" };
+        let fails = if self.fails { " White: the ground fails." } else { "" };
         let caption = format!(
             "{} draws{which}, in the colours of their modes{}. {behind}{fails}",
             self.values.len(),
