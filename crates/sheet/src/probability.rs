@@ -116,7 +116,7 @@ fn modes(modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64, name: 
                 tr { td { "does not stay at rest" } td.n { (chance(not_rest)) } td.n { (interval(not_rest)) } }
             }
         }
-        @if !below.is_empty() { p { (symbols.join(", ")) ": each below " (digits(bound)) "." } }
+        @if !below.is_empty() { p { (symbols.join(", ")) ": " @if symbols.len() > 1 { "each " } "below " (digits(bound)) "." } }
     }
 }
 

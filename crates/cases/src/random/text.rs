@@ -345,7 +345,8 @@ fn modes_table(method: Method, modes: &[(Happening, Estimate)], not_rest: Estima
     if !below.is_empty() {
         let names: Vec<String> = below.iter().map(|(happening, _)| happening.name()).collect();
         let bound = below.iter().map(|(_, e)| e.high).fold(0.0, f64::max);
-        text += &paragraph(&format!("{}: each below {}.", names.join(", "), probability(bound)), 2);
+        let each = if names.len() > 1 { "each " } else { "" };
+        text += &paragraph(&format!("{}: {each}below {}.", names.join(", "), probability(bound)), 2);
     }
     text
 }
