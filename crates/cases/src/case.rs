@@ -235,11 +235,18 @@ impl Case {
 
     /// By what signs the acceleration of the base is multiplied in turn, to the sides and upwards; none where no earthquake acts.
     pub fn shakings(&self, acting: Acting) -> Vec<[f64; 2]> {
+        self.shakings_if(acting, [false; 2])
+    }
+
+    /// The same where the acceleration to the sides, or upwards, may be another than the case's, which may be zero.
+    pub(crate) fn shakings_if(&self, acting: Acting, moved: [bool; 2]) -> Vec<[f64; 2]> {
         let acts = self.earthquake_factor(acting) != 0.0;
         let Some(given) = self.earthquake.filter(|_| acts) else { return Vec::new() };
-        let signs = |both: bool, value: f64| if both && value != 0.0 { &[1.0, -1.0][..] } else { &[1.0] };
-        let (sides, ways) =
-            (signs(self.both_sides, given.horizontal()), signs(self.both_ways, given.vertical()));
+        let signs = |both: bool, value: f64, moved: bool| {
+            if both && (moved || value != 0.0) { &[1.0, -1.0][..] } else { &[1.0] }
+        };
+        let sides = signs(self.both_sides, given.horizontal(), moved[0]);
+        let ways = signs(self.both_ways, given.vertical(), moved[1]);
         sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
     }
 

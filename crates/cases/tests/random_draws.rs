@@ -315,6 +315,34 @@ fn accelerations_in_laws_are_shares_of_g() {
     }
 }
 
+/// A shaking that is random goes to both sides, also where the case's own is zero: about the nearer edge the body begins to rock beyond
+/// (b − e)/h = 1.2/3.5 of g, which the lognormal law exceeds as often as its logarithm tells.
+#[test]
+fn a_random_shaking_goes_to_both_sides() {
+    let answer = |own: &str| {
+        let text = format!(
+            "[body]\nwidth = 3\nheight = 7\nmass = 50e3\nfriction = 0.9\ncentroid_offset = 0.3\n[earthquake]\nhorizontal = {own}\n\
+             [random]\nearthquake.horizontal = {{ lognormal = {{ mean = 0.3, cov = 0.3 }} }}\n"
+        );
+        let request = standfast_cases::random::Request::default();
+        let found = standfast_cases::random::Probability::of_text("case.toml", &text, request).unwrap();
+        assert_eq!(found.situations.len(), 2);
+        found.situations.into_iter().map(|chances| (chances.situation.unwrap(), chances.not_rest.value))
+    };
+    let variance = 0.09f64.ln_1p();
+    let by_hand = |share: f64| {
+        standfast_probability::normal::above(((share / 0.3).ln() + 0.5 * variance) / variance.sqrt())
+    };
+    for own in ["0", "0.3"] {
+        for ((situation, found), (expected, side)) in
+            answer(own).zip([(by_hand(1.2 / 3.5), "left"), (by_hand(1.8 / 3.5), "right")])
+        {
+            assert_eq!(situation, format!("base shaken to the {side}"));
+            assert!((found / expected - 1.0).abs() < 1e-9, "{own} {side}: {found} {expected}");
+        }
+    }
+}
+
 /// Parts, a polygon among them, still water and uplift; the friction angle of what is piled on top is none of the body's.
 #[test]
 fn bodies_of_parts_in_water() {

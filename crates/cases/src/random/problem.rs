@@ -20,7 +20,7 @@ use crate::case::{Acting, Case};
 use crate::couple::{Variable, vary};
 use crate::error::CaseError;
 use crate::inputs::Inputs;
-use crate::key::{Key, Table};
+use crate::key::Key;
 use crate::layout::digits;
 use crate::parse::CaseFile;
 
@@ -88,9 +88,11 @@ impl Problem {
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let mut unnamed = file.inputs().clone();
         [Key::Title, Key::Note].into_iter().for_each(|key| unnamed.remove(key.into()));
+        let is_random = |key| inputs.iter().any(|input| input.is_key(key));
+        let moved = [Key::Horizontal, Key::Vertical].map(is_random);
         let mut problems = Vec::new();
         for acting in case.acting() {
-            let shakings = case.shakings(acting);
+            let shakings = case.shakings_if(acting, moved);
             let each: Vec<Option<[f64; 2]>> =
                 if shakings.is_empty() { vec![None] } else { shakings.into_iter().map(Some).collect() };
             for shaking in each {
@@ -146,14 +148,15 @@ impl Problem {
     pub fn situation(&self) -> Option<String> {
         let Model::Case { case, acting, shaking, .. } = &self.model else { return None };
         let name = case.acting_name(*acting);
-        let of_earthquake =
-            |input: &Input| input.variable().is_some_and(|of| of.id().key.info().table == Table::Earthquake);
-        let is_random = self.random.iter().any(of_earthquake);
-        let turned = |earthquake: Earthquake| {
-            if is_random {
-                let side = if earthquake.horizontal() < 0.0 { "left" } else { "right" };
-                let way = match earthquake.vertical() {
-                    0.0 => "",
+        let is_random = |key| self.random.iter().any(|input| input.is_key(key));
+        let [sideways, upwards] = [Key::Horizontal, Key::Vertical].map(is_random);
+        // Of a case that is not shaken itself, the sign tells.
+        let towards = |value: f64, sign: f64| if value == 0.0 { sign } else { value };
+        let turned = |(earthquake, [side, way]): (Earthquake, [f64; 2])| {
+            if sideways || upwards {
+                let side = if towards(earthquake.horizontal(), side) < 0.0 { "left" } else { "right" };
+                let way = match towards(earthquake.vertical(), way) {
+                    _ if earthquake.vertical() == 0.0 && !upwards => "",
                     down if down < 0.0 => " and downwards",
                     _ => " and upwards",
                 };
@@ -165,7 +168,7 @@ impl Problem {
                 digits(earthquake.vertical())
             )
         };
-        let earthquake = shaking.and_then(|signs| case.shaken(signs));
+        let earthquake = shaking.and_then(|signs| Some((case.shaken(signs)?, signs)));
         match (name, earthquake.map(turned)) {
             (Some(name), Some(shaken)) => Some(format!("{name}, {shaken}")),
             (name, shaken) => name.or(shaken),

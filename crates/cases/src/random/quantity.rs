@@ -113,9 +113,14 @@ impl Input {
         self.variable().is_some_and(|own| own.id() == variable.id())
     }
 
+    /// Whether it is the number with this key, of which the case has one.
+    pub(super) fn is_key(&self, key: Key) -> bool {
+        self.variable().is_some_and(|variable| variable.id() == Id::from(key))
+    }
+
     pub(super) fn is_friction(&self) -> bool {
         match &self.quantity {
-            Quantity::Key(variable) => variable.id() == Id::from(Key::Friction),
+            Quantity::Key(_) => self.is_key(Key::Friction),
             Quantity::Bias(_) | Quantity::Storm(_) => false,
             Quantity::Point(coordinate) => *coordinate == Coordinate::Mu,
         }
@@ -123,7 +128,7 @@ impl Input {
 
     /// Whether it is friction to slip, with a law of its own.
     pub(super) fn is_kinetic_friction(&self) -> bool {
-        self.variable().is_some_and(|variable| variable.id() == Id::from(Key::KineticFriction))
+        self.is_key(Key::KineticFriction)
     }
 
     /// Whether the wrench is linear in it.
