@@ -349,7 +349,8 @@ pub struct ProbabilityArgs {
     /// Probabilities up to this need not be precise
     #[arg(long, default_value = "1e-6", value_parser = part, allow_negative_numbers = true)]
     pub floor: f64,
-    /// The most points that are taken; a motion followed in time counts as 1024
+    /// The most points that are taken, but for 32 at least, or 16384 by monte-carlo; a motion followed in time counts as
+    /// 1024
     #[arg(long, default_value_t = 1 << 22, value_parser = clap::value_parser!(u64).range(1..), allow_negative_numbers = true)]
     pub samples: u64,
     /// The years of a life, before those of the file

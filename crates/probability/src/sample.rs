@@ -173,6 +173,9 @@ impl Averages {
         let Averages { dimensions, first, cost, count, precise } = *self;
         let sequences: Vec<Sobol> =
             (0..SCRAMBLES as u64).map(|scramble| Sobol::new(dimensions, effort.seed, scramble)).collect();
+        // No more than are allowed, but for one of each scramble.
+        let each = (effort.points / (SCRAMBLES as u64 * cost)).max(1);
+        let first = first.min(1 << each.ilog2());
         let mut sums = vec![vec![0.0; count]; SCRAMBLES];
         let mut taken = 0;
         let mut course = Vec::new();
@@ -242,7 +245,7 @@ pub fn monte_carlo<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], eff
     let mut blocks = 0;
     let mut course = Vec::new();
     loop {
-        let next = if blocks == 0 { 4 } else { 2 * blocks };
+        let next = if blocks == 0 { (effort.points / BLOCK).clamp(1, 4) } else { 2 * blocks };
         let results = shared_out(effort.threads, (next - blocks) as usize, || {
             move |block: usize| {
                 let mut hits = vec![0u64; sets.len()];

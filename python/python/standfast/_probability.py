@@ -99,7 +99,7 @@ def probability(
         seed: of all random numbers. The same gives the same answer, for any number of threads.
         precision: how wide half of a 95 % interval may be, relative to its probability.
         floor: probabilities below it need not be precise.
-        samples: the most points that are drawn; a motion that is followed counts as 1024 of them.
+        samples: the most points that are drawn, but for 32 at least, or 16384 by ``"monte-carlo"``; a motion that is followed counts as 1024 of them.
         years: of a life, before those of the case.
         over: the same along a number of the case, with what goes with it: ``"width=12 m..20 m:9"``, its name, the first and the last
             value as a case file has them, and how many. The answer is ``fragility``, with a lognormal curve. ``"pga=0.2 g..1 g:9"`` of a
