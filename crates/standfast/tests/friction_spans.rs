@@ -3,7 +3,11 @@
 mod common;
 
 use common::Random;
-use standfast::contact::{Block, friction::spans, solve};
+use standfast::contact::{
+    Block,
+    friction::{spans, spans_up_to},
+    solve,
+};
 use standfast::initiation::Chart;
 use standfast::{Mode, Wrench};
 
@@ -21,6 +25,14 @@ fn spans_are_the_contact_problem_at_every_friction() {
         let spans = spans(&block, &wrench).unwrap();
         assert_eq!((spans[0].from, spans.last().unwrap().to), (0.0, f64::INFINITY));
         assert!(spans.windows(2).all(|pair| pair[0].to == pair[1].from && pair[0].from < pair[0].to));
+        // Up to a friction they are the same, and what is beyond it is not asked for.
+        let up_to = 10f64.powf(signed(&mut random, 1.5));
+        let first = spans_up_to(&block, &wrench, up_to).unwrap();
+        assert!(first.iter().all(|span| span.from < up_to) && first.last().unwrap().to == f64::INFINITY);
+        let within = spans.iter().take_while(|span| span.from < up_to);
+        assert!(
+            first.iter().map(|s| (s.from, s.mode, s.modes)).eq(within.map(|s| (s.from, s.mode, s.modes)))
+        );
         let asked = (0..8).map(|_| 10f64.powf(signed(&mut random, 1.5)));
         let beside =
             spans.iter().skip(1).flat_map(|span| [span.from * (1.0 - 1e-9), span.from * (1.0 + 1e-9)]);

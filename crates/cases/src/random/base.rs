@@ -65,7 +65,7 @@ impl Base {
     ) -> Result<(), InputError> {
         let spans = match self {
             Base::Rigid => {
-                let spans = friction::spans(block, wrench)?;
+                let spans = friction::spans_up_to(block, wrench, up_to)?;
                 let spans =
                     spans.iter().map(|s| (s.from, s.to, of_modes(begins(s.mode), s.modes), s.condition));
                 for (from, to, outcomes, condition) in told_apart(spans) {

@@ -33,6 +33,8 @@ pub struct Problem {
     laws: Laws,
     years: Option<f64>,
     lines: Lines,
+    /// Of each number a value that it has as good as never more than.
+    reaches: Vec<f64>,
     pub(super) line: Line,
 }
 
@@ -64,8 +66,10 @@ pub(super) enum Line {
     Scan(usize),
 }
 
-/// Beyond so many deviations no method looks.
-const FARTHEST: f64 = 12.0;
+/// Of each number the value beyond which no method looks, twelve deviations from the median.
+fn reaches(laws: &Laws) -> Vec<f64> {
+    laws.laws().iter().map(|law| law.value(12.0)).collect()
+}
 
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
@@ -107,6 +111,7 @@ impl Problem {
                     laws: laws.clone(),
                     years: years.or(random.years),
                     lines,
+                    reaches: reaches(&laws),
                     line,
                 });
             }
@@ -123,7 +128,8 @@ impl Problem {
         let lines = Lines::of(&inputs, None);
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let (model, years) = (Model::Point(point), years.or(random.years));
-        Ok(Problem { id: unique(), model, random: inputs, laws, years, lines, line })
+        let reaches = reaches(&laws);
+        Ok(Problem { id: unique(), model, random: inputs, laws, years, lines, reaches, line })
     }
 
     /// What is random, in the order of the file.
@@ -224,7 +230,7 @@ impl Problem {
 
     /// A value that a number has as good as never more than.
     pub(super) fn reach(&self, place: usize) -> f64 {
-        self.laws.laws()[place].value(FARTHEST)
+        self.reaches[place]
     }
 
     /// Whether the number along which modes are known has to be scanned.

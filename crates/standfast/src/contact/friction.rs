@@ -51,12 +51,21 @@ pub struct Span {
 /// # Errors
 /// As [`solve`].
 pub fn spans(block: &Block, wrench: &Wrench) -> Result<Vec<Span>, InputError> {
+    spans_up_to(block, wrench, LARGEST)
+}
+
+/// The same of frictions up to this one alone, which is above zero; the last span is said to have no end.
+///
+/// # Errors
+/// As [`solve`].
+pub fn spans_up_to(block: &Block, wrench: &Wrench, up_to: f64) -> Result<Vec<Span>, InputError> {
     check(block, wrench)?;
+    let up_to = up_to.min(LARGEST);
     let at = |μ| -> [f64; COUNT] { conditions(&numbers(&with_friction(block, μ), wrench)) };
     let (start, end) = (at(0.0), at(1.0));
     let mut crossings: Vec<(f64, usize)> = (0..COUNT)
         .map(|i| (start[i] / (start[i] - end[i]), i))
-        .filter(|(μ, _)| *μ > 0.0 && *μ < LARGEST)
+        .filter(|(μ, _)| *μ > 0.0 && *μ < up_to)
         .collect();
     crossings.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     // One friction, computed from two conditions; the first of them names it.
@@ -70,8 +79,11 @@ pub fn spans(block: &Block, wrench: &Wrench) -> Result<Vec<Span>, InputError> {
     for next in crossings.into_iter().map(Some).chain([None]) {
         let (from, condition) = begin;
         let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
-        // Beyond the last crossing any friction will do.
-        let inside = if to.is_finite() { from + (to - from) / 2.0 } else { 2.0 * from + 1.0 };
+        // Beyond the last crossing any friction will do that is still asked for.
+        let inside = match to.min(up_to) {
+            LARGEST => 2.0 * from + 1.0,
+            end => from + (end - from) / 2.0,
+        };
         let (mode, modes) = match signs(&start, &end, inside) {
             Some(signs) => {
                 let Verdict { mode, modes } = Verdict::of_signs(&signs);
