@@ -153,7 +153,7 @@ def test_files_of_draws_are_read_back_as_what_they_are(program: list[str], tmp_p
         columns = opened(file.read_bytes()).read_all().to_pydict()
     n = len(columns["k"])
     # Plain Monte Carlo counts whole blocks.
-    assert n == (65_536 if method == "monte-carlo" else 3000)
+    assert n == (16_384 if method == "monte-carlo" else 3000)
     drawn = standfast.draws(PLANE, n, seed=5).to_dict()
     assert list(columns) == ["k", "mu", "weight", "mode"]
     np.testing.assert_array_equal(np.array(columns["k"]), drawn["k"])

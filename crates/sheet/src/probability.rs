@@ -175,7 +175,7 @@ fn matters(answer: &Probability, chances: &Chances) -> Markup {
                         td { code { (answer.random[place].name) } }
                         td.n { (format!("{:.2}", point.alpha[place].powi(2))) }
                         td.n { (known(place)) }
-                        td.n { data value=(point.values[place]) { (answer.random[place].written(point.values[place])) } }
+                        td.n { (answer.random[place].written(point.values[place])) }
                     }
                 }
             }

@@ -74,10 +74,10 @@ pub struct LoadRange {
 }
 
 /// The load factors, of any sign, at which the body can rest under `permanent` + λ `variable`: one stretch, in closed form; `None` if
-/// it rests under none. Where an input is at the edge of it, rounding decides; [`solve`] has no rounding.
+/// it rests under none. Where an input is at the edge of it, rounding decides; [`solve`](super::solve) has no rounding.
 ///
 /// # Errors
-/// As [`solve`].
+/// As [`solve`](super::solve).
 pub fn rest_range(
     block: &Block,
     permanent: &Wrench,
@@ -90,7 +90,7 @@ pub fn rest_range(
 /// The same of the conditions at both edges alone: where the base bears the reaction of a body that friction holds.
 ///
 /// # Errors
-/// As [`solve`].
+/// As [`solve`](super::solve).
 pub fn bearing_range(
     block: &Block,
     permanent: &Wrench,
@@ -140,7 +140,7 @@ fn hold(conditions: &[Quadratic]) -> Option<LoadRange> {
 /// at infinity.
 ///
 /// # Errors
-/// As [`solve`].
+/// As [`solve`](super::solve).
 pub fn stages(
     block: &Block,
     permanent: &Wrench,
