@@ -9,30 +9,19 @@ of plain Monte Carlo. Times are of one run on one thread. The program's are from
 
 import csv
 import io
-import json
 import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
 import numpy as np
 import openturns as ot
 import pystra as ra
+from probability import ask
 
 ROOT = pathlib.Path(__file__).parents[2]
 GAMMA, K_PRIME = 0.8, 0.9167
-
-
-def run(program, text, *arguments):
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "case.toml"
-        path.write_text(text)
-        command = [program, "probability", str(path), "--format", "json", "--no-figures", "--threads", "1", *arguments]
-        start = time.perf_counter()
-        answer = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        return json.loads(answer), time.perf_counter() - start
 
 
 def plane(random, k="", mu=""):
@@ -144,7 +133,7 @@ def indices(program):
         ),
     ]
     for name, text, g, laws, of_pystra in cases:
-        own = run(program, text)[0]["beta"]
+        own = ask(program, text)[0]["beta"]
         solvers = [ot.Cobyla(), ot.AbdoRackwitz(), ot.SQP()]
         theirs = [openturns_form(g, laws, solver) for solver in solvers] + [pystra_form(g, of_pystra)]
         print(f"{name:32s}    {own:.7f}    {' | '.join(theirs)}", flush=True)
@@ -153,7 +142,7 @@ def indices(program):
 def small_region(program):
     """SRO₋ of a point with normal friction and force: above 1/γ − kk′ and below μ* = (ak + b)/(ck + d), (3.18) to (3.24)."""
     text = plane("mu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0 }\nk = { normal = { mean = 0.45, sd = 0.12 }, lower = 0 }")
-    answer, seconds = run(program, text)
+    answer, seconds = ask(program, text)
     exact = next(m["probability"] for m in answer["modes"] if m["mode"] == "SRO-")
     print(f"SRO₋ of plane-01: standfast {exact:.9g} in {1e3 * seconds:.0f} ms from start to end, all modes")
     g2 = GAMMA**2

@@ -264,6 +264,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
     }
 }
 
-fn distance(a: &[f64], b: &[f64]) -> f64 {
+/// How far apart two points lie in standard normals.
+pub fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }

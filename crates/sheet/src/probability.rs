@@ -2,7 +2,6 @@
 
 use maud::{Markup, html};
 use standfast::Mode;
-use standfast::ground::GroundVerdict;
 use standfast_cases::CaseFile;
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
@@ -90,15 +89,8 @@ fn interval(e: Estimate) -> Markup {
 }
 
 fn words(happening: Happening) -> String {
-    match happening {
-        Happening::Mode(Mode::Rest) => "stays at rest (RE)".to_owned(),
-        Happening::Mode(mode) => format!("{} ({mode})", mode.words()),
-        Happening::BearingFailure => {
-            let fails = GroundVerdict::BearingFailure;
-            format!("{} ({fails})", fails.words())
-        }
-        other => other.name(),
-    }
+    let name = happening.name();
+    happening.words().map_or(name.clone(), |words| format!("{words} ({name})"))
 }
 
 fn modes(modes: &[(Happening, Estimate)], not_rest: Estimate, floor: f64, name: &str) -> Markup {

@@ -183,6 +183,15 @@ pub enum Happening {
 }
 
 impl Happening {
+    /// What the body does, or the ground; none where there is no mode.
+    pub fn words(self) -> Option<&'static str> {
+        match self {
+            Happening::Mode(mode) => Some(mode.words()),
+            Happening::BearingFailure => Some(GroundVerdict::BearingFailure.words()),
+            Happening::NoMode | Happening::NotABody => None,
+        }
+    }
+
     /// A mode's symbol, that of ground that fails, or words.
     pub fn name(self) -> String {
         match self {

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-use standfast::Mode;
-use standfast_probability::form::{DesignPoint, design_point, local_design_points};
+use standfast_probability::form::{DesignPoint, design_point, distance, local_design_points};
 use standfast_probability::integrate::{
     Integrated, MOST_DIMENSIONS, integrate, integrate_above, integrate_known, integrate_life,
 };
@@ -17,7 +16,7 @@ use standfast_probability::sample::{
 use super::answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Request};
 use super::departure::{AT_ONCE, Departures, NEVER};
 use super::error::ProbabilityError;
-use super::outcome::{LIFTED, NOT_UNIQUE, not_rest};
+use super::outcome::{LIFTED, NOT_UNIQUE, REST, not_rest};
 use super::problem::Problem;
 
 /// Above this index probabilities are looked for about the design points.
@@ -54,7 +53,7 @@ fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
     let mut points = of(not_rest());
     // Where it moves at the medians, what is looked for is the nearest point at which it does not.
     if points.first().is_some_and(|point| point.beta == 0.0) {
-        points = of(1 << Mode::Rest.code()).into_iter().map(DesignPoint::turned).collect();
+        points = of(1 << REST).into_iter().map(DesignPoint::turned).collect();
     }
     let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
     (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
@@ -104,15 +103,11 @@ pub(super) fn by<O: Outcomes>(
 /// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode that may be likelier than
 /// the floor, so that none of them is missed and none takes points from the others that need not be precise; each once.
 pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Vec<Vec<f64>> {
-    let moved = problem.exclusive().map(|outcome| 1u64 << outcome).filter(|set| set & not_rest() != 0);
-    let of_modes = moved.filter_map(|set| design_point(problem.laws(), problem, set));
+    let of_modes = of_each(problem).into_iter().map(|(_, point)| point);
     let likely = of_modes.filter(|point| point.first_order() >= UNLIKELIER * floor);
     let mut about: Vec<Vec<f64>> = Vec::new();
     for DesignPoint { u, .. } in points.iter().cloned().chain(likely) {
-        let apart = |other: &Vec<f64>| {
-            other.iter().zip(&u).map(|(a, b)| (a - b).powi(2)).sum::<f64>() > APART.powi(2)
-        };
-        if about.iter().all(apart) {
+        if about.iter().all(|other| distance(other, &u) > APART) {
             about.push(u);
         }
     }
@@ -121,12 +116,11 @@ pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Ve
 
 /// The nearest point of every happening but rest, in which a body is when nothing happens.
 fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
-    let rest = usize::from(Mode::Rest.code());
     let found = |outcome: usize| {
         let point = design_point(problem.laws(), problem, 1 << outcome)?;
         Some((Happening::of(outcome), point))
     };
-    problem.exclusive().filter(|outcome| *outcome != rest).filter_map(found).collect()
+    problem.moving().filter_map(found).collect()
 }
 
 /// The method, and the probabilities of all sets.
@@ -143,8 +137,7 @@ fn sampled(
     if method == Method::Importance {
         // Points that are weighed do not add up to one where nothing is looked for: rest is what is left.
         let of_moved = sampled.estimates[problem.exclusive().count()];
-        if let Some(place) = problem.exclusive().position(|outcome| outcome == usize::from(Mode::Rest.code()))
-        {
+        if let Some(place) = problem.exclusive().position(|outcome| outcome == REST) {
             let Estimate { value, low, high } = of_moved;
             sampled.estimates[place] = Estimate { value: 1.0 - value, low: 1.0 - high, high: 1.0 - low };
         }
@@ -152,7 +145,7 @@ fn sampled(
     let (modes, others) = sampled.estimates.split_at_mut(problem.exclusive().count());
     for (outcome, of_mode) in problem.exclusive().zip(modes) {
         // No mode but rest is likelier than that it does not rest: the bound of one that was never met.
-        if outcome != usize::from(Mode::Rest.code()) {
+        if outcome != REST {
             of_mode.high = of_mode.high.min(others[0].high);
         }
     }

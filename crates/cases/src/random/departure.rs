@@ -2,9 +2,9 @@
 
 use std::cell::RefCell;
 
+use standfast::Departure;
 use standfast::contact::departure::{DepartureSpan, by_friction, by_share};
 use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast::{Departure, Mode};
 use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::base::Base;
@@ -47,7 +47,7 @@ thread_local! {
 impl Departures<'_> {
     /// The outcomes that exclude each other and add up to one.
     pub(super) fn exclusive(&self) -> impl Iterator<Item = usize> {
-        let moved = self.0.exclusive().filter(|code| *code != usize::from(Mode::Rest.code()));
+        let moved = self.0.moving();
         moved.chain([NEVER, AT_ONCE])
     }
 

@@ -4,6 +4,8 @@ use standfast::ground::GroundVerdict;
 use standfast::{Mode, Modes};
 use standfast_probability::problem::Pieces;
 
+/// The body stays at rest.
+pub(super) const REST: usize = Mode::Rest as usize;
 /// The ground fails.
 pub(super) const BEARING_FAILURE: usize = GroundVerdict::BEARING_FAILURE_CODE as usize;
 /// The outcomes behind those of the modes, which have their codes: more than one mode is consistent.
@@ -28,9 +30,7 @@ pub(super) fn modes() -> impl Iterator<Item = usize> {
 
 /// Everything but rest: modes, ground that fails, and what is no body.
 pub(super) fn not_rest() -> u64 {
-    exclusive(true)
-        .filter(|outcome| *outcome != usize::from(Mode::Rest.code()))
-        .fold(0, |set, outcome| set | 1 << outcome)
+    exclusive(true).filter(|outcome| *outcome != REST).fold(0, |set, outcome| set | 1 << outcome)
 }
 
 /// A verdict's outcome.

@@ -228,6 +228,11 @@ impl Problem {
         outcome::exclusive(self.gives_way())
     }
 
+    /// Those of them that are not rest.
+    pub(super) fn moving(&self) -> impl Iterator<Item = usize> + use<> {
+        self.exclusive().filter(|outcome| *outcome != outcome::REST)
+    }
+
     /// A value that a number has as good as never more than.
     pub(super) fn reach(&self, place: usize) -> f64 {
         self.reaches[place]

@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use standfast::Mode;
-use standfast::ground::GroundVerdict;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::answer::{Chances, FirstDeparture, Happening, Method, Probability, RandomNumber};
@@ -360,15 +359,8 @@ fn line(words: &str, e: Estimate, method: Method) -> Vec<String> {
 }
 
 pub(super) fn words(happening: Happening) -> String {
-    match happening {
-        Happening::Mode(Mode::Rest) => "stays at rest, RE".to_owned(),
-        Happening::Mode(mode) => format!("{}, {mode}", mode.words()),
-        Happening::BearingFailure => {
-            let fails = GroundVerdict::BearingFailure;
-            format!("{}, {fails}", fails.words())
-        }
-        other => other.name(),
-    }
+    let name = happening.name();
+    happening.words().map_or(name.clone(), |words| format!("{words}, {name}"))
 }
 
 /// A probability; one near 1 by what is missing is clear from the others.
