@@ -172,7 +172,8 @@ const ONE: f64 = 1e-12;
 /// A friction that holds everything.
 const HELD: f64 = 1e9;
 
-fn of_rigid(departure: Departure) -> GroundDeparture {
+/// A departure on a base that bears everything.
+pub(super) fn of_rigid(departure: Departure) -> GroundDeparture {
     match departure {
         Departure::Never => GroundDeparture::Never,
         Departure::AtOnce { mode, permanent } => GroundDeparture::AtOnce { verdict: begins(mode), permanent },

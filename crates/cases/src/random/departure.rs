@@ -2,12 +2,11 @@
 
 use std::cell::RefCell;
 
-use standfast::Departure;
 use standfast::contact::departure::{DepartureSpan, by_friction, by_share};
-use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::ground::GroundDeparture;
 use standfast_probability::problem::{Outcomes, Pieces};
 
-use super::base::Base;
+use super::base::{Base, of_rigid};
 use super::mechanics::Mechanics;
 use super::outcome::{COUNT, NOT_A_BODY, of_verdict};
 use super::problem::{Line, Problem};
@@ -25,14 +24,6 @@ fn outcome(departure: GroundDeparture) -> usize {
         GroundDeparture::Never => NEVER,
         GroundDeparture::AtOnce { .. } => AT_ONCE,
         GroundDeparture::At { verdict, .. } => of_verdict(verdict),
-    }
-}
-
-fn of_rigid(departure: Departure) -> usize {
-    match departure {
-        Departure::Never => NEVER,
-        Departure::AtOnce { .. } => AT_ONCE,
-        Departure::At { mode, .. } => of_verdict(mode.map(GroundVerdict::Begins)),
     }
 }
 
@@ -86,7 +77,7 @@ impl Departures<'_> {
 fn push(spans: Option<&[DepartureSpan]>, pieces: &mut Pieces) {
     match spans {
         Some(spans) => {
-            spans.iter().for_each(|span| pieces.push(span.from, span.to, of_rigid(span.departure)))
+            spans.iter().for_each(|span| pieces.push(span.from, span.to, outcome(of_rigid(span.departure))))
         }
         None => pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY),
     }
