@@ -3,22 +3,19 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use standfast_cases::motion::{Follow, GivenBase, cases_on, follow_all};
-use standfast_cases::report;
+use standfast_cases::motion::Follow;
+use standfast_cases::{CaseFile, report};
 
 const RECORD: &str = "time_s,a_g\n0,0\n0.1,0.4\n0.2,-0.3\n0.3,0\n";
 
 fuzz_target!(|text: &str| {
-    let read = |_: &str| Ok(RECORD.to_owned());
-    match cases_on("case.toml", text, &read, &GivenBase::default()) {
-        Ok(cases) => match follow_all(cases, &Follow::default()) {
-            Ok(answers) => {
-                for (case, followed) in answers {
-                    assert!(!followed.outcome.events.is_empty() && !case.text(&followed, false).is_empty());
-                }
+    let file = CaseFile::read("case.toml", text, &|_: &str| Ok(RECORD.to_owned()));
+    match file.and_then(|file| file.follow(&Follow::default())) {
+        Ok(answers) => {
+            for (case, followed) in answers {
+                assert!(!followed.outcome.events.is_empty() && !case.text(&followed, false).is_empty());
             }
-            Err(error) => assert!(!error.to_string().is_empty()),
-        },
+        }
         Err(error) => assert!(!report(&error).is_empty()),
     }
 });

@@ -6,7 +6,6 @@ use std::path::Path;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
-use standfast_cases::motion::Timed;
 use standfast_cases::{Assessment, CaseFile, Face, UpToError, View, check_up_to, report};
 
 use crate::invalid;
@@ -75,12 +74,8 @@ pub(crate) fn assess(
 ) -> PyResult<CaseAnswer> {
     let up_to = checked_up_to(up_to)?;
     py.detach(|| {
-        let records = beside(name);
-        let timed = Timed::of(name, text, &records);
-        let answered = timed.and_then(|timed| match timed {
-            Some(timed) => timed.assess(None),
-            None => Ok(Assessment::of_file(&CaseFile::parse(name, text)?)?),
-        });
+        let file = CaseFile::read(name, text, &beside(name));
+        let answered = file.and_then(|file| Assessment::of_file(&file));
         let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
         Ok(CaseAnswer { assessment, view: View { up_to, all, face: Face::Python } })
     })

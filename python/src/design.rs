@@ -4,7 +4,6 @@ use miette::Diagnostic;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
-use standfast_cases::motion::Timed;
 use standfast_cases::{CaseFile, report};
 
 use crate::assess::beside;
@@ -49,12 +48,7 @@ pub(crate) fn design(
 ) -> PyResult<(String, String)> {
     let request = request(vary, target, greatest, ends)?;
     patiently(py, move || {
-        let records = beside(&file.0);
-        if let Some(timed) = Timed::of(&file.0, &file.1, &records).map_err(|error| refused(&error))? {
-            let design = Design::of_timed(&timed, request).map_err(|error| refused(&error))?;
-            return Ok((design.text(), design.json()));
-        }
-        let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
         let design = Design::of(&file, request).map_err(|error| refused(&error))?;
         Ok((design.text(), design.json()))
     })?
@@ -78,15 +72,11 @@ pub(crate) fn boundary(
     patiently(py, move || {
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
-        let records = beside(&file.0);
-        let rendered = |boundary: Boundary<'_>| {
+        let rendered = |boundary: Boundary| {
             let svg = boundary.figure().map(|figure| figure.svg().to_owned());
             (boundary.text(), boundary.json(), boundary.csv(), svg)
         };
-        if let Some(timed) = Timed::of(&file.0, &file.1, &records).map_err(|error| refused(&error))? {
-            return Boundary::of_timed(&timed, request).map(rendered).map_err(|error| refused(&error));
-        }
-        let file = CaseFile::parse(&file.0, &file.1).map_err(|error| refused(&error))?;
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
         Boundary::of(&file, request).map(rendered).map_err(|error| refused(&error))
     })?
 }

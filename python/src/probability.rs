@@ -6,7 +6,8 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::ground::GroundVerdict;
-use standfast_cases::random::{Draws, Effort, FirstInstant, Happening, MethodAsked, Over, Request};
+use standfast_cases::CaseFile;
+use standfast_cases::random::{Draws, Effort, Happening, MethodAsked, Over, Probability, Request};
 use standfast_cases::report;
 
 use crate::assess::beside;
@@ -29,23 +30,26 @@ pub(crate) struct Asked {
 
 /// The answer to a case with random numbers.
 #[pyclass(frozen, module = "standfast._standfast")]
-pub(crate) struct ChanceAnswer(FirstInstant);
+pub(crate) struct ChanceAnswer {
+    answer: Probability,
+    file: CaseFile,
+}
 
 #[pymethods]
 impl ChanceAnswer {
     /// For reading.
     fn text(&self) -> String {
-        self.0.text()
+        self.answer.text()
     }
 
     /// As one JSON document.
     fn json(&self) -> String {
-        self.0.answer.json()
+        self.answer.json()
     }
 
     /// Words and SVG of each figure.
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String)>> {
-        let figures = py.detach(|| self.0.answer.figures(&self.0.still));
+        let figures = py.detach(|| self.answer.figures(&self.file));
         let figures = figures.map_err(|error| PyValueError::new_err(report(&error)))?.into_iter();
         Ok(figures.map(|figure| (figure.words.to_owned(), figure.figure.svg().to_owned())).collect())
     }
@@ -71,8 +75,12 @@ pub(crate) fn probability(py: Python<'_>, file: (String, String), asked: Asked) 
         PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
     })?;
     patiently(py, move || {
-        let answer = FirstInstant::of(&file.0, &file.1, request, over.as_ref(), &beside(&file.0));
-        answer.map(ChanceAnswer).map_err(|error| PyValueError::new_err(report(&error)))
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
+        let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;
+        match Probability::along(&file, request, over.as_ref()) {
+            Ok(answer) => Ok(ChanceAnswer { answer, file }),
+            Err(error) => Err(PyValueError::new_err(report(&error))),
+        }
     })?
 }
 
@@ -101,8 +109,10 @@ pub(crate) fn draws(
     seed: u64,
 ) -> PyResult<Drawn<'_>> {
     let drawn = patiently(py, move || {
-        let drawn = Draws::of_text(&file.0, &file.1, situation.as_deref(), count, seed);
-        drawn.map_err(|error| PyValueError::new_err(report(&error)))
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
+        let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;
+        Draws::of(&file, situation.as_deref(), count, seed)
+            .map_err(|error| PyValueError::new_err(report(&error)))
     })??;
     let place = |place: usize| drawn.drawn.iter().map(move |d| d.effective.map_or(f64::NAN, |p| p[place]));
     let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));

@@ -3,8 +3,8 @@
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use standfast_cases::CaseFile;
 use standfast_cases::key::TITLE_BLOCK;
-use standfast_cases::motion::Timed;
 use standfast_cases::report;
 use standfast_sheet::{Date, Paper, Sheet, SheetError, SheetOptions};
 
@@ -42,12 +42,8 @@ pub(crate) fn sheet(
     let paper: Paper =
         paper.parse().map_err(|error| PyValueError::new_err(format!("paper is {paper:?}; {error}")))?;
     let (html, pdf) = patiently(py, move || -> PyResult<_> {
-        let records = beside(&file.0);
-        let sheet =
-            Timed::of(&file.0, &file.1, &records).map_err(SheetError::from).and_then(|timed| match timed {
-                Some(timed) => Sheet::of_timed(&timed, &options),
-                None => Sheet::of(&file.0, &file.1, &options),
-            });
+        let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(SheetError::from);
+        let sheet = file.and_then(|file| Sheet::of_file(&file, &options));
         let sheet = sheet.map_err(|error| PyValueError::new_err(report(&error)))?;
         let print = |paper| sheet.pdf(paper).map_err(|error| PyRuntimeError::new_err(report(&error)));
         Ok((sheet.html().to_owned(), is_pdf.then_some(paper).map(print).transpose()?))

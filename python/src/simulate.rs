@@ -9,8 +9,9 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use standfast::Mode;
+use standfast_cases::CaseFile;
 use standfast_cases::motion::{
-    BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, all_json, cases_on, follow_all,
+    BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, all_json, follow_all,
 };
 use standfast_cases::report;
 
@@ -127,8 +128,9 @@ pub(crate) fn cases(
         known.insert(path.to_owned(), text.clone());
         Ok(text)
     };
-    let cases = cases_on(&name, &text, &read, base);
-    let cases = cases.map_err(|error| PyValueError::new_err(report(&error)))?;
+    let file = CaseFile::parse(&name, &text).and_then(|file| file.on_base(base).with_files(&read));
+    let cases =
+        file.and_then(|file| file.motions()).map_err(|error| PyValueError::new_err(report(&error)))?;
     Ok((cases, known.into_inner().unwrap_or_else(PoisonError::into_inner)))
 }
 

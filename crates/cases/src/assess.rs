@@ -24,7 +24,9 @@ use crate::case::{Acting, Case};
 use crate::criteria::{Check, Criterion};
 use crate::error::CaseError;
 use crate::face::Face;
-use crate::motion::{BlockCase, Followed, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks};
+use crate::motion::{
+    BlockCase, Follow, Followed, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks,
+};
 use crate::parse::CaseFile;
 use crate::random::{ProbabilityError, not_rest};
 use crate::units::Extent;
@@ -49,7 +51,7 @@ pub struct Assessment {
     pub case: Case,
     /// Its situations: one for each combination, or each force that acts alone, or the only one.
     pub all: Vec<Assessed>,
-    /// What belongs to time, of a case that says how its loads go with it: [`Timed::assess`](crate::motion::Timed::assess) has it.
+    /// What belongs to time, of a case that says how its loads go with it: [`of_file`](Assessment::of_file) has it.
     pub in_time: Option<InTime>,
 }
 
@@ -162,11 +164,23 @@ impl Assessment {
         Ok(Assessment { case, all, in_time: None })
     }
 
-    /// Answers the case of a file: as [`of`](Assessment::of), and the probability that a criterion asks for.
+    /// Answers the case of a file: as [`of`](Assessment::of), and the probability that a criterion asks for. A case in time is answered at
+    /// its first instant, and followed where something is asked of its motion.
     ///
     /// # Errors
-    /// If the case makes no sense, or its probability is not found.
+    /// If the case makes no sense, its probability is not found, or its motion cannot be followed.
     pub fn of_file(file: &CaseFile) -> Result<Assessment, CaseError> {
+        Assessment::following(file, None)
+    }
+
+    /// The same with the motion of a case in time followed, where `follow` says how.
+    ///
+    /// # Errors
+    /// As [`of_file`](Assessment::of_file).
+    pub fn following(file: &CaseFile, follow: Option<&Follow>) -> Result<Assessment, CaseError> {
+        if let Some(first) = file.first_instant()? {
+            return Assessment::in_time(file, &first, follow);
+        }
         let case = file.case()?;
         let asks = case.criteria.iter().any(Criterion::is_chance);
         let assessment = Assessment::owning(case).map_err(|error| file.refused(error))?;
@@ -377,10 +391,8 @@ impl Assessed {
             let outcome = situation.outcome()?;
             let others = Vec::new();
             let extent = case.extent;
-            let ground = case.ground.as_ref().map(|foundation| {
-                let histories = case.histories(acting, earthquake);
-                OnGround::of(case, foundation, &situation, &outcome, &histories)
-            });
+            let ground =
+                case.ground.as_ref().map(|foundation| OnGround::of(case, foundation, &situation, &outcome));
             let ground = ground.transpose()?;
             Ok(Assessed {
                 index,

@@ -26,19 +26,24 @@
 
 mod given;
 mod ground;
+mod history;
 mod loads;
+mod motion;
 mod section;
 
-use standfast::ground::impact::History;
-use standfast::loads::{Action, AddedMass, Earthquake, Load, LoadKind, LoadSource, StillWater, Uplift};
+use standfast::loads::{
+    Action, AddedMass, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
+};
 use standfast::section::{Part, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
 use standfast::{Body, InputError, Situation};
 
-use given::Given;
-pub(crate) use given::fault;
+pub(crate) use given::{Given, fault, motion_fault};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
+pub(crate) use history::Of as History;
+pub use history::history_shapes;
 pub use loads::{Combination, Direction, FacePressure, PointForce};
+pub use motion::CaseMotion;
 pub(crate) use section::OF_PARTS;
 
 use crate::criteria::Criterion;
@@ -96,6 +101,8 @@ pub struct Case {
     pub combinations: Vec<Combination>,
     /// What is asked of the results.
     pub criteria: Vec<Criterion>,
+    /// What it says of its motion in time; `None` of one at rest, and of one whose histories are those of loads on springs.
+    pub motion: Option<CaseMotion>,
 }
 
 /// Which of a case's loads act in a situation.
@@ -137,7 +144,7 @@ pub struct Waves {
     /// The pressures, forces and moments.
     pub goda: Goda,
     /// How thrust and uplift vary in time.
-    pub history: Option<History>,
+    pub history: Option<standfast::History>,
 }
 
 impl Case {
@@ -148,6 +155,10 @@ impl Case {
     pub fn of(inputs: &Inputs) -> Result<Case, Fault> {
         let given = Given { inputs };
         given.ranges()?;
+        if inputs.has(Table::Block) {
+            return Err(Fault::new(Problem::NoCase, Table::Block));
+        }
+        given.of_motion()?;
         if !inputs.has(Table::Body) {
             return Err(Fault::new(Problem::MissingTable { table: Table::Body }, Table::Top));
         }
@@ -158,7 +169,8 @@ impl Case {
         let weight = given.weight(&body, section.as_ref())?;
         let ground = given.in_table(Table::Ground, |given| given.ground(&body))?;
         given.answerable(ground.as_ref())?;
-        let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity))?;
+        let mut motion = if inputs.is_in_time() { Some(given.motion(History::Base)?) } else { None };
+        let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity, motion.as_mut()))?;
         let water = match (inputs.has(Table::Water), weight, &wave) {
             (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),
             (false, Weight::Total, Some(_)) => return Err(Fault::new(Problem::NoWater, Table::Wave)),
@@ -169,14 +181,16 @@ impl Case {
         let earthquake = given.in_table(Table::Earthquake, Given::earthquake)?;
         let added_mass = given
             .in_table(Table::AddedMass, |given| given.added_mass(&body, water.as_ref(), wave.as_ref()))?;
-        const OTHER_LOADS: [Table; 5] =
-            [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave, Table::Pressure];
+        // A body on a base that moves needs no load.
+        const OTHER_LOADS: [Table; 6] =
+            [Table::Water, Table::Uplift, Table::Earthquake, Table::Wave, Table::Pressure, Table::Motion];
         if !inputs.has(Table::Load) && !OTHER_LOADS.iter().any(|table| inputs.has(*table)) {
             return Err(Fault::new(Problem::MissingTable { table: Table::Load }, Table::Top));
         }
         let every = |table| 0..inputs.count(table);
-        let forces: Vec<_> =
-            every(Table::Load).map(|index| given.force(index, &body)).collect::<Result<_, _>>()?;
+        let forces: Vec<_> = every(Table::Load)
+            .map(|index| given.force(index, &body, motion.as_mut()))
+            .collect::<Result<_, _>>()?;
         let pressures: Vec<_> =
             every(Table::Pressure).map(|index| given.pressure(index, &body)).collect::<Result<_, _>>()?;
         let combinations =
@@ -206,6 +220,7 @@ impl Case {
             forces,
             combinations,
             criteria: Criterion::all(inputs),
+            motion,
         };
         case.bare().map_err(|error| given.blame(Table::Body, error))?;
         Ok(case)
@@ -278,25 +293,10 @@ impl Case {
                 Acting::All | Acting::Alone(_) => 1.0,
             };
             if factor != 0.0 {
-                situation = situation.with(load.times(factor));
+                situation = situation.with(load.times(factor).with_id(of.into()));
             }
         }
         Ok(situation)
-    }
-
-    /// How each load of a [situation](Case::situation) varies in time, in their order; `None` of one that does not.
-    pub fn histories(&self, acting: Acting, earthquake: Option<Earthquake>) -> Vec<Option<&History>> {
-        let loads = self.loads(acting, earthquake.or(self.earthquake));
-        let acts = loads.iter().filter(|(of, load)| match acting {
-            Acting::Combination(index) => self.factor(&self.combinations[index], *of, load) != 0.0,
-            Acting::All | Acting::Alone(_) => true,
-        });
-        acts.map(|(of, _)| match of {
-            Of::Table(Table::Wave) => self.wave.as_ref().and_then(|wave| wave.history.as_ref()),
-            Of::Force(index) => self.forces[*index].history.as_ref(),
-            _ => None,
-        })
-        .collect()
     }
 
     /// The parts of the body, with their names.
@@ -307,9 +307,9 @@ impl Case {
 
     /// The body without loads.
     fn bare(&self) -> Result<Situation, InputError> {
-        Situation::new(self.body, self.friction, self.gravity)?
-            .with_kinetic_friction(self.kinetic_friction)?
-            .with_added_mass(self.added_mass.mass())
+        let situation = Situation::new(self.body, self.friction, self.gravity)?
+            .with_kinetic_friction(self.kinetic_friction)?;
+        Ok(situation.with_added_mass(self.added_mass))
     }
 
     /// All loads of the case but for alternatives to the one that acts, and what each is of.
@@ -323,6 +323,10 @@ impl Case {
         };
         let mut loads = vec![(Of::Table(Table::Body), weight)];
         let mut add = |of, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
+        let over_time = |load: Load, history: &Option<standfast::History>| match history {
+            Some(history) => load.over_time(history.clone()),
+            None => load,
+        };
         if let Some(water) = &self.water {
             add(Of::Table(Table::Water), water.loads(&self.body, self.gravity));
             if let Some(section) = &self.section {
@@ -336,8 +340,9 @@ impl Case {
         if let Some(earthquake) = earthquake {
             add(Of::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
         }
-        if let Some(Waves { goda, section, .. }) = &self.wave {
-            add(Of::Table(Table::Wave), goda.loads(&self.body, section.base_depth));
+        if let Some(Waves { goda, section, history, .. }) = &self.wave {
+            let waves = goda.loads(&self.body, section.base_depth).into_iter();
+            add(Of::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
         }
         for (index, pressure) in self.pressures.iter().enumerate() {
             add(Of::Pressure(index), vec![pressure.load()]);
@@ -345,7 +350,7 @@ impl Case {
         for (index, force) in self.forces.iter().enumerate() {
             let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
             if !replaced {
-                add(Of::Force(index), vec![force.load(&self.body)]);
+                add(Of::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
             }
         }
         loads
@@ -361,13 +366,7 @@ impl Case {
             !load.permanent
                 && self.combinations.iter().all(|combination| self.factor(combination, *of, load) == 0.0)
         });
-        let mut places: Vec<_> = unused
-            .map(|(of, _)| match of {
-                Of::Table(table) => Place::Table(*table, 0),
-                Of::Pressure(index) => Place::Table(Table::Pressure, *index),
-                Of::Force(index) => Place::Table(Table::Load, *index),
-            })
-            .collect();
+        let mut places: Vec<_> = unused.map(|(of, _)| of.place()).collect();
         places.dedup();
         places
     }
@@ -407,4 +406,33 @@ enum Of {
     Pressure(usize),
     /// A force, by its place.
     Force(usize),
+}
+
+impl Of {
+    /// The table of the file that says it.
+    fn place(self) -> Place {
+        match self {
+            Of::Table(table) => Place::Table(table, 0),
+            Of::Pressure(index) => Place::Table(Table::Pressure, index),
+            Of::Force(index) => Place::Table(Table::Load, index),
+        }
+    }
+}
+
+/// The table that says a load is the upper half of its number, the place of the table the lower.
+impl From<Of> for LoadId {
+    fn from(of: Of) -> LoadId {
+        let (table, index) = match of {
+            Of::Table(table) => (table, 0),
+            Of::Pressure(index) => (Table::Pressure, index),
+            Of::Force(index) => (Table::Load, index),
+        };
+        LoadId((table as u64) << 32 | index as u64)
+    }
+}
+
+/// The table of the file that says a load of a [situation](Case::situation).
+pub(crate) fn said_by(LoadId(id): LoadId) -> Place {
+    let table = Table::ALL.into_iter().find(|table| *table as u64 == id >> 32).unwrap_or(Table::Top);
+    Place::Table(table, (id & u64::from(u32::MAX)) as usize)
 }

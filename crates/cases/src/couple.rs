@@ -14,7 +14,7 @@ use standfast::section::WaterTable;
 
 use crate::case::{Case, Weight};
 use crate::error::Problem;
-use crate::inputs::{Inputs, Value};
+use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Moves, Range, Table};
 use crate::parse::read;
 use crate::suggest::closest;
@@ -30,8 +30,8 @@ pub struct Variable {
     by_density: bool,
     /// Whether a level of the sea moves the water on the other side as well.
     both_sides: bool,
-    /// What its forces and masses are of.
-    extent: Extent,
+    /// What its forces and masses are of; `None` where numbers have no units.
+    units: Option<Extent>,
 }
 
 /// A name that is no number of a case.
@@ -84,19 +84,22 @@ impl Variable {
 
     /// The numbers of a case that can be varied.
     pub fn all(inputs: &Inputs) -> impl Iterator<Item = Id> {
-        let varied = |id: &Id| id.key.info().range().is_some() && id.key.info().table != Table::Criteria;
+        let varied = |id: &Id| {
+            let apart = matches!(id.table, Table::Criteria | Table::Storm | Table::Point);
+            id.key.info().range().is_some() && !apart
+        };
         inputs.numbers().map(|(id, _)| id).filter(varied)
     }
 
     /// The number under a key of inputs.
     pub fn of(id: Id, inputs: &Inputs) -> Variable {
-        Variable::under(id, inputs.extent())
+        Variable::under(id, inputs.units())
     }
 
-    fn under(id: Id, extent: Extent) -> Variable {
+    fn under(id: Id, units: Option<Extent>) -> Variable {
         let moves = id.key.info().moves;
         let both_sides = id.key == Key::Level;
-        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, extent }
+        Variable { name: id.to_string(), id, moves, by_density: false, both_sides, units }
     }
 
     /// What it is called.
@@ -116,13 +119,13 @@ impl Variable {
 
     /// The name of its key, where it is that number with what goes with it; else what it is called.
     pub fn key_name(&self) -> String {
-        let by_key = Variable { name: self.name.clone(), ..Variable::under(self.id, self.extent) };
+        let by_key = Variable { name: self.name.clone(), ..Variable::under(self.id, self.units) };
         if by_key == *self { self.id.to_string() } else { self.name.clone() }
     }
 
     /// What it measures; `None` for a plain number.
     pub fn dimension(&self) -> Option<Dimension> {
-        self.key().info().dimension().map(|dimension| self.extent.of(dimension))
+        dimension(Id { key: self.key(), ..self.id }, self.units)
     }
 
     /// Its value in a case, SI.
@@ -139,9 +142,10 @@ impl Variable {
         let kind = match key.info().kind {
             Kind::Measured(dimension, _) => Kind::Measured(dimension, Range::Finite),
             Kind::InGravity => Kind::InGravity,
+            Kind::Reached => Kind::Reached,
             _ => Kind::Plain(Range::Finite),
         };
-        Ok(match read(key, kind, self.extent, text)? {
+        Ok(match read(Id { key, ..self.id }, kind, self.units, text)? {
             Value::InGravity(share) => share * inputs.gravity(),
             Value::Number(number) => number,
             _ => unreachable!("a number is read"),

@@ -10,6 +10,7 @@ mod json;
 mod quantity;
 mod sensitivity;
 mod set;
+mod subject;
 mod target;
 mod text;
 
@@ -21,17 +22,19 @@ pub use target::{Target, TargetError};
 use std::fmt;
 
 use crate::assess::verdict::predicate;
-use crate::assess::{Assessed, Assessment, InTime};
+use crate::assess::{Assessed, Assessment};
 use crate::case::Case;
-use crate::couple::{Variable, vary};
+use crate::couple::Variable;
+use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::layout::digits;
-use crate::motion::{BodyCaseError, Follow, MotionCriterion, MotionValue, Timed};
+use crate::motion::{MotionCriterion, MotionValue};
 use crate::parse::CaseFile;
 use quantity::{Ends, Quantity};
 use set::{Beyond, End, Search, Stretch};
 use standfast::Mode;
 use standfast::ground::GroundDeparture;
+use subject::Subject;
 
 /// How many parts a range is cut into to find where a target is met.
 const PARTS: u32 = 400;
@@ -149,20 +152,20 @@ pub struct Request {
 
 impl Request {
     /// The quantity, between its ends.
-    fn quantity(&self, file: &CaseFile, case: &Case) -> Result<Quantity, DesignError> {
+    fn quantity(&self, subject: &Subject) -> Result<Quantity, DesignError> {
         let ends = Ends {
             options: [self.spelling.from, self.spelling.to],
             written: [self.from.as_deref(), self.to.as_deref()],
             spread: 5.0,
         };
-        Quantity::of(&self.vary, file.inputs(), case, &ends)
+        Quantity::of(&self.vary, &subject.numbers, &subject.case, &ends)
     }
 
     /// Refuses a target that the case cannot be asked for.
-    fn answerable(&self, file: &CaseFile, case: &Case, timed: Option<&Timed<'_>>) -> Result<(), DesignError> {
-        let asks = timed.is_some_and(|timed| !timed.criteria().is_empty());
+    fn answerable(&self, subject: &Subject) -> Result<(), DesignError> {
+        let Subject { file, case, .. } = subject;
         match self.target {
-            target @ Target::Utilisation(_) if case.criteria.is_empty() && !asks => {
+            target @ Target::Utilisation(_) if case.criteria.is_empty() && !subject.asks_of_motion() => {
                 Err(DesignError::NoCriteria { target })
             }
             target if target.asks_for_chance(case) && file.random().is_none() => {
@@ -173,93 +176,47 @@ impl Request {
     }
 }
 
-/// A case whose motion is followed for each value that is tried.
-struct Moving<'a> {
-    timed: &'a Timed<'a>,
-    /// The case without peaks of the base in place of its motion.
-    case: Case,
-}
-
-impl<'a> Moving<'a> {
-    /// Of a target that asks for the motion; `None` of another.
-    fn of(target: Target, timed: Option<&'a Timed<'a>>) -> Result<Option<Moving<'a>>, DesignError> {
-        let Some(timed) = timed else {
-            return match target {
-                Target::Motion(criterion) => Err(DesignError::NotInTime { name: criterion.name() }),
-                _ => Ok(None),
-            };
-        };
-        let asks = match target {
-            Target::Motion(_) => true,
-            Target::Utilisation(_) => !timed.criteria().is_empty(),
-            _ => false,
-        };
-        Ok(if asks { Some(Moving { timed, case: timed.moving().case()? }) } else { None })
-    }
-
-    /// The motion in every situation, with numbers changed.
-    fn in_time(&self, changes: &[(&Variable, f64)]) -> Result<InTime, BodyCaseError> {
-        let file = self.timed.moving();
-        let case = || {
-            let inputs = vary(file.inputs(), &self.case, changes);
-            Case::of(&inputs).map_err(|fault| file.error(fault))
-        };
-        let motions = self.timed.follow_case(&case, &Follow::default())?;
-        let (note, criteria) = (self.timed.note().to_owned(), self.timed.criteria().to_vec());
-        Ok(InTime { note, criteria, motions })
-    }
-}
-
 /// A case that is varied.
 struct Varied<'a> {
-    file: &'a CaseFile,
-    case: &'a Case,
-    /// Its motion, where that is asked for.
-    moving: Option<&'a Moving<'a>>,
+    subject: &'a Subject,
+    /// Whether its motion is followed.
+    follows: bool,
     /// Another quantity that is held at a value.
     held: Option<(&'a Variable, f64)>,
 }
 
 impl Varied<'_> {
+    /// The numbers of the case at rest.
     fn inputs(&self) -> &Inputs {
-        self.file.inputs()
+        self.subject.file.inputs()
     }
 
-    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, BodyCaseError> {
-        let (inputs, changes) = self.varied(variable, value);
-        let case = Case::of(&inputs).map_err(|fault| self.file.error(fault))?;
-        self.assess(case, &changes)
+    fn case(&self) -> &Case {
+        &self.subject.case
+    }
+
+    fn answer(&self, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
+        self.subject.answer(&self.changes(variable, value), self.follows)
     }
 
     /// The same with the probability that a target asks for.
-    fn answer_for(
-        &self,
-        target: Target,
-        variable: &Variable,
-        value: f64,
-    ) -> Result<Assessment, BodyCaseError> {
+    fn answer_for(&self, target: Target, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
         let answer = self.answer(variable, value)?;
-        match target.asks_for_chance(self.case) {
-            true => Ok(answer.with_chance(&self.file.with_inputs(self.varied(variable, value).0))?),
+        match target.asks_for_chance(self.case()) {
+            true => answer.with_chance(&self.subject.with(&self.changes(variable, value))?),
             false => Ok(answer),
         }
     }
 
-    fn varied<'v>(&'v self, variable: &'v Variable, value: f64) -> (Inputs, Vec<(&'v Variable, f64)>) {
-        let changes: Vec<_> = [(variable, value)].into_iter().chain(self.held).collect();
-        (vary(self.inputs(), self.case, &changes), changes)
+    fn changes<'v>(&'v self, variable: &'v Variable, value: f64) -> Vec<(&'v Variable, f64)> {
+        [(variable, value)].into_iter().chain(self.held).collect()
     }
 
     /// The answer without any change, with what a target asks for.
-    fn present(&self, target: Target) -> Result<Assessment, BodyCaseError> {
-        let present = self.assess(self.case.clone(), &[])?;
-        Ok(if target.asks_for_chance(self.case) { present.with_chance(self.file)? } else { present })
-    }
-
-    fn assess(&self, case: Case, changes: &[(&Variable, f64)]) -> Result<Assessment, BodyCaseError> {
-        let mut answer = Assessment::owning(case).map_err(|error| self.file.refused(error))?;
-        answer.in_time = self.moving.map(|moving| moving.in_time(changes)).transpose()?;
-        Ok(answer)
+    fn present(&self, target: Target) -> Result<Assessment, CaseError> {
+        let present = self.subject.answer(&[], self.follows)?;
+        let asks = target.asks_for_chance(self.case());
+        Ok(if asks { present.with_chance(&self.subject.file)? } else { present })
     }
 }
 
@@ -308,8 +265,8 @@ fn worst_of(answer: &Assessment, criterion: MotionCriterion) -> Option<f64> {
 }
 
 /// The least or the greatest value that meets a target, with what it rests on.
-pub struct Design<'a> {
-    file: &'a CaseFile,
+pub struct Design {
+    subject: Subject,
     request: Request,
     quantity: Quantity,
     present: Assessment,
@@ -318,40 +275,21 @@ pub struct Design<'a> {
     /// Which of them has the end that is wanted.
     at: usize,
     sensitivities: Vec<Sensitivity>,
-    /// Of a case in time, what is answered of its first instant.
-    note: Option<String>,
 }
 
-impl<'a> Design<'a> {
-    /// Designs the case of a file.
+impl Design {
+    /// Designs the case of a file; of one in time, what asks for its motion is asked of the motion, everything else of its first instant.
     ///
     /// # Errors
     /// If the case makes no sense or lacks the quantity, or the target cannot be met, or is met without an end on the side that is
     /// wanted.
-    pub fn of(file: &'a CaseFile, request: Request) -> Result<Design<'a>, DesignError> {
-        Design::in_time(file, None, request)
-    }
-
-    /// Designs a case in time: what asks for its motion is asked of the motion, everything else of its first instant.
-    ///
-    /// # Errors
-    /// As [`of`](Design::of), and if the motion cannot be followed.
-    pub fn of_timed(timed: &'a Timed<'a>, request: Request) -> Result<Design<'a>, DesignError> {
-        Design::in_time(timed.still(), Some(timed), request)
-    }
-
-    fn in_time(
-        file: &'a CaseFile,
-        timed: Option<&'a Timed<'a>>,
-        request: Request,
-    ) -> Result<Design<'a>, DesignError> {
-        let case = file.case()?;
-        let moving = Moving::of(request.target, timed)?;
-        let varied = Varied { file, case: &case, moving: moving.as_ref(), held: None };
-        request.answerable(file, &case, timed)?;
-        let quantity = request.quantity(file, &case)?;
+    pub fn of(file: &CaseFile, request: Request) -> Result<Design, DesignError> {
+        let subject = Subject::of(file)?;
+        let varied = Varied { subject: &subject, follows: subject.follows(request.target)?, held: None };
+        request.answerable(&subject)?;
+        let quantity = request.quantity(&subject)?;
         let present = varied.present(request.target)?;
-        let parts = if request.target.asks_for_chance(&case) { CHANCE_PARTS } else { PARTS };
+        let parts = if request.target.asks_for_chance(&subject.case) { CHANCE_PARTS } else { PARTS };
         let search = Search { varied: &varied, quantity: &quantity, target: request.target, parts };
         if request.target.asks_for_rise() && !search.rises() {
             return Err(DesignError::NothingRises { target: request.target });
@@ -364,8 +302,7 @@ impl<'a> Design<'a> {
             return Err(no_end(&request, &quantity, &stretches[at]));
         }
         let sensitivities = sensitivity::all(&varied, Some(&present));
-        let note = timed.map(|timed| timed.note().to_owned());
-        Ok(Design { file, request, quantity, present, stretches, at, sensitivities, note })
+        Ok(Design { subject, request, quantity, present, stretches, at, sensitivities })
     }
 
     /// The end that is wanted.
@@ -396,8 +333,8 @@ impl<'a> Design<'a> {
     }
 
     fn notes(&self) -> Vec<String> {
-        let mut notes = self.quantity.variable.notes(self.file.inputs(), &self.present.case);
-        notes.extend(self.note.as_deref().map(in_time_note));
+        let mut notes = self.quantity.variable.notes(self.subject.file.inputs(), &self.present.case);
+        notes.extend(self.subject.note().as_deref().map(in_time_note));
         notes
     }
 

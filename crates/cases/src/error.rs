@@ -3,9 +3,10 @@
 mod fault;
 mod help;
 
-use standfast::InputError;
 use standfast::number::exact;
 use standfast::section::SectionError;
+use standfast::{HistoryError, InputError};
+use standfast_motion::MotionError;
 use thiserror::Error;
 
 use crate::key::{Id, Key, Table};
@@ -15,7 +16,7 @@ use crate::units::{Dimension, UnitError};
 
 pub use fault::{CaseError, Fault, Place};
 use help::parts;
-pub(crate) use help::{UNANSWERABLE, expected_type, names};
+pub(crate) use help::{expected_type, names};
 
 /// What is wrong.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -56,10 +57,20 @@ pub enum Problem {
         why: String,
     },
     /// A key that has to be there.
-    #[error("{} lacks `{}`", key.info().table.header(), key.entry())]
+    #[error("{} lacks `{}`", table.header(), key.entry())]
     MissingKey {
+        /// The table that lacks it.
+        table: Table,
         /// The key.
         key: Key,
+    },
+    /// A table that has to be in another.
+    #[error("{} lacks `{}`", table.header(), missing.name())]
+    MissingTableIn {
+        /// The table.
+        table: Table,
+        /// The one that it lacks.
+        missing: Table,
     },
     /// A table that has to be there.
     #[error("the case file lacks `{}`", table.name())]
@@ -369,57 +380,133 @@ pub enum Problem {
     },
     /// A load in time where nothing takes it.
     #[error(
-        "`{key}` says how a load varies in time, which an elastic base takes, and [ground] has no {lacks}"
+        "`{}` says how a load varies in time, which an elastic base takes, and [ground] has no {lacks}", table.path(*index)
     )]
     HistoryOnRigid {
-        /// The key.
-        key: Id,
+        /// The table of the history.
+        table: Table,
+        /// Its place among them.
+        index: usize,
         /// What is not there.
         lacks: &'static str,
     },
     /// A permanent load that varies in time.
-    #[error("`{key}` says how the load varies in time, and the load is permanent")]
+    #[error("`{}` says how the load varies in time, and the load is permanent", Table::LoadHistory.path(*index))]
     HistoryOfPermanent {
-        /// The key.
-        key: Id,
+        /// The place of the load.
+        index: usize,
     },
-    /// A course in time that is none.
-    #[error(
-        "the shape of the `history` is {written}; expected \"constant\", \"rect\", \"triangle\", \"decay\", \"church-roof\" or \"points\""
-    )]
-    HistoryShape {
-        /// The value as it stands in the file.
-        written: String,
-        /// The one it resembles.
-        suggestion: Option<&'static str>,
+    /// A history with sines on springs.
+    #[error("{} is a sine; on an elastic base it has to be of straight lines", table.header())]
+    SineOnSprings {
+        /// The table of the history.
+        table: Table,
     },
-    /// A number that a course in time does not have.
-    #[error("a `history` of shape \"{shape}\" has no `{}`", shortened(name))]
+    /// A key that does not go with the shape of a history.
+    #[error("`{}` does not go with the shape \"{shape}\"", key.name())]
     HistoryKey {
+        /// The key.
+        key: Key,
         /// The shape.
         shape: &'static str,
-        /// The key.
-        name: String,
         /// What it has.
-        takes: &'static [&'static str],
+        takes: Vec<&'static str>,
     },
-    /// What a course in time needs.
-    #[error("the `history` lacks `{name}`")]
-    HistoryLacks {
-        /// The key.
-        name: &'static str,
-        /// A line that has it right.
-        example: &'static str,
+    /// A history that cannot be.
+    #[error("{}: {error}", table.header())]
+    History {
+        /// Its table.
+        table: Table,
+        /// What is wrong with it.
+        error: HistoryError,
     },
-    /// A number that a course in time cannot have.
-    #[error("`{name}` of the `history` is {written}; expected {expected}")]
-    HistoryValue {
-        /// The key.
-        name: &'static str,
-        /// The value as it stands in the file.
-        written: String,
-        /// What it has to be.
-        expected: &'static str,
+    /// A file that a history names and that cannot be read.
+    #[error("cannot read {name}: {why}")]
+    Unread {
+        /// The file.
+        name: String,
+        /// Why not.
+        why: String,
+    },
+    /// A file that is no record, or not one of what it should be.
+    #[error("{words}")]
+    Record {
+        /// What is wrong with it.
+        words: String,
+        /// What to do.
+        help: Option<&'static str>,
+    },
+    /// Both are given in a table.
+    #[error("{} has both `{}` and `{}`", table.header(), one.name(), two.name())]
+    BothIn {
+        /// The table.
+        table: Table,
+        /// A key.
+        one: Key,
+        /// Another that says the same.
+        two: Key,
+    },
+    /// A duration that the waves give, of another shape than theirs.
+    #[error("duration = \"{words}\" is that of a triangle")]
+    ByWavesShape {
+        /// What gives the duration.
+        words: &'static str,
+    },
+    /// A duration that the waves give beside a rise.
+    #[error("`rise` does not go with duration = \"{words}\", whose peak is in the middle")]
+    ByWavesRise {
+        /// What gives the duration.
+        words: &'static str,
+    },
+    /// An earthquake at the first instant beside a base that moves.
+    #[error("an [earthquake] beside [motion.base] counts the same shaking twice")]
+    ShakenTwice,
+    /// A ratio beside another law of impacts.
+    #[error("`ratio` goes with law = \"ratio\" only")]
+    RatioOfOtherLaw,
+    /// A body that is asked to overturn.
+    #[error("`overturned` is true; expected false: that the body does not overturn")]
+    AskedToOverturn,
+    /// What the motion in time cannot be followed for.
+    #[error("{0}")]
+    Motion(MotionError),
+    /// A motion on a base that crushes.
+    #[error(
+        "`strength` of [ground] is {}: once its edge is crushed the body stands on another base, whose motion is not computed",
+        Dimension::Pressure.written(*strength)
+    )]
+    MovingOnCrushing {
+        /// The strength, Pa.
+        strength: f64,
+    },
+    /// A body in pure numbers where a body in metres is needed.
+    #[error("a [block] has no first instant to assess: its motion is followed in time")]
+    NoCase,
+    /// A case in time where cases at rest are answered.
+    #[error("the case is one in time, and a table of cases is answered at rest")]
+    TableInTime,
+    /// Another table beside a body in pure numbers.
+    #[error("a case of a [block] has no `{path}`")]
+    NotOfBlock {
+        /// The table or key.
+        path: String,
+    },
+    /// A body in pure numbers that is not uniform, without its inertia.
+    #[error("[block] lacks `rho2`")]
+    NoInertia,
+    /// Water on a dry side.
+    #[error("`sides` counts the {side}, and no water stands there")]
+    DrySide {
+        /// The side.
+        side: &'static str,
+    },
+    /// Water of different depths on both sides, of which one is counted.
+    #[error("`sides` is 1, and water stands on both sides: {} m at the right, {} m at the left", exact(*right), exact(*left))]
+    WhichSide {
+        /// Its depth at the right, m.
+        right: f64,
+        /// At the left, m.
+        left: f64,
     },
     /// A value that does not go with the others.
     #[error("`{}` is {}; expected {}", key.entry(), exact(.error.value), .error.expected)]

@@ -2,8 +2,10 @@
 
 use standfast::Modes;
 
-use crate::history::TimeShape;
-use crate::key::{Id, Key, Table};
+use std::sync::Arc;
+
+use crate::key::{Id, Key, Kind, Table};
+use crate::record::RecordFile;
 use crate::units::{Dimension, Extent};
 
 /// A value under a key.
@@ -26,8 +28,18 @@ pub enum Value {
     Factors(Vec<(String, f64)>),
     /// A set of modes.
     Modes(Modes),
-    /// How a load varies in time.
-    History(TimeShape),
+    /// A file that was read.
+    Record(Arc<RecordFile>),
+}
+
+impl Value {
+    /// The words that it is.
+    pub(crate) fn as_text(&self) -> Option<&str> {
+        match self {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
 }
 
 /// The values of a case file.
@@ -115,12 +127,22 @@ impl Inputs {
         }
     }
 
-    /// How a load varies in time, under a key.
-    pub fn history(&self, id: impl Into<Id>) -> Option<&TimeShape> {
+    /// The file under a key, once it is read.
+    pub fn record(&self, id: impl Into<Id>) -> Option<&Arc<RecordFile>> {
         match self.get(id)? {
-            Value::History(shape) => Some(shape),
+            Value::Record(record) => Some(record),
             _ => None,
         }
+    }
+
+    /// All values with their keys.
+    pub fn values(&self) -> impl Iterator<Item = (Id, &Value)> {
+        self.values.iter().map(|(id, value)| (*id, value))
+    }
+
+    /// Whether anything stands in a table, the `index`-th of its kind.
+    pub fn has_at(&self, table: Table, index: usize) -> bool {
+        self.values.iter().any(|(id, _)| (id.table, id.index) == (table, index))
     }
 
     /// Puts a number (SI) under a key. Whether the key takes such a number is [`Case::of`](crate::Case::of)'s to say.
@@ -157,6 +179,21 @@ impl Inputs {
         self.tables[table as usize] += 1;
     }
 
+    /// Removes tables with all that they say.
+    pub(crate) fn remove_tables(&mut self, of: impl Fn(Table) -> bool) {
+        self.values.retain(|(id, _)| !of(id.table));
+        Table::ALL.into_iter().filter(|table| of(*table)).for_each(|table| self.tables[table as usize] = 0);
+    }
+
+    /// Whether loads or the base go with time, or the body is a [block], so that there is a motion to follow. Histories of loads on a
+    /// `[ground]`, and no `[motion]`, are those of an elastic base.
+    pub fn is_in_time(&self) -> bool {
+        let histories = [Table::WaveHistory, Table::LoadHistory];
+        self.has(Table::Block)
+            || self.has(Table::Motion)
+            || (!self.has(Table::Ground) && histories.iter().any(|table| self.has(*table)))
+    }
+
     /// What its forces, masses and moments are of: the whole object where its length is given, or it is a cylinder.
     pub fn extent(&self) -> Extent {
         let whole = self.get(Key::Length).is_some() || self.choice(Key::Shape) == Some("cylinder");
@@ -164,8 +201,13 @@ impl Inputs {
     }
 
     /// What the numbers under a key measure; `None` for plain numbers and for what is no number.
-    pub fn dimension(&self, key: Key) -> Option<Dimension> {
-        key.info().dimension().map(|dimension| self.extent().of(dimension))
+    pub fn dimension(&self, id: impl Into<Id>) -> Option<Dimension> {
+        dimension(id.into(), self.units())
+    }
+
+    /// What its numbers with units are of; `None` of a body in pure numbers, which have no units.
+    pub fn units(&self) -> Option<Extent> {
+        (!self.has(Table::Block)).then(|| self.extent())
     }
 
     /// The acceleration of gravity, m/s².
@@ -180,6 +222,16 @@ impl Inputs {
     pub fn numbers(&self) -> impl Iterator<Item = (Id, f64)> {
         self.values.iter().filter_map(|(id, _)| Some((*id, self.number(*id)?)))
     }
+}
+
+/// What the numbers under a key measure in a case with such units.
+pub(crate) fn dimension(id: Id, units: Option<Extent>) -> Option<Dimension> {
+    let of_base = matches!(id.table, Table::BaseHorizontal | Table::BaseVertical);
+    let dimension = match id.key.info().kind {
+        Kind::Reached => of_base.then_some(Dimension::Acceleration),
+        _ => id.key.info().dimension(),
+    };
+    Some(units?.of(dimension?))
 }
 
 /// Standard acceleration of gravity as engineers round it, m/s².

@@ -41,11 +41,39 @@ pub enum Table {
     Combination,
     /// What is asked of the results.
     Criteria,
+    /// The motion in time.
+    Motion,
+    /// What happens when a corner meets the base.
+    Impact,
+    /// How the motion begins.
+    Initial,
+    /// How the base moves.
+    Base,
+    /// Its acceleration to the right over time.
+    BaseHorizontal,
+    /// Its acceleration upwards over time.
+    BaseVertical,
+    /// Waves over time.
+    WaveHistory,
+    /// A force over time.
+    LoadHistory,
+    /// Storms of a life.
+    Storm,
+    /// A point of the report's plane.
+    Point,
+    /// A body in pure numbers.
+    Block,
+    /// Forces on it.
+    BlockLoad,
+    /// One of these over time.
+    BlockLoadHistory,
+    /// What histories of all tables have; no table of a file itself.
+    History,
 }
 
 impl Table {
     /// All tables, in the order in which their numbers are listed.
-    pub const ALL: [Table; 13] = [
+    pub const ALL: [Table; 27] = [
         Table::Top,
         Table::Body,
         Table::Part,
@@ -59,9 +87,72 @@ impl Table {
         Table::Load,
         Table::Combination,
         Table::Criteria,
+        Table::Motion,
+        Table::Impact,
+        Table::Initial,
+        Table::Base,
+        Table::BaseHorizontal,
+        Table::BaseVertical,
+        Table::WaveHistory,
+        Table::LoadHistory,
+        Table::Storm,
+        Table::Point,
+        Table::Block,
+        Table::BlockLoad,
+        Table::BlockLoadHistory,
+        Table::History,
     ];
 
-    /// Its name in a file; empty for the top.
+    /// The table that it stands in; `None` of the top, and of what no file has.
+    pub const fn parent(self) -> Option<Table> {
+        match self {
+            Table::Top | Table::History => None,
+            Table::Impact | Table::Initial | Table::Base => Some(Table::Motion),
+            Table::BaseHorizontal | Table::BaseVertical => Some(Table::Base),
+            Table::WaveHistory => Some(Table::Wave),
+            Table::LoadHistory => Some(Table::Load),
+            Table::BlockLoad => Some(Table::Block),
+            Table::BlockLoadHistory => Some(Table::BlockLoad),
+            _ => Some(Table::Top),
+        }
+    }
+
+    /// The tables that stand in it.
+    pub fn children(self) -> impl Iterator<Item = Table> {
+        Table::ALL.into_iter().filter(move |table| table.parent() == Some(self))
+    }
+
+    /// Whether it says how something goes with time.
+    pub const fn is_history(self) -> bool {
+        matches!(
+            self,
+            Table::BaseHorizontal
+                | Table::BaseVertical
+                | Table::WaveHistory
+                | Table::LoadHistory
+                | Table::BlockLoadHistory
+        )
+    }
+
+    /// Whether it belongs to the motion in time alone.
+    pub const fn is_of_motion(self) -> bool {
+        matches!(
+            self,
+            Table::Motion
+                | Table::Impact
+                | Table::Initial
+                | Table::Base
+                | Table::BaseHorizontal
+                | Table::BaseVertical
+        )
+    }
+
+    /// The table under which its keys are listed.
+    const fn listed(self) -> Table {
+        if self.is_history() { Table::History } else { self }
+    }
+
+    /// Its name in the table that it stands in; empty for the top.
     pub fn name(self) -> &'static str {
         match self {
             Table::Top => "",
@@ -77,6 +168,27 @@ impl Table {
             Table::Load => "load",
             Table::Combination => "combination",
             Table::Criteria => "criteria",
+            Table::Motion => "motion",
+            Table::Impact => "impact",
+            Table::Initial => "initial",
+            Table::Base => "base",
+            Table::BaseHorizontal => "horizontal",
+            Table::BaseVertical => "vertical",
+            Table::WaveHistory | Table::LoadHistory | Table::BlockLoadHistory | Table::History => "history",
+            Table::Storm => "storm",
+            Table::Point => "point",
+            Table::Block => "block",
+            Table::BlockLoad => "load",
+        }
+    }
+
+    /// Its place in a file as keys name it, the `index`-th of those that repeat: `motion.base.horizontal`, `load[2].history`.
+    pub fn path(self, index: usize) -> String {
+        let place = if self.repeats() { format!("[{}]", index + 1) } else { String::new() };
+        match self.parent() {
+            None => self.name().to_owned(),
+            Some(Table::Top) => format!("{}{place}", self.name()),
+            Some(parent) => format!("{}.{}{place}", parent.path(index), self.name()),
         }
     }
 
@@ -105,6 +217,20 @@ impl Table {
             Table::Load => "[[load]]",
             Table::Combination => "[[combination]]",
             Table::Criteria => "[criteria]",
+            Table::Motion => "[motion]",
+            Table::Impact => "`impact` of [motion]",
+            Table::Initial => "[motion.initial]",
+            Table::Base => "[motion.base]",
+            Table::BaseHorizontal => "`horizontal` of [motion.base]",
+            Table::BaseVertical => "`vertical` of [motion.base]",
+            Table::WaveHistory => "the history of the [wave]",
+            Table::LoadHistory => "the history of a [[load]]",
+            Table::Storm => "[storm]",
+            Table::Point => "[point]",
+            Table::Block => "[block]",
+            Table::BlockLoad => "[[block.load]]",
+            Table::BlockLoadHistory => "the history of a [[block.load]]",
+            Table::History => "a history",
         }
     }
 
@@ -138,17 +264,42 @@ impl Table {
                  ones act as they are and the variable ones not at all; of a case with combinations these alone are answered"
             }
             Table::Criteria => "what is asked of the results, under their names; none is imposed",
+            Table::Motion => {
+                "the motion in time: how the base moves, how corners meet it, how the motion begins"
+            }
+            Table::Impact => "what happens when a corner meets the base",
+            Table::Initial => "how the motion begins; at rest without it",
+            Table::Base => "how the base moves: a history for each direction",
+            Table::BaseHorizontal => "acceleration of the base to the right",
+            Table::BaseVertical => "acceleration of the base upwards",
+            Table::WaveHistory => "how thrust and uplift of the waves go with time",
+            Table::LoadHistory => "how the load goes with time",
+            Table::Storm => {
+                "storms of a life, one a year, with [random]: how far their waves slide the body; without [body] a thrust in proportion to the \
+                 wave's height"
+            }
+            Table::Point => "a point of the report's plane in place of a body, with [random]",
+            Table::Block => {
+                "a body in pure numbers, in place of all tables but [motion] and [criteria]: lengths in any one unit, the mass as 1"
+            }
+            Table::BlockLoad => {
+                "one such table for each force on a [block], in units of its mass times acceleration"
+            }
+            Table::BlockLoadHistory => "how the force goes with time",
+            Table::History => {
+                "how a load or the acceleration of the base goes with time: a shape with its numbers, zero before it begins and after its end"
+            }
         }
     }
 
     /// Whether a file may have it more than once.
     pub fn repeats(self) -> bool {
-        matches!(self, Table::Part | Table::Pressure | Table::Load | Table::Combination)
+        matches!(self, Table::Part | Table::Pressure | Table::Load | Table::Combination | Table::BlockLoad)
     }
 
     /// Its keys, in their order.
     pub fn keys(self) -> impl Iterator<Item = Key> {
-        Key::ALL.iter().copied().filter(move |key| key.info().table == self)
+        Key::ALL.iter().copied().filter(move |key| key.info().table == self.listed())
     }
 
     /// Lines of a file that have the table right.
@@ -169,6 +320,20 @@ impl Table {
             }
             Table::Combination => "[[combination]]\nname = \"storm\"\nfactors = { weight = 0.9, wave = 1.3 }",
             Table::Criteria => "[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2",
+            Table::Motion | Table::Base | Table::BaseHorizontal | Table::BaseVertical => {
+                "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" }"
+            }
+            Table::Impact => "[motion]\nimpact = { law = \"ratio\", ratio = 0.9 }",
+            Table::Initial => "[motion.initial]\ntheta = 0.05",
+            Table::WaveHistory | Table::LoadHistory | Table::BlockLoadHistory | Table::History => {
+                "history = { shape = \"triangle\", rise = \"0.2 s\", duration = \"0.4 s\" }"
+            }
+            Table::Storm => "[storm]\nwaves = 1000\ntau0 = \"1.5 s\"",
+            Table::Point => "[point]\ngamma = 0.8\nk_prime = 0.9167\nk = 0.45\nmu = 0.6",
+            Table::Block => "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.6\ngravity = 1",
+            Table::BlockLoad => {
+                "[[block.load]]\ndirection = [-1, 0]\nhistory = { shape = \"triangle\", rise = 0.2, duration = 0.4 }"
+            }
             _ => "[[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"",
         }
     }
@@ -185,6 +350,8 @@ pub enum Range {
     Positive,
     /// Above zero, 1 at most.
     Share,
+    /// From 0 to 1.
+    ZeroToOne,
     /// An angle of friction of ground, degrees.
     GroundAngle,
 }
@@ -197,6 +364,7 @@ impl Range {
             Range::NotNegative => value >= 0.0,
             Range::Positive => value > 0.0,
             Range::Share => value > 0.0 && value <= 1.0,
+            Range::ZeroToOne => (0.0..=1.0).contains(&value),
             Range::GroundAngle => (20.0..=50.0).contains(&value),
         };
         in_range && value.is_finite()
@@ -209,6 +377,7 @@ impl Range {
             Range::NotNegative => "a finite number, zero or more",
             Range::Positive => "a finite number above zero",
             Range::Share => "a share, above zero and 1 at most",
+            Range::ZeroToOne => "a number from 0 to 1",
             Range::GroundAngle => "an angle from 20 to 50 degrees",
         }
     }
@@ -218,7 +387,7 @@ impl Range {
         match self {
             Range::Finite => [f64::NEG_INFINITY, f64::INFINITY],
             Range::NotNegative | Range::Positive => [0.0, f64::INFINITY],
-            Range::Share => [0.0, 1.0],
+            Range::Share | Range::ZeroToOne => [0.0, 1.0],
             Range::GroundAngle => [20.0, 50.0],
         }
     }
@@ -235,12 +404,16 @@ pub enum Kind {
     Plain(Range),
     /// An acceleration; a number without unit, or with the unit g, counts the acceleration of gravity.
     InGravity,
-    /// Three numbers without unit in a list; this key is the first of them.
-    OneOfThree,
+    /// One of so many numbers without unit in a list.
+    OneOf(usize, Range),
+    /// What a history reaches: an acceleration of the base of a body, else a number without unit.
+    Reached,
+    /// Numbers without unit in a list.
+    Plains,
+    /// A file, by its name.
+    File,
     /// true or false.
     Truth,
-    /// 1 or 2.
-    Sides,
     /// One of these words.
     Choice {
         /// The words.
@@ -254,8 +427,6 @@ pub enum Kind {
     Factors,
     /// Symbols of modes in a list.
     ModeList,
-    /// How a load varies in time, in braces.
-    History,
 }
 
 /// What goes with a number when it is varied.
@@ -332,10 +503,10 @@ impl KeyInfo {
     pub fn range(&self) -> Option<Range> {
         match self.kind {
             Kind::Measured(_, range) | Kind::Plain(range) => Some(range),
-            Kind::InGravity => Some(Range::Finite),
-            Kind::OneOfThree => Some(Range::NotNegative),
-            Kind::Text | Kind::Truth | Kind::Sides | Kind::Choice { .. } => None,
-            Kind::List(_) | Kind::Factors | Kind::ModeList | Kind::History => None,
+            Kind::InGravity | Kind::Reached => Some(Range::Finite),
+            Kind::OneOf(_, range) => Some(range),
+            Kind::Text | Kind::Truth | Kind::Choice { .. } | Kind::File => None,
+            Kind::List(_) | Kind::Plains | Kind::Factors | Kind::ModeList => None,
         }
     }
 
@@ -368,11 +539,31 @@ const LAWS: Kind =
     Kind::Choice { of: &["ec7", "hansen", "envelope"], words: "\"ec7\", \"hansen\" or \"envelope\"" };
 const SHAPES: Kind = Kind::Choice { of: &["block", "cylinder"], words: "\"block\" or \"cylinder\"" };
 
-use Kind::{Factors, History, InGravity, List, Measured, ModeList, OneOfThree, Plain, Sides, Text, Truth};
-use Range::{Finite, NotNegative, Positive, Share};
+const SIDES: Kind = Kind::Choice { of: &["left", "right", "both"], words: "\"left\", \"right\" or \"both\"" };
+const COURSES: Kind = Kind::Choice {
+    of: &SHAPES_IN_TIME,
+    words: "\"constant\", \"rect\", \"triangle\", \"decay\", \"half-sine\", \"sine\", \"church-roof\", \"points\" or \"file\"",
+};
+const BASELINES: Kind = Kind::Choice { of: &["mean", "linear"], words: "\"mean\" or \"linear\"" };
+const IMPACTS: Kind =
+    Kind::Choice { of: &["inelastic", "housner", "ratio"], words: "\"inelastic\", \"housner\" or \"ratio\"" };
+
+/// The shapes of a history.
+const SHAPES_IN_TIME: [&str; 9] =
+    ["constant", "rect", "triangle", "decay", "half-sine", "sine", "church-roof", "points", "file"];
+
+const HEIGHTS: Kind = Kind::Choice { of: &["rayleigh"], words: "\"rayleigh\"" };
+const PULSES: Kind = Kind::Choice { of: &["triangle", "shimosako"], words: "\"triangle\" or \"shimosako\"" };
+
+const fn time(range: Range) -> Kind {
+    Kind::Measured(Dimension::Time, range)
+}
+
+use Kind::{Factors, File, InGravity, List, Measured, ModeList, OneOf, Plain, Plains, Reached, Text, Truth};
+use Range::{Finite, NotNegative, Positive, Share, ZeroToOne};
 use Table::{
-    AddedMass, Body, Combination, Criteria, Earthquake, Ground, Load, Part, Pressure, Top, Uplift, Water,
-    Wave,
+    AddedMass, Block, BlockLoad, Body, Combination, Criteria, Earthquake, Ground, History, Impact, Initial,
+    Load, Motion, Part, Point, Pressure, Storm, Top, Uplift, Water, Wave,
 };
 
 listed! {
@@ -498,11 +689,11 @@ listed! {
         .moves(Moves::Height).gives(&[Quantity::CrestHeight]);
     BermWidth = key(Wave, "berm_width", length(NotNegative), "B_M", "width of the berm", "\"8 m\"")
         .gives(&[Quantity::BermWidth]);
-    Lambda1 = key(Wave, "lambda[1]", OneOfThree, "λ1", "factor on the standing pressure", "[1, 1, 1]")
+    Lambda1 = key(Wave, "lambda[1]", OneOf(3, NotNegative), "λ1", "factor on the standing pressure", "[1, 1, 1]")
         .silent("factors on the pressures: 1, 1, 1").gives(&[Quantity::Lambda1]);
-    Lambda2 = key(Wave, "lambda[2]", OneOfThree, "λ2", "factor on the breaking pressure", "[1, 1, 1]")
+    Lambda2 = key(Wave, "lambda[2]", OneOf(3, NotNegative), "λ2", "factor on the breaking pressure", "[1, 1, 1]")
         .gives(&[Quantity::Lambda2]);
-    Lambda3 = key(Wave, "lambda[3]", OneOfThree, "λ3", "factor on the uplift", "[1, 1, 1]")
+    Lambda3 = key(Wave, "lambda[3]", OneOf(3, NotNegative), "λ3", "factor on the uplift", "[1, 1, 1]")
         .gives(&[Quantity::Lambda3]);
     Impulsive = key(Wave, "impulsive", Truth, "", "whether Takahashi’s coefficient is used", "true")
         .silent("Takahashi’s coefficient: used");
@@ -510,9 +701,6 @@ listed! {
         .silent("pressure of the waves under the base: Goda’s");
     TurnDeg = key(Wave, "turn_deg", Plain(NotNegative), "Δβ", "by how much they are turned towards it", "15")
         .silent("waves turned towards the normal by: 0°").gives(&[Quantity::WaveTurn]);
-    WaveHistory = key(Wave, "history", History, "", "how thrust and uplift of the waves vary in time, on an elastic base",
-        "{ shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }")
-        .silent("waves in time: as static loads").gives(&[Quantity::LoadTime, Quantity::LoadShare]);
 
     Level = key(Water, "level", length(NotNegative), "h_l", "still water above the base, both sides", "\"7.1 m\"")
         .moves(Moves::WaterLevel).gives(&[Quantity::WaterLevel]);
@@ -545,7 +733,9 @@ listed! {
 
     WaterMass = key(AddedMass, "mass", Measured(Dimension::Mass, NotNegative), "m_a", "mass of water that moves with the body", "\"50 t/m\"")
         .gives(&[Quantity::AddedMass]);
-    WetSides = key(AddedMass, "sides", Sides, "", "sides on which water moves with the body", "1");
+    WaterElevation = key(AddedMass, "elevation", length(NotNegative), "e_a", "its height above the base, at which it presses on a shaken wall", "\"4 m\"")
+        .silent("height of the water that moves along: not known").gives(&[Quantity::ForceElevation]);
+    WetSides = key(AddedMass, "sides", SIDES, "", "sides on which water moves with the body; 1 and 2 count them where it is plain which is wet", "\"right\"");
 
     PressureName = key(Pressure, "name", Text, "", "name of the pressure", "\"backfill\"");
     PressedFace = key(Pressure, "face", FACES, "", "the face it presses on, inwards", "\"right\"");
@@ -574,9 +764,6 @@ listed! {
         .silent("load: variable");
     Together = key(Load, "together", Truth, "", "whether it acts with all other loads, rather than alone of those that do", "true")
         .silent("load: alone, an alternative to the others");
-    LoadHistory = key(Load, "history", History, "", "how the load varies in time, on an elastic base",
-        "{ shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }")
-        .silent("load in time: as a static load").gives(&[Quantity::LoadTime, Quantity::LoadShare]);
 
     CombinationName = key(Combination, "name", Text, "", "name of the combination", "\"storm at low water\"");
     LoadFactors = key(Combination, "factors", Factors, "",
@@ -601,7 +788,91 @@ listed! {
         "at most: rotation on an elastic base", "\"2 mrad\"");
     GreatestNotRest = key(Criteria, "p_not_rest", Plain(Share), "",
         "at most: upper end of the interval of the probability that the body does not stay at rest, of a case with [random]", "1e-3");
+    GreatestSlide = key(Criteria, "slide", length(Positive), "",
+        "at most: displacement along the base at the end of the motion, to either side", "\"100 mm\"");
+    GreatestTheta = key(Criteria, "max_theta", Measured(Dimension::Angle, Positive), "",
+        "at most: largest angle of the motion, to either side", "\"20 mrad\"");
+    NotOverturned = key(Criteria, "overturned", Truth, "", "false: the body does not overturn in its motion", "false");
     ModesNot = key(Criteria, "modes_not", ModeList, "", "modes that are not allowed under the full load", "[\"RO\", \"SRO-\"]");
+
+    TMax = key(Motion, "t_max", time(Positive), "t_max", "when to stop at the latest", "\"60 s\"")
+        .silent("end of the motion: at rest, overturned, or long after the loads");
+    ImpactLaw = key(Impact, "law", IMPACTS, "", "what happens when a corner meets the base: no rebound; no slip either; a measured ratio", "\"inelastic\"");
+    ImpactRatio = key(Impact, "ratio", Plain(ZeroToOne), "r", "measured ratio of the rates of rotation after and before an impact, with law = \"ratio\"", "0.9");
+    InitialTheta = key(Initial, "theta", Measured(Dimension::Angle, Finite), "θ_0", "angle at the beginning, counter-clockwise", "\"50 mrad\"")
+        .silent("angle at the beginning: 0");
+    InitialOmega = key(Initial, "omega", Plain(Finite), "ω_0", "rate of rotation at the beginning, rad/s", "0.1")
+        .silent("rate of rotation at the beginning: 0");
+    InitialVx = key(Initial, "vx", Plain(Finite), "v_x", "velocity of the centre of mass to the right, m/s", "0.2");
+    InitialVy = key(Initial, "vy", Plain(Finite), "v_y", "velocity of the centre of mass upwards, m/s", "0.1");
+    InitialGap = key(Initial, "gap", length(NotNegative), "y_0", "lower corner above the base", "\"10 mm\"")
+        .silent("lower corner above the base: 0");
+
+    StormWaves = key(Storm, "waves", Plain(Positive), "N_w", "waves in a storm", "1000");
+    StormDuration = key(Storm, "duration", time(Positive), "t_s", "duration of a storm, in place of its number of waves", "\"7200 s\"");
+    StormPeriod = key(Storm, "period", time(Positive), "T_s", "period of its waves, beside its duration", "\"10 s\"");
+    StormHeights = key(Storm, "heights", HEIGHTS, "", "law of the heights of waves", "\"rayleigh\"").silent("heights of waves: Rayleigh’s law");
+    StormTau0 = key(Storm, "tau0", time(Positive), "τ_0", "how long a wave pushes, or \"shimosako-takahashi\"", "\"1.5 s\"");
+    StormPulse = key(Storm, "pulse", PULSES, "", "how the slide of a wave is found", "\"triangle\"").silent("slide of a wave: triangle");
+    StormCut = key(Storm, "cut", Truth, "", "whether heights are cut at H_max of the sea", "false").silent("heights of waves: cut at H_max");
+    StormHeight = key(Storm, "significant_height", length(Positive), "H_13", "significant height of a storm without a body", "\"4.5 m\"");
+    ForcePerHeight = key(Storm, "force_per_height", Measured(Dimension::Pressure, NotNegative), "P_H", "its thrust for each metre of a wave’s height", "\"90 kN/m2\"");
+    UpliftPerHeight = key(Storm, "uplift_per_height", Measured(Dimension::Pressure, NotNegative), "U_H", "its uplift for each metre of a wave’s height", "\"45 kN/m2\"")
+        .silent("uplift for each metre: none");
+    StormWeight = key(Storm, "buoyant_weight", Measured(Dimension::Force, Positive), "W_g", "weight less buoyancy that it slides", "\"2300 kN/m\"");
+    StormMass = key(Storm, "mass", Measured(Dimension::Mass, Positive), "m_s", "mass that it slides, with the water that moves along", "\"400 t/m\"");
+    StormFriction = key(Storm, "friction", Plain(Positive), "μ", "friction that it slides on", "0.6");
+
+    Gamma = key(Point, "gamma", Plain(Positive), "γ", "slenderness H/B", "0.8");
+    KPrime = key(Point, "k_prime", Plain(Finite), "k'", "elevation of the force above the centre of mass, in H", "0.9167");
+    K = key(Point, "k", Plain(NotNegative), "k", "force, in m g", "0.45");
+    Mu = key(Point, "mu", Plain(NotNegative), "μ", "friction", "0.6");
+
+    B1 = key(Block, "b1", Plain(Finite), "b_1", "centre of mass right of the left corner O", "1").gives(&[Quantity::B1]);
+    B2 = key(Block, "b2", Plain(Finite), "b_2", "centre of mass left of the right corner O′", "1").gives(&[Quantity::B2]);
+    D = key(Block, "d", Plain(Finite), "d", "centre of mass above the base", "3").gives(&[Quantity::D]);
+    Rho2 = key(Block, "rho2", Plain(Finite), "ρ²", "moment of inertia about the centre of mass per mass", "3.33").gives(&[Quantity::Rho2]);
+    Mx = key(Block, "m_x", Plain(Finite), "m_x", "mass against motion along the base, water with it, per mass", "1.2")
+        .silent("mass against motion along the base: that of the body").gives(&[Quantity::InertiaX]);
+    My = key(Block, "m_y", Plain(Finite), "m_y", "mass against motion upwards, water with it, per mass", "1.2")
+        .silent("mass against motion upwards: that of the body").gives(&[Quantity::InertiaY]);
+    MuS = key(Block, "mu_s", Plain(NotNegative), "μ_s", "Coulomb friction to stick", "0.6").gives(&[Quantity::MuS]);
+    MuK = key(Block, "mu_k", Plain(NotNegative), "μ_k", "Coulomb friction to slip", "0.5")
+        .silent("friction to slip: that to stick").gives(&[Quantity::MuK]);
+    MuImpact = key(Block, "mu_impact", Plain(NotNegative), "μ_i", "Coulomb friction at impacts", "0.4")
+        .silent("friction at impacts: that to slip");
+    BlockGravity = key(Block, "gravity", Plain(Positive), "g", "acceleration of gravity", "1").gives(&[Quantity::Gravity]);
+    AtX = key(BlockLoad, "at[1]", OneOf(2, Finite), "x_F", "where the force acts, right of the centre of mass", "[0, 1]")
+        .silent("where the force acts: at the centre of mass");
+    AtY = key(BlockLoad, "at[2]", OneOf(2, Finite), "y_F", "where it acts, above the centre of mass", "[0, 1]");
+    DirectionX = key(BlockLoad, "direction[1]", OneOf(2, Finite), "u_x", "its direction and size to the right", "[-1, 0]");
+    DirectionY = key(BlockLoad, "direction[2]", OneOf(2, Finite), "u_y", "its direction and size upwards", "[-1, 0]");
+    Follows = key(BlockLoad, "follows", Truth, "", "whether its direction turns with the body", "true")
+        .silent("direction of the force: fixed in space");
+
+    HistoryShape = key(History, "shape", COURSES, "", "its course", "\"triangle\"");
+    HistoryStart = key(History, "start", time(Finite), "t_0", "when it begins", "\"1 s\"")
+        .silent("beginning of the history: 0").gives(&[Quantity::LoadTime]);
+    HistoryPeak = key(History, "peak", Reached, "a_p", "what it reaches: an acceleration of the base, or a factor on the load", "1.2")
+        .silent("peak of the history: 1");
+    HistoryDuration = key(History, "duration", time(Positive), "t_d", "how long it lasts", "\"0.4 s\"");
+    HistoryRise = key(History, "rise", time(NotNegative), "t_r", "how long it rises", "\"0.2 s\"");
+    AngularFrequency = key(History, "angular_frequency", Plain(Positive), "ω_F", "angular frequency of a sine, rad/s", "6.28");
+    HistoryPeriod = key(History, "period", time(Positive), "T_F", "period of a sine, in place of its angular frequency", "\"1 s\"");
+    Phase = key(History, "phase", Measured(Dimension::Angle, Finite), "φ_F", "phase of a sine at its beginning", "\"0.5 rad\"")
+        .silent("phase of the sine: 0");
+    ImpactDuration = key(History, "impact_duration", time(Positive), "t_i", "how long the triangle of a church roof would last", "\"0.2 s\"");
+    Tail = key(History, "tail", Reached, "a_t", "what a church roof falls back to, from zero to its peak", "0.4")
+        .silent("tail of the church roof: 0");
+    Times = key(History, "times", List(Dimension::Time), "", "moments of points, rising; twice the same for a step", "[0, 0.05, 0.1]");
+    Values = key(History, "values", Plains, "", "values there, as shares of the peak", "[0, 1, 0]");
+    RecordFile = key(History, "file", File, "", "file of the record", "\"record.AT2\"");
+    RecordColumn = key(History, "column", Text, "", "column of the record, in a CSV file with several", "\"a_x\"");
+    RecordStep = key(History, "dt", time(Positive), "Δt", "time from value to value, where the file has no times", "\"0.01 s\"");
+    RecordFactor = key(History, "factor", Plain(Finite), "f_r", "what the values of the record are multiplied by", "1.2")
+        .silent("factor on the record: 1");
+    TargetPeak = key(History, "target_peak", Reached, "a_T", "what the record is scaled to reach", "\"0.4 g\"");
+    Baseline = key(History, "baseline", BASELINES, "", "what is taken off the record: its mean, or the line of least squares", "\"linear\"");
 }
 
 /// What says of whom and for whom a calculation sheet is, in the order of its title block: a case file may have each as a key,
@@ -621,26 +892,44 @@ impl Key {
         name.split_once('[').map_or(name, |(list, _)| list)
     }
 
+    /// Whether it asks something of the motion in time.
+    pub fn is_of_motion(self) -> bool {
+        matches!(self, Key::GreatestSlide | Key::GreatestTheta | Key::NotOverturned)
+    }
+
     /// The key under which a file has `name` in `table`; the first number of a list.
     pub fn find(table: Table, name: &str) -> Option<Key> {
         table.keys().find(|key| key.entry() == name)
     }
 }
 
-/// A key in one of the tables of its kind.
+/// A key in one of the tables of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Id {
-    /// The place of the table among those of its name, from zero.
+    /// The table.
+    pub table: Table,
+    /// The place of the table among those of its name, from zero; of one in a table that repeats, the place of that.
     pub index: usize,
     /// The key.
     pub key: Key,
 }
 
+impl Id {
+    /// The key in the `index`-th of the tables that it is listed under.
+    pub fn new(key: Key, index: usize) -> Id {
+        Id { table: TABLES[key as usize], index, key }
+    }
+
+    /// The key in the `index`-th of a kind of tables, as those with histories.
+    pub fn of(table: Table, index: usize, key: Key) -> Id {
+        Id { table, index, key }
+    }
+}
+
 impl Ord for Id {
     /// Table by table, as they are read, so that further values stand behind all others.
     fn cmp(&self, other: &Id) -> Ordering {
-        let place = |id: &Id| (TABLES[id.key as usize], id.index, id.key);
-        place(self).cmp(&place(other))
+        (self.table, self.index, self.key).cmp(&(other.table, other.index, other.key))
     }
 }
 
@@ -664,18 +953,16 @@ impl PartialOrd for Id {
 impl From<Key> for Id {
     /// The key in the first, or only, table.
     fn from(key: Key) -> Id {
-        Id { key, index: 0 }
+        Id::new(key, 0)
     }
 }
 
 impl fmt::Display for Id {
-    /// Table and key: `gravity`, `wave.period`, `load[2].force`.
+    /// Table and key: `gravity`, `wave.period`, `load[2].force`, `motion.base.horizontal.peak`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let KeyInfo { table, name, .. } = self.key.info();
-        match table {
-            Top => f.write_str(name),
-            table if table.repeats() => write!(f, "{}[{}].{name}", table.name(), self.index + 1),
-            table => write!(f, "{}.{name}", table.name()),
+        match self.table {
+            Top => f.write_str(self.key.name()),
+            table => write!(f, "{}.{}", table.path(self.index), self.key.name()),
         }
     }
 }
@@ -706,7 +993,7 @@ mod tests {
         assert_eq!(Key::find(Table::Wave, "lambda"), Some(Key::Lambda1));
         assert_eq!(Key::find(Table::Wave, "lambda[1]"), None);
         assert_eq!(Key::find(Table::Body, "period"), None);
-        assert_eq!(Id { key: Key::Force, index: 1 }.to_string(), "load[2].force");
+        assert_eq!(Id::new(Key::Force, 1).to_string(), "load[2].force");
         assert_eq!(Id::from(Key::Period).to_string(), "wave.period");
         assert_eq!(Id::from(Key::Gravity).to_string(), "gravity");
     }

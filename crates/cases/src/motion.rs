@@ -3,38 +3,34 @@
 //! A `[block]` is a body of which only ratios matter: lengths in any one unit, the mass as 1, accelerations as they come.
 //!
 //! ```
-//! use standfast_cases::motion::{BlockCase, Follow};
+//! use standfast_cases::CaseFile;
+//! use standfast_cases::motion::Follow;
 //!
 //! let text = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = 1\n\
 //!     [motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 2 }\n";
-//! let case = BlockCase::parse("block.toml", text, &|file| Err(format!("no file {file}")))?;
-//! let followed = case.follow(&Follow::default())?;
-//! assert!(followed.outcome.at_rest());
+//! let motions = CaseFile::parse("block.toml", text)?.follow(&Follow::default())?;
+//! assert!(motions[0].1.outcome.at_rest());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod block;
-mod body;
 mod criteria;
-mod error;
 mod figures;
-mod history;
+mod first_instant;
 mod json;
 mod rows;
 mod series;
 mod slips;
 mod spectrum;
-mod table;
 mod text;
-mod timed;
 
-pub use block::{BlockCase, LoadPeak, has_block, is_in_time};
-pub use body::{BodyCaseError, body_cases};
-pub(crate) use body::{acting_as, is_own_weight, standing};
+pub(crate) use block::motions;
+pub use block::{BlockCase, LoadPeak};
 pub use criteria::{MOTION_CRITERIA, MotionCheck, MotionCriterion, MotionValue};
 pub(crate) use criteria::{met_words, worst_checks};
-pub use error::MotionCaseError;
 pub use figures::MotionFigure;
+pub use first_instant::FirstInstant;
+pub(crate) use first_instant::at_first_instant;
 pub use json::all_json;
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::{SERIES, series, series_csv};
@@ -42,15 +38,12 @@ pub use spectrum::{
     Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps, in_order,
 };
 pub use text::Rows;
-pub use timed::{Timed, still_case};
 
 use standfast_motion::{Keep, sensitivity, simulate};
 
+pub use crate::record::ReadFile;
 pub use standfast_motion::record::{Record, RecordUnit};
 pub use standfast_motion::{MotionError, Outcome, Position};
-
-/// Reads the text of a file that a case names, or says why it cannot.
-pub type ReadFile<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
 
 /// Accelerations of the base that are given beside a case, in place of those it names: in m/s², or in the units of a `[block]`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -59,33 +52,6 @@ pub struct GivenBase {
     pub horizontal: Option<Record>,
     /// Upwards.
     pub vertical: Option<Record>,
-}
-
-impl GivenBase {
-    /// The history of a direction, if it is given.
-    fn read(&self, direction: &str) -> Result<Option<history::Read>, MotionError> {
-        let record = if direction == "horizontal" { &self.horizontal } else { &self.vertical };
-        let name = format!("the {direction} record");
-        record.as_ref().map(|record| history::of_record(&name, record, 1.0, 0.0)).transpose()
-    }
-}
-
-/// Reads a case with a `[block]` or a `[body]`, on a base that moves as is given; `name` is what errors call it, and `file` reads
-/// the records it names.
-///
-/// # Errors
-/// If the case is none, or a variable load has no history.
-pub fn cases_on(
-    name: &str,
-    text: &str,
-    file: &ReadFile<'_>,
-    given: &GivenBase,
-) -> Result<Vec<BlockCase>, BodyCaseError> {
-    if has_block(text) {
-        Ok(vec![BlockCase::parse_on(name, text, file, given)?])
-    } else {
-        body::body_cases_on(name, text, file, given)
-    }
 }
 
 /// What to find beside the motion itself.

@@ -2,23 +2,26 @@
 //!
 //! Nothing is guessed: a key, unit or value that is not understood is a [`CaseError`] that points at it.
 
-mod history;
 mod option;
 
 use std::collections::BTreeMap;
 use std::ops::Range as Span;
+use std::sync::Arc;
 
 use standfast::{InputError, Modes};
+use standfast_motion::MotionError;
+use standfast_motion::record::STANDARD_GRAVITY;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::case::{Case, fault};
 use crate::criteria::Criterion;
-use crate::error::{CaseError, Fault, Place, Problem, UNANSWERABLE, expected_type, names};
-use crate::inputs::{Inputs, Value};
+use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
+use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
-use crate::random::{self, RANDOM, Random, RandomProblem, STORM, Storm};
+use crate::random::{self, RANDOM, Random, RandomProblem};
+use crate::record::{ReadFile, RecordFile};
 use crate::units::{Dimension, Extent, in_gravity};
 pub(crate) use option::read;
 
@@ -30,9 +33,10 @@ pub struct CaseFile {
     inputs: Inputs,
     entries: Vec<Entry>,
     headers: BTreeMap<(Table, usize), Span<usize>>,
-    extent: Extent,
+    units: Option<Extent>,
     random: Option<Random>,
-    storm: Option<Storm>,
+    /// The files that [random] names, as they were read.
+    beside: BTreeMap<String, Arc<RecordFile>>,
 }
 
 /// An entry of a case file.
@@ -40,8 +44,10 @@ pub struct CaseFile {
 pub struct Entry {
     /// The key; the first number's of a list.
     pub id: Id,
-    /// Where its value stands in the text.
+    /// Where its value stands in the text; empty, at its end, of what follows from other entries.
     pub span: Span<usize>,
+    /// The value as it would be written, of what follows from other entries.
+    follows: Option<String>,
 }
 
 /// A problem and the place it is at.
@@ -68,16 +74,62 @@ impl CaseFile {
         })
     }
 
-    /// The case file of a text that is parsed already.
-    pub(crate) fn of_document(
-        name: &str,
-        text: &str,
-        document: &Spanned<DeTable<'_>>,
+    /// Reads a case file with the files that it names, which `read` reads; `name` is what errors call it.
+    ///
+    /// # Errors
+    /// As [`parse`](CaseFile::parse), and if a file cannot be read.
+    pub fn read(name: &str, text: &str, read: &ReadFile<'_>) -> Result<CaseFile, CaseError> {
+        CaseFile::parse(name, text)?.with_files(read)
+    }
+
+    /// The same with the files that it names, which `read` reads.
+    ///
+    /// # Errors
+    /// If one cannot be read.
+    pub fn with_files(self, read: &ReadFile<'_>) -> Result<CaseFile, CaseError> {
+        self.with_some_files(read, &|_| true)
+    }
+
+    /// The same with those under some keys.
+    ///
+    /// # Errors
+    /// As [`with_files`](CaseFile::with_files).
+    pub fn with_some_files(
+        mut self,
+        read: &ReadFile<'_>,
+        which: &dyn Fn(Id) -> bool,
     ) -> Result<CaseFile, CaseError> {
-        if text.trim().is_empty() {
-            return CaseFile::parse(name, text);
+        for (id, name) in self.wanted().into_iter().filter(|(id, _)| which(*id)) {
+            match read(&name) {
+                Ok(text) => self.put_record(id, Arc::new(RecordFile::of_text(name, text))),
+                Err(why) => return Err(self.error(Fault::new(Problem::Unread { name, why }, id))),
+            }
         }
-        CaseFile::reading(name, text, |file| file.read_document(text, document))
+        let records = self.random.as_ref().map_or_else(Vec::new, |random| random.records.clone());
+        for name in records {
+            let text = read(&name).map_err(|why| {
+                let span = self.random.as_ref().map_or(0..0, |random| random.span.clone());
+                let problem = Problem::Unread { name: name.clone(), why };
+                CaseError::new(&self.name, &self.text, problem, vec![span])
+            })?;
+            self.beside.insert(name.clone(), Arc::new(RecordFile::of_text(name, text)));
+        }
+        Ok(self)
+    }
+
+    /// A file that [random] names, once it is read.
+    pub(crate) fn beside(&self, name: &str) -> Option<&Arc<RecordFile>> {
+        self.beside.get(name)
+    }
+
+    /// The files that it names and that are not read yet, with the keys under which they stand.
+    pub fn wanted(&self) -> Vec<(Id, String)> {
+        let wanted = self.inputs.values().filter(|(id, _)| id.key.info().kind == Kind::File);
+        wanted.filter_map(|(id, value)| Some((id, value.as_text()?.to_owned()))).collect()
+    }
+
+    pub(crate) fn put_record(&mut self, id: Id, record: Arc<RecordFile>) {
+        self.inputs.put(id, Value::Record(record));
     }
 
     fn reading(
@@ -91,9 +143,9 @@ impl CaseFile {
             inputs: Inputs::default(),
             entries: Vec::new(),
             headers: BTreeMap::new(),
-            extent: Extent::PerMetre,
+            units: Some(Extent::PerMetre),
             random: None,
-            storm: None,
+            beside: BTreeMap::new(),
         };
         match read(&mut file) {
             Ok(()) => {
@@ -119,9 +171,18 @@ impl CaseFile {
         &self.inputs
     }
 
-    /// The same with other values, as if they stood where those of the file do.
+    /// The same with other values, as if they stood where those of the file do; an entry without value goes.
     pub(crate) fn with_inputs(&self, inputs: Inputs) -> CaseFile {
-        CaseFile { inputs, ..self.clone() }
+        let mut file = CaseFile { inputs, ..self.clone() };
+        file.entries.retain(|entry| file.inputs.get(entry.id).is_some());
+        file
+    }
+
+    /// The same with an entry that follows from others, as it would be written.
+    pub(crate) fn with_entry(mut self, id: Id, written: String) -> CaseFile {
+        let end = self.text.len();
+        self.entries.push(Entry { id, span: end..end, follows: Some(written) });
+        self
     }
 
     /// The case it describes.
@@ -159,14 +220,19 @@ impl CaseFile {
         self.random.as_ref()
     }
 
-    /// The storms of a life, where it has them.
-    pub fn storm(&self) -> Option<&Storm> {
-        self.storm.as_ref()
-    }
-
     /// What is wrong with its random numbers, shown in the text.
     pub(crate) fn random_error(&self, problem: RandomProblem, span: Span<usize>) -> CaseError {
         CaseError::new(&self.name, &self.text, problem.into(), vec![span])
+    }
+
+    /// The tables that it has, with the places of their headers.
+    pub(crate) fn headers(&self) -> impl Iterator<Item = (Table, Span<usize>)> {
+        self.headers.iter().map(|((table, _), span)| (*table, span.clone()))
+    }
+
+    /// What the motion refuses of the case, shown at the number that brings it about.
+    pub(crate) fn motion_refused(&self, error: MotionError) -> CaseError {
+        self.error(crate::case::motion_fault(&self.inputs, error))
     }
 
     /// Its entries in their order.
@@ -175,8 +241,8 @@ impl CaseFile {
     }
 
     /// The value of an entry as it is written, quotes and all.
-    pub fn written(&self, entry: &Entry) -> &str {
-        self.text.get(entry.span.clone()).unwrap_or_default()
+    pub fn written<'a>(&'a self, entry: &'a Entry) -> &'a str {
+        entry.follows.as_deref().unwrap_or_else(|| self.text.get(entry.span.clone()).unwrap_or_default())
     }
 
     /// The comment behind the value of an entry, on the line where it ends.
@@ -197,11 +263,11 @@ impl CaseFile {
             Place::Key(id) => {
                 let list = id.key.entry();
                 let same = |entry: &&Entry| {
-                    let key = entry.id.key;
-                    (key.info().table, key.entry(), entry.id.index) == (id.key.info().table, list, id.index)
+                    let Id { table, index, key } = entry.id;
+                    (table, key.entry(), index) == (id.table, list, id.index)
                 };
                 let entry = self.entries.iter().find(same).map(|entry| entry.span.clone());
-                entry.unwrap_or_else(|| of_table(id.key.info().table, id.index))
+                entry.unwrap_or_else(|| of_table(id.table, id.index))
             }
         }
     }
@@ -209,27 +275,11 @@ impl CaseFile {
     fn read_document(&mut self, text: &str, document: &Spanned<DeTable<'_>>) -> Result<(), At> {
         let top = document.get_ref();
         self.headers.insert((Table::Top, 0), document.span());
-        only(top, Table::Top)?;
-        self.extent = extent(top);
+        self.units = units(top);
         self.read_table(text, top, Table::Top, 0)?;
-        for table in Table::ALL.into_iter().filter(|table| *table != Table::Top) {
-            let Some(value) = top.get(table.name()) else { continue };
-            if table.repeats() {
-                self.read_tables(text, value, table)?;
-            } else {
-                let inner = as_table(value, table, "a table")?;
-                self.begin(table, value.span());
-                only(inner, table)?;
-                self.read_table(text, inner, table, 0)?;
-            }
-        }
         if let Some(value) = top.get(RANDOM) {
             let read = random::read(value);
             self.random = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
-        }
-        if let Some(value) = top.get(STORM) {
-            let read = random::read_storm(value);
-            self.storm = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
         }
         Ok(())
     }
@@ -242,44 +292,59 @@ impl CaseFile {
         }
         for (index, value) in list.iter().enumerate() {
             let inner = as_table(value, table, EXPECTED)?;
-            self.begin(table, value.span());
-            only(inner, table)?;
+            self.begin(table, index, value.span());
             self.read_table(text, inner, table, index)?;
         }
         Ok(())
     }
 
-    fn begin(&mut self, table: Table, span: Span<usize>) {
-        self.headers.insert((table, self.inputs.count(table)), span);
+    fn begin(&mut self, table: Table, index: usize, span: Span<usize>) {
+        self.headers.insert((table, index), span);
         self.inputs.add_table(table);
     }
 
-    /// Reads the entries of a table.
-    fn read_table(&mut self, text: &str, table: &DeTable<'_>, kind: Table, index: usize) -> Result<(), At> {
-        for (name, value) in table.iter() {
-            let Some(key) = Key::find(kind, name.get_ref()) else { continue };
-            let field = Field { key, value, text, extent: self.extent };
+    /// Reads a table, the `index`-th of its kind, with the tables that stand in it.
+    fn read_table(&mut self, text: &str, found: &DeTable<'_>, table: Table, index: usize) -> Result<(), At> {
+        only(found, table)?;
+        for (name, value) in found.iter() {
+            let Some(key) = Key::find(table, name.get_ref()) else { continue };
+            let id = Id::of(table, index, key);
+            let field = Field { id, value, text, units: self.units };
             match key.info().kind {
-                Kind::OneOfThree => {
-                    let keys = [Key::Lambda1, Key::Lambda2, Key::Lambda3];
-                    for (key, number) in keys.into_iter().zip(field.three()?) {
-                        self.inputs.put(Id { key, index }, Value::Number(number));
+                Kind::OneOf(count, range) => {
+                    let keys = table.keys().filter(|other| other.entry() == key.entry());
+                    for (key, number) in keys.zip(field.several(count, range)?) {
+                        self.inputs.put(Id::of(table, index, key), Value::Number(number));
                     }
                 }
-                kind => self.inputs.put(Id { key, index }, field.value(kind)?),
+                kind => self.inputs.put(id, field.value(kind)?),
             }
-            self.entries.push(Entry { id: Id { key, index }, span: value.span() });
+            self.entries.push(Entry { id, span: value.span(), follows: None });
+        }
+        for child in table.children() {
+            let Some(value) = found.get(child.name()) else { continue };
+            if child.repeats() {
+                self.read_tables(text, value, child)?;
+                continue;
+            }
+            let expected = if child.is_history() { "a shape with its numbers, in braces" } else { "a table" };
+            let inner = as_table(value, child, expected)?;
+            self.begin(child, index, value.span());
+            self.read_table(text, inner, child, index)?;
         }
         Ok(())
     }
 }
 
-/// What forces and masses of a document are of, which its units depend on wherever they stand; see [`Inputs::extent`].
-fn extent(top: &DeTable<'_>) -> Extent {
+/// What forces and masses of a document are of, which its units depend on wherever they stand; see [`Inputs::units`].
+fn units(top: &DeTable<'_>) -> Option<Extent> {
+    if top.contains_key(Table::Block.name()) {
+        return None;
+    }
     let body = top.get(Table::Body.name()).and_then(|body| body.get_ref().as_table());
     let has = |key: Key| body.and_then(|body| body.get(key.name()));
     let cylinder = has(Key::Shape).is_some_and(|shape| shape.get_ref().as_str() == Some("cylinder"));
-    if has(Key::Length).is_some() || cylinder { Extent::Whole } else { Extent::PerMetre }
+    Some(if has(Key::Length).is_some() || cylinder { Extent::Whole } else { Extent::PerMetre })
 }
 
 /// Words in one line, as names stand in tables.
@@ -295,11 +360,7 @@ fn only(found: &DeTable<'_>, table: Table) -> Result<(), At> {
         None => Ok(()),
         Some(key) => {
             let name: &str = key.get_ref();
-            let later = UNANSWERABLE.iter().find(|(later, _)| table == Table::Criteria && *later == name);
-            let problem = match later {
-                Some(&(name, of)) => Problem::Unanswerable { name, of },
-                None => Problem::UnknownKey { table, name: name.to_owned() },
-            };
+            let problem = Problem::UnknownKey { table, name: name.to_owned() };
             Err(At { problem, span: key.span() })
         }
     }
@@ -339,12 +400,21 @@ pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
+/// What gives the duration of an impulsive wave beside a time: the waves, by formulas of Shimosako and Takahashi.
+pub(crate) const BY_WAVES: ([Id; 2], &str) = (
+    [
+        Id { table: Table::WaveHistory, index: 0, key: Key::HistoryDuration },
+        Id { table: Table::Storm, index: 0, key: Key::StormTau0 },
+    ],
+    "shimosako-takahashi",
+);
+
 /// A value under a key.
 struct Field<'a> {
-    key: Key,
+    id: Id,
     value: &'a Spanned<DeValue<'a>>,
     text: &'a str,
-    extent: Extent,
+    units: Option<Extent>,
 }
 
 impl Field<'_> {
@@ -353,7 +423,7 @@ impl Field<'_> {
     }
 
     fn wrong_type(&self, expected: &'static str) -> At {
-        self.problem(Problem::WrongType { key: self.key, found: type_of(self.value.get_ref()), expected })
+        self.problem(Problem::WrongType { key: self.id.key, found: type_of(self.value.get_ref()), expected })
     }
 
     /// A value as it stands in the file, shortened where it would fill the screen.
@@ -362,7 +432,7 @@ impl Field<'_> {
     }
 
     fn out_of_range(&self, expected: &'static str) -> At {
-        self.problem(Problem::OutOfRange { key: self.key, written: self.written(self.value), expected })
+        self.problem(Problem::OutOfRange { key: self.id.key, written: self.written(self.value), expected })
     }
 
     fn in_range(&self, number: f64, range: Range) -> Result<f64, At> {
@@ -374,10 +444,19 @@ impl Field<'_> {
         let wrong_type = || self.wrong_type(expected_type(kind));
         let number = plain_number(self.value.get_ref());
         Ok(match kind {
-            Kind::Text => Value::Text(self.words()?),
+            Kind::Text | Kind::File => Value::Text(self.words()?),
+            Kind::Measured(..)
+                if BY_WAVES.0.contains(&self.id) && self.value.get_ref().as_str() == Some(BY_WAVES.1) =>
+            {
+                Value::Choice(BY_WAVES.1)
+            }
             Kind::Measured(_, range) => {
                 let number = number.map_or_else(|| self.measured(), Ok)?;
                 Value::Number(self.in_range(number, range)?)
+            }
+            Kind::Reached => {
+                let number = number.map_or_else(|| self.reached(), Ok)?;
+                Value::Number(self.in_range(number, Range::Finite)?)
             }
             Kind::InGravity => match number {
                 Some(share) => Value::InGravity(self.in_range(share, Range::Finite)?),
@@ -387,12 +466,15 @@ impl Field<'_> {
                 },
             },
             Kind::Plain(range) => Value::Number(self.in_range(number.ok_or_else(wrong_type)?, range)?),
-            Kind::OneOfThree => return Err(wrong_type()),
+            Kind::OneOf(..) => return Err(wrong_type()),
             Kind::Truth => Value::Truth(self.value.get_ref().as_bool().ok_or_else(wrong_type)?),
-            Kind::Sides => match number.ok_or_else(wrong_type)? {
-                number if number == 1.0 || number == 2.0 => Value::Number(number),
-                _ => return Err(self.out_of_range(expected_type(kind))),
-            },
+            // How many sides, as long as it is plain which.
+            Kind::Choice { words, .. } if self.id.key == Key::WetSides && number.is_some() => {
+                match number.unwrap_or(0.0) {
+                    number if number == 1.0 || number == 2.0 => Value::Number(number),
+                    _ => return Err(self.out_of_range(words)),
+                }
+            }
             Kind::Choice { of, words } => {
                 let word = self.words()?;
                 let choice = of.iter().find(|choice| **choice == word);
@@ -401,6 +483,14 @@ impl Field<'_> {
             Kind::List(_) => {
                 let numbers = self.elements(kind)?.map(|field| {
                     let number = plain_number(field.value.get_ref()).map_or_else(|| field.measured(), Ok)?;
+                    field.in_range(number, Range::Finite)
+                });
+                Value::Numbers(numbers.collect::<Result<_, _>>()?)
+            }
+            Kind::Plains => {
+                let numbers = self.elements(kind)?.map(|field| {
+                    let number = plain_number(field.value.get_ref());
+                    let number = number.ok_or_else(|| field.wrong_type("a number without unit or quotes"))?;
                     field.in_range(number, Range::Finite)
                 });
                 Value::Numbers(numbers.collect::<Result<_, _>>()?)
@@ -416,7 +506,6 @@ impl Field<'_> {
                 }
                 Value::Modes(modes)
             }
-            Kind::History => Value::History(self.history()?),
         })
     }
 
@@ -462,7 +551,7 @@ impl Field<'_> {
         if words.chars().any(|c| c.is_control() && !c.is_whitespace()) {
             return Err(self.wrong_type("one without control characters"));
         }
-        Ok(match self.key {
+        Ok(match self.id.key {
             Key::LoadName | Key::PressureName | Key::CombinationName | Key::PartName => match one_line(words)
             {
                 name if name.is_empty() => return Err(self.out_of_range("a name that is not empty")),
@@ -473,35 +562,48 @@ impl Field<'_> {
     }
 
     fn dimension(&self) -> Option<Dimension> {
-        self.key.info().dimension().map(|dimension| self.extent.of(dimension))
+        dimension(self.id, self.units)
     }
 
     /// A number with its unit.
     fn measured(&self) -> Result<f64, At> {
-        let info = self.key.info();
+        let kind = match self.units {
+            None => Kind::Plain(Range::Finite),
+            Some(_) => self.id.key.info().kind,
+        };
         let (Some(text), Some(dimension)) = (self.value.get_ref().as_str(), self.dimension()) else {
-            return Err(self.wrong_type(expected_type(info.kind)));
+            return Err(self.wrong_type(expected_type(kind)));
         };
         dimension.parse(text).map_err(|error| {
             let written = self.written(self.value);
-            self.problem(Problem::Unit { key: self.key, dimension: Some(dimension), written, error })
+            self.problem(Problem::Unit { key: self.id.key, dimension: Some(dimension), written, error })
         })
     }
 
-    /// Three numbers without unit in a list.
-    fn three(&self) -> Result<[f64; 3], At> {
-        let expected = expected_type(Kind::OneOfThree);
+    /// What a history reaches, with its unit: g is the standard acceleration of gravity.
+    fn reached(&self) -> Result<f64, At> {
+        if self.dimension().is_none() {
+            return Err(self.wrong_type(expected_type(Kind::Plain(Range::Finite))));
+        }
+        match self.value.get_ref().as_str().and_then(in_gravity) {
+            Some(share) => Ok(share * STANDARD_GRAVITY),
+            None => self.measured(),
+        }
+    }
+
+    /// So many numbers without unit in a list.
+    fn several(&self, count: usize, range: Range) -> Result<Vec<f64>, At> {
+        let expected = expected_type(Kind::OneOf(count, range));
         let list = self.value.get_ref().as_array().ok_or_else(|| self.wrong_type(expected))?;
-        if list.len() != 3 {
+        if list.len() != count {
             return Err(self.out_of_range(expected));
         }
-        let mut numbers = [0.0; 3];
-        for (number, value) in numbers.iter_mut().zip(list.iter()) {
+        let numbers = list.iter().map(|value| {
             let field = Field { value, ..*self };
             let plain = plain_number(value.get_ref()).ok_or_else(|| field.wrong_type("a list of numbers"))?;
-            *number = field.in_range(plain, Range::NotNegative)?;
-        }
-        Ok(numbers)
+            field.in_range(plain, range)
+        });
+        numbers.collect()
     }
 }
 

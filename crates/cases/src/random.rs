@@ -45,11 +45,10 @@ pub use error::ProbabilityError;
 pub use figures::ProbabilityFigure;
 pub use joined::Joined;
 pub use over::{Along, Fit, Fragility, Over};
-pub use overturn::{AtPeak, FirstInstant, Overturning};
+pub use overturn::{AtPeak, Overturning};
 pub use standfast_probability::sample::{Effort, Estimate};
 
 pub use storm::{Exceeded, Followed, Pulse, Quantile, Rotating, Sliding, SlidingError, Storm, StormField};
-pub(crate) use storm::{STORM, read as read_storm};
 
 pub use template::template;
 

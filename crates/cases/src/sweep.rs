@@ -22,13 +22,13 @@ mod factor;
 
 use standfast::loads::Earthquake;
 
-pub use factor::{Factor, NoFactor};
+pub use factor::{Factor, NoFactor, heading};
 
 use crate::assess::{Assessed, Assessment};
 use crate::case::{Case, fault};
 use crate::couple::{STAYS, Variable, change, moved};
 use crate::criteria::Check;
-use crate::error::{CaseError, Fault};
+use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
 use crate::parse::CaseFile;
@@ -81,7 +81,7 @@ pub enum SweepResult {
 }
 
 /// The names of criteria, which are those of the keys that ask for them.
-const CRITERIA: [&str; 11] = [
+const CRITERIA: [&str; 14] = [
     "SF_sliding",
     "SF_overturning",
     "bearing_max",
@@ -92,6 +92,9 @@ const CRITERIA: [&str; 11] = [
     "effective_pressure_max",
     "rotation_max",
     "p_not_rest",
+    "slide",
+    "max_theta",
+    "overturned",
     "modes_not",
 ];
 
@@ -101,6 +104,9 @@ impl Sweep {
     /// # Errors
     /// If the file's own values do not go together.
     pub fn of(file: &CaseFile, factors: Vec<Factor>) -> Result<Sweep, CaseError> {
+        if let Some(table) = in_time(file.inputs()) {
+            return Err(file.error(Fault::new(Problem::TableInTime, table)));
+        }
         let case = file.case()?;
         let asks = |key: Key| key == Key::GreatestNotRest;
         let varied = factors.iter().any(|factor| asks(factor.variable().id().key));
@@ -187,6 +193,14 @@ impl Sweep {
         let is_it = |factor: &Factor| places().any(|place| place == factor.variable().id().into());
         (0..self.factors.len()).filter(|place| is_it(&self.factors[*place])).collect()
     }
+}
+
+/// The table that makes a case one in time, where it is so.
+fn in_time(inputs: &Inputs) -> Option<Table> {
+    let of_time = |table: &Table| {
+        inputs.has(*table) && (table.is_of_motion() || table.is_history() || *table == Table::Block)
+    };
+    Table::ALL.into_iter().filter(|_| inputs.is_in_time()).find(of_time)
 }
 
 /// What goes with variables of a case, in sentences.

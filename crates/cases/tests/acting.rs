@@ -374,7 +374,7 @@ fn slips_of_forces_and_criteria_are_named() {
 fn loads_in_no_combination_are_named() {
     let text = |factors: &str| {
         format!(
-            "{QUAY}[earthquake]\nhorizontal = 0.01\n[added_mass]\nsides = 1\n[[combination]]\nfactors = {{ {factors} }}\n"
+            "{QUAY}[earthquake]\nhorizontal = 0.01\n[added_mass]\nsides = \"right\"\n[[combination]]\nfactors = {{ {factors} }}\n"
         )
     };
     let all = "surcharge = 1, bollard = 1, crane = 1, earthquake = 1";

@@ -2,8 +2,8 @@
 
 use standfast_cases::design::{Design, Extreme, Request as DesignRequest, Spelling};
 use standfast_cases::random::{
-    Draws, Effort, Estimate, FirstInstant, Happening, Method, Over, Overturning, Probability,
-    ProbabilityError, Request, WeighedDraws, template,
+    Draws, Effort, Estimate, Happening, Method, Over, Overturning, Probability, ProbabilityError, Request,
+    WeighedDraws, template,
 };
 use standfast_cases::{Assessment, CaseFile};
 use standfast_probability::normal::{above, below, quantile_above};
@@ -13,7 +13,7 @@ fn file(text: &str) -> CaseFile {
 }
 
 fn answer(text: &str, request: Request) -> Probability {
-    Probability::of_text("case.toml", text, request)
+    Probability::of(&file(text), request)
         .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
 }
 
@@ -146,7 +146,7 @@ fn a_range_that_falls_is_refused() {
     let text = format!("{BLOCK}{PUSH}[random]\n{LAW}");
     for range in ["width=20 m..10 m:3", "width=10 m..10 m:3"] {
         let over = range.parse().unwrap();
-        let error = Probability::along("case.toml", &text, Request::default(), Some(&over)).unwrap_err();
+        let error = Probability::along(&file(&text), Request::default(), Some(&over)).unwrap_err();
         let (from, to) = range["width=".len()..].trim_end_matches(":3").split_once("..").unwrap();
         assert!(error.to_string().contains(&format!("from {from} to {to}")), "{error}");
     }
@@ -192,7 +192,7 @@ fn a_template_answers_with_every_example() {
             continue;
         }
         let text = format!("{text}\n{template}");
-        let draws = |situation: Option<&str>| Draws::of_text(&name, &text, situation, 40, 1);
+        let draws = |situation: Option<&str>| Draws::of(&file(&text), situation, 40, 1);
         let found = match draws(None) {
             Err(ProbabilityError::Situation { known, .. }) => draws(Some(&known[0])),
             found => found,
@@ -219,7 +219,7 @@ fn weighed_draws_add_up_to_the_answer() {
     );
     let request = Request { method: Some(Method::MonteCarlo), ..Request::default() };
     let found = answer(&text, request);
-    let draws = WeighedDraws::of_text("case.toml", &text, &found).unwrap();
+    let draws = WeighedDraws::of(&file(&text), &found).unwrap();
     assert_eq!(draws.situations.len(), 2);
     for (place, chances) in found.situations.iter().enumerate() {
         for (happening, estimate) in &chances.modes {
@@ -239,7 +239,7 @@ fn weighed_draws_add_up_to_the_answer() {
     // Of an answer that integrates friction they are the same ones, drawn by the laws: shares of them are its probabilities, within what
     // so many tell.
     let found = answer(&text, Request::default());
-    let integrated = WeighedDraws::of_text("case.toml", &text, &found).unwrap();
+    let integrated = WeighedDraws::of(&file(&text), &found).unwrap();
     let count = 1 << 16;
     assert_eq!(integrated.weights.len(), 2 * count);
     assert_eq!(integrated.values[0][..100], draws.values[0][..100]);
@@ -259,7 +259,7 @@ fn weighed_draws_add_up_to_the_answer() {
     }
     let few = Effort { points: 1000, ..Effort::default() };
     let found = answer(&text, Request { effort: few, ..Request::default() });
-    assert_eq!(WeighedDraws::of_text("case.toml", &text, &found).unwrap().weights.len(), 2000);
+    assert_eq!(WeighedDraws::of(&file(&text), &found).unwrap().weights.len(), 2000);
 }
 
 const GODA: &str = include_str!("../../../examples/goda-2000.toml");
@@ -316,8 +316,8 @@ fn rotations_are_those_of_the_motion_in_time() {
         turning += chance;
         let history = "history = { shape = \"triangle\", rise = 1.25, duration = 2.5 }\n";
         let timed = still.replace("[wave]\n", &format!("[wave]\n{history}"));
-        let cases = standfast_cases::motion::body_cases("case.toml", &timed, &|_| Err(String::new()))
-            .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
+        let cases =
+            file(&timed).motions().unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
         let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
         slide += chance * outcome.slide.abs();
         over += chance * f64::from(u8::from(outcome.overturned()));
@@ -373,17 +373,17 @@ fn overturning_is_that_of_the_motions_one_by_one() {
     for (random, extra) in [(&listed, None), (&biased, Some(900.0))] {
         let of_force = |size: f64| extra.map_or(String::new(), |force_of: f64| force(force_of * size));
         let text = format!("{}{}{}{random}", body(0.6, 0.6), shaken("one.csv", 3.0), of_force(1.0));
-        let (still, _) = standfast_cases::motion::still_case("case.toml", &text, &files).unwrap().unwrap();
+        let in_time = CaseFile::read("case.toml", &text, &files).unwrap();
         // A motion counts as 1024 points.
         let points = (BODIES * names.len() * peaks.len() * 1024) as u64;
         let effort = Effort { points, ..Effort::default() };
         let request = Request { effort, ..Request::default() };
-        let over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
-        let found = Overturning::of("case.toml", &text, &still, &request, &over, &files).unwrap();
+        let over: Over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
+        let found = Overturning::of(&in_time, &request, &over).unwrap();
         assert_eq!((found.bodies, found.records.len(), found.points.len()), (BODIES as u64, 3, 3));
         let alone = Request { effort: Effort { threads: 1, ..effort }, ..request };
-        assert_eq!(Overturning::of("case.toml", &text, &still, &alone, &over, &files).unwrap(), found);
-        let draws = Draws::of_text("case.toml", &still, Some(&situation(&still)), BODIES as u64, 1).unwrap();
+        assert_eq!(Overturning::of(&in_time, &alone, &over).unwrap(), found);
+        let draws = Draws::of(&in_time, Some(&situation(&in_time)), BODIES as u64, 1).unwrap();
         for (point, peak) in found.points.iter().zip(peaks) {
             let mut became = [vec![], vec![], vec![]];
             for file in names {
@@ -392,7 +392,7 @@ fn overturning_is_that_of_the_motions_one_by_one() {
                         let bias = draws.values.get(2).map_or(1.0, |values| values[i]);
                         let case = body(draws.values[0][i], draws.values[1][i]) + &shaken(file, peak);
                         let case = case + &of_force(bias);
-                        let cases = standfast_cases::motion::body_cases("case.toml", &case, &files).unwrap();
+                        let cases = CaseFile::read("case.toml", &case, &files).unwrap().motions().unwrap();
                         let outcome = cases[0].follow(&Default::default()).unwrap().outcome;
                         let turned = outcome.max_theta > 0.0;
                         [turned || outcome.max_slide > 0.0, turned, outcome.overturned()]
@@ -424,8 +424,11 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         ("", "`friction`"),
     ] {
         let over: &Over = if load.is_empty() { &"friction=0.5..0.6:3".parse().unwrap() } else { &over };
-        let error =
-            FirstInstant::of("case.toml", &format!("{text}{load}"), Request::default(), Some(over), &files);
+        let error = Probability::along(
+            &CaseFile::read("case.toml", &format!("{text}{load}"), &files).unwrap(),
+            Request::default(),
+            Some(over),
+        );
         let error = error.unwrap_err().to_string();
         assert!(error.contains(said), "{error}");
     }
@@ -459,9 +462,10 @@ fn figures_of_answers_are_tidy() {
         let method = (text == plane).then_some(Method::Sobol);
         let years = text.contains("every").then_some(50.0);
         let request = Request { effort, years, method, ..Request::default() };
-        let found = FirstInstant::of("case.toml", text, request, over.as_ref(), &|_| Err("none".to_owned()))
+        let file = file(text);
+        let found = Probability::along(&file, request, over.as_ref())
             .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));
-        let figures = found.answer.figures(&found.still).unwrap();
+        let figures = found.figures(&file).unwrap();
         let suffixes: Vec<&str> = figures.iter().map(|figure| figure.suffix).collect();
         assert_eq!(suffixes, expected);
         for figure in &figures {
@@ -481,8 +485,8 @@ fn figures_of_answers_are_tidy() {
 }
 
 /// The first of a case's sets of loads, as it is called.
-fn situation(text: &str) -> String {
-    match Draws::of_text("case.toml", text, None, 1, 1) {
+fn situation(file: &CaseFile) -> String {
+    match Draws::of(file, None, 1, 1) {
         Err(ProbabilityError::Situation { known, .. }) => known[0].clone(),
         other => panic!("{other:?}"),
     }

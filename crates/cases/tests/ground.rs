@@ -1,8 +1,9 @@
 //! `[ground]` of a case: what the base bears in text, JSON, criteria, tables and designs, by hand and by what is known of it.
 
 use serde_json::Value;
+use standfast::History;
 use standfast::ground::elastic::ElasticBase;
-use standfast::ground::impact::{ElasticBody, History};
+use standfast::ground::impact::ElasticBody;
 use standfast::ground::strength::CrushPoint;
 use standfast::{Point, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
@@ -132,7 +133,7 @@ fn a_short_thrust() {
     let body = ElasticBody::new(7.5, 5.25, 346.05e3, inertia, 50e6, 25e6).unwrap();
     let push = Wrench { x: -940.6e3, p: 0.0, m: 940.6e3 * (5.155 - 5.25) };
     let standing = Wrench { x: 0.0, p: 2318.64e3, m: 0.0 };
-    let loads = [(push, History::triangle(0.05, 0.1).unwrap())];
+    let loads = [(push, History::triangle(1.0, 0.05, 0.1).unwrap())];
     let answer = body.response(&standing, &loads, 0.6, None).unwrap();
     let ground = &found["ground"];
     for (name, expected) in [("D_shear", answer.d_shear), ("D_moment", answer.d_moment)] {
@@ -405,29 +406,35 @@ fn bad_histories() {
     let with = |ground: &str, history: &str| format!("{CAISSON}{ground}{PUSH}{history}\n");
     for (history, parts) in [
         ("history = 0.1", vec!["`history` is a number", "a shape with its numbers"]),
-        ("history = { duration = 0.1 }", vec!["the `history` lacks `shape`"]),
+        ("history = { duration = 0.1 }", vec!["the history of a [[load]] lacks `shape`", "\"church-roof\""]),
         ("history = { shape = \"triangel\" }", vec!["is \"triangel\"", "did you mean \"triangle\"?"]),
-        ("history = { shape = \"half-sine\", duration = 1 }", vec!["is \"half-sine\"", "of straight lines"]),
+        (
+            "history = { shape = \"half-sine\", duration = 1 }",
+            vec!["is a sine", "of straight", "by its points"],
+        ),
         (
             "history = { shape = \"triangle\", duration = 0.1 }",
-            vec!["the `history` lacks `rise`", "rise = \"0.05 s\""],
+            vec!["the history of a [[load]] lacks `rise`", "rise = \"0.2 s\""],
         ),
         (
             "history = { shape = \"triangle\", rise = 0.2, duration = 0.1 }",
-            vec!["`duration` of the `history` is 0.1", "no less than `rise`"],
+            vec!["the history of a [[load]]: rise is 0.2", "a time from zero to the duration"],
         ),
-        ("history = { shape = \"rect\", duration = \"0.1\" }", vec!["is \"0.1\"", "a time in s"]),
+        ("history = { shape = \"rect\", duration = \"0.1\" }", vec!["is \"0.1\"", "a time"]),
         ("history = { shape = \"rect\", duration = -0.1 }", vec!["is -0.1", "above zero"]),
         (
             "history = { shape = \"rect\", duration = 0.1, ris = 1 }",
-            vec!["has no `ris`", "it has shape, duration, peak, start"],
+            vec!["has no key `ris`", "did you mean `rise`?"],
         ),
         (
             "history = { shape = \"points\", times = [0, 1], values = [0] }",
-            vec!["as many numbers as `times`"],
+            vec!["2 times and 1 values", "as many of each"],
         ),
-        ("history = { shape = \"points\", times = [1, 0], values = [0, 1] }", vec!["times that do not fall"]),
-        ("history = { shape = \"points\", times = [], values = [] }", vec!["a list of numbers"]),
+        (
+            "history = { shape = \"points\", times = [1, 0], values = [0, 1] }",
+            vec!["point 2: its time is 0", "after that of the point before"],
+        ),
+        ("history = { shape = \"points\", times = [], values = [] }", vec!["a list that is not empty"]),
         ("permanent = true\nhistory = { shape = \"constant\" }", vec!["the load is permanent"]),
     ] {
         let said = refused(&with(springs, history));

@@ -2,11 +2,8 @@
 
 use std::path::Path;
 
-use standfast_cases::motion::{
-    BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, body_cases, cases_on, follow_all, has_block,
-    still_case,
-};
-use standfast_cases::{Acting, CaseFile};
+use standfast_cases::motion::{BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, follow_all};
+use standfast_cases::{Acting, CaseError, CaseFile};
 use standfast_motion::End;
 
 fn no_file(file: &str) -> Result<String, String> {
@@ -14,12 +11,12 @@ fn no_file(file: &str) -> Result<String, String> {
 }
 
 fn follow(text: &str) -> Vec<(BlockCase, Followed)> {
-    let cases = if has_block(text) {
-        vec![BlockCase::parse("case.toml", text, &no_file).unwrap()]
-    } else {
-        body_cases("case.toml", text, &no_file).unwrap()
-    };
-    follow_all(cases, &Follow::default()).unwrap()
+    CaseFile::read("case.toml", text, &no_file).unwrap().follow(&Follow::default()).unwrap()
+}
+
+/// The situations of a case.
+fn motions(text: &str, file: &dyn Fn(&str) -> Result<String, String>) -> Result<Vec<BlockCase>, CaseError> {
+    CaseFile::read("case.toml", text, file)?.motions()
 }
 
 fn close(found: f64, expected: f64, tolerance: f64) {
@@ -157,18 +154,18 @@ fn wrong_cases() {
         ),
         (
             format!("{body}{load}{}", history.replace("0.3", "0")),
-            "duration is 0; expected a number above zero",
+            "`duration` is 0; expected a finite number above zero",
         ),
         (format!("{body}{load}{}", history.replace("rect", "ract")), "`shape` is \"ract\""),
         (format!("{body}{load}{}", history.replace("0.3", "\"0.3 m\"")), "the unit `m` does not fit"),
         (format!("{body}{load}{history}[motion]\nt_mix = 3\n"), "[motion] has no key `t_mix`"),
         (format!("{body}{base}[motion.initial]\ntheta = 3\n"), "theta is 3"),
     ] {
-        let error = body_cases("case.toml", &text, &no_file).unwrap_err();
+        let error = motions(&text, &no_file).unwrap_err();
         assert!(error.to_string().contains(words), "{error}\n{text}");
     }
     let lift = "[[load]]\nforce = 5e6\ndirection = \"up\"\ndistance = 7.5\npermanent = true\n";
-    let cases = body_cases("case.toml", &format!("{body}{lift}{base}"), &no_file).unwrap();
+    let cases = motions(&format!("{body}{lift}{base}"), &no_file).unwrap();
     let error = follow_all(cases, &Follow::default()).unwrap_err();
     assert!(error.to_string().contains("floats"), "{error}");
 }
@@ -184,11 +181,7 @@ fn examples_are_followed() {
             entry.file_name().to_string_lossy().into_owned(),
             std::fs::read_to_string(entry.path()).unwrap(),
         );
-        let cases = if has_block(&text) {
-            vec![BlockCase::parse(&name, &text, &read).unwrap()]
-        } else {
-            body_cases(&name, &text, &read).unwrap()
-        };
+        let cases = CaseFile::read(&name, &text, &read).unwrap().motions().unwrap();
         for (_, followed) in follow_all(cases, &Follow::default()).unwrap() {
             assert!(matches!(followed.outcome.end, End::AtRest | End::Overturned), "{name}");
         }
@@ -201,7 +194,7 @@ fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<(BlockCase, Followed)> {
     let times = (0..values.len()).map(|i| i as f64 * dt).collect();
     let record = Record { times, values: values.to_vec(), unit: RecordUnit::Unnamed };
     let given = GivenBase { horizontal: Some(record), vertical: None };
-    follow_all(cases_on("case.toml", text, &no_file, &given).unwrap(), &Follow::default()).unwrap()
+    CaseFile::parse("case.toml", text).unwrap().on_base(&given).follow(&Follow::default()).unwrap()
 }
 
 /// A record that is given takes the place of the file's: a steady acceleration k₀ over T slides a low block by D k₀ T²/(2 μ) to the
@@ -220,7 +213,7 @@ fn a_record_that_is_given_moves_the_base() {
 /// In a case with a body it is the same as the points of a file, with the water that moves with the shaken wall.
 #[test]
 fn a_record_that_is_given_moves_a_body_as_points_do() {
-    let body = "[body]\nwidth = 4\nheight = 6\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 9000\n";
+    let body = "[body]\nwidth = 4\nheight = 6\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 9000\nelevation = 3\n";
     let values = [0.0, 5.0, -4.0, 6.0, 1.0, 0.0];
     let points = "[motion.base]\nhorizontal = { shape = \"points\", times = [0, 0.5, 1, 1.5, 2, 2.5], values = [0, 5, -4, 6, 1, 0] }\n";
     let [(_, of_file)] = &follow(&format!("{body}{points}"))[..] else { panic!() };
@@ -270,7 +263,7 @@ fn listed(svg: &str, element: &str, attribute: &str) -> Vec<Vec<f64>> {
 #[test]
 fn the_animation_follows_the_motion() {
     let text = include_str!("../../../examples/motion/block-base-pulse.toml");
-    let case = BlockCase::parse("case.toml", text, &no_file).unwrap();
+    let case = motions(text, &no_file).unwrap().remove(0);
     let followed = case.follow(&Follow { series: true, ..Follow::default() }).unwrap();
     let figures = case.figures(&followed);
     let suffixes: Vec<&str> = figures.iter().map(|figure| figure.suffix).collect();
@@ -312,26 +305,26 @@ fn at_the_first_instant_the_peaks_act() {
     let body = "[body]\nwidth = 1\nheight = 2\nmass = 5000\nfriction = 0.5\n";
     let base = "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = 1 }\n\
                 vertical = { shape = \"triangle\", peak = -1.5, rise = 0.2, duration = 0.5 }\n";
-    let (still, note) = still_case("case.toml", &format!("{body}{base}"), &no_file).unwrap().unwrap();
+    let first = |text: &str| CaseFile::parse("case.toml", text).unwrap().first_instant().unwrap();
+    let instant = first(&format!("{body}{base}")).unwrap();
+    let note = &instant.note;
     assert!(note.contains("[earthquake]") && note.contains("standfast simulate"), "{note}");
-    let case = CaseFile::parse("case.toml", &still).unwrap().case().unwrap();
+    let case = instant.file.case().unwrap();
     let expected = format!("{body}[earthquake]\nhorizontal = 2.941995\nvertical = 1.5\n")
         .replace("2.941995", "\"2.941995 m/s2\"")
         .replace("1.5\n", "\"1.5 m/s2\"\n");
     let other = CaseFile::parse("case.toml", &expected).unwrap().case().unwrap();
-    assert_eq!(case.earthquake, other.earthquake);
+    assert_eq!(case, other);
     let wave = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
-    let (still, note) = still_case("case.toml", wave, &no_file).unwrap().unwrap();
-    assert!(
-        !note.contains("[earthquake]") && still.len() == wave.len() && !still.contains("history"),
-        "{note}"
-    );
+    let instant = first(wave).unwrap();
+    assert!(!instant.note.contains("[earthquake]"), "{}", instant.note);
+    assert!(instant.file.case().unwrap().wave.is_some_and(|wave| wave.history.is_none()));
     // What says nothing of time stays as it is; so does a history on an elastic base.
-    assert!(still_case("case.toml", body, &no_file).unwrap().is_none());
+    assert!(first(body).is_none());
     let elastic = format!(
         "{body}[ground]\nstiffness = 1e7\n[[load]]\nforce = 1\nelevation = 1\nhistory = {{ shape = \"rect\", duration = 1 }}\n"
     );
-    assert!(still_case("case.toml", &elastic, &no_file).unwrap().is_none());
+    assert!(first(&elastic).is_none());
 }
 
 /// Shimosako and Takahashi's duration of Goda's caisson by hand: T = 11.4 s, H = 8.05 m, h = 10.1 m, α* = 0.3223 give 1.557 s, and so the
@@ -357,7 +350,7 @@ fn a_duration_by_the_waves() {
         ("shape = \"triangle\", rise = \"0.1 s\", duration = \"shimosako\"", "`duration` is"),
     ] {
         let case = text.replace("shape = \"triangle\", rise = \"0.7785 s\", duration = \"1.557 s\"", wrong);
-        let error = body_cases("case.toml", &case, &no_file).unwrap_err().to_string();
+        let error = motions(&case, &no_file).unwrap_err().to_string();
         assert!(error.contains(expected), "{wrong}: {error}");
     }
     // A caisson so heavy and rough that it rocks: the uplift stays, which is said.
@@ -384,12 +377,127 @@ fn slips_are_named_in_both_kinds_of_case() {
         ["violent-base", "coarse-record", "lossless-impact"]
             .map(|name| find(name).unwrap_or_else(|| panic!("{name} is not in {warnings:?}")))
     };
-    let body = &body_cases("case.toml", &body, &file).unwrap()[0];
-    let block = &BlockCase::parse("case.toml", &block, &file).unwrap();
+    let body = &motions(&body, &file).unwrap()[0];
+    let block = &motions(&block, &file).unwrap()[0];
     let words = named(&body.warnings);
     assert_eq!(words, named(&block.warnings));
     assert!(words[0].contains("8.2 times gravity"), "{words:?}");
     // 0.1 s over √(0.2 m/9.81 m/s²).
     assert!(words[1].contains("0.100 apart, 0.70 of"), "{words:?}");
     assert!(words[2].contains("0.9995"), "{words:?}");
+}
+
+/// Two loads that are equal but for their histories, one in each combination: each has its own, whichever stands first. The slide of a
+/// triangle by hand: from where its force passes μmg to where the body stops again.
+#[test]
+fn equal_loads_keep_their_own_histories() {
+    let load = |name: &str, more: &str| {
+        format!("[[load]]\nname = \"{name}\"\nforce = 25000\nelevation = 1.2\n{more}\n")
+    };
+    let pulse = |rise: f64, duration: f64| {
+        format!("history = {{ shape = \"triangle\", rise = {rise}, duration = {duration} }}")
+    };
+    let (short, long) = (load("short", &pulse(0.01, 0.02)), load("long", &pulse(0.5, 1.0)));
+    let always = load("always", "permanent = true");
+    let body = "[body]\nwidth = 2\nheight = 3\nmass = 5000\nfriction = 0.3\n";
+    let only =
+        |name: &str| format!("[[combination]]\nname = \"{name}\"\nfactors = {{ {name} = 1, always = 0 }}\n");
+    // F = F₀ t/r up to r and falls as fast; R = μmg; s = F₀/R; while it slides m S'' = F − R.
+    let slide = |duration: f64| {
+        let (m, r, f) = (5000.0, 0.3 * 5000.0 * 9.81, 25_000.0);
+        let s: f64 = f / r;
+        let root = 2f64.sqrt();
+        let reduced = if s <= 1.0 + 1.0 / root {
+            (0.25 + root / 6.0) * (s - 1.0).powi(3) / (s * s)
+        } else {
+            (s - 1.0).powi(2) / 8.0 - 1.0 / (96.0 * s * s)
+        };
+        reduced * r * duration * duration / m
+    };
+    for loads in [[&always, &short, &long], [&long, &short, &always], [&short, &always, &long]] {
+        let text = format!("{body}{}{}{}{}{}", loads[0], loads[1], loads[2], only("long"), only("short"));
+        let answers = follow(&text);
+        let of = |name: &str| {
+            let found = answers.iter().find(|(case, _)| case.situation.as_deref() == Some(name));
+            -found.unwrap().1.outcome.slide
+        };
+        close(of("long"), slide(1.0), 1e-9);
+        close(of("short"), slide(0.02), 1e-9);
+        close(of("long"), 0.1691, 1e-3);
+    }
+}
+
+/// Whatever TOML allows says the same: dotted keys, braces, headers, and a note that looks like a header.
+#[test]
+fn every_spelling_of_toml_says_the_same() {
+    let body = "[body]\nwidth = 2\nheight = 3\nmass = 5000\nfriction = 0.3\n";
+    let pulse = "shape = \"triangle\", rise = 0.5, duration = 1, peak = 1.1";
+    let load = format!("[[load]]\nforce = 25000\nelevation = 1.2\nhistory = {{ {pulse} }}\n");
+    let plain = follow(&format!("{body}{load}[motion]\nt_max = 3\n"));
+    let dotted =
+        "history.shape = \"triangle\"\nhistory.rise = 0.5\nhistory.duration = 1\nhistory.peak = 1.1\n";
+    let spellings = [
+        format!("motion.t_max = 3\n{body}{load}"),
+        format!("motion = {{ t_max = 3 }}\n{body}{load}"),
+        format!("{body}[[load]]\nforce = 25000\nelevation = 1.2\n{dotted}[motion]\nt_max = 3\n"),
+        format!(
+            "note = \"\"\"\na line\n[motion]\nanother\n[[load.history]]\n\"\"\"\n{body}{load}[motion]\nt_max = 3\n"
+        ),
+    ];
+    for text in spellings {
+        assert_eq!(follow(&text)[0].1, plain[0].1, "{text}");
+    }
+    // A case that says nothing of time may have such a note as well.
+    let still = format!("note = \"\"\"\n[motion]\n\"\"\"\n{body}[[load]]\nforce = 1\nelevation = 1\n");
+    assert!(CaseFile::parse("case.toml", &still).unwrap().case().is_ok());
+}
+
+/// A pressure acts on its own wall and turns with it; a force at the same place keeps its direction. While the body has not turned both
+/// are one, and the wrench of the situation is that of the problem in time at any pose.
+#[test]
+fn a_pressure_is_that_of_its_own_wall() {
+    let body = "[body]\nwidth = 2\nheight = 3\nmass = 5000\nfriction = 0.9\n";
+    let pressure = |face: &str| {
+        format!(
+            "[[pressure]]\nface = \"{face}\"\nelevation = [0, 3]\npressure = [6000, 2000]\npermanent = true\n\
+             [motion.base]\nhorizontal = {{ shape = \"half-sine\", peak = \"5 m/s2\", duration = 0.5 }}\n"
+        )
+    };
+    // (6 + 2)/2 · 3 = 12 kN, at (6 · 3²/6 + 2 · 3²/3)/12 = 1.25 m above the base.
+    for (face, side, towards) in [("left", -1.0, 1.0), ("right", 1.0, -1.0)] {
+        let case = &motions(&format!("{body}{}", pressure(face)), &no_file).unwrap()[0];
+        let [load] = &case.problem.loads[..] else { panic!("{:?}", case.problem.loads) };
+        close(load.direction[0], towards * 12_000.0 / 5000.0, 1e-12);
+        assert_eq!((load.direction[1], load.follows), (0.0, true));
+        assert_eq!(load.at[0], side);
+        close(load.at[1], 1.25 - 1.5, 1e-12);
+    }
+}
+
+/// Water whose mass alone is given pushes a shaken body nobody knows where: its height is asked for, and with it a low body slides by
+/// D k₀ T²/(2 R), D = (m + m_a) k₀ − R over (m + m_a), R = μ m g.
+#[test]
+fn shaken_water_is_never_left_out() {
+    let text = |water: &str| {
+        format!(
+            "[body]\nwidth = 40\nheight = 1\nmass = 50000\nfriction = 0.4\n[added_mass]\nmass = 30000\n{water}[motion.base]\n\
+             horizontal = {{ shape = \"rect\", peak = \"6 m/s2\", duration = 0.2 }}\n"
+        )
+    };
+    let error = motions(&text(""), &no_file).unwrap_err().to_string();
+    assert!(error.contains("30000 kg of water"), "{error}");
+    let (k, t) = (6.0, 0.2);
+    let r = 0.4 * 50e3 * 9.81 / 80e3;
+    close(-follow(&text("elevation = 0.4\n"))[0].1.outcome.slide, (k - r) * k * t * t / (2.0 * r), 1e-9);
+}
+
+/// An [earthquake] beside a base that moves is refused, and so is it in every face that answers such a case.
+#[test]
+fn shaken_once_only() {
+    let text = "[body]\nwidth = 1\nheight = 2\nmass = 5000\nfriction = 0.5\n[earthquake]\nhorizontal = 0.1\n[motion.base]\n\
+        horizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = 1 }\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    for error in [file.motions().map(|_| ()), file.case().map(|_| ()), file.first_instant().map(|_| ())] {
+        assert!(error.unwrap_err().to_string().contains("counts the same shaking twice"));
+    }
 }

@@ -1,8 +1,8 @@
 //! What is asked of a motion, and designs for it: against closed forms, and against cases written out and read again.
 
 use standfast_cases::design::{Design, Extreme, Request, Spelling};
-use standfast_cases::motion::{BlockCase, Follow, Followed, Timed, cases_on, follow_all};
-use standfast_cases::{Acting, CaseFile, View};
+use standfast_cases::motion::{BlockCase, Follow, Followed};
+use standfast_cases::{Acting, Assessment, CaseFile, View};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
 
@@ -11,9 +11,8 @@ fn no_file(file: &str) -> Result<String, String> {
 }
 
 fn follow(text: &str) -> Result<Vec<(BlockCase, Followed)>, String> {
-    let cases =
-        cases_on("case.toml", text, &no_file, &Default::default()).map_err(|error| error.to_string())?;
-    follow_all(cases, &Follow::default()).map_err(|error| error.to_string())
+    let file = CaseFile::read("case.toml", text, &no_file).map_err(|error| error.to_string())?;
+    file.follow(&Follow::default()).map_err(|error| error.to_string())
 }
 
 /// Name, value, and whether it is met, of the first situation.
@@ -85,8 +84,7 @@ fn criteria_of_the_motion_stand_beside_the_others_in_every_spelling() {
     for text in &spellings {
         let found: Vec<_> = checks(text).into_iter().map(|check| (check.0, check.2)).collect();
         assert_eq!(found, [("slide", false), ("max_theta", true)], "{text}");
-        let timed = Timed::of("case.toml", text, &no_file).unwrap().unwrap();
-        let assessment = timed.assess(None).unwrap();
+        let assessment = Assessment::of_file(&CaseFile::parse("case.toml", text).unwrap()).unwrap();
         let all: Vec<_> =
             assessment.all_checks().iter().map(|check| (check.name(), check.is_met())).collect();
         assert_eq!(all, [("slide", false), ("SF_sliding", true), ("max_theta", true)]);
@@ -97,13 +95,12 @@ fn criteria_of_the_motion_stand_beside_the_others_in_every_spelling() {
         assert!(json["in_time"].as_str().unwrap().contains("standfast simulate"));
     }
     let wrong = |line: &str| follow(&format!("{CAISSON}\n[criteria]\n{line}\n")).unwrap_err();
-    assert!(wrong("slide = 0").contains("`slide` is 0; expected a number above zero"));
+    assert!(wrong("slide = 0").contains("`slide` is 0; expected a finite number above zero"));
     assert!(wrong("overturned = true").contains("`overturned` is true; expected false"));
     assert!(wrong("max_theta = \"3 m\"").contains("`max_theta`"));
     // Of a case that says nothing of time it is refused.
     let still = "[body]\nwidth = 2\nheight = 2\nmass = 8e3\nfriction = 0.5\n[[load]]\nforce = 1e4\nelevation = 1\n[criteria]\nslide = 1\n";
-    assert!(Timed::of("case.toml", still, &no_file).unwrap().is_none());
-    assert!(CaseFile::parse("case.toml", still).unwrap_err().to_string().contains("slide"));
+    assert!(CaseFile::parse("case.toml", still).unwrap().case().unwrap_err().to_string().contains("slide"));
 }
 
 fn request(vary: &str, target: &str, extreme: Extreme, ends: Option<[&str; 2]>) -> Request {
@@ -113,8 +110,8 @@ fn request(vary: &str, target: &str, extreme: Extreme, ends: Option<[&str; 2]>) 
 }
 
 fn designed(text: &str, request: Request) -> serde_json::Value {
-    let timed = Timed::of("case.toml", text, &no_file).unwrap().unwrap();
-    serde_json::from_str(&Design::of_timed(&timed, request).unwrap().json()).unwrap()
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    serde_json::from_str(&Design::of(&file, request).unwrap().json()).unwrap()
 }
 
 /// The least friction for which Goda's caisson slides by 5 cm at most, by S = (¼ + √2/6)(s − 1)³/s² Rτ²/m, s = (P + μU)/(μW'), halved
@@ -238,9 +235,9 @@ fn a_record_of_a_force_is_the_force_in_its_unit() {
     };
     let slid = |case: &str, record: String| -> Result<f64, String> {
         let read = |_: &str| Ok(record.clone());
-        let cases =
-            cases_on("case.toml", case, &read, &Default::default()).map_err(|error| error.to_string())?;
-        Ok(follow_all(cases, &Follow::default()).unwrap()[0].1.outcome.slide)
+        let file = CaseFile::read("case.toml", case, &read).map_err(|error| error.to_string())?;
+        let answers = file.follow(&Follow::default()).map_err(|error| error.to_string())?;
+        Ok(answers[0].1.outcome.slide)
     };
     let expected = {
         let points = "history = { shape = \"points\", times = [0, 0.3, 0.5, 0.9], values = [0, 0.75, 1, 0] }";

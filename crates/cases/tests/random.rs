@@ -2,12 +2,17 @@
 
 use standfast::Mode;
 use standfast::initiation::Chart;
+use standfast_cases::CaseFile;
 use standfast_cases::random::{Chances, Draws, Happening, Method, Over, Probability, Request};
 use standfast_probability::normal::below;
 use standfast_probability::sample::{Effort, Estimate};
 
+fn file(text: &str) -> CaseFile {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
 fn answer(text: &str, request: Request) -> Probability {
-    Probability::of_text("case.toml", text, request)
+    Probability::of(&file(text), request)
         .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
 }
 
@@ -183,7 +188,7 @@ fn few_points_about_a_rare_failure_tell_it_well() {
 fn wrong_random_numbers_are_refused() {
     let refused = |random: &str, expected: &str| {
         let text = goda(random);
-        let error = Probability::of_text("case.toml", &text, Request::default()).unwrap_err();
+        let error = Probability::of(&file(&text), Request::default()).unwrap_err();
         assert!(error.to_string().contains(expected), "{random}\n{error}\n{expected}");
         let said = standfast_cases::report(&error);
         assert!(said.contains("case.toml:"), "{said}");
@@ -225,11 +230,11 @@ fn wrong_random_numbers_are_refused() {
     );
     refused("years = inf\nfriction = { normal = { cov = 0.1 } }", "`years` is inf; expected a finite number");
     let point = format!("{POINT}[random]\nmuu = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}\n");
-    let error = Probability::of_text("case.toml", &point, Request::default()).unwrap_err();
+    let error = Probability::of(&file(&point), Request::default()).unwrap_err();
     let expected = "[random] of a [point] has no `muu`; expected gamma, k_prime, k, mu: did you mean `mu`?";
     assert_eq!(error.to_string(), expected);
     let forever = goda("years = 50\nfriction = { normal = { cov = 0.1 } }");
-    let error = Probability::of_text("case.toml", &forever, Request::default()).unwrap_err();
+    let error = Probability::of(&file(&forever), Request::default()).unwrap_err();
     assert_eq!(error.to_string(), "a life of 50 years, and no random number is drawn yearly");
 }
 
@@ -239,7 +244,7 @@ fn draws_of_the_plane_are_points_of_the_report() {
     let random =
         "[random]\nmu = { uniform = { from = 0.3, to = 0.9 } }\nk = { uniform = { from = 0.2, to = 1 } }\n";
     let text = format!("{POINT}{random}");
-    let draws = |count, seed| Draws::of_text("case.toml", &text, None, count, seed).unwrap();
+    let draws = |count, seed| Draws::of(&file(&text), None, count, seed).unwrap();
     let found = draws(20_000, 7);
     assert_eq!(found.inputs, [("mu".to_owned(), None), ("k".to_owned(), None)]);
     let mut sums = [0.0; 2];
@@ -267,7 +272,7 @@ fn draws_of_the_plane_are_points_of_the_report() {
 #[test]
 fn draws_of_a_caisson_have_its_effective_point() {
     let text = goda("friction = { uniform = { from = 0.4, to = 0.7 } }\n");
-    let found = Draws::of_text("case.toml", &text, None, 500, 1).unwrap();
+    let found = Draws::of(&file(&text), None, 500, 1).unwrap();
     let file =
         standfast_cases::CaseFile::parse("case.toml", include_str!("../../../examples/goda-2000.toml"));
     let case = file.unwrap().case().unwrap();
@@ -284,7 +289,7 @@ fn draws_of_a_caisson_have_its_effective_point() {
     assert!(found.drawn.iter().any(|drawn| drawn.happens == Happening::Mode(Mode::Rest)));
     // What the plane is not of has no point in it.
     let added = format!("{text}\n[added_mass]\nmass = \"56.4 t/m\"\n");
-    let found = Draws::of_text("case.toml", &added, None, 3, 1).unwrap();
+    let found = Draws::of(&CaseFile::parse("case.toml", &added).unwrap(), None, 3, 1).unwrap();
     assert!(found.drawn.iter().all(|drawn| drawn.effective.is_none()));
 }
 
@@ -294,9 +299,9 @@ fn draws_ask_which_of_several_situations_is_meant() {
         "{}\n[random]\nfriction = {{ uniform = {{ from = 0.4, to = 0.7 }} }}\n",
         include_str!("../../../examples/block-two-loads.toml")
     );
-    let draws = |situation| Draws::of_text("case.toml", &text, situation, 3, 1);
+    let draws = |situation| Draws::of(&file(&text), situation, 3, 1);
     let said = draws(None).unwrap_err().to_string();
-    let names = Probability::of_text("case.toml", &text, Request::default()).unwrap().situations;
+    let names = Probability::of(&file(&text), Request::default()).unwrap().situations;
     assert!(names.len() > 1);
     for name in names.iter().map(|chances| chances.situation.as_deref().unwrap()) {
         assert!(said.contains(name), "{said}");
@@ -486,12 +491,8 @@ fn probabilities_along_a_number_are_those_of_each_value() {
             .replace("caisson_width = \"15 m\"\n", "")
     };
     let over = |over: &str| Some(over.parse::<Over>().unwrap());
-    let along = Probability::along(
-        "case.toml",
-        &goda("15 m"),
-        Request::default(),
-        over("width=14 m..18 m:3").as_ref(),
-    );
+    let along =
+        Probability::along(&file(&goda("15 m")), Request::default(), over("width=14 m..18 m:3").as_ref());
     let fragility = along.unwrap().fragility.unwrap();
     assert_eq!(fragility.points.iter().map(|point| point.value).collect::<Vec<_>>(), [14.0, 16.0, 18.0]);
     // Mass and weight go with the width, as they do in `design`.
@@ -502,10 +503,8 @@ fn probabilities_along_a_number_are_those_of_each_value() {
     let pushed = "[body]\nwidth = 4\nheight = 1\nmass = 1000\nfriction = 0.5\n[[load]]\nname = \"push\"\nforce = 1e3\n\
         elevation = 0.1\n[random]\nfriction = { lognormal = { mean = 0.5, cov = 0.2 } }\n";
     let asked = over("load.push.force=2000..8000:13");
-    let fragility = Probability::along("case.toml", pushed, Request::default(), asked.as_ref())
-        .unwrap()
-        .fragility
-        .unwrap();
+    let fragility =
+        Probability::along(&file(pushed), Request::default(), asked.as_ref()).unwrap().fragility.unwrap();
     let fit = fragility.fit.unwrap();
     let dispersion = 1.04f64.ln().sqrt();
     assert_close("median", fit.median, 0.5 / 1.04f64.sqrt() * 9810.0, 1e-8);
@@ -614,7 +613,7 @@ fn heights_without_a_sea_are_not_cut() {
         let text = format!(
             "[storm]\nwaves = 1000\ncut = {cut}\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}\n"
         );
-        Probability::of_text("case.toml", &text, Request::default()).unwrap_err().to_string()
+        Probability::of(&file(&text), Request::default()).unwrap_err().to_string()
     };
     assert!(refusal("false").contains("lacks `tau0`"), "{}", refusal("false"));
     assert!(

@@ -44,7 +44,9 @@ fn check(family: &Family) {
     let nominal: Vec<f64> = random.iter().map(|(_, nominal, _)| *nominal).collect();
     let laws: String = random.iter().map(|(name, _, law)| format!("\"{name}\" = {law}\n")).collect();
     let whole = format!("{}\n[random]\n{laws}", text(&nominal));
-    let draws = |situation: Option<&str>| Draws::of_text("case.toml", &whole, situation, DRAWS, 3);
+    let draws = |situation: Option<&str>| {
+        Draws::of(&CaseFile::parse("case.toml", &whole).unwrap(), situation, DRAWS, 3)
+    };
     let refused = |error: ProbabilityError| -> String {
         format!("{name}: {}\n{whole}", standfast_cases::report(&error))
     };
@@ -302,7 +304,9 @@ fn accelerations_in_laws_are_shares_of_g() {
              earthquake.horizontal = {law}\n"
         );
         let request = standfast_cases::random::Request::default();
-        let found = standfast_cases::random::Probability::of_text("case.toml", &text, request).unwrap();
+        let found =
+            standfast_cases::random::Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), request)
+                .unwrap();
         found.situations[0].not_rest.value
     };
     // It slides beyond 0.3 g: Φ(−1).
@@ -325,7 +329,9 @@ fn a_random_shaking_goes_to_both_sides() {
              [random]\nearthquake.horizontal = {{ lognormal = {{ mean = 0.3, cov = 0.3 }} }}\n"
         );
         let request = standfast_cases::random::Request::default();
-        let found = standfast_cases::random::Probability::of_text("case.toml", &text, request).unwrap();
+        let found =
+            standfast_cases::random::Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), request)
+                .unwrap();
         assert_eq!(found.situations.len(), 2);
         found.situations.into_iter().map(|chances| (chances.situation.unwrap(), chances.not_rest.value))
     };
@@ -420,7 +426,11 @@ fn integrated_on_a_base_that_gives_way_is_what_is_drawn() {
             let request = Request { method: Some(method), effort, ..Request::default() };
             let over = "load.push.elevation=4..10:3".parse().unwrap();
             let over = (method == Method::Integrate).then_some(&over);
-            let found = Probability::along("case.toml", &format!("{text}{laws}"), request, over);
+            let found = Probability::along(
+                &CaseFile::parse("case.toml", &format!("{text}{laws}")).unwrap(),
+                request,
+                over,
+            );
             found.unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
         };
         let (integrated, drawn) = (of(Method::Integrate), of(Method::MonteCarlo));
@@ -460,7 +470,7 @@ fn storms_ask_for_a_base_that_bears() {
     let laws = "[random]\nfriction = { normal = { cov = 0.1 } }\n[storm]\nwaves = 10\ntau0 = 1\n";
     let of = |ground: &str| {
         let text = format!("{goda}\n[ground]\n{ground}\n{laws}");
-        Probability::of_text("case.toml", &text, Request::default())
+        Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), Request::default())
             .map(|_| ())
             .map_err(|error| error.to_string())
     };

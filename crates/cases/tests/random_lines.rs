@@ -1,6 +1,7 @@
 //! Along which number the modes are integrated, and what each bias is on: probabilities against closed forms that share no code with the
 //! crate. The normal law is Simpson's rule on its density.
 
+use standfast_cases::CaseFile;
 use standfast_cases::random::{Effort, Method, Probability, Request};
 
 /// ∫ of the normal density from −∞ to `z`.
@@ -31,7 +32,8 @@ fn answer(text: &str, years: Option<f64>, method: Option<Method>) -> Probability
         effort: Effort { precision: 0.01, ..Effort::default() },
         ..Request::default()
     };
-    Probability::of_text("case", text, request).unwrap_or_else(|error| panic!("{error}: {text}"))
+    Probability::of(&CaseFile::parse("case", text).unwrap(), request)
+        .unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
 fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {

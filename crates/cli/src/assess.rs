@@ -4,14 +4,12 @@ use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use standfast::InputError;
-use standfast_cases::motion::BodyCaseError;
 use standfast_cases::{Assessment, CaseError, View};
 use thiserror::Error;
 
-use crate::case_file::{self, CaseFileError, Still};
+use crate::case_file::{self, CaseFileError};
 use crate::figures::{self, Drawn, FigureError, Figures};
 use crate::format::Format;
-use crate::simulate::record_reader;
 
 /// Why a case was not assessed.
 #[derive(Debug, Error, Diagnostic)]
@@ -34,10 +32,6 @@ pub enum AssessError {
     /// The diagram cannot be drawn.
     #[error(transparent)]
     Mechanics(#[from] InputError),
-    /// What the case says of time makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    InTime(#[from] BodyCaseError),
     /// A figure cannot be written.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -66,7 +60,7 @@ pub fn assess(
     format: Format,
     check: bool,
 ) -> Result<Answered, AssessError> {
-    let assessment = answered(path)?;
+    let assessment = Assessment::of_file(&case_file::parse(path)?)?;
     let nothing = assessment.all_checks().is_empty();
     if check && nothing {
         return Err(AssessError::NothingToCheck { path: path.to_owned() });
@@ -84,15 +78,6 @@ pub fn assess(
         Format::Json => assessment.json(view, &figures::files(drawn)),
     };
     Ok(Answered { answer, undrawn, met: assessment.met() })
-}
-
-/// The answer to a case; to one in time that of its first instant, with the criteria of its motion.
-fn answered(path: &Path) -> Result<Assessment, AssessError> {
-    let read = record_reader(path);
-    Ok(match case_file::parse_still(path, &read)? {
-        Still::InTime(timed) => timed.assess(None)?,
-        Still::Still(file) => Assessment::of_file(&file)?,
-    })
 }
 
 /// Writes the figures.

@@ -5,7 +5,6 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use miette::Diagnostic;
-use standfast_cases::motion::{BodyCaseError, ReadFile, Timed};
 use standfast_cases::{CaseError, CaseFile};
 use thiserror::Error;
 
@@ -33,10 +32,6 @@ pub enum CaseFileError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
-    /// What it says of time makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    InTime(#[from] BodyCaseError),
 }
 
 /// Whether a case is read from standard input.
@@ -63,32 +58,30 @@ pub fn is_at(path: &Path, file: &Path) -> bool {
         && file.canonicalize().is_ok_and(|file| path.canonicalize().is_ok_and(|case| case == file))
 }
 
-/// A case file.
+/// A case file with the files that it names, which lie beside it.
+///
+/// # Errors
+/// If it, or a file that it names, cannot be read, or is not understood.
+pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
+    Ok(CaseFile::read(&name(path), &read(path)?, &beside(path))?)
+}
+
+/// A case file without the files that it names.
 ///
 /// # Errors
 /// If it cannot be read, or is not understood.
-pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
+pub fn parse_alone(path: &Path) -> Result<CaseFile, CaseFileError> {
     Ok(CaseFile::parse(&name(path), &read(path)?)?)
 }
 
-/// A case file as one at the first instant.
-pub enum Still<'a> {
-    /// One that says nothing of time.
-    Still(Box<CaseFile>),
-    /// One that says how loads go with time: all at their peaks.
-    InTime(Box<Timed<'a>>),
-}
-
-/// Reads a case file as one at the first instant; `records` reads those that it names.
-///
-/// # Errors
-/// If it, or a record that it names, cannot be read, or is not understood.
-pub fn parse_still<'a>(path: &Path, records: &'a ReadFile<'a>) -> Result<Still<'a>, CaseFileError> {
-    let (name, text) = (name(path), read(path)?);
-    Ok(match Timed::of(&name, &text, records)? {
-        Some(timed) => Still::InTime(Box::new(timed)),
-        None => Still::Still(Box::new(CaseFile::parse(&name, &text)?)),
-    })
+/// Reads the files that a case names, beside it.
+pub(crate) fn beside(case: &Path) -> impl Fn(&str) -> Result<String, String> {
+    let directory = case.parent().unwrap_or(Path::new("")).to_owned();
+    move |file| {
+        let bytes = fs::read(directory.join(file)).map_err(|cause| cause.to_string())?;
+        // Old records have letters of other alphabets in their headers, and no meaning in them.
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
 }
 
 /// The text of a case file.

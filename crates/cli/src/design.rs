@@ -10,10 +10,9 @@ use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Ex
 use thiserror::Error;
 
 use crate::args::DesignArgs;
-use crate::case_file::{self, CaseFileError, Still};
+use crate::case_file::{self, CaseFileError};
 use crate::draw::{DrawError, PictureFile};
 use crate::format::Format;
-use crate::simulate::record_reader;
 use crate::write::{self, ExtensionError, WriteError};
 
 /// A file for the boundary of two quantities, whose extension says what is written.
@@ -92,8 +91,7 @@ pub enum DesignCommandError {
 /// # Errors
 /// If the case file cannot be read or makes no sense, there is no design, or a file cannot be written.
 pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
-    let read = record_reader(&args.case);
-    let still = case_file::parse_still(&args.case, &read)?;
+    let file = case_file::parse(&args.case)?;
     let request = Request {
         vary: args.vary.clone(),
         target: args.target,
@@ -103,10 +101,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
         spelling: &Spelling::PROGRAM,
     };
     let Some(and) = args.and.clone() else {
-        let design = match &still {
-            Still::InTime(timed) => Design::of_timed(timed, request)?,
-            Still::Still(file) => Design::of(file, request)?,
-        };
+        let design = Design::of(&file, request)?;
         return Ok(match args.format {
             Format::Text => design.text(),
             Format::Json => design.json(),
@@ -114,10 +109,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
     };
     let request =
         BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
-    let boundary = match &still {
-        Still::InTime(timed) => Boundary::of_timed(timed, request)?,
-        Still::Still(file) => Boundary::of(file, request)?,
-    };
+    let boundary = Boundary::of(&file, request)?;
     let written = files(args, &boundary)?;
     Ok(match args.format {
         Format::Text => boundary.text() + &written,
@@ -126,7 +118,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
 }
 
 /// Writes the files; says so.
-fn files(args: &DesignArgs, boundary: &Boundary<'_>) -> Result<String, DesignCommandError> {
+fn files(args: &DesignArgs, boundary: &Boundary) -> Result<String, DesignCommandError> {
     let mut said = if args.output.is_empty() { String::new() } else { "\n".to_owned() };
     for output in &args.output {
         if case_file::is_at(&args.case, output.path()) {

@@ -147,9 +147,9 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         args.input.display().to_string()
     };
     if let Some(path) = args.case.as_ref().filter(|path| path.as_os_str() != "-") {
-        let text = case_file::read(path)?;
-        if standfast_cases::motion::is_in_time(&text) {
-            return print(&batch::motion::motions(args, path, &text)?);
+        let file = case_file::parse_alone(path)?;
+        if file.is_in_time() {
+            return print(&batch::motion::motions(args, path, file)?);
         }
     }
     let plain = TableOptions::new(&name);

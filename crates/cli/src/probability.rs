@@ -6,9 +6,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use miette::Diagnostic;
-use standfast_cases::random::{
-    Effort, FirstInstant, Probability, ProbabilityError, Request, WeighedDraws, template,
-};
+use standfast_cases::random::{Effort, Probability, ProbabilityError, Request, WeighedDraws, template};
 use standfast_cases::{CaseError, CaseFile};
 use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
 use thiserror::Error;
@@ -16,7 +14,6 @@ use thiserror::Error;
 use crate::args::{ProbabilityArgs, RotationsArg};
 use crate::case_file::{self, CaseFileError};
 use crate::format::Format;
-use crate::simulate::record_reader;
 use crate::write::{self, ExtensionError, Pending, WriteError};
 
 /// A file of draws, whose extension says how it is written.
@@ -96,11 +93,9 @@ pub struct Answered {
 /// # Errors
 /// If the case file cannot be read or makes no sense, or the draws cannot be written.
 pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityCommandError> {
-    let name = case_file::name(&args.case);
-    let text = case_file::read(&args.case)?;
+    let case = case_file::parse(&args.case)?;
     if args.template {
-        let answer = template(&CaseFile::parse(&name, &text)?)?;
-        return Ok(Answered { answer, undrawn: None });
+        return Ok(Answered { answer: template(&case)?, undrawn: None });
     }
     let plain = Effort::default();
     let effort = Effort {
@@ -117,16 +112,15 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
     let follow = args.rotations == RotationsArg::Simulate;
     let plainly = Request { effort, years: args.years, follow, ..Request::default() };
     let request = args.method.map_or(plainly, |method| plainly.with(method));
-    let found = FirstInstant::of(&name, &text, request, args.over.as_ref(), &record_reader(&args.case))?;
-    let (answer, text) = (&found.answer, &found.still);
+    let answer = &Probability::along(&case, request, args.over.as_ref())?;
     if let Some(file) = &args.draws {
-        write_draws(WeighedDraws::of_text(&name, text, answer)?, file)?;
+        write_draws(WeighedDraws::of(&case, answer)?, file)?;
     }
     let mut drawn = Vec::new();
-    let undrawn = if args.no_figures { None } else { draw(answer, text, args, &mut drawn).err() };
+    let undrawn = if args.no_figures { None } else { draw(answer, &case, args, &mut drawn).err() };
     let answer = match args.format {
         Format::Text => {
-            let mut said = found.text();
+            let mut said = answer.text();
             if !drawn.is_empty() || undrawn.is_some() {
                 said += "\n";
             }
@@ -146,7 +140,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
 /// Writes the figures of an answer; `drawn` gets their words and files.
 fn draw(
     answer: &Probability,
-    text: &str,
+    case: &CaseFile,
     args: &ProbabilityArgs,
     drawn: &mut Vec<(&'static str, String)>,
 ) -> Result<(), ProbabilityCommandError> {
@@ -155,7 +149,7 @@ fn draw(
     }
     let directory = args.output.as_deref().unwrap_or_else(|| args.case.parent().unwrap_or(Path::new("")));
     let stem = case_file::stem(&args.case);
-    for figure in answer.figures(text)? {
+    for figure in answer.figures(case)? {
         let file = directory.join(format!("{stem}{}.svg", figure.suffix));
         if case_file::is_at(&args.case, &file) {
             return Err(ProbabilityCommandError::FigureOverwrite { path: args.case.clone() });

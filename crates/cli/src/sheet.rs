@@ -8,8 +8,7 @@ use miette::Diagnostic;
 use standfast_sheet::{Paper, PrintError, Sheet, SheetError, SheetOptions};
 use thiserror::Error;
 
-use crate::case_file::{self, CaseFileError, Still};
-use crate::simulate::record_reader;
+use crate::case_file::{self, CaseFileError};
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a sheet is written.
@@ -82,11 +81,7 @@ pub fn sheet(
     options: &SheetOptions,
     paper: Paper,
 ) -> Result<(), SheetCommandError> {
-    let read = record_reader(case);
-    let sheet = match case_file::parse_still(case, &read)? {
-        Still::InTime(timed) => Sheet::of_timed(&timed, options)?,
-        Still::Still(file) => Sheet::of_file(&file, options)?,
-    };
+    let sheet = Sheet::of_file(&case_file::parse(case)?, options)?;
     if case_file::is_at(case, &file.path) {
         return Err(SheetCommandError::Overwrite { path: case.to_owned() });
     }

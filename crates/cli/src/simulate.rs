@@ -1,14 +1,11 @@
 //! `standfast simulate`: the motion of a body or a block in time.
 
 use std::fmt::Write;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
-use standfast_cases::motion::{
-    BodyCaseError, Follow, GivenBase, Outcome, Position, SERIES, all_json, cases_on, follow_all, series,
-    series_csv,
-};
+use standfast_cases::CaseError;
+use standfast_cases::motion::{Follow, Outcome, Position, SERIES, all_json, follow_all, series, series_csv};
 use standfast_tables::{TableFormat, WrittenColumn, written};
 use thiserror::Error;
 
@@ -29,7 +26,7 @@ pub enum SimulateError {
     /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Case(#[from] BodyCaseError),
+    Case(#[from] CaseError),
     /// The motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] standfast_cases::motion::MotionError),
@@ -84,10 +81,8 @@ pub struct Simulated {
 /// # Errors
 /// If a file cannot be read, the series cannot be written, or the case makes no sense.
 pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
-    let name = case_file::name(&args.case);
-    let text = case_file::read(&args.case)?;
-    let read = record_reader(&args.case);
-    let cases = cases_on(&name, &text, &read, &GivenBase::default())?;
+    let file = case_file::parse(&args.case)?;
+    let cases = file.motions()?;
     if args.check && cases.iter().all(|case| case.criteria.is_empty()) {
         return Err(SimulateError::NothingToCheck { path: args.case.clone() });
     }
@@ -168,14 +163,4 @@ fn series_bytes(outcome: &Outcome, dt: f64, file: &Path) -> Result<Vec<u8>, Simu
     ];
     let columns: Vec<_> = SERIES.iter().map(|name| (*name).to_owned()).zip(columns).collect();
     Ok(written(format, &columns).map_err(|cause| WriteError { path: file.to_owned(), cause })?)
-}
-
-/// Reads the files that a case names, beside it.
-pub(crate) fn record_reader(case: &Path) -> impl Fn(&str) -> Result<String, String> {
-    let directory = case.parent().unwrap_or(Path::new("")).to_owned();
-    move |file| {
-        let bytes = fs::read(directory.join(file)).map_err(|cause| cause.to_string())?;
-        // Old records have letters of other alphabets in their headers, and no meaning in them.
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
-    }
 }

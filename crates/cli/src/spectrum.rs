@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use miette::Diagnostic;
-use standfast_cases::motion::{BodyCaseError, GivenBase, SpectrumError, SpectrumRequest, cases_on};
+use standfast_cases::CaseError;
+use standfast_cases::motion::{SpectrumError, SpectrumRequest};
 use thiserror::Error;
 
 use crate::args::{SpectrumArgs, threads};
@@ -13,7 +14,6 @@ use crate::case_file::{self, CaseFileError};
 use crate::figures::{self, FigureError, Figures};
 use crate::format::Format;
 use crate::progress::Motions;
-use crate::simulate::record_reader;
 use crate::write::{self, WriteError};
 
 /// Why there is no spectrum.
@@ -26,7 +26,7 @@ pub enum SpectrumCommandError {
     /// The case makes no sense.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Case(#[from] BodyCaseError),
+    Case(#[from] CaseError),
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
@@ -50,10 +50,7 @@ pub enum SpectrumCommandError {
 /// # Errors
 /// If a file cannot be read or written, or the case has no such spectrum.
 pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
-    let name = case_file::name(&args.case);
-    let text = case_file::read(&args.case)?;
-    let read = record_reader(&args.case);
-    let cases = cases_on(&name, &text, &read, &GivenBase::default())?;
+    let cases = case_file::parse(&args.case)?.motions()?;
     let Some(case) = cases.into_iter().next() else { return Err(SpectrumError::NoShaking.into()) };
     let request = SpectrumRequest {
         size: args.size,

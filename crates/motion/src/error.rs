@@ -1,19 +1,9 @@
-//! What is wrong with a problem or a history.
+//! What is wrong with a problem.
 
-use standfast::InputError;
+use standfast::loads::LoadId;
 use standfast::number::exact;
+use standfast::{HistoryError, InputError};
 use thiserror::Error;
-
-/// What is wrong with a point of a history.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Problematic {
-    /// Its time is not a finite number.
-    Time,
-    /// Its value is not a finite number.
-    Value,
-    /// Its time is not above that before it.
-    NotRising,
-}
 
 /// Why a motion cannot be followed.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -22,7 +12,10 @@ pub enum MotionError {
     /// A number of the contact problem.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// A number of a history or of the motion.
+    /// A history.
+    #[error(transparent)]
+    History(#[from] HistoryError),
+    /// A number of the motion.
     #[error("{name} is {}; expected {expected}", exact(*.value))]
     Value {
         /// Its name in a case file.
@@ -32,29 +25,17 @@ pub enum MotionError {
         /// What it has to be.
         expected: &'static str,
     },
-    /// A history of points whose lists differ in length.
-    #[error("{times} times and {values} values; expected as many of each")]
-    Lengths {
-        /// Times.
-        times: usize,
-        /// Values.
-        values: usize,
+    /// A variable load of which nothing is said in time.
+    #[error("a load that varies has no history: nothing says how it goes with time")]
+    NoHistory {
+        /// The load.
+        load: LoadId,
     },
-    /// A history of fewer than two points.
-    #[error("{count} points; expected two at least")]
-    FewPoints {
-        /// How many there are.
-        count: usize,
-    },
-    /// A point of a history.
-    #[error("point {}: {}", index + 1, words(*problem, *value))]
-    Point {
-        /// Which point, from 0.
-        index: usize,
-        /// The number.
-        value: f64,
-        /// What is wrong with it.
-        problem: Problematic,
+    /// Water that is shaken with the body, and presses nobody knows where.
+    #[error("{} kg of water move with the body on a base that is shaken, and nothing says how high their push acts", exact(*.mass))]
+    WaterWithoutHeight {
+        /// The mass, kg, or per metre run.
+        mass: f64,
     },
     /// A measured ratio that would give energy to the body.
     #[error(
@@ -73,13 +54,4 @@ pub enum MotionError {
         /// P.
         pressing: f64,
     },
-}
-
-fn words(problem: Problematic, value: f64) -> String {
-    let value = exact(value);
-    match problem {
-        Problematic::Time => format!("its time is {value}; expected a finite number"),
-        Problematic::Value => format!("its value is {value}; expected a finite number"),
-        Problematic::NotRising => format!("its time is {value}; expected one after that of the point before"),
-    }
 }

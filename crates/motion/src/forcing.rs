@@ -1,8 +1,8 @@
 //! Loads and base motion over the pieces of time in which all of them are lines or sines.
 
-use crate::history::{History, Piece};
 use crate::problem::Problem;
 use crate::series::{LEN, Series};
+use standfast::history::{History, Piece};
 
 /// Where a share of a history goes: X, P or M; fixed, times cosθ or times sinθ.
 #[derive(Debug, Clone, Copy)]

@@ -33,7 +33,6 @@
 mod decide;
 mod error;
 mod forcing;
-mod history;
 mod impact;
 mod machine;
 mod outcome;
@@ -41,13 +40,16 @@ mod problem;
 pub mod record;
 mod roots;
 mod series;
+mod situated;
 pub mod spectrum;
 
-pub use error::{MotionError, Problematic};
-pub use history::{History, Piece};
+pub use error::MotionError;
 pub use machine::{Keep, simulate};
 pub use outcome::{End, Event, Outcome, Position, Step, Why};
 pub use problem::{Acting, Base, Impact, Initial, Load, Problem};
+
+pub use situated::{is_own_weight, shaken_water};
+pub use standfast::history::{History, HistoryError, Piece};
 
 /// How much slide, in B, and the largest |θ| change with friction and the height of C: the larger of their changes over a relative change
 /// of 1e-7 of μ_s, μ_k and d.

@@ -3,7 +3,7 @@
 use standfast::contact::Block;
 
 use crate::error::MotionError;
-use crate::history::History;
+use standfast::history::History;
 
 /// What happens when a corner meets the base.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -76,7 +76,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// A block at rest with its weight alone.
+    /// A block at rest with its weight alone, in any units that go together; that of a body in SI units is [`Problem::of`].
     pub fn new(block: Block, gravity: f64) -> Problem {
         Problem {
             block,

@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use crate::error::MotionError;
-use crate::history::History;
+use standfast::history::{History, HistoryError};
 
 /// The unit of a record's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -270,7 +269,7 @@ impl Record {
     ///
     /// # Errors
     /// As [`History::points`].
-    pub fn history(&self, factor: f64) -> Result<History, MotionError> {
+    pub fn history(&self, factor: f64) -> Result<History, HistoryError> {
         Ok(History::points(&self.times, &self.values)?.times_factor(factor))
     }
 }

@@ -4,10 +4,10 @@
 use standfast::contact::Block;
 
 use crate::error::MotionError;
-use crate::history::History;
 use crate::machine::{Keep, simulate};
 use crate::outcome::{End, Outcome};
 use crate::problem::{Base, Impact, Load, Problem};
+use standfast::history::History;
 
 /// What became of a block of a rocking spectrum, or at a scale of the shaking.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use standfast_cases::key::TITLE_BLOCK;
-use standfast_cases::motion::Timed;
+use standfast_cases::motion::FirstInstant;
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, Drawn, Key, View};
 use standfast_figures::Figure;
@@ -19,7 +19,7 @@ pub struct Source<'a> {
     pub file: &'a str,
     pub case_file: &'a CaseFile,
     /// The case in time, where it is one.
-    pub timed: Option<&'a Timed<'a>>,
+    pub in_time: Option<(&'a CaseFile, &'a FirstInstant)>,
     /// SHA-256 of the text.
     pub hash: String,
     pub date: Option<Date>,
@@ -85,7 +85,7 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
                         h2 { "1 Inputs" }
                         @for (i, figure) in section.iter().enumerate() { (of_case(i, figure)) }
                         (inputs)
-                        @if let Some(timed) = source.timed { (in_time::inputs(timed)) }
+                        @if let Some((file, first)) = source.in_time { (in_time::inputs(file, first)) }
                     }
                     section { h2 { "2 Assumptions and method" } (method::words(assessment)) }
                     section {

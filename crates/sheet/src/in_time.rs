@@ -1,21 +1,21 @@
 //! The motion in time of a case: what it is asked of, what becomes of the body, and what the model leaves out.
 
 use maud::{Markup, html};
-use standfast_cases::Case;
 use standfast_cases::assess::InTime;
 use standfast_cases::layout::digits;
-use standfast_cases::motion::{BlockCase, Followed, LoadPeak, MotionFigure, Rows, Timed};
+use standfast_cases::motion::{BlockCase, FirstInstant, Followed, LoadPeak, MotionFigure, Rows};
+use standfast_cases::{Case, CaseFile};
 
 /// At most so many situations are shown one by one.
 const SHOWN: usize = 8;
 
 /// The lines of the case file that belong to time.
-pub fn inputs(timed: &Timed<'_>) -> Markup {
+pub fn inputs(file: &CaseFile, first: &FirstInstant) -> Markup {
     html! {
         h3 { "In time" }
         p.note { "These lines of the case file say how the loads go with time, how the base moves, and what is asked of the motion:" }
-        pre.written data-table="in-time" { @for line in timed.lines() { (line) "\n" } }
-        p.note { "In sections 2 to 4, " (timed.first_instant()) "; section 5 follows the motion in time." }
+        pre.written data-table="in-time" { @for line in file.lines_in_time() { (line) "\n" } }
+        p.note { "In sections 2 to 4, " (first.of_instant()) "; section 5 follows the motion in time." }
     }
 }
 

@@ -15,7 +15,7 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
     let on_top = |key: Key| matches!(key, Key::Title | Key::Note) || TITLE_BLOCK.contains(&key);
     let shown = |entry: &&Entry| !on_top(entry.id.key);
     let entries: Vec<_> = file.entries().iter().filter(shown).collect();
-    let table = |entry: &Entry| (entry.id.key.info().table, entry.id.index);
+    let table = |entry: &Entry| (entry.id.table, entry.id.index);
     let defaults = defaults(case, file);
     html! {
         p.note {
@@ -58,7 +58,7 @@ fn taken(key: Key) -> &'static str {
 }
 
 fn heading(id: Id) -> String {
-    match id.key.info().table {
+    match id.table {
         Table::Top => "General".to_owned(),
         table if table.repeats() => format!("{} {}", table.header(), id.index + 1),
         table => table.header().to_owned(),
@@ -68,7 +68,7 @@ fn heading(id: Id) -> String {
 /// The symbol of a key in one of `count` tables; the three numbers of a list have three.
 fn sign(key: Key, index: usize, count: usize) -> Markup {
     let names = match key.info().kind {
-        Kind::OneOfThree => keys(key).iter().map(|key| key.info().symbol).collect(),
+        Kind::OneOf(..) => keys(key).iter().map(|key| key.info().symbol).collect(),
         _ => vec![key.info().symbol],
     };
     html! {
@@ -86,17 +86,17 @@ fn keys(key: Key) -> Vec<Key> {
 }
 
 fn row(file: &CaseFile, entry: &Entry) -> Markup {
-    let Id { key, index } = entry.id;
+    let Id { table, index, key } = entry.id;
     let keys = keys(key);
     let words: Vec<_> = keys.iter().map(|key| key.info().words).collect();
-    let numbers = keys.iter().filter_map(|&key| file.inputs().number(Id { key, index }));
+    let numbers = keys.iter().filter_map(|&key| file.inputs().number(Id::of(table, index, key)));
     let list = file.inputs().list(entry.id).unwrap_or_default();
     let shown = key.info().range().is_some() || !list.is_empty();
     let numbers: Vec<f64> = numbers.chain(list.iter().copied()).filter(|_| shown).collect();
     let count = numbers.len();
     let written = file.written(entry);
     let written = match key.info().kind {
-        Kind::List(_) | Kind::ModeList | Kind::History => written.replace('"', ""),
+        Kind::List(_) | Kind::ModeList | Kind::Plains => written.replace('"', ""),
         _ => written.trim_matches('"').to_owned(),
     };
     let tables = file.inputs().count(key.info().table);

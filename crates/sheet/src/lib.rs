@@ -47,7 +47,7 @@ mod verdict;
 use miette::Diagnostic;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
-use standfast_cases::motion::{BodyCaseError, Follow, Timed};
+use standfast_cases::motion::{FirstInstant, Follow};
 use standfast_cases::{Assessment, CaseError, CaseFile, Key, View};
 use thiserror::Error;
 
@@ -83,10 +83,6 @@ pub enum SheetError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
-    /// What the case says of time makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    InTime(#[from] BodyCaseError),
     /// The case cannot be computed.
     #[error(transparent)]
     Mechanics(#[from] InputError),
@@ -114,36 +110,31 @@ impl Sheet {
         Sheet::of_file(&CaseFile::parse(name, text)?, options)
     }
 
-    /// The sheet of a case file.
-    ///
-    /// # Errors
-    /// As [`of`](Sheet::of).
-    pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        let assessment = Assessment::of_file(case_file)?;
-        Sheet::made(&assessment, case_file, None, options)
-    }
-
-    /// The sheet of a case in time: that of its first instant, with its motion.
+    /// The sheet of a case file; of one in time that of its first instant, with its motion.
     ///
     /// # Errors
     /// As [`of`](Sheet::of), and if the motion cannot be followed.
-    pub fn of_timed(timed: &Timed<'_>, options: &SheetOptions) -> Result<Sheet, SheetError> {
-        let assessment = timed.assess(Some(&Follow { series: true, ..Follow::default() }))?;
-        Sheet::made(&assessment, timed.still(), Some(timed), options)
+    pub fn of_file(case_file: &CaseFile, options: &SheetOptions) -> Result<Sheet, SheetError> {
+        let follow = Follow { series: true, ..Follow::default() };
+        let assessment = Assessment::following(case_file, Some(&follow))?;
+        match case_file.first_instant()? {
+            Some(first) => Sheet::made(&assessment, &first.file, Some((case_file, &first)), options),
+            None => Sheet::made(&assessment, case_file, None, options),
+        }
     }
 
     fn made(
         assessment: &Assessment,
         case_file: &CaseFile,
-        timed: Option<&Timed<'_>>,
+        in_time: Option<(&CaseFile, &FirstInstant)>,
         options: &SheetOptions,
     ) -> Result<Sheet, SheetError> {
         let name = case_file.name();
         let source = document::Source {
             file: name.rsplit(['/', '\\']).next().unwrap_or(name),
             case_file,
-            timed,
-            hash: hash(timed.map_or_else(|| case_file.text(), Timed::text)),
+            in_time,
+            hash: hash(case_file.text()),
             date: options.date,
             title_block: &options.title_block,
         };

@@ -1,14 +1,11 @@
 //! The sheet of a case in time: what the program answers stands there.
 
 use scraper::{Html, Selector};
-use standfast_cases::motion::{Follow, Timed, follow_all};
+use standfast_cases::CaseFile;
+use standfast_cases::motion::Follow;
 use standfast_sheet::{Sheet, SheetOptions};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
-
-fn no_file(file: &str) -> Result<String, String> {
-    Err(format!("no file {file}"))
-}
 
 /// The cells of a table of the sheet, row by row.
 fn table(page: &Html, name: &str) -> Vec<Vec<String>> {
@@ -25,12 +22,11 @@ fn number(text: &str) -> f64 {
 #[test]
 fn the_sheet_has_what_becomes_of_the_body() {
     let text = format!("{CAISSON}\n[criteria]\nslide = \"8 cm\"\noverturned = false\n");
-    let timed = Timed::of("case.toml", &text, &no_file).unwrap().unwrap();
-    let html = Sheet::of_timed(&timed, &SheetOptions::default()).unwrap().html().to_owned();
-    assert_eq!(Sheet::of_timed(&timed, &SheetOptions::default()).unwrap().html(), html);
+    let file = CaseFile::parse("case.toml", &text).unwrap();
+    let html = Sheet::of_file(&file, &SheetOptions::default()).unwrap().html().to_owned();
+    assert_eq!(Sheet::of_file(&file, &SheetOptions::default()).unwrap().html(), html);
     let page = Html::parse_document(&html);
-    let cases = standfast_cases::motion::body_cases("case.toml", &text, &no_file).unwrap();
-    let answers = follow_all(cases, &Follow::default()).unwrap();
+    let answers = file.follow(&Follow::default()).unwrap();
     let outcome = &answers[0].1.outcome;
     let near = |found: f64, expected: f64| {
         assert!((found - expected).abs() <= 1e-6 * expected.abs() + 1e-12, "{found} {expected}");
@@ -103,8 +99,7 @@ fn the_sheet_has_what_becomes_of_the_body() {
 fn a_shaken_body_has_a_sheet() {
     let text = "[body]\nwidth = 0.6\nheight = 2.4\ndensity = 2600\nfriction = 0.5\n[motion.base]\n\
         horizontal = { shape = \"half-sine\", peak = \"0.3 g\", duration = \"0.5 s\" }\n";
-    let timed = Timed::of("case.toml", text, &no_file).unwrap().unwrap();
-    let html = Sheet::of_timed(&timed, &SheetOptions::default()).unwrap().html().to_owned();
+    let html = Sheet::of("case.toml", text, &SheetOptions::default()).unwrap().html().to_owned();
     // 0.3 · 9.80665 m/s², and that over 9.81 m/s².
     assert!(html.contains("reaches 2.942 m/s², 0.2999 of gravity"), "the peak of the base");
     assert!(

@@ -125,6 +125,7 @@ worded! {
         BelowOne => "a number from 0 to below 1",
         GroundAngle => "an angle from 20 to 50 degrees",
         CouplingBelowOne => "a number from -1 to 1",
+        StraightLines => "a history of straight lines: springs have no closed form here for sines",
         TimesInOrder => "times that do not fall from point to point",
         RectangularBase => "none for a round base: the formulas are those of a strip",
         InOrder => "positions that rise from point to point",

@@ -34,7 +34,7 @@ use crate::contact::path::{Stage, stages};
 use crate::contact::{self, Block, Solution, plane};
 use crate::error::InputError;
 use crate::initiation::Point;
-use crate::loads::{Action, HorizontalForce, Load, LoadKind, LoadSource, Pose, Reduced};
+use crate::loads::{Action, AddedMass, HorizontalForce, Load, LoadKind, LoadSource, Pose, Reduced};
 use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::quantity::{Expected, Quantity};
@@ -49,7 +49,7 @@ pub struct Situation {
     gravity: f64,
     static_friction: f64,
     kinetic_friction: f64,
-    added_mass: f64,
+    added_mass: AddedMass,
     loads: Vec<Load>,
 }
 
@@ -182,7 +182,7 @@ impl Situation {
             gravity: InputError::positive(Quantity::Gravity, gravity)?,
             static_friction: friction,
             kinetic_friction: friction,
-            added_mass: 0.0,
+            added_mass: AddedMass::NONE,
             loads: Vec::new(),
         })
     }
@@ -200,12 +200,9 @@ impl Situation {
         Ok(Situation { kinetic_friction, ..self })
     }
 
-    /// The same with water that a horizontal motion carries along, kg per metre run.
-    ///
-    /// # Errors
-    /// If it is negative or not finite.
-    pub fn with_added_mass(self, mass: f64) -> Result<Situation, InputError> {
-        Ok(Situation { added_mass: InputError::not_negative(Quantity::AddedMass, mass)?, ..self })
+    /// The same with water that a horizontal motion carries along.
+    pub fn with_added_mass(self, water: AddedMass) -> Situation {
+        Situation { added_mass: water, ..self }
     }
 
     /// The same with the body's weight.
@@ -247,7 +244,12 @@ impl Situation {
 
     /// Mass of water that a horizontal motion carries along, kg per metre run.
     pub fn added_mass(&self) -> f64 {
-        self.added_mass
+        self.added_mass.mass()
+    }
+
+    /// Water that a horizontal motion carries along, with the height at which it presses.
+    pub fn moved_water(&self) -> &AddedMass {
+        &self.added_mass
     }
 
     /// All loads.
@@ -302,18 +304,18 @@ impl Situation {
     }
 
     /// The block of the [contact problem](crate::contact), with lengths in B and masses in m.
-    pub fn block(&self) -> Block {
+    pub fn reduced_block(&self) -> InHalfWidths {
         let half_width = self.body.width() / 2.0;
-        Block {
+        InHalfWidths(Block {
             b1: self.body.heel_distance() / half_width,
             b2: self.body.toe_distance() / half_width,
             d: self.body.centroid_height() / half_width,
             rho2: self.body.moment_of_inertia() / (self.body.mass() * half_width * half_width),
-            m_x: 1.0 + self.added_mass / self.body.mass(),
+            m_x: 1.0 + self.added_mass() / self.body.mass(),
             m_y: 1.0,
             mu_s: self.static_friction,
             mu_k: self.kinetic_friction,
-        }
+        })
     }
 
     /// A wrench with forces in m g and lengths in B.
@@ -338,7 +340,7 @@ impl Situation {
 
     /// Whether the body is the report's: uniform, with one friction, without water that moves with it.
     fn is_ordinary(&self) -> bool {
-        self.body.is_uniform() && self.added_mass == 0.0 && self.static_friction == self.kinetic_friction
+        self.body.is_uniform() && self.added_mass() == 0.0 && self.static_friction == self.kinetic_friction
     }
 
     /// The report's problem itself, where the situation is nothing else: one horizontal force beside the weight. Its numbers
@@ -390,12 +392,12 @@ impl Situation {
         })
     }
 
-    /// The contact problem under a total wrench, in the units of [`block`](Situation::block).
+    /// The contact problem under a total wrench, in the units of [`reduced_block`](Situation::reduced_block).
     ///
     /// # Errors
     /// If a number is out of range.
     pub fn solve(&self, wrench: &Wrench) -> Result<Solution, InputError> {
-        contact::solve(&self.block(), &self.reduced_wrench(wrench))
+        contact::solve(&self.reduced_block().0, &self.reduced_wrench(wrench))
     }
 
     /// The stages of the variable loads that rise from nothing without end.
@@ -404,7 +406,7 @@ impl Situation {
     /// If a number is out of range.
     pub fn path(&self) -> Result<Vec<Stage>, InputError> {
         let Sums { permanent, variable, .. } = self.sums();
-        stages(&self.block(), &self.reduced_wrench(&permanent), &self.reduced_wrench(&variable))
+        stages(&self.reduced_block().0, &self.reduced_wrench(&permanent), &self.reduced_wrench(&variable))
     }
 
     /// The regions of the plane of load factor and static friction, up to a load factor; see [`plane`].
@@ -414,7 +416,7 @@ impl Situation {
     pub fn plane(&self, up_to: f64) -> Result<Vec<Region>, InputError> {
         let Sums { permanent, variable, .. } = self.sums();
         let [permanent, variable] = [permanent, variable].map(|wrench| self.reduced_wrench(&wrench));
-        plane::regions(&self.block(), &permanent, &variable, up_to)
+        plane::regions(&self.reduced_block().0, &permanent, &variable, up_to)
     }
 
     /// Everything: under the full load, on the way there, and by the classical checks.
@@ -440,6 +442,10 @@ impl Situation {
         Ok(Departure::of(begin, path.iter().find(moves)))
     }
 }
+
+/// A block with lengths in B, half the width of the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InHalfWidths(pub Block);
 
 /// What loads add up to.
 struct Sums {

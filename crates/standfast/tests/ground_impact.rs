@@ -3,8 +3,8 @@
 mod common;
 
 use common::Random;
-use standfast::Wrench;
-use standfast::ground::impact::{ElasticBody, History, ImpactEvent, ImpactResponse};
+use standfast::ground::impact::{ElasticBody, ImpactEvent, ImpactResponse};
+use standfast::{Expected, History, Wrench};
 
 /// A body, its loads, and all numbers of its equations again.
 struct Case {
@@ -98,7 +98,7 @@ fn push(x: f64, elevation: f64, d: f64) -> Wrench {
 #[test]
 fn goda_s_caisson_under_a_breaking_wave() {
     let case = Case::GODA;
-    let load = (push(940.68e3, 4849.6 / 940.68, 5.25), History::triangle(0.05, 0.1).unwrap());
+    let load = (push(940.68e3, 4849.6 / 940.68, 5.25), History::triangle(1.0, 0.05, 0.1).unwrap());
     let rest = Wrench { x: 0.0, p: 2318.64e3, m: 0.0 };
     let answer = case.body().response(&rest, &[load], 0.6, Some(600e3)).unwrap();
     let ImpactResponse { periods: [long, short], .. } = answer;
@@ -135,8 +135,9 @@ fn two_modes_are_those_of_the_integrator() {
         };
         let t = [random.uniform(0.01, 0.1), random.uniform(0.1, 0.2), random.uniform(0.2, 0.3)];
         // A rise, a peak, a step down, a slope.
-        let thrust = History::new(&[[0.0, 0.0], [t[0], 1.0], [t[0], 0.6], [t[1], 0.3], [t[2], 0.0]]).unwrap();
-        let uplift = History::new(&[[t[0], 0.5], [t[2], 0.0]]).unwrap();
+        let thrust =
+            History::stepped(&[[0.0, 0.0], [t[0], 1.0], [t[0], 0.6], [t[1], 0.3], [t[2], 0.0]]).unwrap();
+        let uplift = History::stepped(&[[t[0], 0.5], [t[2], 0.0]]).unwrap();
         let force = m * 9.81 * random.uniform(0.2, 1.2);
         let loads = [
             (push(force, random.uniform(0.5, 1.7) * d, d), thrust),
@@ -215,27 +216,32 @@ fn one_mode_has_its_closed_forms() {
     let pi = std::f64::consts::PI;
     for r in [0.05, 0.2, 0.353, 0.5] {
         let expected = 4.0 * (pi * r / 2.0).sin().powi(2) / (pi * r);
-        let ours = d_shear(History::triangle(0.5 * r * period, r * period).unwrap());
+        let ours = d_shear(History::triangle(1.0, 0.5 * r * period, r * period).unwrap());
         assert!((ours - expected).abs() < 1e-5, "{r}: {ours} {expected}");
     }
-    let triangle = |r: f64| d_shear(History::triangle(0.5 * r * period, r * period).unwrap());
+    let triangle = |r: f64| d_shear(History::triangle(1.0, 0.5 * r * period, r * period).unwrap());
     assert!((triangle(0.905) - 1.517).abs() < 5e-4 && (triangle(2.16) - 0.954).abs() < 2e-2);
-    let sudden = |r: f64| d_shear(History::new(&[[0.0, 1.0], [r * period, 0.0]]).unwrap());
+    let sudden = |r: f64| d_shear(History::decay(1.0, r * period).unwrap());
     for r in [0.371, 0.6, 1.0, 3.0] {
         let expected = 2.0 * (1.0 - (2.0 * pi * r).atan() / (2.0 * pi * r));
         assert!((sudden(r) - expected).abs() < 1e-5, "{r}: {} {expected}", sudden(r));
     }
     // Stepped on and left: twice.
-    assert!((d_shear(History::new(&[[0.0, 1.0]]).unwrap()) - 2.0).abs() < 1e-5);
+    assert!((d_shear(History::constant(1.0).unwrap()) - 2.0).abs() < 1e-5);
 }
 
 #[test]
 fn wrong_numbers_are_shown() {
     let body = Case::GODA.body();
     let rest = Wrench { x: 0.0, p: 1.0, m: 0.0 };
-    assert_eq!(History::triangle(0.2, 0.1).unwrap_err().value, 0.1);
-    assert!(History::new(&[]).is_err() && History::new(&[[-1.0, 0.0]]).is_err());
-    assert!(History::new(&[[0.0, f64::NAN]]).is_err());
+    assert!(History::triangle(1.0, 0.2, 0.1).is_err() && History::stepped(&[]).is_err());
+    assert!(History::stepped(&[[0.0, f64::NAN], [1.0, 0.0]]).is_err());
+    assert!(History::stepped(&[[1.0, 0.0], [0.0, 0.0]]).is_err());
+    let early = History::decay(1.0, 1.0).and_then(|history| history.starting(-0.5)).unwrap();
+    assert_eq!(body.response(&rest, &[(rest, early)], 0.6, None).unwrap_err().value, -0.5);
+    let sine = History::half_sine(1.0, 1.0).unwrap();
+    let error = body.response(&rest, &[(rest, sine)], 0.6, None).unwrap_err();
+    assert_eq!(error.expected, Expected::StraightLines);
     assert!(body.response(&Wrench { p: 0.0, ..rest }, &[], 0.6, None).is_err());
     assert!(body.response(&rest, &[], -0.1, None).is_err());
     let still = body.response(&rest, &[], 0.6, Some(1.0)).unwrap();

@@ -125,7 +125,7 @@ fn situation(random: &mut Random) -> Situation {
 fn reduced(situation: &Situation) -> (Block, Wrench, Wrench) {
     let at =
         |factor: f64| situation.reduced_wrench(&situation.wrench_at(factor, standfast::loads::Pose::UPRIGHT));
-    (situation.block(), at(0.0), at(1.0) + at(0.0) * -1.0)
+    (situation.reduced_block().0, at(0.0), at(1.0) + at(0.0) * -1.0)
 }
 
 fn like(found: GroundDeparture, path: GroundDeparture) -> bool {

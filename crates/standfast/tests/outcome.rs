@@ -36,7 +36,7 @@ fn random_situation(random: &mut Random) -> Situation {
         let (left, right) = (level(random), level(random));
         added = AddedMass::beside(1030.0, &[left, right]).unwrap();
         let water = StillWater::new(&body, left, right, 1030.0).unwrap();
-        situation = situation.with_all(water.loads(&body, G)).with_added_mass(added.mass()).unwrap();
+        situation = situation.with_all(water.loads(&body, G)).with_added_mass(added);
     }
     if random.coin() {
         let mut pressure = || random.uniform(0.0, 0.3) * weight / width;
@@ -564,7 +564,8 @@ fn a_situation_keeps_what_it_is_given() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
     let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-10_000.0, 0.5));
     let plain = Situation::new(body, 3.0, 10.0).unwrap().with_weight().with(push.clone());
-    let situation = plain.clone().with_kinetic_friction(2.5).unwrap().with_added_mass(200.0).unwrap();
+    let situation =
+        plain.clone().with_kinetic_friction(2.5).unwrap().with_added_mass(AddedMass::of(200.0).unwrap());
     assert_eq!((situation.body(), situation.gravity()), (&body, 10.0));
     assert_eq!((situation.static_friction(), situation.kinetic_friction()), (3.0, 2.5));
     assert_eq!((plain.kinetic_friction(), situation.added_mass()), (3.0, 200.0));
@@ -612,7 +613,7 @@ fn the_report_s_problem_is_told_from_others() {
         Situation::new(body, 0.6, 10.0).unwrap().with(push(-5000.0, 0.0)),
         on(body.with_centroid(0.1, 2.0).unwrap()).with(push(-5000.0, 0.0)),
         in_air.clone().with_kinetic_friction(0.5).unwrap(),
-        in_air.clone().with_added_mass(1.0).unwrap(),
+        in_air.clone().with_added_mass(AddedMass::of(1.0).unwrap()),
     ];
     for other in &others {
         assert!(other.in_air().is_none(), "{other:?}");
@@ -642,7 +643,7 @@ fn the_plane_of_a_situation_is_the_plane_of_its_loads() {
             let (λ, μ) = (random.uniform(0.0, up_to), random.uniform(0.0, 2.0));
             let at = Situation::new(*situation.body(), μ, G).unwrap().with_all(situation.loads().to_vec());
             let at = at.with_kinetic_friction(μ * ratio).unwrap();
-            let at = at.with_added_mass(situation.added_mass()).unwrap();
+            let at = at.with_added_mass(*situation.moved_water());
             let holders =
                 regions.iter().filter(|region| region.contains(λ, μ)).map(|region| Some(region.mode));
             assert_eq!(holders.collect::<Vec<_>>(), [at.at(λ).unwrap().mode], "{situation:?} {λ} {μ}");

@@ -10,7 +10,7 @@ use standfast::contact::{Block, solve};
 use standfast::initiation::Chart;
 use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
 use standfast::loads::{
-    Action, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, StillWater,
+    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, StillWater,
 };
 use standfast::{Body, ClassicalActions, Corner, Departure, Mode, Modes, Point, Situation, Slip, Wrench};
 
@@ -89,7 +89,7 @@ fn any_wrench_on_a_uniform_block_is_a_point_of_the_report_s_plane() {
             continue;
         }
         let wrench = situation.reduced_wrench(&wrench);
-        let general = solve(&situation.block(), &wrench).unwrap();
+        let general = solve(&situation.reduced_block().0, &wrench).unwrap();
         assert_eq!(general.modes, state.modes, "{situation:?}");
         assert_eq!(general.mode(), state.mode, "{situation:?}");
         let ours = state.motion.unwrap();
@@ -161,7 +161,7 @@ fn base_excitation_has_its_regions() {
             Mode::SlideRockOLeft
         };
         assert_eq!(state.mode, Some(expected), "γ {γ}, a_h {a_h}, a_v {a_v}, μ {μ}");
-        let general = solve(&situation.block(), &situation.reduced_wrench(&state.wrench)).unwrap();
+        let general = solve(&situation.reduced_block().0, &situation.reduced_wrench(&state.wrench)).unwrap();
         assert_eq!(general.mode(), Some(expected));
         assert!(state.is_unique());
         compared += 1;
@@ -173,7 +173,7 @@ fn base_excitation_has_its_regions() {
 fn added_mass_enters_the_inertia() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
     let with = |friction, force| {
-        let body_in_water = standing(body, friction, 10.0).with_added_mass(500.0).unwrap();
+        let body_in_water = standing(body, friction, 10.0).with_added_mass(AddedMass::of(500.0).unwrap());
         body_in_water.with(variable(Horizontal, force))
     };
     let slide = with(0.2, Action::horizontal(-5000.0, 1.0)).at(1.0).unwrap();
@@ -200,8 +200,7 @@ fn added_mass_obeys_the_equations_of_motion() {
         let added = mass * random.uniform(0.0, 2.0);
         let force = Action::horizontal(-random.uniform(0.0, 2.0) * weight, random.uniform(0.0, height));
         let situation = standing(body, random.log(0.05, 2.0), G)
-            .with_added_mass(added)
-            .unwrap()
+            .with_added_mass(AddedMass::of(added).unwrap())
             .with(variable(Horizontal, force.clone()));
         let force = force.wrench(&body, G, Pose::UPRIGHT);
         let state = situation.at(1.0).unwrap();
@@ -533,7 +532,7 @@ fn numbers_that_no_situation_has_are_refused() {
     );
     assert!(!standing.clone().with_kinetic_friction(0.7).unwrap_err().is_about_size());
     assert!(standing.clone().with_kinetic_friction(-0.1).unwrap_err().is_about_size());
-    assert!(standing.clone().with_added_mass(-1.0).unwrap_err().is_about_size());
+    assert!(AddedMass::of(-1.0).unwrap_err().is_about_size());
     assert!(standing.at(f64::NAN).is_err() && standing.plane(0.0).is_err());
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use standfast_cases::couple::Variable;
 use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::closest;
-use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult};
+use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
 use standfast_cases::{CaseError, CaseFile, Id, Key, Warning};
 
 use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
@@ -158,7 +158,7 @@ impl CaseRows {
         let of_columns: Vec<_> = of_columns.collect();
         let sweep = Sweep::of(&case.file, factors).map_err(TableError::Case)?;
         let results = asked(&sweep, case, options.face)?;
-        let warnings = warnings(&case.file, found, &places);
+        let warnings = column_warnings(&case.file, found, &places);
         let varied = Varied { columns: of_columns, notes: sweep.notes(), warnings };
         let situations = sweep.situations().into();
         Ok((CaseRows { sweep, results, situations, varied, plain_texts: options.plain_texts }, places))
@@ -305,16 +305,6 @@ fn asked(sweep: &Sweep, case: &CaseTable, face: Face) -> Result<Vec<SweepResult>
     Ok(if case.results.is_empty() { all } else { case.results.clone() })
 }
 
-/// A column's name, and the unit in brackets behind it. As in load[2].force the bracket is part of the name where nothing parts
-/// the two.
-fn split(column: &str) -> (&str, Option<&str>) {
-    let parts = column.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
-    match parts.filter(|(name, _)| name.ends_with(char::is_whitespace)) {
-        Some((name, unit)) => (name.trim_end(), Some(unit.trim())),
-        None => (column, None),
-    }
-}
-
 /// Looks for the columns that vary the case.
 struct Search<'a> {
     options: &'a TableOptions,
@@ -356,7 +346,7 @@ impl Search<'_> {
 
     /// What to do where no column varies the case.
     fn help(&self) -> String {
-        let near = warnings(&self.case.file, self.found, &[]).into_iter().next();
+        let near = column_warnings(&self.case.file, self.found, &[]).into_iter().next();
         let keys = Factor::names(self.case.file.inputs()).join(", ");
         let meant = near.map_or_else(
             || {
@@ -377,7 +367,7 @@ impl Search<'_> {
 
     /// What a column varies, if anything.
     fn factor(&self, column: &str) -> Result<Option<Factor>, TableError> {
-        let (bare, unit) = split(column);
+        let (bare, unit) = heading(column);
         let mapped =
             self.options.map.iter().find(|mapping| mapping.theirs == column || mapping.theirs == bare);
         // What is called ours is another column.
@@ -404,7 +394,7 @@ impl Search<'_> {
             if self.options.map[..i].iter().any(|earlier| earlier.ours == mapping.ours) {
                 return Err(TableError::MapTwice { ours: mapping.ours.clone() });
             }
-            let is_it = |column: &&String| **column == mapping.theirs || split(column).0 == mapping.theirs;
+            let is_it = |column: &&String| **column == mapping.theirs || heading(column).0 == mapping.theirs;
             let fits: Vec<_> = self.found.iter().filter(is_it).collect();
             match fits[..] {
                 [column] => {
@@ -456,7 +446,7 @@ fn begins_like_key(column: &str) -> bool {
 
 /// Columns that vary nothing and have almost the name of a number of the case, or that of its last part; or the name of one that the
 /// file does not have.
-fn warnings(file: &CaseFile, found: &[String], places: &[usize]) -> Vec<TableWarning> {
+pub fn column_warnings(file: &CaseFile, found: &[String], places: &[usize]) -> Vec<TableWarning> {
     let inputs = file.inputs();
     let ids: Vec<Id> = Variable::all(inputs).collect();
     let keys: Vec<String> = ids.iter().map(ToString::to_string).collect();
@@ -466,7 +456,7 @@ fn warnings(file: &CaseFile, found: &[String], places: &[usize]) -> Vec<TableWar
     let others = found.iter().enumerate().filter(|(place, _)| !places.contains(place));
     others
         .filter_map(|(_, column)| {
-            let (bare, unit) = in_round_brackets(column).unwrap_or((split(column).0, None));
+            let (bare, unit) = in_round_brackets(column).unwrap_or((heading(column).0, None));
             let bare = bare.trim();
             // "hmax" is Hmax, not h.
             let same =

@@ -51,7 +51,7 @@ mod task;
 mod text;
 mod written;
 
-pub use case::{CaseTable, NUMBER, TableWarning, Varied, VariedColumn};
+pub use case::{CaseTable, NUMBER, TableWarning, Varied, VariedColumn, column_warnings};
 pub use columns::Mapping;
 pub use engine::answer;
 pub use error::{Place, RowProblem, TableError};

@@ -7,7 +7,7 @@ use standfast::initiation::Chart;
 use standfast::wave::Goda;
 use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Effort, FirstInstant, Over, Probability, Request};
+use standfast_cases::random::{Effort, Over, Probability, Request};
 use standfast_figures::{
     Chance, ChanceLine, ChanceLines, ChanceMark, DesignPoint, DiagramContent, Figure, LineLook, SpectrumAxis,
     chance_lines, diagram_with,
@@ -41,9 +41,9 @@ pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
             let bytes = fs::read(path.with_file_name(file)).map_err(|error| error.to_string())?;
             Ok(String::from_utf8_lossy(&bytes).into_owned())
         };
-        let found =
-            FirstInstant::of(name, &text, request, over.as_ref(), &record).map_err(io::Error::other)?;
-        let figures = found.answer.figures(&found.still).map_err(io::Error::other)?.into_iter();
+        let file = CaseFile::read(name, &text, &record).map_err(io::Error::other)?;
+        let answer = Probability::along(&file, request, over.as_ref()).map_err(io::Error::other)?;
+        let figures = answer.figures(&file).map_err(io::Error::other)?.into_iter();
         let stem = name.rsplit('/').next().unwrap_or(name);
         let files =
             figures.map(|f| (format!("gallery/chance-{stem}{}.svg", f.suffix), f.figure.svg().to_owned()));
@@ -171,7 +171,8 @@ fn years() -> io::Result<Figure> {
             .into_iter()
             .map(|years| {
                 let request = Request { years: Some(years), ..Request::default() };
-                let answer = Probability::of_text("years", &text, request).map_err(io::Error::other)?;
+                let file = CaseFile::parse("years", &text).map_err(io::Error::other)?;
+                let answer = Probability::of(&file, request).map_err(io::Error::other)?;
                 let life = answer.situations.first().and_then(|chances| chances.life.as_ref());
                 let p = life.ok_or_else(|| io::Error::other("a life"))?.not_rest;
                 Ok((years, Chance { value: p.value, low: p.value, high: p.value }))

@@ -6,7 +6,7 @@ use std::{fs, io};
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request, Spelling};
-use standfast_cases::motion::{Follow, GivenBase, SpectrumKind, SpectrumRequest, cases_on, follow_all};
+use standfast_cases::motion::{Follow, SpectrumKind, SpectrumRequest};
 use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
 use standfast_figures::{DiagramContent, Figure, FigureId, GroundPlane, ground_diagram, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
@@ -132,9 +132,9 @@ fn motions(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
     let mut all = Vec::new();
     for name in ["caisson-breaking-wave", "caisson-church-roof", "statue-earthquake", "block-base-pulse"] {
         let text = fs::read_to_string(folder.join(format!("{name}.toml")))?;
-        let cases = cases_on(name, &text, &read, &GivenBase::default()).map_err(io::Error::other)?;
+        let file = CaseFile::read(name, &text, &read).map_err(io::Error::other)?;
         let follow = Follow { series: true, ..Follow::default() };
-        let answers = follow_all(cases, &follow).map_err(io::Error::other)?;
+        let answers = file.follow(&follow).map_err(io::Error::other)?;
         let Some((case, followed)) = answers.first() else { continue };
         let mut files: Vec<File> = Vec::new();
         for figure in case.figures(followed) {

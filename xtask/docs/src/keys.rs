@@ -1,6 +1,6 @@
 //! docs/case-file.md: every key of a case file, from the table that parser, errors, `design` and the sheet share.
 
-use standfast_cases::history::Course;
+use standfast_cases::case::history_shapes;
 use standfast_cases::key::{Key, Kind, Moves, Table};
 use standfast_cases::units::Dimension;
 
@@ -14,7 +14,8 @@ pub fn page() -> String {
          program itself reads, and a test fails when it is stale. A key is named in `design` by its table and name: `body.width`,\n\
          `load[2].force`.\n",
     );
-    for table in Table::ALL {
+    // What stands in another table beside it alone is said there.
+    for table in Table::ALL.into_iter().filter(|table| !table.is_history() && *table != Table::Base) {
         let header = match table {
             Table::Top => "Above all tables".to_owned(),
             _ => format!("`{}`: {}", table.header(), table.words()),
@@ -22,6 +23,19 @@ pub fn page() -> String {
         page.push_str(&format!("\n## {header}\n\n| key | symbol | what it is | takes | example | if not given |\n|---|---|---|---|---|---|\n"));
         for key in table.keys().filter(|key| !is_further(*key)) {
             page.push_str(&row(key));
+        }
+        for child in table.children().filter(|child| child.is_history()) {
+            let (name, example) = (child.name(), child.example());
+            page.push_str(&format!(
+                "| `{name}` |  | {} | a [history](#a-history) | `{example}` |  |\n",
+                child.words()
+            ));
+        }
+        if table == Table::Motion {
+            page.push_str(BASE);
+        }
+        if table == Table::History {
+            page.push_str(&shapes());
         }
     }
     page.push_str(
@@ -35,6 +49,10 @@ pub fn page() -> String {
     page.push_str(RANDOM);
     page
 }
+
+/// How the base moves, which is a history for each direction.
+const BASE: &str = "| `base` |  | how the base moves: a history for `horizontal`, to the right, and one for `vertical`, upwards; of a body \
+    accelerations with a unit, or in m/s² | [histories](#a-history) | `base = { horizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" } }` | it does not move |\n";
 
 /// The tables of random numbers, which are of names and laws and not of keys.
 const RANDOM: &str = r#"
@@ -64,19 +82,7 @@ bias: `bias.P`, `bias.U` (waves; their moments too unless `bias.M_p`, `bias.M_U`
 
 In place of a body, `[point]` with `gamma`, `k_prime`, `k` and `mu` is a point of the report's plane; `[random]` names these four.
 
-## `[storm]`: a storm each year, and how far it slides the body
-
-| key | what it is | takes | example | if not given |
-|---|---|---|---|---|
-| `waves` | how many waves a storm has | a whole number | `waves = 1000` | from `duration` and `period` |
-| `duration`, `period` | how long a storm lasts, and its waves | times in s | `duration = "10800 s"` | |
-| `heights` | the law of heights | `"rayleigh"` | `heights = "rayleigh"` | Rayleigh's |
-| `cut` | whether heights are cut at H_max of the sea | `true` or `false` | `cut = false` | cut |
-| `tau0` | how long a wave pushes | a time in s, or `"shimosako-takahashi"` (recalled) | `tau0 = "1.5 s"` | |
-| `pulse` | how the slide of a wave is found | `"triangle"`, exactly, or `"shimosako"` (recalled) | `pulse = "triangle"` | `"triangle"` |
-
-Without a body, thrust and uplift are in proportion to a wave's height: `significant_height`, `force_per_height`, `uplift_per_height`,
-`buoyant_weight`, `mass` (with the water that moves along) and `friction`; `[random]` names these and `bias.P`, `bias.U`.
+A `[storm]` without a body has its own numbers; `[random]` names these and `bias.P`, `bias.U`.
 "#;
 
 /// Whether the key is the second or third number of a list, whose first one stands for it.
@@ -87,10 +93,11 @@ fn is_further(key: Key) -> bool {
 fn row(key: Key) -> String {
     let info = key.info();
     let symbol = if info.symbol.is_empty() { String::new() } else { format!("`{}`", info.symbol) };
-    let words = if key.name() == key.entry() {
-        info.words
-    } else {
-        "factors on the standing, the breaking pressure and the uplift"
+    let words = match key {
+        Key::Lambda1 => "factors on the standing, the breaking pressure and the uplift",
+        Key::AtX => "where the force acts, from the centre of mass",
+        Key::DirectionX => "its direction and size",
+        _ => info.words,
     };
     let silent = info.silent.and_then(|silent| silent.split_once(": ")).map_or("", |(_, taken)| taken);
     let (name, kind, example) = (key.entry(), takes(info.kind), info.example);
@@ -108,28 +115,33 @@ fn takes(kind: Kind) -> String {
             "a number of g, the same as in `\"0.2 g\"`, or an acceleration in {}",
             Dimension::Acceleration.understood()
         ),
-        Kind::OneOfThree => "three finite numbers, zero or more".to_owned(),
+        Kind::OneOf(2, _) => "two numbers, to the right and upwards".to_owned(),
+        Kind::OneOf(..) => "three finite numbers, zero or more".to_owned(),
+        Kind::Reached => format!(
+            "a number without unit of a load; of the base an acceleration in g, {}",
+            Dimension::Acceleration.understood()
+        ),
+        Kind::Plains => "a list of numbers without unit".to_owned(),
+        Kind::File => "the name of a file beside the case".to_owned(),
         Kind::Truth => "`true` or `false`".to_owned(),
-        Kind::Sides => "1 or 2".to_owned(),
         Kind::Choice { words, .. } => words.to_owned(),
         Kind::List(dimension) => format!("a list, each {} in {}", dimension.words(), dimension.understood()),
         Kind::Factors => "names and factors, zero or more".to_owned(),
         Kind::ModeList => "a list of symbols of modes".to_owned(),
-        Kind::History => history(),
     }
 }
 
-/// The shapes of a load in time, and what each takes.
-fn history() -> String {
-    let shape = |(name, takes): &(&str, &[&str])| match takes {
-        [] => format!("`{name}`"),
-        takes => format!("`{name}` ({})", takes.join(", ")),
-    };
-    let shapes: Vec<_> = Course::NAMES.iter().map(shape).collect();
-    format!(
-        "a shape with its numbers, in braces: {}; each with `peak` (1) and `start` (0)",
-        shapes.join(", ")
-    )
+/// The shapes of a history, and what each takes.
+fn shapes() -> String {
+    let mut table = String::from("\n| shape | needs | may have, beside `start` |\n|---|---|---|\n");
+    for (name, needs, open) in history_shapes() {
+        let listed = |keys: &[Key]| {
+            let names: Vec<_> = keys.iter().map(|key| format!("`{}`", key.name())).collect();
+            names.join(", ")
+        };
+        table += &format!("| `{name}` | {} | {} |\n", listed(needs), listed(open));
+    }
+    table
 }
 
 fn moves(moves: Moves) -> &'static str {

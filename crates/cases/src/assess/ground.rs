@@ -3,10 +3,10 @@
 use standfast::contact::path::Stage;
 use standfast::ground::bearing::{self, BearingPlane, LoadFactors, Reaction};
 use standfast::ground::elastic::{ElasticBase, LargestMoment};
-use standfast::ground::impact::{ElasticBody, History, ImpactResponse};
+use standfast::ground::impact::{ElasticBody, ImpactResponse};
 use standfast::ground::strength::{self, CrushMotion};
 use standfast::ground::{GroundDeparture, GroundStage, GroundVerdict};
-use standfast::{Departure, InputError, Mode, Modes, Motion, Outcome, Situation, Wrench};
+use standfast::{Departure, History, InputError, Mode, Modes, Motion, Outcome, Situation, Wrench};
 
 mod because;
 mod text;
@@ -81,13 +81,12 @@ pub struct Elastic {
 }
 
 impl OnGround {
-    /// What the base of a case bears in a situation whose answer on rigid ground is `rigid`; `histories` are those of the situation's loads.
+    /// What the base of a case bears in a situation whose answer on rigid ground is `rigid`.
     pub(super) fn of(
         case: &Case,
         foundation: &Foundation,
         situation: &Situation,
         rigid: &Outcome,
-        histories: &[Option<&History>],
     ) -> Result<OnGround, InputError> {
         let length = situation.body().plan().side(situation.body().width());
         let reaction = Reaction::of(situation, 1.0)?;
@@ -137,7 +136,7 @@ impl OnGround {
             None => {}
         }
         if let (Some(stiffness), Some(reaction)) = (foundation.stiffness, reaction) {
-            let elastic = Elastic::of(case, foundation, stiffness, situation, &reaction, histories)?;
+            let elastic = Elastic::of(case, foundation, stiffness, situation, &reaction)?;
             answer.elastic = Some(elastic);
         }
         Ok(answer)
@@ -197,7 +196,6 @@ impl Elastic {
         stiffness: f64,
         situation: &Situation,
         reaction: &Reaction,
-        histories: &[Option<&History>],
     ) -> Result<Elastic, InputError> {
         let body = situation.body();
         let base = ElasticBase::new(reaction.half_width(), reaction.p(), stiffness)?;
@@ -228,7 +226,7 @@ impl Elastic {
         let periods =
             swaying.as_ref().map(|(body, _)| body.frequencies().map(|ω| std::f64::consts::TAU / ω));
         let impact = match &swaying {
-            Some((body, length)) => response(case, foundation, situation, body, *length, histories)?,
+            Some((body, length)) => response(case, foundation, situation, body, *length)?,
             None => None,
         };
         Ok(Elastic {
@@ -238,22 +236,16 @@ impl Elastic {
             largest,
             k_overturn: ray(reaction).map(|ray| share / ray.abs()),
             periods,
-            moved: impact.as_ref().and_then(|impact| moved(situation, reaction, impact, histories)),
+            moved: impact.as_ref().and_then(|impact| moved(situation, reaction, impact)),
             impact,
         })
     }
 }
 
 /// Where the loads in time take the point of the full load, if nothing else pushes or turns the body.
-fn moved(
-    situation: &Situation,
-    reaction: &Reaction,
-    impact: &ImpactResponse,
-    histories: &[Option<&History>],
-) -> Option<[f64; 2]> {
-    let others = situation.loads().iter().zip(histories).filter(|(_, history)| history.is_none());
-    let alone =
-        others.map(|(load, _)| situation.wrench_of(load)).all(|wrench| wrench.x == 0.0 && wrench.m == 0.0);
+fn moved(situation: &Situation, reaction: &Reaction, impact: &ImpactResponse) -> Option<[f64; 2]> {
+    let others = situation.loads().iter().filter(|load| load.history.is_none());
+    let alone = others.map(|load| situation.wrench_of(load)).all(|wrench| wrench.x == 0.0 && wrench.m == 0.0);
     // 1 + k' = M_O/(X d), both about the middle of the base.
     let (x, arm) = (reaction.x(), situation.body().centroid_height());
     let k_prime = reaction.e() * reaction.p() / (x * arm) - 1.0;
@@ -268,14 +260,17 @@ fn response(
     situation: &Situation,
     body: &ElasticBody,
     length: f64,
-    histories: &[Option<&History>],
 ) -> Result<Option<ImpactResponse>, InputError> {
+    // Where a motion is followed, histories are its own.
+    if case.motion.is_some() {
+        return Ok(None);
+    }
     let mut standing = Wrench::ZERO;
     let mut timed: Vec<(Wrench, History)> = Vec::new();
-    for (load, history) in situation.loads().iter().zip(histories) {
+    for load in situation.loads() {
         let wrench = situation.wrench_of(load) * (1.0 / length);
-        match history {
-            Some(history) => timed.push((wrench, (*history).clone())),
+        match &load.history {
+            Some(history) => timed.push((wrench, history.clone())),
             None => standing = standing + wrench,
         }
     }

@@ -1,6 +1,5 @@
 //! The body and its loads one by one, for reading.
 
-use standfast::ground::impact::History;
 use standfast::loads::{Action, Load, LoadSource};
 use standfast::{Plan, Wrench};
 
@@ -95,21 +94,6 @@ impl Assessed {
             }
         }
         components
-    }
-
-    /// How each of the [components](Assessed::components) varies in time, on an elastic base.
-    pub fn component_histories<'a>(&self, case: &'a Case) -> Vec<Option<&'a History>> {
-        let loads = self.situation.loads().iter().zip(case.histories(self.acting, self.earthquake));
-        let mut histories = Vec::new();
-        let mut before = None;
-        for (load, history) in loads {
-            // Still water is one.
-            if load.source != LoadSource::StillWater || before != Some(load.source) {
-                histories.push(history);
-            }
-            before = Some(load.source);
-        }
-        histories
     }
 }
 

@@ -4,10 +4,13 @@
 use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
 use standfast::wave::{self, Choices, Heights, Sea, goda};
 use standfast::{Body, InputError, Section};
+use standfast_motion::MotionError;
 
+use super::history::Of;
+use super::motion::CaseMotion;
 use super::{Waves, Weight};
 use crate::error::{Fault, Place, Problem};
-use crate::inputs::Inputs;
+use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
 
 /// How far lengths that have to be equal may differ, m.
@@ -18,13 +21,13 @@ const SAME_DENSITY: f64 = 1e-6;
 
 /// Inputs, read with what goes wrong.
 #[derive(Clone, Copy)]
-pub(super) struct Given<'a> {
-    pub(super) inputs: &'a Inputs,
+pub(crate) struct Given<'a> {
+    pub(crate) inputs: &'a Inputs,
 }
 
 impl Given<'_> {
     /// Every number is in the range of its key.
-    pub(super) fn ranges(&self) -> Result<(), Fault> {
+    pub(crate) fn ranges(&self) -> Result<(), Fault> {
         for (id, number) in self.inputs.numbers() {
             let key = id.key;
             if let Some(range) = key.info().range().filter(|range| !range.contains(number)) {
@@ -34,16 +37,36 @@ impl Given<'_> {
         Ok(())
     }
 
-    pub(super) fn number(&self, key: Key) -> Option<f64> {
+    /// Nothing is asked of a motion where there is none.
+    pub(super) fn of_motion(&self) -> Result<(), Fault> {
+        let asked = Table::Criteria.keys().filter(|key| key.is_of_motion());
+        match asked.into_iter().find(|key| self.inputs.get(*key).is_some()) {
+            Some(key) if !self.inputs.is_in_time() => {
+                let of = match key {
+                    Key::GreatestSlide => "how far the body slides",
+                    Key::GreatestTheta => "how far the body turns",
+                    _ => "whether the body overturns in the end",
+                };
+                Err(Fault::new(Problem::Unanswerable { name: key.name(), of }, key))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(crate) fn number(&self, key: Key) -> Option<f64> {
         self.inputs.number(key)
     }
 
-    pub(super) fn required(&self, key: Key) -> Result<f64, Fault> {
+    pub(crate) fn required(&self, key: Key) -> Result<f64, Fault> {
         self.number(key).ok_or_else(|| self.missing(key, 0))
     }
 
-    pub(super) fn missing(&self, key: Key, index: usize) -> Fault {
-        Fault::new(Problem::MissingKey { key }, Place::Table(key.info().table, index))
+    pub(crate) fn missing(&self, key: Key, index: usize) -> Fault {
+        self.missing_in(Id::new(key, index))
+    }
+
+    pub(crate) fn missing_in(&self, id: Id) -> Fault {
+        Fault::new(Problem::MissingKey { table: id.table, key: id.key }, Place::Table(id.table, id.index))
     }
 
     /// What a table says, if there is one.
@@ -68,8 +91,8 @@ impl Given<'_> {
         error: InputError,
     ) -> Option<Fault> {
         let gives = |key: Key| key.info().gives.contains(&error.quantity);
-        let key = keys.find(|key| gives(*key) && self.inputs.get(Id { index, key: *key }).is_some());
-        let id = key.map(|key| Id { index, key });
+        let key = keys.find(|key| gives(*key) && self.inputs.get(Id::new(*key, index)).is_some());
+        let id = key.map(|key| Id::new(key, index));
         let impossible = |id: Id| Fault::new(Problem::Impossible { key: id.key, error }, id);
         let says = |id: &Id| gives(id.key) && self.inputs.number(*id) == Some(error.value);
         if let Some(id) = id.filter(|id| says(id) || !error.is_about_size()) {
@@ -181,12 +204,23 @@ impl Given<'_> {
             (None, Some(Waves { sea, section, .. })) => Some((sea.water_density, [section.base_depth; 2])),
             (None, None) => None,
         };
-        match (self.number(Key::WaterMass), self.number(Key::WetSides), depths) {
-            (Some(mass), None, _) => AddedMass::of(mass).map_err(|error| self.blame(Table::AddedMass, error)),
+        match (self.number(Key::WaterMass), self.inputs.get(Key::WetSides), depths) {
+            (Some(mass), None, _) => {
+                let water = AddedMass::of(mass).and_then(|water| match self.number(Key::WaterElevation) {
+                    Some(elevation) => water.at(elevation),
+                    None => Ok(water),
+                });
+                water.map_err(|error| self.blame(Table::AddedMass, error))
+            }
+            (None, Some(_), _) if self.number(Key::WaterElevation).is_some() => {
+                let problem = Problem::Both { one: Key::WaterElevation, two: Key::WetSides };
+                Err(Fault::new(problem, Key::WaterElevation))
+            }
             (None, Some(sides), Some((density, depths))) => {
-                let depths = if sides == 1.0 { &depths[..1] } else { &depths };
+                let depths = self.wet(sides, depths)?;
                 let side = body.plan().side(body.width());
-                AddedMass::beside(density * side, depths).map_err(|error| self.blame(Table::AddedMass, error))
+                AddedMass::beside(density * side, &depths)
+                    .map_err(|error| self.blame(Table::AddedMass, error))
             }
             (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
             (None, None, _) => {
@@ -200,7 +234,31 @@ impl Given<'_> {
         }
     }
 
-    pub(super) fn waves(&self, body: &Body, gravity: f64) -> Result<Waves, Fault> {
+    /// The depths of the water on the sides on which it moves with the body; `depths` are those at the right and at the left.
+    fn wet(&self, sides: &Value, [right, left]: [f64; 2]) -> Result<Vec<f64>, Fault> {
+        let dry = |side| Err(Fault::new(Problem::DrySide { side }, Key::WetSides));
+        match sides {
+            Value::Choice("right") if right == 0.0 => dry("right"),
+            Value::Choice("left") if left == 0.0 => dry("left"),
+            Value::Choice("both") if right == 0.0 => dry("right"),
+            Value::Choice("both") if left == 0.0 => dry("left"),
+            Value::Choice("right") => Ok(vec![right]),
+            Value::Choice("left") => Ok(vec![left]),
+            // So many sides, as long as it is plain which.
+            Value::Number(1.0) if right > 0.0 && left > 0.0 && right != left => {
+                Err(Fault::new(Problem::WhichSide { right, left }, Key::WetSides))
+            }
+            Value::Number(1.0) => Ok(vec![right.max(left)]),
+            _ => Ok(vec![right, left]),
+        }
+    }
+
+    pub(super) fn waves(
+        &self,
+        body: &Body,
+        gravity: f64,
+        motion: Option<&mut CaseMotion>,
+    ) -> Result<Waves, Fault> {
         let sea = Sea {
             water_depth: self.required(Key::WaterDepth)?,
             sea_bottom_slope: self.required(Key::SeaBottomSlope)?,
@@ -242,8 +300,10 @@ impl Given<'_> {
             let problem = Problem::Height { base_depth, crest_height, height: body.height() };
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
         }
-        let history = self.history(Key::WaveHistory.into())?;
-        Ok(Waves { sea, heights, section, choices, goda, history })
+        let mut waves = Waves { sea, heights, section, choices, goda, history: None };
+        let history = self.history(Table::WaveHistory, 0, Of::Waves(&waves))?;
+        waves.history = self.taken(history, motion, Table::WaveHistory, 0)?;
+        Ok(waves)
     }
 
     /// The key that says how wide the base is.
@@ -263,6 +323,11 @@ impl Given<'_> {
             (None, None, Some(_)) => one(Key::H13, Key::Hmax),
         }
     }
+}
+
+/// What the motion refuses of the case of inputs, at the number that brings it about.
+pub(crate) fn motion_fault(inputs: &Inputs, error: MotionError) -> Fault {
+    Given { inputs }.motion_refused(error)
 }
 
 /// What the mechanics refuses of the case of inputs, at the number that brings it about.

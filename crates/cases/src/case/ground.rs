@@ -1,11 +1,12 @@
 //! What the base of a case can bear.
 
 use standfast::ground::bearing::{Ground, GroundLaw};
-use standfast::ground::impact::History;
-use standfast::{Body, InputError, Plan};
+use standfast::{Body, History, Plan};
 
 use super::given::Given;
-use crate::error::{Fault, Problem};
+use super::history::Read;
+use super::motion::CaseMotion;
+use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 
 /// What a base is that is not rigid.
@@ -85,7 +86,10 @@ impl Given<'_> {
         };
         let stiffness = self.number(Key::Stiffness);
         if has(&Key::TangentialStiffness) && stiffness.is_none() {
-            return Err(Fault::new(Problem::MissingKey { key: Key::Stiffness }, Key::TangentialStiffness));
+            return Err(Fault::new(
+                Problem::MissingKey { table: Table::Ground, key: Key::Stiffness },
+                Key::TangentialStiffness,
+            ));
         }
         Ok(Foundation { limit, stiffness, tangential_stiffness: self.number(Key::TangentialStiffness) })
     }
@@ -132,22 +136,37 @@ impl Given<'_> {
             let problem = Problem::NeedsGround { key: Key::GreatestRotation, of, lacks };
             return Err(Fault::new(problem, Key::GreatestRotation));
         }
-        let loads = (0..self.inputs.count(Table::Load)).map(|index| Id { key: Key::LoadHistory, index });
-        let mut histories = loads.chain([Key::WaveHistory.into()]);
-        match histories.find(|id| self.inputs.history(*id).is_some()) {
-            Some(key) if !(stiffness && tangential) => {
+        if self.inputs.is_in_time() {
+            return Ok(());
+        }
+        let loads = (0..self.inputs.count(Table::Load)).map(|index| (Table::LoadHistory, index));
+        let mut histories = loads.chain([(Table::WaveHistory, 0)]);
+        match histories.find(|(table, index)| self.inputs.has_at(*table, *index)) {
+            Some((table, index)) if !(stiffness && tangential) => {
                 let lacks = if stiffness { "`tangential_stiffness`" } else { "`stiffness`" };
-                Err(Fault::new(Problem::HistoryOnRigid { key, lacks }, key))
+                Err(Fault::new(Problem::HistoryOnRigid { table, index, lacks }, Place::Table(table, index)))
             }
             _ => Ok(()),
         }
     }
 
-    /// How a load varies in time.
-    pub(super) fn history(&self, id: Id) -> Result<Option<History>, Fault> {
-        let shape = self.inputs.history(id);
-        let history = shape.map(|shape| shape.history()).transpose();
-        history.map_err(|error: InputError| Fault::new(Problem::Impossible { key: id.key, error }, id))
+    /// A history that was read, its warnings put beside those of the motion; on springs, the history if it is of straight lines.
+    pub(super) fn taken(
+        &self,
+        read: Option<Read>,
+        motion: Option<&mut CaseMotion>,
+        table: Table,
+        index: usize,
+    ) -> Result<Option<History>, Fault> {
+        match (read, motion) {
+            (None, _) => Ok(None),
+            (Some(read), Some(motion)) => Ok(Some(motion.take(read))),
+            (Some(read), None) if read.history.corners().is_none() => {
+                let id = Id::of(table, index, Key::HistoryShape);
+                Err(Fault::new(Problem::SineOnSprings { table }, id))
+            }
+            (Some(read), None) => Ok(Some(read.history)),
+        }
     }
 }
 

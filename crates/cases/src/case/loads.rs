@@ -1,10 +1,11 @@
 //! Pressures along faces, forces at points, and which of them act together.
 
-use standfast::ground::impact::History;
 use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, PressureDiagram};
-use standfast::{Body, InputError, Quantity, Slip};
+use standfast::{Body, History, InputError, Quantity, Slip};
 
 use super::given::Given;
+use super::history::Of;
+use super::motion::CaseMotion;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 
@@ -123,8 +124,13 @@ impl Direction {
 
 impl Given<'_> {
     /// A force.
-    pub(super) fn force(&self, index: usize, body: &Body) -> Result<PointForce, Fault> {
-        let id = |key| Id { key, index };
+    pub(super) fn force(
+        &self,
+        index: usize,
+        body: &Body,
+        motion: Option<&mut CaseMotion>,
+    ) -> Result<PointForce, Fault> {
+        let id = |key| Id::new(key, index);
         let number = |key| self.inputs.number(id(key));
         let missing = |key| self.missing(key, index);
         let magnitude = number(Key::Force).ok_or_else(|| missing(Key::Force))?;
@@ -153,11 +159,15 @@ impl Given<'_> {
             reduced.map_err(|error| self.blame_in(Table::Load, index, error))?;
         }
         let truth = |key| self.inputs.truth(id(key)).unwrap_or(false);
-        let history = self.history(id(Key::LoadHistory))?;
+        let extent = self.inputs.extent();
+        let history = self.history(Table::LoadHistory, index, Of::Force(magnitude, extent))?;
         if history.is_some() && truth(Key::LoadPermanent) {
-            let problem = Problem::HistoryOfPermanent { key: id(Key::LoadHistory) };
-            return Err(Fault::new(problem, id(Key::LoadHistory)).and(id(Key::LoadPermanent)));
+            let problem = Problem::HistoryOfPermanent { index };
+            return Err(
+                Fault::new(problem, Place::Table(Table::LoadHistory, index)).and(id(Key::LoadPermanent))
+            );
         }
+        let history = self.taken(history, motion, Table::LoadHistory, index)?;
         Ok(PointForce {
             name: self.inputs.text(id(Key::LoadName)).map(str::to_owned),
             magnitude,
@@ -172,7 +182,7 @@ impl Given<'_> {
 
     /// A pressure along a face.
     pub(super) fn pressure(&self, index: usize, body: &Body) -> Result<FacePressure, Fault> {
-        let id = |key| Id { key, index };
+        let id = |key| Id::new(key, index);
         let face =
             self.inputs.choice(id(Key::PressedFace)).ok_or_else(|| self.missing(Key::PressedFace, index))?;
         let (face, along, other, ends) = match face {
@@ -225,7 +235,7 @@ impl Given<'_> {
         forces: &[PointForce],
         pressures: &[FacePressure],
     ) -> Result<Combination, Fault> {
-        let id = |key| Id { key, index };
+        let id = |key| Id::new(key, index);
         let factors = self.inputs.factors(id(Key::LoadFactors));
         let factors = factors.ok_or_else(|| self.missing(Key::LoadFactors, index))?;
         let tables = Table::ALL.into_iter().filter(|table| self.inputs.has(*table));
@@ -248,7 +258,7 @@ impl Given<'_> {
             return Err(Fault::new(problem, id(Key::LoadFactors)));
         }
         let name = self.inputs.text(id(Key::CombinationName)).map(str::to_owned);
-        let earlier = |index| self.inputs.text(Id { key: Key::CombinationName, index });
+        let earlier = |index| self.inputs.text(Id::new(Key::CombinationName, index));
         if let Some(name) = name.clone().filter(|name| (0..index).any(|index| earlier(index) == Some(name))) {
             return Err(Fault::new(Problem::SameCombination { name }, id(Key::CombinationName)));
         }

@@ -133,12 +133,12 @@ impl Given<'_> {
 
     pub(super) fn part_names(&self) -> Vec<Option<String>> {
         let names = (0..self.inputs.count(Table::Part))
-            .map(|index| self.inputs.text(Id { key: Key::PartName, index }).map(str::to_owned));
+            .map(|index| self.inputs.text(Id::new(Key::PartName, index)).map(str::to_owned));
         names.collect()
     }
 
     fn part(&self, index: usize) -> Result<Part, Fault> {
-        let at = |key| Id { key, index };
+        let at = |key| Id::new(key, index);
         let density =
             self.inputs.number(at(Key::PartDensity)).ok_or_else(|| self.missing(Key::PartDensity, index))?;
         let below = self.inputs.number(at(Key::PartDensityBelow)).unwrap_or(density);
@@ -151,7 +151,7 @@ impl Given<'_> {
 
     /// The corners of a part, before its width is scaled.
     fn outline(&self, index: usize) -> Result<Vec<Vertex>, Fault> {
-        let at = |key| Id { key, index };
+        let at = |key| Id::new(key, index);
         let list = |key| self.inputs.list(at(key));
         let of_trapezoid = TRAPEZOID.into_iter().find(|key| self.inputs.number(at(*key)).is_some());
         match (list(Key::PartX), list(Key::PartY), of_trapezoid) {
@@ -177,7 +177,7 @@ impl Given<'_> {
     }
 
     fn trapezoid(&self, index: usize) -> Result<Vec<Vertex>, Fault> {
-        let at = |key| self.inputs.number(Id { key, index });
+        let at = |key| self.inputs.number(Id::new(key, index));
         let needed = |key| at(key).ok_or_else(|| self.missing(key, index));
         let (left, width) = (needed(Key::PartLeft)?, needed(Key::PartWidth)?);
         let (bottom, height) = (needed(Key::PartBottom)?, needed(Key::PartHeight)?);

@@ -8,11 +8,10 @@ mod render;
 
 use super::quantity::{Ends, Quantity};
 use super::set::{Search, Stretch};
-use super::{DesignError, Moving, Request, Spelling, Target, Varied, in_time_note};
+use super::subject::Subject;
+use super::{DesignError, Request, Spelling, Target, Varied, in_time_note};
 use crate::assess::Assessment;
-use crate::case::Case;
 use crate::couple::Variable;
-use crate::motion::Timed;
 use crate::parse::CaseFile;
 use crate::rounded::{Decimal, Towards};
 use standfast_figures::Figure;
@@ -43,8 +42,8 @@ pub struct BoundaryRequest {
 }
 
 /// The boundary of the values of two quantities that meet a target.
-pub struct Boundary<'a> {
-    file: &'a CaseFile,
+pub struct Boundary {
+    subject: Subject,
     request: Request,
     /// Whose ends are wanted.
     up: Quantity,
@@ -55,8 +54,6 @@ pub struct Boundary<'a> {
     columns: Vec<Column>,
     /// A few round values among them, which stand for all in a text.
     round: Vec<f64>,
-    /// Of a case in time, what is answered of its first instant.
-    note: Option<String>,
 }
 
 /// The values that meet the target at a value of the other quantity.
@@ -75,43 +72,26 @@ impl Column {
     }
 }
 
-impl<'a> Boundary<'a> {
+impl Boundary {
     /// Finds the boundary for the case of a file.
     ///
     /// # Errors
     /// If the case makes no sense or lacks a quantity, both are the same, or no values meet the target.
-    pub fn of(file: &'a CaseFile, request: BoundaryRequest) -> Result<Boundary<'a>, DesignError> {
-        Boundary::in_time(file, None, request)
-    }
-
-    /// As [`of`](Boundary::of) for a case in time: what asks for its motion is asked of the motion.
-    ///
-    /// # Errors
-    /// As [`of`](Boundary::of), and if the motion cannot be followed.
-    pub fn of_timed(timed: &'a Timed<'a>, request: BoundaryRequest) -> Result<Boundary<'a>, DesignError> {
-        Boundary::in_time(timed.still(), Some(timed), request)
-    }
-
-    fn in_time(
-        file: &'a CaseFile,
-        timed: Option<&'a Timed<'a>>,
-        request: BoundaryRequest,
-    ) -> Result<Boundary<'a>, DesignError> {
+    pub fn of(file: &CaseFile, request: BoundaryRequest) -> Result<Boundary, DesignError> {
         let BoundaryRequest { design, and, from, to } = request;
-        let case = file.case()?;
-        let moving = Moving::of(design.target, timed)?;
-        design.answerable(file, &case, timed)?;
-        let up = design.quantity(file, &case)?;
+        let subject = Subject::of(file)?;
+        let follows = subject.follows(design.target)?;
+        design.answerable(&subject)?;
+        let up = design.quantity(&subject)?;
         let spelling = design.spelling;
         let options = [spelling.and_from, spelling.and_to];
         let ends = Ends { options, written: [from.as_deref(), to.as_deref()], spread: 2.0 };
-        let across = Quantity::of(&and, file.inputs(), &case, &ends)?;
+        let across = Quantity::of(&and, &subject.numbers, &subject.case, &ends)?;
         if up.variable.id() == across.variable.id() {
             return Err(DesignError::Twice { name: up.variable.id().to_string(), spelling });
         }
-        let moving = moving.as_ref();
-        let present = Varied { file, case: &case, moving, held: None }.present(design.target)?;
-        let grid = Grid { file, case: &case, moving, up: &up, across: &across, target: design.target };
+        let present = Varied { subject: &subject, follows, held: None }.present(design.target)?;
+        let grid = Grid { subject: &subject, follows, up: &up, across: &across, target: design.target };
         let (round, values) = columns(&across);
         if design.target.asks_for_rise()
             && !values.iter().any(|value| grid.at(*value, |search| search.rises()))
@@ -123,8 +103,7 @@ impl<'a> Boundary<'a> {
         if columns.iter().all(|column| column.stretches.is_empty()) {
             return Err(grid.unmet(spelling));
         }
-        let note = timed.map(|timed| timed.note().to_owned());
-        Ok(Boundary { file, request: design, up, across, present, columns, round, note })
+        Ok(Boundary { subject, request: design, up, across, present, columns, round })
     }
 
     /// The boundary for reading: a few columns of it.
@@ -149,12 +128,12 @@ impl<'a> Boundary<'a> {
 
     /// What goes with each of both quantities.
     fn notes(&self) -> Vec<String> {
-        let of = |variable: &Variable| variable.notes(self.file.inputs(), &self.present.case);
+        let of = |variable: &Variable| variable.notes(self.subject.file.inputs(), &self.present.case);
         let mut notes = of(&self.up.variable);
         notes.extend(
             of(&self.across.variable).into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>(),
         );
-        notes.extend(self.note.as_deref().map(in_time_note));
+        notes.extend(self.subject.note().as_deref().map(in_time_note));
         notes
     }
 }
@@ -178,9 +157,8 @@ fn columns(across: &Quantity) -> (Vec<f64>, Vec<f64>) {
 
 /// Where both quantities are searched.
 struct Grid<'a> {
-    file: &'a CaseFile,
-    case: &'a Case,
-    moving: Option<&'a Moving<'a>>,
+    subject: &'a Subject,
+    follows: bool,
     up: &'a Quantity,
     across: &'a Quantity,
     target: Target,
@@ -190,12 +168,12 @@ impl Grid<'_> {
     /// Asks the search at a value of the quantity across.
     fn at<T>(&self, value: f64, ask: impl FnOnce(&Search<'_>) -> T) -> T {
         let held = Some((&self.across.variable, value));
-        let varied = Varied { file: self.file, case: self.case, moving: self.moving, held };
+        let varied = Varied { subject: self.subject, follows: self.follows, held };
         ask(&Search { varied: &varied, quantity: self.up, target: self.target, parts: self.parts() })
     }
 
     fn parts(&self) -> u32 {
-        if self.target.asks_for_chance(self.case) { CHANCE_PARTS } else { PARTS }
+        if self.target.asks_for_chance(&self.subject.case) { CHANCE_PARTS } else { PARTS }
     }
 
     fn column(&self, at: f64) -> Column {

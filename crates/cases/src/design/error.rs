@@ -7,7 +7,6 @@ use super::{Extreme, Spelling, Target};
 use crate::couple::Unknown;
 use crate::error::CaseError;
 use crate::key::Key;
-use crate::motion::BodyCaseError;
 
 /// Why there is no design.
 #[derive(Debug, Error, Diagnostic)]
@@ -17,10 +16,6 @@ pub enum DesignError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
-    /// What the case says of time makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    InTime(#[from] BodyCaseError),
     /// The target asks for the motion of a case that has none.
     #[error("the target {name} asks for the motion in time, of which the case says nothing")]
     #[diagnostic(help("give each variable load a history, or the base a [motion.base]"))]

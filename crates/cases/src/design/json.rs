@@ -134,7 +134,7 @@ struct Row<'a> {
     max_theta: Option<f64>,
 }
 
-pub(super) fn render(design: &Design<'_>) -> String {
+pub(super) fn render(design: &Design) -> String {
     let Design { request, quantity, present, stretches, sensitivities, .. } = design;
     let found = design.found();
     crate::json(&Document {

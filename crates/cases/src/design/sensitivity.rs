@@ -5,6 +5,7 @@
 
 use standfast::ground::GroundDeparture;
 
+use super::subject::Subject;
 use super::{Varied, farthest, least, load_factor, overturning, sliding, steepest};
 use crate::assess::{Assessed, Assessment};
 use crate::couple::Variable;
@@ -72,9 +73,9 @@ pub struct Sensitivity {
 /// # Errors
 /// If the case makes no sense.
 pub fn sensitivities(file: &CaseFile) -> Result<Vec<Sensitivity>, CaseError> {
-    let case = file.case()?;
-    let present = Assessment::of(&case).ok();
-    Ok(all(&Varied { file, case: &case, moving: None, held: None }, present.as_ref()))
+    let subject = Subject::of(file)?;
+    let present = Assessment::of(&subject.case).ok();
+    Ok(all(&Varied { subject: &subject, follows: false, held: None }, present.as_ref()))
 }
 
 /// The sensitivity to every number but zeros, which have no percent, beside the present answer.
@@ -90,7 +91,7 @@ pub(super) fn all(varied: &Varied<'_>, present: Option<&Assessment>) -> Vec<Sens
 }
 
 fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> Option<Sensitivity> {
-    let value = variable.value(varied.inputs(), varied.case);
+    let value = variable.value(varied.inputs(), varied.case());
     if value == 0.0 {
         return None;
     }
@@ -109,7 +110,7 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
         _ => change(load_factor),
     };
     let (sliding, overturning) = (change(sliding), change(overturning));
-    let motion = varied.moving.map(|_| {
+    let motion = varied.follows.then(|| {
         [farthest, steepest].map(|of: fn(&Assessment) -> Option<f64>| match both {
             // A body that overturns slides and turns without bound.
             Some((now, then)) => {

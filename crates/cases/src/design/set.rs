@@ -8,8 +8,8 @@ use super::quantity::{DIGITS, Quantity, with_unit};
 use super::target::{Binding, Target};
 use super::{DesignError, Spelling, Varied, least, load_factor, overturning, sliding};
 use crate::assess::{Assessed, Assessment};
+use crate::error::CaseError;
 use crate::layout::digits;
-use crate::motion::BodyCaseError;
 use crate::rounded::{Decimal, Towards};
 
 /// How near, relatively, an end is to a value that does not meet the target.
@@ -86,7 +86,7 @@ impl Beyond {
 /// A value with what it comes to, or why it does not.
 struct Trial {
     value: f64,
-    answer: Result<Assessment, BodyCaseError>,
+    answer: Result<Assessment, CaseError>,
     met: bool,
 }
 
@@ -145,7 +145,7 @@ impl Search<'_> {
         // Near zero, what counts is the size of the range.
         let [from, to] = self.quantity.range;
         let size = 1e-3 * from.abs().max(to.abs());
-        let near = if self.target.asks_for_chance(self.varied.case) { NEAR_OF_CHANCE } else { NEAR };
+        let near = if self.target.asks_for_chance(self.varied.case()) { NEAR_OF_CHANCE } else { NEAR };
         while (meets - fails).abs() > near * meets.abs().max(size) {
             let middle = fails + (meets - fails) / 2.0;
             if self.attempt(middle).met { meets = middle } else { fails = middle }
@@ -165,7 +165,7 @@ impl Search<'_> {
             let rounded = self.tight(Decimal::of(found.meets, count, inwards), found, inwards.other());
             let text = with_unit(rounded.value(), variable, count);
             let value =
-                variable.read(&text, self.varied.file.inputs()).ok().filter(|value| is_inside(*value))?;
+                variable.read(&text, &self.varied.subject.numbers).ok().filter(|value| is_inside(*value))?;
             let trial = self.attempt(value);
             let answer = trial.answer.ok().filter(|_| trial.met)?;
             let beyond = match found.fails {

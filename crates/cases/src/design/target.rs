@@ -13,7 +13,6 @@ use crate::assess::verdict::predicate;
 use crate::assess::{Assessed, Assessment, CaseCheck};
 use crate::case::Case;
 use crate::criteria::Criterion;
-use crate::error::UNANSWERABLE;
 use crate::inputs::Value;
 use crate::key::{Key, Kind, Table};
 use crate::layout::{digits, plain};
@@ -91,7 +90,7 @@ const WORDS: [&str; 6] = ["rest", "factor", "no-rock", "no-slide", "utilisation"
 
 /// The targets, in a sentence.
 fn known() -> String {
-    let criteria: Vec<_> = Table::Criteria.keys().map(Key::name).collect();
+    let criteria: Vec<_> = Table::Criteria.keys().filter(|key| !key.is_of_motion()).map(Key::name).collect();
     format!(
         "rest, no-rock, no-slide, factor=1.2, criteria, utilisation=0.9, or a criterion as in bearing_max=300kPa: {}; of the motion of a case \
          in time {}",
@@ -146,13 +145,10 @@ fn criterion(name: &str, value: Option<&str>) -> Result<Target, TargetError> {
     if let Some(place) = MOTION_CRITERIA.iter().position(|known| *known == name) {
         return motion_criterion(place, value);
     }
-    if let Some((_, of)) = UNANSWERABLE.into_iter().find(|(unanswerable, _)| *unanswerable == name) {
-        return Err(TargetError::Unanswerable { of });
-    }
     match Key::find(Table::Criteria, name) {
         Some(key) => value_of(key, key.name(), value),
         None => {
-            let names = WORDS.into_iter().chain(Table::Criteria.keys().map(Key::name)).chain(MOTION_CRITERIA);
+            let names = WORDS.into_iter().chain(Table::Criteria.keys().map(Key::name));
             Err(TargetError::Unknown { suggestion: closest(name, names) })
         }
     }
@@ -174,10 +170,10 @@ fn motion_criterion(place: usize, value: Option<&str>) -> Result<Target, TargetE
     }
     // As the criteria of the same dimension are read.
     let (key, criterion): (Key, fn(f64) -> MotionCriterion) = match place {
-        0 => (Key::GreatestEccentricity, MotionCriterion::Slide),
-        _ => (Key::GreatestRotation, MotionCriterion::MaxTheta),
+        0 => (Key::GreatestSlide, MotionCriterion::Slide),
+        _ => (Key::GreatestTheta, MotionCriterion::MaxTheta),
     };
-    match read(key, key.info().kind, Extent::PerMetre, written) {
+    match read(key.into(), key.info().kind, Some(Extent::PerMetre), written) {
         Ok(Value::Number(bound)) => Ok(Target::Motion(criterion(bound))),
         Ok(_) => Err(TargetError::NoValue { name, example }),
         Err(problem) => Err(TargetError::WrongValue { name, fault: fault(&problem), example }),
@@ -191,7 +187,7 @@ fn value_of(key: Key, name: &'static str, value: Option<&str>) -> Result<Target,
     let value = value.filter(|value| !value.is_empty());
     let Some(written) = value else { return Err(TargetError::NoValue { name, example }) };
     // No criterion is of a force or a mass.
-    let value = read(key, info.kind, Extent::PerMetre, written);
+    let value = read(key.into(), info.kind, Some(Extent::PerMetre), written);
     let value = value.map_err(|problem| TargetError::WrongValue {
         name,
         fault: fault(&problem),

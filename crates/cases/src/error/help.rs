@@ -2,12 +2,13 @@
 
 use standfast::Quantity;
 use standfast::section::{SectionError, Vertex};
+use standfast_motion::MotionError;
 
 use super::Problem;
 use crate::key::{Key, Kind, Range, Table};
 use crate::layout::{digits, plain};
 use crate::motion::MOTION_CRITERIA;
-use crate::random::{RANDOM, STORM};
+use crate::random::RANDOM;
 use crate::suggest::closest;
 use crate::units::{Dimension, Extent, UnitError};
 
@@ -35,7 +36,9 @@ impl Problem {
             Problem::NoChance { .. } => {
                 "say by which law a number is random, for example\n[random]\nfriction = { normal = { mean = 0.6, sd = 0.1 } }".into()
             }
-            Problem::MissingKey { key } => format!("add for example\n{}", line(*key)),
+            Problem::MissingKey { key: Key::HistoryShape, .. } => format!("the shapes: {}", shapes()),
+            Problem::MissingKey { key: Key::AngularFrequency, .. } => "or give `period`".into(),
+            Problem::MissingKey { key, .. } => format!("add for example\n{}", line(*key)),
             Problem::MissingTable { table } => format!("add for example\n{}", table.example()),
             Problem::Unit { key, dimension, error, .. } => {
                 let dimension = (*dimension)?;
@@ -57,6 +60,9 @@ impl Problem {
                 }
             }
             Problem::NoTable { table, .. } => format!("for example\n{}", table.example()),
+            Problem::OutOfRange { key, written, .. } if like(*key, written).is_some() => {
+                format!("did you mean \"{}\"?", like(*key, written)?)
+            }
             Problem::WrongType { key, .. } | Problem::OutOfRange { key, .. } => {
                 format!("for example\n{}", line(*key))
             }
@@ -92,17 +98,24 @@ impl Problem {
                 "add for example\n[ground]\nstiffness = \"50 MN/m3\"\ntangential_stiffness = \"25 MN/m3\"".into()
             }
             Problem::HistoryOfPermanent { .. } => "keep one of them".into(),
-            Problem::HistoryShape { suggestion, .. } => {
-                let line = "for example { shape = \"triangle\", rise = \"0.05 s\", duration = \"0.1 s\" }; shapes are of straight lines, others \
-                            are given by their points";
-                suggestion.map_or(line.to_owned(), |word| format!("did you mean \"{word}\"? {line}"))
+            Problem::HistoryKey { takes, shape, .. } => format!("\"{shape}\" has {}", takes.join(", ")),
+            Problem::SineOnSprings { .. } => "give it by its points".into(),
+            Problem::Record { help, .. } => (*help)?.into(),
+            Problem::ByWavesShape { .. } => "shape = \"triangle\"".into(),
+            Problem::ShakenTwice => "leave one of them out".into(),
+            Problem::MovingOnCrushing { .. } => "leave it out, and the body moves on a rigid base".into(),
+            Problem::Motion(MotionError::NoHistory { .. }) => {
+                "history = { shape = \"triangle\", rise = \"0.2 s\", duration = \"0.4 s\" }, or permanent = true".into()
             }
-            Problem::HistoryKey { name, takes, .. } => {
-                let known: Vec<_> = ["shape"].iter().chain(takes.iter()).chain(&["peak", "start"]).copied().collect();
-                let line = format!("it has {}", known.join(", "));
-                closest(name, known.iter().copied()).map_or(line.clone(), |word| format!("did you mean `{word}`? {line}"))
+            Problem::Motion(MotionError::WaterWithoutHeight { .. }) => {
+                "add its height above the base, for example elevation = \"4 m\"; or sides in place of mass".into()
             }
-            Problem::HistoryLacks { example, .. } => format!("add for example {example}"),
+            Problem::NoCase => "`standfast simulate` follows it".into(),
+            Problem::TableInTime => "`standfast batch` with --case follows the motion of every row".into(),
+            Problem::NoInertia => {
+                "(1 + d²)/3 is taken for b1 = b2 = 1 only, a uniform block; else give I/m about C, rho2".into()
+            }
+            Problem::DrySide { .. } | Problem::WhichSide { .. } => "say sides = \"left\", \"right\" or \"both\"".into(),
             Problem::NoWater => "add for example\n[water]\nlevel = \"7.1 m\"".into(),
             Problem::NoLevel => "add level = \"7.1 m\" for both sides, or left and right".into(),
             Problem::NoWaterDensity => "add for example density = \"1030 kg/m3\"".into(),
@@ -179,7 +192,15 @@ impl Problem {
             | Problem::SidesWithoutWater
             | Problem::OneWaveHeight { .. }
             | Problem::CaissonWidth { .. }
-            | Problem::HistoryValue { .. }
+            | Problem::History { .. }
+            | Problem::Unread { .. }
+            | Problem::BothIn { .. }
+            | Problem::ByWavesRise { .. }
+            | Problem::RatioOfOtherLaw
+            | Problem::AskedToOverturn
+            | Problem::Motion(_)
+            | Problem::NotOfBlock { .. }
+            | Problem::MissingTableIn { .. }
             | Problem::Impossible { .. } => return None,
         };
         Some(help)
@@ -245,22 +266,28 @@ fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
     }
 }
 
-/// Criteria of results that are not computed, and what they ask for.
-pub(crate) const UNANSWERABLE: [(&str, &str); 3] = [
-    ("slide", "how far the body slides"),
-    ("max_theta", "how far the body turns"),
-    ("overturned", "whether the body overturns in the end"),
-];
-
 /// The names that a table of a file may have: its keys, and at the top the tables.
 pub(crate) fn names(table: Table) -> Vec<&'static str> {
     let mut names: Vec<_> = table.keys().map(Key::entry).collect();
     names.dedup();
     if table == Table::Top {
-        names.extend(Table::ALL.into_iter().map(Table::name).filter(|name| !name.is_empty()));
-        names.extend([RANDOM, STORM]);
+        names.extend(Table::Top.children().map(Table::name));
+        names.push(RANDOM);
+    } else {
+        names.extend(table.children().map(Table::name));
     }
     names
+}
+
+/// The shapes of histories.
+fn shapes() -> &'static str {
+    expected_type(Key::HistoryShape.info().kind)
+}
+
+/// The word of a key that a written one resembles.
+fn like(key: Key, written: &str) -> Option<&'static str> {
+    let Kind::Choice { of, .. } = key.info().kind else { return None };
+    closest(written.trim_matches('"'), of.iter().copied())
 }
 
 fn known(table: Table, name: &str) -> String {
@@ -275,16 +302,18 @@ fn known(table: Table, name: &str) -> String {
 /// What a key takes, as the type that is expected of its value.
 pub(crate) fn expected_type(kind: Kind) -> &'static str {
     match kind {
-        Kind::Text => "a text in quotes",
-        Kind::Measured(..) | Kind::InGravity => "a number, or a text with a number and its unit",
+        Kind::Text | Kind::File => "a text in quotes",
+        Kind::Measured(..) | Kind::InGravity | Kind::Reached => {
+            "a number, or a text with a number and its unit"
+        }
         Kind::Plain(_) => "a number without unit or quotes",
-        Kind::OneOfThree => "a list of three numbers",
+        Kind::OneOf(2, _) => "a list of two numbers, x and y",
+        Kind::OneOf(..) => "a list of three numbers",
         Kind::Truth => "true or false",
-        Kind::Sides => "1 or 2",
         Kind::Choice { words, .. } => words,
         Kind::List(_) => "a list of numbers, each plain or in quotes with its unit",
         Kind::Factors => "names of loads with their factors, in braces",
-        Kind::History => "a shape with its numbers, in braces",
+        Kind::Plains => "a list of numbers",
         Kind::ModeList => "a list of symbols of modes in quotes",
     }
 }

@@ -1,18 +1,21 @@
-//! `[block]` cases.
+//! A case in time, one situation of it: a body in pure numbers, or one in metres with the loads that act together.
 
+use standfast::Wrench;
 use standfast::contact::Block;
-use standfast::{InputError, Quantity, Wrench};
-use standfast_motion::{Base, Impact, Initial, Load, MotionError, Problem};
-use toml::de::{DeTable, DeValue};
+use standfast::loads::{LoadSource, Pose};
+use standfast_motion::{Load, MotionError, Problem, is_own_weight};
 
-use super::criteria::{MOTION_CRITERIA, MotionCriterion};
-use super::error::{MotionCaseError, Wrong};
-use super::history::{self, KEYS};
+use super::MotionWarning;
+use super::criteria::MotionCriterion;
 use super::slips::slips;
-use super::table::Section;
-use super::{GivenBase, MotionWarning, ReadFile};
+use crate::assess::load_words;
+use crate::case::{Acting, Case, CaseMotion, Foundation, Given, History, said_by};
+use crate::error::{CaseError, Fault, Problem as Wrong};
+use crate::inputs::Inputs;
+use crate::key::{Id, Key, Table};
+use crate::parse::CaseFile;
 
-/// A block with what acts on it in time; that of a body is in SI units, per its mass.
+/// A body with what acts on it in time; that of a `[body]` is in SI units, per its mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlockCase {
     /// Its title.
@@ -46,105 +49,121 @@ pub struct LoadPeak {
     pub wrench: Wrench,
 }
 
-const TOP: [&str; 5] = ["title", "note", "block", "motion", "criteria"];
-const BLOCK: [&str; 11] =
-    ["b1", "b2", "d", "rho2", "m_x", "m_y", "mu_s", "mu_k", "mu_impact", "gravity", "load"];
-const LOAD: [&str; 4] = ["at", "direction", "follows", "history"];
-pub(super) const MOTION: [&str; 4] = ["impact", "t_max", "initial", "base"];
+impl CaseFile {
+    /// The situations of a case in time: one for each of the loads, or combinations of them, that act alone.
+    ///
+    /// # Errors
+    /// If the case is none, or a variable load has no history.
+    pub fn motions(&self) -> Result<Vec<BlockCase>, CaseError> {
+        if !self.inputs().has(Table::Block) {
+            self.case()?;
+        }
+        motions(self.inputs()).map_err(|fault| self.error(fault))
+    }
+}
 
-/// Whether a case file has a `[motion]` or a `[block]`, or loads with histories and no `[ground]`, on which they would be those of an
-/// elastic base: what moves in time.
-pub fn is_in_time(text: &str) -> bool {
-    DeTable::parse(text).is_ok_and(|document| {
-        let document = document.get_ref();
-        let varies =
-            |value: &DeValue<'_>| value.as_table().is_some_and(|table| table.contains_key("history"));
-        let histories = || {
-            let loads = document.get("load").and_then(|loads| loads.get_ref().as_array());
-            document.get("wave").is_some_and(|wave| varies(wave.get_ref()))
-                || loads.is_some_and(|loads| loads.iter().any(|load| varies(load.get_ref())))
-        };
-        document.contains_key("block")
-            || document.contains_key("motion")
-            || (!document.contains_key("ground") && histories())
+/// The situations of inputs in time.
+///
+/// # Errors
+/// As [`CaseFile::motions`].
+pub(crate) fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
+    let given = Given { inputs };
+    if inputs.has(Table::Block) {
+        return Ok(vec![block_case(&given)?]);
+    }
+    // What is said of no time is there all the time.
+    let mut case = Case::of(inputs)?;
+    let motion = match case.motion.take() {
+        Some(motion) => motion,
+        None => given.motion(History::Base)?,
+    };
+    if let Some(strength) = case.ground.as_ref().and_then(Foundation::strength) {
+        return Err(Fault::new(Wrong::MovingOnCrushing { strength }, Key::Strength));
+    }
+    let acting = case.acting().into_iter();
+    acting.map(|acts| body_case(&given, &case, &motion, acts)).collect()
+}
+
+/// One situation of a body in metres.
+fn body_case(given: &Given<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
+    let situation = case.situation(acts, None).map_err(|error| given.motion_refused(error.into()))?;
+    let (body, gravity) = (situation.body(), situation.gravity());
+    let acts_at_all = |wrench: Wrench| wrench != Wrench::ZERO;
+    let problem = Problem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
+        let problem = Problem { initial: motion.initial, t_max: motion.t_max, ..problem };
+        problem.check().map(|()| problem)
+    });
+    let problem = problem.map_err(|error| match error {
+        MotionError::NoHistory { load } => Fault::new(Wrong::Motion(error), said_by(load)),
+        error => given.motion_refused(error),
+    })?;
+    let mut peaks = Vec::new();
+    for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
+        let wrench = situation.wrench_of(load);
+        if acts_at_all(wrench) {
+            let peak =
+                load.history.as_ref().filter(|_| !load.permanent).map_or(1.0, |history| history.peak());
+            peaks.push(LoadPeak { name: load_words(load), permanent: load.permanent, wrench: wrench * peak });
+        }
+    }
+    let uplift = situation.loads().iter().any(|load| {
+        matches!(load.source, LoadSource::WaveUplift | LoadSource::Uplift)
+            && acts_at_all(load.wrench(body, gravity, Pose::UPRIGHT))
+    });
+    let mut warnings = motion.warnings.clone();
+    if case.ground.is_some() {
+        let words =
+            "the motion is that on a rigid base: what [ground] bears, and how it gives way, is left out"
+                .to_owned();
+        warnings.push(MotionWarning { name: "ground-left-out", words });
+    }
+    warnings.extend(slips(&problem, motion.step));
+    Ok(BlockCase {
+        title: case.title.clone(),
+        situation: case.acting_name(acts),
+        problem,
+        height: case.body.height(),
+        uplift,
+        si: true,
+        peaks,
+        criteria: motion.criteria.clone(),
+        warnings,
     })
 }
 
-/// Whether a case file has a `[block]`.
-pub fn has_block(text: &str) -> bool {
-    DeTable::parse(text).is_ok_and(|document| document.get_ref().contains_key("block"))
-}
-
-impl BlockCase {
-    /// Reads a case; `name` is what errors call it, and `file` reads the records it names.
-    ///
-    /// # Errors
-    /// If the text is not TOML, a key or value is not what such a case has, or the problem is none.
-    pub fn parse(name: &str, text: &str, file: &ReadFile<'_>) -> Result<BlockCase, MotionCaseError> {
-        BlockCase::parse_on(name, text, file, &GivenBase::default())
-    }
-
-    /// As [`parse`](BlockCase::parse), on a base that moves as is given.
-    pub(super) fn parse_on(
-        name: &str,
-        text: &str,
-        file: &ReadFile<'_>,
-        given: &GivenBase,
-    ) -> Result<BlockCase, MotionCaseError> {
-        read(text, file, given).map_err(|wrong| wrong.in_file(name, text))
-    }
-}
-
-fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase, Wrong> {
-    let document = DeTable::parse(text).map_err(|error| {
-        Wrong::new(format!("this is not valid TOML: {}", error.message()), error.span().unwrap_or(0..0))
-    })?;
-    let top = Section::new("a case of a [block]", document.get_ref(), document.span(), text, &TOP)?;
-    let block = top.section("block", "[block]".to_owned(), &BLOCK)?.ok_or_else(|| top.lacks("block"))?;
-    let motion = top.section("motion", "[motion]".to_owned(), &MOTION)?;
-    let gravity = block.needed("gravity")?;
-    let mut problem = Problem::new(body(&block)?, gravity);
-    problem.mu_impact = block.number("mu_impact")?;
-    let mut warnings = Vec::new();
-    let mut steps: Vec<f64> = Vec::new();
-    let mut taken = |read: history::Read| {
-        warnings.extend(read.warnings);
-        steps.extend(read.step);
-        read.history
-    };
-    for load in block.sections("load", "[[block.load]]", &LOAD)? {
-        let name = "the history of a [[block.load]]".to_owned();
-        let history = load.section("history", name, &KEYS)?.ok_or_else(|| load.lacks("history"))?;
+/// A body in pure numbers.
+fn block_case(given: &Given<'_>) -> Result<BlockCase, Fault> {
+    let inputs = given.inputs;
+    alone(inputs)?;
+    given.ranges()?;
+    let mut problem = Problem::new(block(given)?, given.required(Key::BlockGravity)?);
+    problem.mu_impact = given.number(Key::MuImpact);
+    let mut motion = given.motion(History::Pure)?;
+    for index in 0..inputs.count(Table::BlockLoad) {
+        let number = |key| inputs.number(Id::new(key, index));
+        let pair = |x, y| Some([number(x)?, number(y)?]);
+        let lacks = || given.missing(Key::DirectionX, index);
+        let direction = pair(Key::DirectionX, Key::DirectionY).ok_or_else(lacks)?;
+        let read = given.history(Table::BlockLoadHistory, index, History::Pure)?;
+        let read = read.ok_or_else(|| {
+            let problem = Wrong::MissingTableIn { table: Table::BlockLoad, missing: Table::BlockLoadHistory };
+            Fault::new(problem, crate::error::Place::Table(Table::BlockLoad, index))
+        })?;
         problem.loads.push(Load {
-            at: load.pair("at")?.unwrap_or([0.0, 0.0]),
-            direction: load.pair("direction")?.ok_or_else(|| load.lacks("direction"))?,
-            follows: load.truth("follows")?.unwrap_or(false),
-            history: taken(history::read(&history, file)?),
+            at: pair(Key::AtX, Key::AtY).unwrap_or([0.0, 0.0]),
+            direction,
+            follows: inputs.truth(Id::new(Key::Follows, index)).unwrap_or(false),
+            history: motion.take(read),
         });
     }
-    if let Some(motion) = &motion {
-        settings(motion, &mut problem)?;
-    }
-    let base = match &motion {
-        Some(motion) => motion.section("base", "[motion.base]".to_owned(), &["horizontal", "vertical"])?,
-        None => None,
-    };
-    let mut direction = |key: &str| {
-        if let Some(read) = given.read(key).map_err(|error| refused(&block, motion.as_ref(), &error))? {
-            return Ok(Some(taken(read)));
-        }
-        let Some(base) = &base else { return Ok(None) };
-        let section = base.section(key, format!("`{key}` of [motion.base]"), &KEYS)?;
-        section.map(|section| history::read(&section, file).map(&mut taken)).transpose()
-    };
-    problem.base = Base { horizontal: direction("horizontal")?, vertical: direction("vertical")? };
-    problem.check().map_err(|error| refused(&block, motion.as_ref(), &error))?;
-    warnings.extend(slips(&problem, steps.into_iter().reduce(f64::max)));
-    let title = top.words("title")?.map(str::to_owned);
-    top.words("note")?;
-    let asked = top.section("criteria", "[criteria] of a case of a [block]".to_owned(), &MOTION_CRITERIA)?;
-    let criteria = asked.as_ref().map_or_else(|| Ok(Vec::new()), MotionCriterion::read)?;
+    problem.base = motion.base;
+    (problem.impact, problem.initial, problem.t_max) = (motion.impact, motion.initial, motion.t_max);
+    problem.check().map_err(|error| given.motion_refused(error))?;
+    let mut warnings = motion.warnings;
+    warnings.extend(slips(&problem, motion.step));
     let height = 2.0 * problem.block.d;
+    let title = inputs.text(Key::Title).map(str::to_owned);
+    let criteria = motion.criteria;
     Ok(BlockCase {
         title,
         situation: None,
@@ -158,89 +177,46 @@ fn read(text: &str, file: &ReadFile<'_>, given: &GivenBase) -> Result<BlockCase,
     })
 }
 
-/// What [motion] says beside the base.
-pub(super) fn settings(motion: &Section<'_>, problem: &mut Problem) -> Result<(), Wrong> {
-    problem.t_max = motion.number("t_max")?;
-    problem.impact = impact(motion)?;
-    problem.initial = initial(motion)?;
-    Ok(())
-}
-
-fn body(section: &Section<'_>) -> Result<Block, Wrong> {
-    let number = |key: &str| section.needed(key);
-    let or = |key: &str, other: f64| section.number(key).map(|found| found.unwrap_or(other));
-    let (b1, b2, d) = (number("b1")?, number("b2")?, number("d")?);
-    let rho2 = match section.number("rho2")? {
-        Some(rho2) => rho2,
-        None if b1 == 1.0 && b2 == 1.0 => (1.0 + d * d) / 3.0,
-        None => {
-            return Err(section.lacks("rho2").help(
-                "(1 + d²)/3 is taken for b1 = b2 = 1 only, a uniform block; else give I/m about C, rho2",
-            ));
-        }
+/// Refuses what does not go with a body in pure numbers.
+fn alone(inputs: &Inputs) -> Result<(), Fault> {
+    let of_block = |table: Table| {
+        table.is_of_motion()
+            || matches!(table, Table::Top | Table::Block | Table::BlockLoad | Table::BlockLoadHistory)
     };
-    let mu_s = number("mu_s")?;
-    Ok(Block { b1, b2, d, rho2, m_x: or("m_x", 1.0)?, m_y: or("m_y", 1.0)?, mu_s, mu_k: or("mu_k", mu_s)? })
-}
-
-fn impact(motion: &Section<'_>) -> Result<Impact, Wrong> {
-    let Some(impact) = motion.section("impact", "`impact` of [motion]".to_owned(), &["law", "ratio"])? else {
-        return Ok(Impact::Inelastic);
+    let goes = |id: Id| match id.table {
+        Table::Top => matches!(id.key, Key::Title | Key::Note),
+        Table::Criteria => id.key.is_of_motion(),
+        table => of_block(table),
     };
-    let laws = [("inelastic", 0), ("housner", 1), ("ratio", 2)];
-    let law = impact.choice("law", &laws)?.ok_or_else(|| impact.lacks("law"))?;
-    let ratio = impact.number("ratio")?;
-    match (law, ratio) {
-        (2, ratio) => Ok(Impact::Ratio(ratio.ok_or_else(|| impact.lacks("ratio"))?)),
-        (_, Some(_)) => Err(Wrong::new("`ratio` goes with law = \"ratio\" only", impact.place("ratio"))),
-        (law, None) => Ok(if law == 0 { Impact::Inelastic } else { Impact::Housner }),
+    let table = Table::ALL
+        .into_iter()
+        .find(|table| inputs.has(*table) && *table != Table::Criteria && !of_block(*table));
+    if let Some(table) = table {
+        return Err(Fault::new(Wrong::NotOfBlock { path: table.path(0) }, table));
+    }
+    match inputs.values().find(|(id, _)| !goes(*id)) {
+        Some((id, _)) => Err(Fault::new(Wrong::NotOfBlock { path: id.to_string() }, id)),
+        None => Ok(()),
     }
 }
 
-fn initial(motion: &Section<'_>) -> Result<Initial, Wrong> {
-    let keys = ["theta", "omega", "vx", "vy", "gap"];
-    let Some(initial) = motion.section("initial", "[motion.initial]".to_owned(), &keys)? else {
-        return Ok(Initial::default());
+fn block(given: &Given<'_>) -> Result<Block, Fault> {
+    let or = |key, other: f64| given.number(key).unwrap_or(other);
+    let (b1, b2, d) = (given.required(Key::B1)?, given.required(Key::B2)?, given.required(Key::D)?);
+    let rho2 = match given.number(Key::Rho2) {
+        Some(rho2) => rho2,
+        None if b1 == 1.0 && b2 == 1.0 => (1.0 + d * d) / 3.0,
+        None => return Err(Fault::new(Wrong::NoInertia, Table::Block)),
     };
-    let or_zero = |key: &str| initial.number(key).map(|found| found.unwrap_or(0.0));
-    Ok(Initial {
-        theta: or_zero("theta")?,
-        omega: or_zero("omega")?,
-        vx: initial.number("vx")?,
-        vy: initial.number("vy")?,
-        gap: or_zero("gap")?,
+    let mu_s = given.required(Key::MuS)?;
+    Ok(Block {
+        b1,
+        b2,
+        d,
+        rho2,
+        m_x: or(Key::Mx, 1.0),
+        m_y: or(Key::My, 1.0),
+        mu_s,
+        mu_k: or(Key::MuK, mu_s),
     })
-}
-
-/// What the library refuses, shown at the key it is about.
-fn refused(block: &Section<'_>, motion: Option<&Section<'_>>, error: &MotionError) -> Wrong {
-    let key = match error {
-        MotionError::Input(InputError { quantity, .. }) => {
-            let keys = [
-                (Quantity::B1, "b1"),
-                (Quantity::B2, "b2"),
-                (Quantity::D, "d"),
-                (Quantity::Rho2, "rho2"),
-                (Quantity::InertiaX, "m_x"),
-                (Quantity::InertiaY, "m_y"),
-                (Quantity::MuS, "mu_s"),
-                (Quantity::MuK, "mu_k"),
-            ];
-            keys.iter().find(|(known, _)| known == quantity).map_or("b1", |(_, key)| key)
-        }
-        MotionError::Value { name, .. } => name,
-        MotionError::Ratio { .. } => "ratio",
-        _ => "gravity",
-    };
-    let inner = motion.and_then(|motion| {
-        let within = |table: &str| {
-            motion
-                .section(table, String::new(), &["law", "ratio", "theta", "omega", "vx", "vy", "gap"])
-                .ok()
-                .flatten()
-        };
-        let holds = |section: &Section<'_>| section.get(key).map(|value| value.span());
-        holds(motion).or_else(|| ["impact", "initial"].into_iter().find_map(|table| holds(&within(table)?)))
-    });
-    Wrong::new(error.to_string(), inner.unwrap_or_else(|| block.place(key)))
 }

@@ -5,12 +5,12 @@
 use std::fmt;
 
 use serde::{Serialize, Serializer};
-use standfast::number::exact;
 use standfast_motion::{End, Outcome};
 
-use super::error::Wrong;
-use super::table::Section;
 use super::{BlockCase, Followed};
+use crate::error::{Fault, Problem};
+use crate::inputs::Inputs;
+use crate::key::Key;
 use crate::layout::{apart, digits, plain};
 
 /// The keys of these criteria, which are those of the results that they ask for.
@@ -74,27 +74,18 @@ impl MotionCriterion {
         }
     }
 
-    /// Reads those of a table; other keys of it are others'.
-    pub(super) fn read(section: &Section<'_>) -> Result<Vec<MotionCriterion>, Wrong> {
-        let mut criteria = Vec::new();
-        let bound = |key: &str| match section.number(key)? {
-            Some(bound) if bound <= 0.0 => {
-                let message = format!("`{key}` is {}; expected a number above zero", exact(bound));
-                Err(Wrong::new(message, section.place(key)))
-            }
-            bound => Ok(bound),
+    /// Those that inputs ask for.
+    ///
+    /// # Errors
+    /// If the body is asked to overturn.
+    pub(crate) fn all(inputs: &Inputs) -> Result<Vec<MotionCriterion>, Fault> {
+        let slide = inputs.number(Key::GreatestSlide).map(MotionCriterion::Slide);
+        let theta = inputs.number(Key::GreatestTheta).map(MotionCriterion::MaxTheta);
+        let stands = match inputs.truth(Key::NotOverturned) {
+            Some(true) => return Err(Fault::new(Problem::AskedToOverturn, Key::NotOverturned)),
+            asked => asked.map(|_| MotionCriterion::NotOverturned),
         };
-        criteria.extend(bound("slide")?.map(MotionCriterion::Slide));
-        criteria.extend(bound("max_theta")?.map(MotionCriterion::MaxTheta));
-        match section.truth("overturned")? {
-            Some(true) => {
-                let message = "`overturned` is true; expected false: that the body does not overturn";
-                return Err(Wrong::new(message, section.place("overturned")));
-            }
-            Some(false) => criteria.push(MotionCriterion::NotOverturned),
-            None => {}
-        }
-        Ok(criteria)
+        Ok([slide, theta, stands].into_iter().flatten().collect())
     }
 
     /// The bound, where it is a number.

@@ -1,26 +1,24 @@
-//! Tables of motions: a case of which the columns of a table vary what stands in its file, a record's name among it.
+//! Tables of motions: a case in time of which the columns of a table vary numbers and words, a record's name among them.
 //!
-//! A column is called by the place of what it varies, as in `block.mu_s`, `motion.base.horizontal.file` or `load[2].force`. The value is put in its
-//! place in the text, and the case is read as any other: what a row says is what a file would say. Only where a column varies a number
-//! with which others go, as the mass goes with the width, are the numbers of the body, the water and the waves varied as `design` does.
+//! A column is called by the key that it varies, as in `block.mu_s`, `motion.base.horizontal.file` or `load[2].force`, or by a short
+//! name. Numbers are varied as in every table of cases, with what goes with them; words stand in place of those of the file.
 
-use std::fmt::Write;
-use std::ops::Range as Span;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use standfast_motion::Outcome;
 use thiserror::Error;
-use toml::de::{DeTable, DeValue};
 
-use super::body::{BodyCaseError, body_cases_of, in_time, without_time};
-use super::criteria::MOTION_CRITERIA;
 use super::json::{end_word, of_balance};
-use super::{BlockCase, Follow, GivenBase, ReadFile, cases_on, follow_all};
+use super::{Follow, ReadFile, follow_all, motions};
 use crate::case::Case;
-use crate::couple::{Variable, vary};
-use crate::inputs::Inputs;
-use crate::key::{Key, Moves, Table};
-use crate::parse::CaseFile;
-use crate::sweep;
+use crate::couple::vary;
+use crate::error::{CaseError, Problem};
+use crate::inputs::{Inputs, Value};
+use crate::key::{Id, Kind, Table};
+use crate::parse::{CaseFile, read};
+use crate::record::RecordFile;
+use crate::sweep::{self, Factor, NoFactor, heading};
 
 /// The results of a row, in their order.
 pub const RESULTS: [&str; 16] = [
@@ -45,17 +43,20 @@ pub const RESULTS: [&str; 16] = [
 /// Those that say how far the criteria are met.
 const OF_CRITERIA: [&str; 3] = ["met", "utilisation", "criterion"];
 
-/// Keys whose values are texts, whatever they look like.
-const TEXTS: [&str; 6] = ["file", "column", "shape", "law", "baseline", "title"];
-
 /// Why a column varies nothing that it should.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Error, miette::Diagnostic)]
 #[non_exhaustive]
 pub enum ColumnError {
-    /// The case file is not TOML.
-    #[error("the case file is not valid TOML: {0}")]
-    Toml(String),
-    /// It has the name of a place that the file does not have.
+    /// It is no number of the case, or its unit does not fit.
+    #[error("column {column}: {error}")]
+    #[diagnostic(help("{}", error.help().map_or_else(String::new, |help| help.to_string())))]
+    NoFactor {
+        /// The column.
+        column: String,
+        /// What is wrong.
+        error: Box<NoFactor>,
+    },
+    /// It has the name of a key that the file does not have.
     #[error(
         "column {column}: the case file has no such key; if it is meant to vary, put it in, with any value it may have"
     )]
@@ -71,91 +72,100 @@ pub enum ColumnError {
         /// The column.
         column: String,
     },
-    /// The case file is none.
-    #[error("{0}")]
-    Case(String),
+    /// Two columns vary one key.
+    #[error("the columns {one} and {two} both vary {key}")]
+    SameKey {
+        /// A column.
+        one: String,
+        /// Another.
+        two: String,
+        /// The key.
+        key: String,
+    },
+    /// The case makes no sense.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
 }
 
-/// Where the value of a column goes.
+/// What a column varies.
 #[derive(Debug, Clone)]
 enum Varied {
-    /// Into the text of the file, at a place; and whether it is a text there.
-    Text(Span<usize>, bool),
-    /// A number of the case, with what goes with it.
-    Number(Variable),
+    /// A number, with what goes with it.
+    Number(Factor),
+    /// Words, true or false, or the name of a file.
+    Word(Id),
 }
 
-/// A case and what the columns of a table vary of it.
-#[derive(Debug, Clone)]
+impl Varied {
+    fn id(&self) -> Id {
+        match self {
+            Varied::Number(factor) => factor.variable().id(),
+            Varied::Word(id) => *id,
+        }
+    }
+}
+
+/// A case in time and what the columns of a table vary of it.
+#[derive(Debug)]
 pub struct MotionRows {
-    name: String,
-    text: String,
-    /// The place of each column that varies something, and how.
+    inputs: Inputs,
+    /// The case of the inputs, by which numbers go together; none of a body in pure numbers.
+    case: Option<Case>,
+    /// The place of each column that varies something, and what.
     varied: Vec<(usize, Varied)>,
-    /// What the file gives beside time, where a column varies a number of it.
-    inputs: Option<Inputs>,
+    /// The columns, as the table calls them.
+    columns: Vec<String>,
+    /// Whether something is asked of the motion.
+    asks: bool,
     /// What goes with what varies, in sentences.
     notes: Vec<String>,
+    /// The files that rows name, each read once.
+    records: Mutex<BTreeMap<String, Result<Arc<RecordFile>, String>>>,
 }
 
 impl MotionRows {
-    /// The case file `text`, called `name`, and the columns of a table. Those whose names have no point and are no place of the file
-    /// vary nothing.
+    /// The case of a file, with the files that it names, and the columns of a table. Those that have the name of no key vary nothing.
     ///
     /// # Errors
-    /// If a column cannot vary what it names.
-    pub fn of(name: &str, text: &str, columns: &[String]) -> Result<MotionRows, ColumnError> {
-        let document = DeTable::parse(text).map_err(|error| ColumnError::Toml(error.message().to_owned()))?;
-        let (mut varied, mut moves) = (Vec::new(), false);
+    /// If a column cannot vary what it names, or the case makes no sense.
+    pub fn of(file: &CaseFile, columns: &[String]) -> Result<MotionRows, ColumnError> {
+        let inputs = file.inputs();
+        let mut varied: Vec<(usize, Varied)> = Vec::new();
         for (place, column) in columns.iter().enumerate() {
-            let wrong = |make: fn(String) -> ColumnError| Err(make(column.clone()));
-            let (Some((path, key)), Some(table)) = (column.rsplit_once('.'), column.split(['.', '[']).next())
-            else {
-                continue;
-            };
-            let Some(value) = find(document.get_ref(), path, key) else {
-                if document.get_ref().contains_key(table) || table == "motion" {
-                    return wrong(|column| ColumnError::Absent { column });
-                }
-                continue;
-            };
-            if matches!(value.get_ref(), DeValue::Table(_) | DeValue::Array(_)) {
-                return wrong(|column| ColumnError::NoValue { column });
+            let Some(found) = find(column, inputs)? else { continue };
+            if let Some((earlier, _)) = varied.iter().find(|(_, other)| other.id() == found.id()) {
+                let (one, two) = (columns[*earlier].clone(), column.clone());
+                return Err(ColumnError::SameKey { one, two, key: found.id().to_string() });
             }
-            let known = Table::ALL
-                .into_iter()
-                .find(|known| known.name() == table && path.split('[').next() == Some(table));
-            let known = known.and_then(|known| Key::find(known, key));
-            // Friction to slip goes with that to stick of itself where it is left out.
-            let alone = |key: Key| match key.info().moves {
-                Moves::Alone => true,
-                Moves::Friction => find(document.get_ref(), path, "kinetic_friction").is_none(),
-                _ => false,
-            };
-            moves |= known.is_some_and(|key| !alone(key));
-            varied.push((place, Varied::Text(value.span(), TEXTS.contains(&key))));
+            varied.push((place, found));
         }
-        let (name, text) = (name.to_owned(), text.to_owned());
-        if !moves {
-            return Ok(MotionRows { name, text, varied, inputs: None, notes: Vec::new() });
-        }
-        let none = |error: BodyCaseError| ColumnError::Case(error.to_string());
-        let of_time = in_time(document.get_ref(), &text)
-            .map_err(|wrong| none(BodyCaseError::Motion(wrong.in_file(&name, &text))))?;
-        let file = CaseFile::parse(&name, &without_time(document.get_ref(), &text, &of_time));
-        let file = file.map_err(|error| none(error.into()))?;
-        let case = file.case().map_err(|error| none(error.into()))?;
-        for (place, how) in &mut varied {
-            if let Ok(variable) = Variable::find(&columns[*place], file.inputs()) {
-                *how = Varied::Number(variable);
-            }
-        }
-        let variables = varied.iter().filter_map(|(_, how)| match how {
-            Varied::Number(variable) => Some(variable),
-            Varied::Text(..) => None,
+        let is_block = inputs.has(Table::Block);
+        // A name of a file that rows replace need not be that of one.
+        let named = |id: Id| varied.iter().any(|(_, other)| other.id() == id);
+        let wanted = file.wanted().into_iter().any(|(id, _)| named(id));
+        let case = if is_block { None } else { Some(file.case()) };
+        let case = match case.transpose() {
+            Err(error) if !wanted => return Err(error.into()),
+            case => case.unwrap_or_default(),
+        };
+        let numbers = varied.iter().filter_map(|(_, how)| match how {
+            Varied::Number(factor) => Some(factor.variable()),
+            Varied::Word(_) => None,
         });
-        let notes = sweep::notes(&variables.collect::<Vec<_>>(), file.inputs(), &case);
-        Ok(MotionRows { name, text, varied, inputs: Some(file.inputs().clone()), notes })
+        let numbers: Vec<_> = numbers.collect();
+        let notes = case.as_ref().map_or_else(Vec::new, |case| sweep::notes(&numbers, inputs, case));
+        let asks =
+            !file.motion_criteria()?.is_empty() || varied.iter().any(|(_, how)| how.id().key.is_of_motion());
+        Ok(MotionRows {
+            inputs: inputs.clone(),
+            case,
+            varied,
+            columns: columns.to_vec(),
+            asks,
+            notes,
+            records: Mutex::default(),
+        })
     }
 
     /// What goes with what varies, in sentences.
@@ -165,55 +175,61 @@ impl MotionRows {
 
     /// The results that the case has, in their order: of criteria only where it has some.
     pub fn results(&self) -> Vec<usize> {
-        let document = DeTable::parse(&self.text).ok();
-        let asked = document.as_ref().and_then(|document| document.get_ref().get("criteria"));
-        let asked = asked.and_then(|value| value.get_ref().as_table());
-        let asks = asked.is_some_and(|table| MOTION_CRITERIA.iter().any(|key| table.contains_key(*key)));
         let of_criteria = |place: &usize| OF_CRITERIA.contains(&RESULTS[*place]);
-        (0..RESULTS.len()).filter(|place| asks || !of_criteria(place)).collect()
+        (0..RESULTS.len()).filter(|place| self.asks || !of_criteria(place)).collect()
     }
 
-    /// The places of the columns that vary something.
-    pub fn varied(&self) -> impl Iterator<Item = usize> {
-        self.varied.iter().map(|(place, ..)| *place)
+    /// The places of the columns that vary something, and the keys that they vary.
+    pub fn varied(&self) -> impl Iterator<Item = (usize, String)> {
+        self.varied.iter().map(|(place, how)| (*place, how.id().to_string()))
     }
 
-    /// The text of the case with the values of a row.
-    fn with(&self, cells: &[&str]) -> String {
-        let mut pieces: Vec<(&Span<usize>, String)> = Vec::new();
+    /// The inputs with the values of a row.
+    fn with(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Inputs, String> {
+        let mut numbers = Vec::new();
+        let mut words = Vec::new();
         for (place, how) in &self.varied {
-            let Varied::Text(span, text) = how else { continue };
             let cell = cells.get(*place).copied().unwrap_or_default().trim();
-            let plain =
-                !text && (cell == "true" || cell == "false" || cell.parse::<f64>().is_ok_and(f64::is_finite));
-            pieces.push((span, if plain { number(cell) } else { quoted(cell) }));
+            let wrong = |what: String| format!("column {} has \"{cell}\": {what}", self.columns[*place]);
+            match how {
+                Varied::Number(factor) => {
+                    let value = factor.parse(cell);
+                    let value =
+                        value.map_err(|error| wrong(format!("{error}; expected {}", factor.expected())))?;
+                    let gravity = if factor.counts_gravity() { self.inputs.gravity() } else { 1.0 };
+                    numbers.push((factor.variable(), value * gravity));
+                }
+                Varied::Word(id) if id.key.info().kind == Kind::File => {
+                    words.push((*id, Value::Record(self.record(cell, file)?)));
+                }
+                Varied::Word(id) => {
+                    let value = read(*id, id.key.info().kind, self.inputs.units(), cell);
+                    words.push((*id, value.map_err(|problem| wrong(problem.to_string()))?));
+                }
+            }
         }
-        pieces.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
-        let mut text = self.text.clone();
-        for (span, value) in pieces {
-            text.replace_range(span.clone(), &value);
-        }
-        text
+        let mut inputs = match &self.case {
+            Some(case) => vary(&self.inputs, case, &numbers),
+            None => {
+                let mut inputs = self.inputs.clone();
+                numbers.iter().for_each(|(variable, value)| inputs.set(variable.id(), *value));
+                inputs
+            }
+        };
+        words.into_iter().for_each(|(id, value)| inputs.put(id, value));
+        Ok(inputs)
     }
 
-    /// The cases of a row, whose text is as given.
-    fn cases(&self, cells: &[&str], text: &str, file: &ReadFile<'_>) -> Result<Vec<BlockCase>, String> {
-        let given = GivenBase::default();
-        let Some(inputs) = &self.inputs else {
-            return cases_on(&self.name, text, file, &given).map_err(|error| error.to_string());
-        };
-        let mut changes = Vec::new();
-        for (place, how) in &self.varied {
-            let Varied::Number(variable) = how else { continue };
-            let cell = cells.get(*place).copied().unwrap_or_default().trim();
-            changes.push((variable, variable.read(cell, inputs).map_err(|problem| problem.to_string())?));
-        }
-        let case = |rest: &str| {
-            let file = CaseFile::parse(&self.name, rest)?;
-            let inputs = vary(file.inputs(), &file.case()?, &changes);
-            Case::of(&inputs).map_err(|fault| file.error(fault))
-        };
-        body_cases_of(&self.name, text, file, &given, &case).map_err(|error| error.to_string())
+    /// A file that a row names, read once.
+    fn record(&self, name: &str, file: &ReadFile<'_>) -> Result<Arc<RecordFile>, String> {
+        let known = self.records.lock().unwrap_or_else(PoisonError::into_inner).get(name).cloned();
+        known.unwrap_or_else(|| {
+            let read = file(name).map(|text| Arc::new(RecordFile::of_text(name, text)));
+            let read = read.map_err(|why| Problem::Unread { name: name.to_owned(), why }.to_string());
+            let mut records = self.records.lock().unwrap_or_else(PoisonError::into_inner);
+            records.insert(name.to_owned(), read.clone());
+            read
+        })
     }
 
     /// The results of a row, in the order of [`RESULTS`]: those of the worst situation.
@@ -221,8 +237,8 @@ impl MotionRows {
     /// # Errors
     /// What is wrong with the row, in words.
     pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, String> {
-        let text = self.with(cells);
-        let cases = self.cases(cells, &text, file)?;
+        let inputs = self.with(cells, file)?;
+        let cases = motions(&inputs).map_err(|fault| fault.to_string())?;
         let answers = follow_all(cases, &Follow::default()).map_err(|error| error.to_string())?;
         let Some((case, followed)) = answers.first() else { return Err("no situation".to_owned()) };
         let outcome: &Outcome = &followed.outcome;
@@ -250,41 +266,44 @@ impl MotionRows {
     }
 }
 
-/// A number as TOML has it: digits before and after the point.
-fn number(cell: &str) -> String {
-    match cell.parse::<f64>() {
-        Ok(value) => format!("{value:?}"),
-        Err(_) => cell.to_owned(),
+/// What a column varies, if anything.
+fn find(column: &str, inputs: &Inputs) -> Result<Option<Varied>, ColumnError> {
+    let (name, unit) = heading(column);
+    let word = |kind| matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. });
+    let named = || inputs.values().map(|(id, _)| id).find(|id| id.to_string() == name);
+    match Factor::find(name, unit, inputs) {
+        Ok(factor) => Ok(Some(Varied::Number(factor))),
+        Err(NoFactor::Unknown(_)) => match named() {
+            Some(id) if word(id.key.info().kind) => Ok(Some(Varied::Word(id))),
+            Some(_) => Err(ColumnError::NoValue { column: column.to_owned() }),
+            None => no_key(name, column, inputs).map(|()| None),
+        },
+        Err(NoFactor::Absent { .. }) => Err(ColumnError::Absent { column: column.to_owned() }),
+        Err(error) => Err(ColumnError::NoFactor { column: column.to_owned(), error: Box::new(error) }),
     }
 }
 
-fn quoted(cell: &str) -> String {
-    let mut text = String::from("\"");
-    for c in cell.chars() {
-        let _ = match c {
-            '"' | '\\' => write!(text, "\\{c}"),
-            c if c.is_control() => write!(text, "\\u{:04X}", u32::from(c)),
-            c => write!(text, "{c}"),
-        };
+/// Refuses the name of a table of the case, or of a key that it does not have.
+fn no_key(name: &str, column: &str, inputs: &Inputs) -> Result<(), ColumnError> {
+    let paths = |table: Table| (0..inputs.count(table).max(1)).map(move |index| table.path(index));
+    let tables = || Table::ALL.into_iter().filter(|table| table.parent().is_some());
+    if tables().any(|table| inputs.has(table) && paths(table).any(|path| path == name)) {
+        return Err(ColumnError::NoValue { column: column.to_owned() });
     }
-    text + "\""
+    let first = name.split(['.', '[']).next().unwrap_or_default();
+    let begins = name.contains('.')
+        && tables().any(|table| table.parent() == Some(Table::Top) && table.name() == first);
+    let listed = inputs.values().any(|(id, _)| id.key.name() != id.key.entry() && entry(id) == name);
+    match () {
+        () if listed => Err(ColumnError::NoValue { column: column.to_owned() }),
+        () if begins => Err(ColumnError::Absent { column: column.to_owned() }),
+        () => Ok(()),
+    }
 }
 
-/// The value under a key of a table; `name[2]` is the second of a list.
-fn find<'a>(document: &'a DeTable<'a>, path: &str, key: &str) -> Option<&'a toml::Spanned<DeValue<'a>>> {
-    let mut table = document;
-    for part in path.split('.') {
-        let (name, place) = match part.strip_suffix(']').and_then(|part| part.split_once('[')) {
-            Some((name, place)) => (name, Some(place.parse::<usize>().ok()?.checked_sub(1)?)),
-            None => (part, None),
-        };
-        let value = table.get(name)?.get_ref();
-        table = match place {
-            Some(place) => value.as_array()?.get(place)?.get_ref().as_table()?,
-            None => value.as_table()?,
-        };
-    }
-    table.get(key)
+/// The name of the list that a number stands in: `block.load[1].at`.
+fn entry(id: Id) -> String {
+    format!("{}.{}", id.table.path(id.index), id.key.entry())
 }
 
 #[cfg(test)]
@@ -294,6 +313,14 @@ mod tests {
     const CASE: &str = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.4\ngravity = 1\n[motion]\nimpact = { law = \"ratio\", ratio = 0.9 }\n\
         [motion.base]\nhorizontal = { shape = \"half-sine\", peak = 0.6, duration = 2 }\n";
 
+    fn rows(text: &str, columns: &[String]) -> Result<MotionRows, ColumnError> {
+        MotionRows::of(&CaseFile::parse("case.toml", text).unwrap(), columns)
+    }
+
+    fn no_file(file: &str) -> Result<String, String> {
+        Err(format!("no file {file}"))
+    }
+
     fn columns(names: &[&str]) -> Vec<String> {
         names.iter().map(|name| (*name).to_owned()).collect()
     }
@@ -301,16 +328,16 @@ mod tests {
     #[test]
     fn a_row_says_what_a_file_would_say() {
         let names = ["site", "motion.base.horizontal.peak", "block.mu_s", "motion.impact.ratio"];
-        let rows = MotionRows::of("case.toml", CASE, &columns(&names)).unwrap();
-        assert_eq!(rows.varied().collect::<Vec<_>>(), [1, 2, 3]);
-        let text = rows.with(&["here", "0.45", "1", "8e-1"]);
+        let rows = rows(CASE, &columns(&names)).unwrap();
+        assert_eq!(rows.varied().map(|(place, _)| place).collect::<Vec<_>>(), [1, 2, 3]);
+        let inputs = rows.with(&["here", "0.45", "1", "8e-1"], &no_file).unwrap();
         let expected = CASE.replace("peak = 0.6", "peak = 0.45").replace("mu_s = 0.4", "mu_s = 1.0");
-        assert_eq!(text, expected.replace("ratio = 0.9", "ratio = 0.8"));
-        let file = |file: &str| Err(format!("no file {file}"));
-        let found = rows.answer(&["here", "0.45", "1", "0.8"], &file).unwrap();
+        let expected = expected.replace("ratio = 0.9", "ratio = 0.8");
+        assert_eq!(inputs, *CaseFile::parse("case.toml", &expected).unwrap().inputs());
+        let found = rows.answer(&["here", "0.45", "1", "0.8"], &no_file).unwrap();
         assert_eq!((found.len(), found[0].as_str(), found[5].as_str()), (RESULTS.len(), "rest", "false"));
-        let words = rows.answer(&["", "much", "1", "0.8"], &file).unwrap_err();
-        assert!(words.contains("`peak`"), "{words}");
+        let words = rows.answer(&["", "much", "1", "0.8"], &no_file).unwrap_err();
+        assert!(words.contains("motion.base.horizontal.peak has \"much\""), "{words}");
     }
 
     #[test]
@@ -319,7 +346,9 @@ mod tests {
         let load =
             "[[load]]\nforce = 6e3\nelevation = 1\nhistory = { shape = \"half-sine\", duration = 0.5 }\n";
         let still = "[[load]]\nforce = 6e3\nelevation = 1\n";
-        let is_in_time = |tables: &[&str]| super::super::is_in_time(&([&[body], tables].concat().concat()));
+        let is_in_time = |tables: &[&str]| {
+            CaseFile::parse("case.toml", &[&[body], tables].concat().concat()).unwrap().is_in_time()
+        };
         assert!(is_in_time(&[load]) && is_in_time(&[still, load]) && !is_in_time(&[still]));
         assert!(!is_in_time(&[load, "[ground]\nstiffness = 5e7\n"]));
     }
@@ -334,33 +363,57 @@ mod tests {
                  [[load]]\nforce = \"6 kN/m\"\nelevation = \"1 m\"\nhistory = {{ shape = \"half-sine\", duration = \"0.5 s\" }}\n"
             )
         };
-        let file = |file: &str| Err(format!("no file {file}"));
         let columns = columns(&["body.width", "motion.base.horizontal.peak"]);
-        let rows = MotionRows::of("case.toml", &case("1", "1000", "3"), &columns).unwrap();
-        assert!(rows.notes().iter().any(|note| note.contains("body.mass")), "{:?}", rows.notes());
+        let table = rows(&case("1", "1000", "3"), &columns).unwrap();
+        assert!(table.notes().iter().any(|note| note.contains("body.mass")), "{:?}", table.notes());
         for (cell, width, mass) in [("1.5 m", "1.5", "1500"), ("0.8", "0.8", "800"), ("1", "1", "1000")] {
-            let found = rows.answer(&[cell, "4"], &file).unwrap();
-            let written = MotionRows::of("case.toml", &case(width, mass, "4"), &columns[1..]).unwrap();
-            let expected = written.answer(&["4"], &file).unwrap();
+            let found = table.answer(&[cell, "4"], &no_file).unwrap();
+            let written = rows(&case(width, mass, "4"), &columns[1..]).unwrap();
+            let expected = written.answer(&["4"], &no_file).unwrap();
             let slide = |answer: &[String]| answer[1].parse::<f64>().unwrap();
             assert!(slide(&expected).abs() > 1e-3, "{expected:?}");
             assert!((slide(&found) - slide(&expected)).abs() < 1e-12, "{found:?} {expected:?}");
         }
-        let words = rows.answer(&["2 kg", "4"], &file).unwrap_err();
+        let words = table.answer(&["2 kg", "4"], &no_file).unwrap_err();
         assert!(words.contains("2 kg"), "{words}");
         // The mass that is named in the same row is the mass.
         let columns = ["body.width".to_owned(), "body.mass".to_owned()];
-        let rows = MotionRows::of("case.toml", &case("1", "1000", "4"), &columns).unwrap();
-        let found = rows.answer(&["1.5", "1000"], &file).unwrap();
-        let written = MotionRows::of("case.toml", &case("1.5", "1000", "4"), &columns[..0]).unwrap();
-        assert_eq!(found[1], written.answer(&[], &file).unwrap()[1]);
+        let table = rows(&case("1", "1000", "4"), &columns).unwrap();
+        let found = table.answer(&["1.5", "1000"], &no_file).unwrap();
+        let written = rows(&case("1.5", "1000", "4"), &columns[..0]).unwrap();
+        assert_eq!(found[1], written.answer(&[], &no_file).unwrap()[1]);
     }
 
     #[test]
     fn columns_that_vary_nothing_they_name_are_refused() {
-        let of = |name: &str, text: &str| MotionRows::of("case.toml", text, &columns(&[name])).unwrap_err();
-        assert!(matches!(of("block.mu_k", CASE), ColumnError::Absent { .. }));
+        let of = |name: &str, text: &str| rows(text, &columns(&[name])).unwrap_err();
+        assert!(matches!(of("block.rho2", CASE), ColumnError::Absent { .. }));
         assert!(matches!(of("motion.base.horizontal", CASE), ColumnError::NoValue { .. }));
-        assert_eq!(MotionRows::of("case.toml", CASE, &columns(&["a.b"])).unwrap().varied().count(), 0);
+        assert_eq!(rows(CASE, &columns(&["a.b"])).unwrap().varied().count(), 0);
+    }
+
+    /// A short name and a unit in the heading mean in a table of motions what they mean in every other: with friction 0.3, 0.5 and 0.9
+    /// a body under one pulse slides as in three files that say so.
+    #[test]
+    fn short_names_and_units_in_headings_vary_what_they_name() {
+        let case = |friction: &str, force: &str, height: &str| {
+            format!(
+                "[body]\nwidth = 2\nheight = {height}\ndensity = 800\nfriction = {friction}\n[[load]]\nforce = {force}\n\
+                 elevation = 1.2\nhistory = {{ shape = \"triangle\", rise = 0.5, duration = 1 }}\n"
+            )
+        };
+        let columns = columns(&["friction", "load[1].force [kN/m]", "height [cm]"]);
+        let table = rows(&case("0.3", "25e3", "3"), &columns).unwrap();
+        let mut slides = Vec::new();
+        for (friction, force, height) in [("0.3", "25", "300"), ("0.2", "25", "300"), ("0.2", "30", "280")] {
+            let found = table.answer(&[friction, force, height], &no_file).unwrap();
+            let force = format!("{force}e3");
+            let height = format!("{}", height.parse::<f64>().unwrap() / 100.0);
+            let written = rows(&case(friction, &force, &height), &[]).unwrap().answer(&[], &no_file).unwrap();
+            assert_eq!(found, written, "{friction} {force} {height}");
+            slides.push(found[1].clone());
+        }
+        slides.dedup();
+        assert_eq!(slides.len(), 3, "{slides:?}");
     }
 }

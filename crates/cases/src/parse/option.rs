@@ -7,14 +7,14 @@ use toml::de::{DeTable, DeValue};
 
 use super::{At, Field};
 use crate::error::Problem;
-use crate::inputs::Value;
-use crate::key::{Key, Kind};
+use crate::inputs::{Value, dimension};
+use crate::key::{Id, Kind};
 use crate::layout::shortened;
 use crate::units::{Extent, UnitError};
 
-/// The value that `written` says for a key that takes `kind` in a case of this extent: a number, a text or a list as in a file, but that a text may
+/// The value that `written` says for a key that takes `kind` in a case with such units: a number, a text or a list as in a file, but that a text may
 /// stand without its quotes, which a command line takes away.
-pub(crate) fn read(key: Key, kind: Kind, extent: Extent, written: &str) -> Result<Value, Problem> {
+pub(crate) fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<Value, Problem> {
     const NAME: &str = "x";
     let line = format!("{NAME} = {written}");
     let document = DeTable::parse(&line).ok();
@@ -24,11 +24,11 @@ pub(crate) fn read(key: Key, kind: Kind, extent: Extent, written: &str) -> Resul
         Some(value) => (value, line.as_str()),
         None => (&text, written),
     };
-    Field { key, value, text, extent }.value(kind).map_err(|At { problem, .. }| match problem {
+    Field { id, value, text, units }.value(kind).map_err(|At { problem, .. }| match problem {
         // Two numbers to the one, a decimal to the other.
         Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
-            let dimension = key.info().dimension().map(|dimension| extent.of(dimension));
-            Problem::Unit { key, dimension, written: shortened(written), error: UnitError::Comma }
+            let dimension = dimension(id, units);
+            Problem::Unit { key: id.key, dimension, written: shortened(written), error: UnitError::Comma }
         }
         other => other,
     })
@@ -37,6 +37,7 @@ pub(crate) fn read(key: Key, kind: Kind, extent: Extent, written: &str) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::key::Key;
     use crate::parse::CaseFile;
 
     /// The same texts in a file, in quotes where they are no numbers, and at an option.
@@ -81,14 +82,18 @@ mod tests {
                     CaseFile::parse("t.toml", &text).map(|file| file.inputs().get(key).cloned())
                 };
                 let in_file = read_file(text).or_else(|_| read_file(&format!("\"{text}\""))).ok().flatten();
-                assert_eq!(read(key, info.kind, Extent::PerMetre, text).ok(), in_file, "{key} = {text}");
+                assert_eq!(
+                    read(key.into(), info.kind, Some(Extent::PerMetre), text).ok(),
+                    in_file,
+                    "{key} = {text}"
+                );
             }
         }
     }
 
     #[test]
     fn what_is_wrong_is_said() {
-        let read = |key: Key, text| read(key, key.info().kind, Extent::PerMetre, text);
+        let read = |key: Key, text| read(key.into(), key.info().kind, Some(Extent::PerMetre), text);
         let comma = read(Key::Friction, "0,5");
         assert!(matches!(comma, Err(Problem::Unit { error: UnitError::Comma, .. })), "{comma:?}");
         let two = read(Key::Width, "8\ny = 3");

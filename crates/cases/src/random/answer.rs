@@ -259,33 +259,18 @@ pub struct Probability {
     pub overturning: Option<Overturning>,
     /// The probabilities along a number, if they were asked for.
     pub fragility: Option<Fragility>,
+    /// That a case in time is answered at its first instant, in a sentence without its stop.
+    pub note: Option<String>,
 }
 
 impl Probability {
-    /// The answer to a case file with a `[random]` table.
+    /// The answer to a file with a `[random]` table: a case, one in time at its first instant, a `[point]` of the report's plane, or
+    /// a `[storm]` without a body.
     ///
     /// # Errors
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
     pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
-        let problems = problems_of(file, request.years)?;
-        let sliding = match file.storm() {
-            Some(storm) => Some(storm::of_case(storm, &problems, &request)?),
-            None => None,
-        };
-        let answer = Probability::of_problems(file.name(), &problems, sliding, request)?;
-        let criterion = match bound(&file.case()?.criteria) {
-            Some(bound) => Some(ChanceCriterion::of(bound, &problems, &request)?),
-            None => None,
-        };
-        Ok(Probability { criterion, ..answer })
-    }
-
-    /// The answer to a file with a `[random]` table: a case, a `[point]` of the report's plane, or a `[storm]` without a body.
-    ///
-    /// # Errors
-    /// As [`of`](Probability::of); or if the text is no such file.
-    pub fn of_text(name: &str, text: &str, request: Request) -> Result<Probability, ProbabilityError> {
-        Probability::of_asked(name, &Asked::read(name, text, request.years)?, request)
+        Probability::along(file, request, None)
     }
 
     pub(super) fn of_asked(
@@ -294,13 +279,31 @@ impl Probability {
         request: Request,
     ) -> Result<Probability, ProbabilityError> {
         match asked {
-            Asked::Case(file) => Probability::of(file, request),
+            Asked::Case { file, note } => Probability::of_case(file, note.clone(), request),
             Asked::Point(of) => {
                 let problem = of.problem(of.point, request.years)?;
                 Probability::of_problems(name, &[problem], None, request)
             }
             Asked::Storm(pure) => pure.answer(name, request),
         }
+    }
+
+    fn of_case(
+        file: &CaseFile,
+        note: Option<String>,
+        request: Request,
+    ) -> Result<Probability, ProbabilityError> {
+        let problems = problems_of(file, request.years)?;
+        let sliding = match storm::storm(file.inputs()).map_err(|fault| file.error(fault))? {
+            Some(storm) => Some(storm::of_case(&storm, &problems, &request)?),
+            None => None,
+        };
+        let answer = Probability::of_problems(file.name(), &problems, sliding, request)?;
+        let criterion = match bound(&file.case()?.criteria) {
+            Some(bound) => Some(ChanceCriterion::of(bound, &problems, &request)?),
+            None => None,
+        };
+        Ok(Probability { criterion, note, ..answer })
     }
 
     fn of_problems(
@@ -328,6 +331,7 @@ impl Probability {
             criterion: None,
             overturning: None,
             fragility: None,
+            note: None,
         })
     }
 }

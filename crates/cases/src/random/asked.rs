@@ -1,21 +1,22 @@
-//! What a file with a `[random]` table is of: a case, a point of the report's plane, or a storm without a body. Its text is parsed
-//! once.
-
-use toml::Spanned;
-use toml::de::DeTable;
+//! What a file with a `[random]` table is of: a case, a point of the report's plane, or a storm without a body.
 
 use super::error::ProbabilityError;
 use super::point;
 use super::problem::Problem;
 use super::read::{Random, RandomProblem};
 use super::storm::{self, PureStorm};
-use crate::error::CaseError;
+use crate::error::{CaseError, Fault, Place};
+use crate::key::{Key, Table};
 use crate::parse::CaseFile;
 
 /// What is asked about.
 pub(super) enum Asked {
-    /// A `[body]` with its loads.
-    Case(Box<CaseFile>),
+    /// A `[body]` with its loads, of a case in time at its first instant.
+    Case {
+        file: Box<CaseFile>,
+        /// What is answered of the first instant, in a sentence.
+        note: Option<String>,
+    },
     /// A `[point]`.
     Point(OfPoint),
     /// A `[storm]` without a body.
@@ -24,8 +25,7 @@ pub(super) enum Asked {
 
 /// A point with its random numbers, and where they stand.
 pub(super) struct OfPoint {
-    name: String,
-    text: String,
+    file: CaseFile,
     pub(super) point: [f64; 4],
     pub(super) random: Random,
 }
@@ -33,38 +33,53 @@ pub(super) struct OfPoint {
 impl OfPoint {
     /// The problem of the point, or of another with the same random numbers.
     pub(super) fn problem(&self, point: [f64; 4], years: Option<f64>) -> Result<Problem, ProbabilityError> {
-        let wrong = |(problem, span): (RandomProblem, _)| {
-            CaseError::new(&self.name, &self.text, problem.into(), vec![span])
-        };
+        let wrong = |(problem, span): (RandomProblem, _)| self.file.random_error(problem, span);
         Ok(Problem::of_point(point, &self.random, years).map_err(wrong)?)
     }
 }
 
 impl Asked {
-    /// Reads a file; of a storm without a body, over this life.
-    pub(super) fn read(name: &str, text: &str, years: Option<f64>) -> Result<Asked, CaseError> {
-        let case = |file: CaseFile| Asked::Case(Box::new(file));
-        // A text that is no TOML is for a case file to refuse.
-        let Ok(document) = DeTable::parse(text) else { return CaseFile::parse(name, text).map(case) };
-        let document: &Spanned<DeTable<'_>> = &document;
-        if let Some((point, random)) = point::read_file(name, text, document.get_ref())? {
-            let (name, text) = (name.to_owned(), text.to_owned());
-            return Ok(Asked::Point(OfPoint { name, text, point, random }));
+    /// What a file is of; of a storm without a body, over this life.
+    pub(super) fn of(file: &CaseFile, years: Option<f64>) -> Result<Asked, CaseError> {
+        if let Some(point) = point::of_file(file)? {
+            let random = file.random().cloned();
+            let random =
+                random.ok_or_else(|| file.error(Fault::new(RandomProblem::Nothing.into(), Table::Point)))?;
+            return Ok(Asked::Point(OfPoint { file: file.clone(), point, random }));
         }
-        if let Some(pure) = storm::read_file(name, text, document.get_ref(), years)? {
+        if let Some(pure) = storm::of_file(file, years)? {
             return Ok(Asked::Storm(Box::new(pure)));
         }
-        CaseFile::of_document(name, text, document).map(case)
+        Ok(match file.first_instant()? {
+            Some(first) => Asked::Case { file: Box::new(first.file), note: Some(first.note) },
+            None => Asked::Case { file: Box::new(file.clone()), note: None },
+        })
     }
 
     /// Its problems: one for each set of loads that act together, and each acceleration of the base that is tried.
     pub(super) fn problems(&self, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
         match self {
-            Asked::Case(file) => problems_of(file, years),
+            Asked::Case { file, .. } => problems_of(file, years),
             Asked::Point(of) => Ok(vec![of.problem(of.point, years)?]),
             Asked::Storm(_) => Err(ProbabilityError::NoBody),
         }
     }
+}
+
+/// Refuses what does not go with a table that stands in place of a body.
+pub(super) fn alone(file: &CaseFile, table: Table, what: &str) -> Result<(), CaseError> {
+    let inputs = file.inputs();
+    let other = Table::ALL.into_iter().find(|other| inputs.has(*other) && *other != table);
+    let named = |key: Key| matches!(key, Key::Title | Key::Note);
+    let key = inputs.values().find(|(id, _)| id.table == Table::Top && !named(id.key));
+    let (name, at) = match (other, key) {
+        (Some(other), _) => (other.path(0), Place::from(other)),
+        (None, Some((id, _))) => (id.to_string(), Place::from(id)),
+        (None, None) => return Ok(()),
+    };
+    let allowed = ["title", "note", table.name(), super::RANDOM].map(str::to_owned).to_vec();
+    let problem = RandomProblem::Name { what: what.to_owned(), name, allowed };
+    Err(file.error(Fault::new(problem.into(), at)))
 }
 
 impl Problem {
@@ -73,9 +88,9 @@ impl Problem {
     /// the one. Outcomes are numbered by [`Mode::code`](standfast::Mode::code).
     ///
     /// # Errors
-    /// If the text is no such file, or a storm without a body.
-    pub fn of_text(name: &str, text: &str) -> Result<Vec<Problem>, ProbabilityError> {
-        Asked::read(name, text, None)?.problems(None)
+    /// If the file has no random numbers, or is of a storm without a body.
+    pub fn of_file(file: &CaseFile) -> Result<Vec<Problem>, ProbabilityError> {
+        Asked::of(file, None)?.problems(None)
     }
 }
 

@@ -9,6 +9,7 @@ use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
 use super::problem::Problem;
 use super::quantity::Input;
+use crate::parse::CaseFile;
 use crate::units::Dimension;
 
 /// Draws of the random numbers of a case, with the mode under each: those of plain Monte Carlo with the same seed, the first of
@@ -37,15 +38,14 @@ impl Draws {
     /// So many draws of a file with a `[random]` table. `situation` says which loads act where the case leaves a choice.
     ///
     /// # Errors
-    /// As [`Probability::of_text`](super::Probability::of_text); or if the case has several situations and none of them is named.
-    pub fn of_text(
-        name: &str,
-        text: &str,
+    /// As [`Probability::of`](super::Probability::of); or if the case has several situations and none of them is named.
+    pub fn of(
+        file: &CaseFile,
         situation: Option<&str>,
         count: u64,
         seed: u64,
     ) -> Result<Draws, ProbabilityError> {
-        let problem = one(Asked::read(name, text, None)?.problems(None)?, situation)?;
+        let problem = one(Asked::of(file, None)?.problems(None)?, situation)?;
         let mut values: Vec<Vec<f64>> = problem.random().iter().map(|_| Vec::new()).collect();
         let mut drawn = Vec::new();
         sample::draws(problem.laws(), seed, count, |draw| {
@@ -79,13 +79,13 @@ pub struct WeighedDraws {
 const DRAWS: u64 = 1 << 16;
 
 impl WeighedDraws {
-    /// The draws of the answer to this text: all that plain Monte Carlo counted. Other methods integrate a number or take other points; of
+    /// The draws of the answer to this file: all that plain Monte Carlo counted. Other methods integrate a number or take other points; of
     /// them it is as many draws as their points allow, 65 536 at most, drawn independently by the laws with the same seed.
     ///
     /// # Errors
-    /// If the text is that of another file, or of a storm without a body.
-    pub fn of_text(name: &str, text: &str, answer: &Probability) -> Result<WeighedDraws, ProbabilityError> {
-        let asked = Asked::read(name, text, answer.request.years)?;
+    /// If it is another file, or of a storm without a body.
+    pub fn of(file: &CaseFile, answer: &Probability) -> Result<WeighedDraws, ProbabilityError> {
+        let asked = Asked::of(file, answer.request.years)?;
         let problems = asked.problems(None)?;
         let mut all = WeighedDraws {
             inputs: Vec::new(),

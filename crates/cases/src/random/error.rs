@@ -8,7 +8,6 @@ use thiserror::Error;
 use super::answer::Method;
 use super::storm::SlidingError;
 use crate::error::CaseError;
-use crate::motion::BodyCaseError;
 
 /// Why there is no answer.
 #[derive(Debug, Error, Diagnostic)]
@@ -18,10 +17,6 @@ pub enum ProbabilityError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
-    /// What the case says of time makes no sense.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    InTime(#[from] BodyCaseError),
     /// Nothing is random.
     #[error("the case file has no [random] table, which says what is random and by which law")]
     #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]

@@ -7,7 +7,6 @@ use standfast_figures::{
 };
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
-use toml::de::DeTable;
 
 use super::answer::{Chances, Happening, Method, Probability};
 use super::asked::Asked;
@@ -15,7 +14,9 @@ use super::error::ProbabilityError;
 use super::over::{Fit, Fragility};
 use super::overturn::Overturning;
 use super::storm::Sliding;
+use crate::key::Key;
 use crate::layout::{apart, digits};
+use crate::parse::CaseFile;
 
 mod areas;
 mod cloud;
@@ -41,13 +42,13 @@ impl Probability {
     /// The figures of the answer to this file, of the least safe set of loads: those for which there are numbers.
     ///
     /// # Errors
-    /// As [`of_text`](Probability::of_text), if the text is that of another file.
-    pub fn figures(&self, text: &str) -> Result<Vec<ProbabilityFigure>, ProbabilityError> {
+    /// As [`of`](Probability::of), if it is another file.
+    pub fn figures(&self, file: &CaseFile) -> Result<Vec<ProbabilityFigure>, ProbabilityError> {
         let worst = self.situations.first();
-        let title = self.title(text);
+        let title = self.title(file);
         let figure = |suffix, words, figure| ProbabilityFigure { suffix, words, figure };
         let cloud = match worst {
-            Some(worst) => self.cloud(text, worst, &title)?,
+            Some(worst) => self.cloud(file, worst, &title)?,
             None => None,
         };
         let bars = worst.map(|worst| self.bars(worst, &title));
@@ -71,15 +72,17 @@ impl Probability {
     }
 
     /// The title in the file, or else the file's name.
-    fn title(&self, text: &str) -> String {
-        let document = DeTable::parse(text).ok();
-        let title =
-            document.as_ref().and_then(|document| document.get_ref().get("title")?.get_ref().as_str());
-        title.unwrap_or(&self.case).to_owned()
+    fn title(&self, file: &CaseFile) -> String {
+        file.inputs().text(Key::Title).unwrap_or(&self.case).to_owned()
     }
 
-    fn cloud(&self, text: &str, worst: &Chances, title: &str) -> Result<Option<Figure>, ProbabilityError> {
-        let asked = Asked::read(&self.case, text, None)?;
+    fn cloud(
+        &self,
+        file: &CaseFile,
+        worst: &Chances,
+        title: &str,
+    ) -> Result<Option<Figure>, ProbabilityError> {
+        let asked = Asked::of(file, None)?;
         if matches!(asked, Asked::Storm(_)) {
             return Ok(None);
         }

@@ -66,7 +66,7 @@ impl Components {
     ) -> Result<Components, InputError> {
         let nothing = Wrench::ZERO;
         let mut all = Components {
-            block: situation.block(),
+            block: situation.reduced_block().0,
             base: Base::under(situation, foundation)?,
             formulas,
             thrust: nothing,

@@ -18,10 +18,12 @@ use super::answer::{Happening, Probability, Request};
 use super::asked::{Asked, problems_of};
 use super::chances::event;
 use super::error::ProbabilityError;
+use super::overturn::Overturning;
 use super::problem::Problem;
 use super::quantity::Coordinate;
 use super::resolve::find;
 use crate::couple::vary;
+use crate::parse::CaseFile;
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,19 +101,24 @@ impl Fit {
 }
 
 impl Probability {
-    /// The answer to a file as [`of_text`](Probability::of_text) has it, and along a number if one is asked for.
+    /// The answer to a file as [`of`](Probability::of) has it, and along a number if one is asked for; along the peak of a shaking, the
+    /// bodies are followed in time.
     ///
     /// # Errors
-    /// As [`of_text`](Probability::of_text); or if the number is none of the case, or random itself.
+    /// As [`of`](Probability::of) and [`Overturning::of`]; or if the number is none of the case, or random itself.
     pub fn along(
-        name: &str,
-        text: &str,
+        file: &CaseFile,
         request: Request,
         over: Option<&Over>,
     ) -> Result<Probability, ProbabilityError> {
-        let asked = Asked::read(name, text, request.years)?;
-        let fragility = over.map(|over| over.fragility(&asked, &request)).transpose()?;
-        Ok(Probability { fragility, ..Probability::of_asked(name, &asked, request)? })
+        let asked = Asked::of(file, request.years)?;
+        let in_time = matches!(&asked, Asked::Case { note: Some(_), .. });
+        let of_peak = over.filter(|over| in_time && over.is_of_peak());
+        let along = over.filter(|_| of_peak.is_none());
+        let fragility = along.map(|over| over.fragility(&asked, &request)).transpose()?;
+        let answer = Probability { fragility, ..Probability::of_asked(file.name(), &asked, request)? };
+        let overturning = of_peak.map(|over| Overturning::of(file, &request, over)).transpose()?;
+        Ok(Probability { overturning, ..answer })
     }
 }
 
@@ -168,7 +175,7 @@ impl Over {
                 (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
             }
             Asked::Storm(_) => return Err(ProbabilityError::NoBody),
-            Asked::Case(file) => {
+            Asked::Case { file, .. } => {
                 let case = file.case()?;
                 let unknown = if self.is_of_peak() {
                     "it is the peak of a shaking, and the case has no [motion.base]; that of an [earthquake] is earthquake.horizontal"

@@ -15,13 +15,14 @@
 //! ([`Estimate::of_pairs`]). A lognormal curve is fitted as to any fragility.
 
 use standfast::Wrench;
-use standfast::loads::{Earthquake, Load as StaticLoad, LoadSource, Pose};
-use standfast_motion::record::Record;
-use standfast_motion::{Base, History, Keep, Load, MotionError, Problem as Motion, simulate};
+use standfast::loads::{Load as StaticLoad, LoadSource, Pose};
+use standfast_motion::{
+    Base, History, Keep, Load, MotionError, Problem as Motion, is_own_weight, shaken_water, simulate,
+};
 use standfast_probability::sample::{self, Estimate};
 
-use super::answer::{Probability, Request};
-use super::asked::problems_of;
+use super::answer::Request;
+use super::asked::{Asked, problems_of};
 use super::error::ProbabilityError;
 use super::over::{Fit, Over};
 use super::problem::Problem;
@@ -29,8 +30,6 @@ use super::quantity::{Bias, Input};
 use crate::assess::load_words;
 use crate::case::{Acting, Case};
 use crate::key::Table;
-use crate::layout::paragraph;
-use crate::motion::{ReadFile, acting_as, body_cases, is_own_weight, standing, still_case};
 use crate::parse::CaseFile;
 use crate::units::{Dimension, in_gravity};
 
@@ -70,21 +69,15 @@ pub struct AtPeak {
 }
 
 impl Overturning {
-    /// Follows the bodies of a case in time. `text` is that of the case, `still` the same at the first instant, `file` reads records.
+    /// Follows the bodies of a file in time.
     ///
     /// # Errors
     /// If the base does not move, the case has loads beside its weight, or a motion is refused.
-    pub fn of(
-        name: &str,
-        text: &str,
-        still: &str,
-        request: &Request,
-        over: &Over,
-        file: &ReadFile<'_>,
-    ) -> Result<Overturning, ProbabilityError> {
+    pub fn of(file: &CaseFile, request: &Request, over: &Over) -> Result<Overturning, ProbabilityError> {
         let wrong = |what: &str| over.wrong(what);
-        let case_file = CaseFile::parse(name, still)?;
-        let problem = &problems_of(&case_file, None)?[0];
+        let asked = Asked::of(file, request.years)?;
+        let Asked::Case { file: case_file, .. } = &asked else { return Err(ProbabilityError::NoBody) };
+        let problem = &problems_of(case_file, None)?[0];
         let shaken = |input: &Input| {
             input.variable().is_some_and(|variable| variable.id().key.info().table == Table::Earthquake)
         };
@@ -92,7 +85,7 @@ impl Overturning {
             return Err(wrong("the peak of the shaking is random itself"));
         }
         varies_not(problem, over)?;
-        let motions = body_cases(name, text, file)?;
+        let motions = file.motions()?;
         let [motion] = &motions[..] else { return Err(wrong("the case has loads that act one by one")) };
         let motion = &motion.problem;
         let Some(own) = &motion.base.horizontal else {
@@ -104,9 +97,10 @@ impl Overturning {
         }
         let mut bases = Vec::new();
         for record in &random.records {
-            let text = file(record).map_err(|why| over.wrong(format!("cannot read {record}: {why}")))?;
-            let record = Record::parse(record, &text, None, None);
-            let record = record.map_err(|error| over.wrong(error.to_string()))?;
+            let text = file
+                .beside(record)
+                .ok_or_else(|| over.wrong(format!("cannot read {record}: it is not read yet")))?;
+            let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
             let history = record.history(1.0).map_err(|error| over.wrong(error.to_string()))?;
             bases.push(Base { horizontal: Some(history), vertical: None });
         }
@@ -188,8 +182,7 @@ impl Body {
         // The peaks of the shaking, which the first instant has as an earthquake, come with time.
         let case = Case { earthquake: None, ..problem.case_with(values)? };
         let situation = case.situation(Acting::All, None).ok()?;
-        let (body, gravity, mass) = (situation.body(), case.gravity, situation.body().mass());
-        let stands = standing(&situation, gravity).ok()?;
+        let stands = Motion::standing(&situation).ok()?;
         let mut still = Motion { block: stands.block, loads: stands.loads, ..motion.clone() };
         still.base = Base { horizontal: None, vertical: None };
         if let Some(place) = problem.random().iter().position(Input::is_friction) {
@@ -199,14 +192,10 @@ impl Body {
         let bias = problem.bias(Bias::Force, values).unwrap_or(1.0);
         for load in situation.loads().iter().filter(|load| load.permanent && !is_own_weight(load)) {
             let size = if load.source == LoadSource::Force { bias } else { 1.0 };
-            still.loads.extend(acting_as(load, body, gravity, mass, &History::constant(size).ok()?));
+            still.add(&situation, load, &History::constant(size).ok()?);
         }
         still.loads.retain(|load| load.direction != [0.0, 0.0]);
-        let mut shaken = Vec::new();
-        let water = Earthquake::new(1.0, 0.0).ok()?.loads(&case.added_mass);
-        for load in water.iter().filter(|load| load.source == LoadSource::ShakenWater) {
-            shaken.extend(acting_as(load, body, gravity, mass, &History::constant(1.0).ok()?));
-        }
+        let shaken = shaken_water(&situation, &History::constant(1.0).ok()?).ok()?;
         still.check().ok()?;
         Some(Body { still, shaken })
     }
@@ -268,47 +257,4 @@ fn follow(
     let became: Vec<[bool; 3]> = (0..count).map(|which| parts[which % threads][which / threads]).collect();
     let of_record = |at: &[[bool; 3]]| at.chunks(bodies.len()).map(<[_]>::to_vec).collect();
     Ok(became.chunks(bodies.len() * bases.len()).map(of_record).collect())
-}
-
-/// The answer to a file that may say how its loads go with time, which is asked at the first instant, as `assess` asks it; over the peak of
-/// its shaking the bodies are followed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FirstInstant {
-    /// The answer.
-    pub answer: Probability,
-    /// The text of the case at the first instant.
-    pub still: String,
-    /// That it is of the first instant, in a sentence; none of a case that says nothing of time.
-    pub note: Option<String>,
-}
-
-impl FirstInstant {
-    /// Answers a file; `file` reads the records that it names.
-    ///
-    /// # Errors
-    /// As [`Probability::along`] and [`Overturning::of`].
-    pub fn of(
-        name: &str,
-        text: &str,
-        request: Request,
-        over: Option<&Over>,
-        file: &ReadFile<'_>,
-    ) -> Result<FirstInstant, ProbabilityError> {
-        let (still, note) = match still_case(name, text, file)? {
-            Some((still, note)) => (still, Some(note)),
-            None => (text.to_owned(), None),
-        };
-        let of_peak = over.filter(|over| note.is_some() && over.is_of_peak());
-        let mut answer = Probability::along(name, &still, request, over.filter(|_| of_peak.is_none()))?;
-        if let Some(over) = of_peak {
-            answer.overturning = Some(Overturning::of(name, text, &still, &request, over, file)?);
-        }
-        Ok(FirstInstant { answer, still, note })
-    }
-
-    /// The answer for reading.
-    pub fn text(&self) -> String {
-        let note = self.note.as_ref().map(|note| format!("\n{}", paragraph(&format!("Note: {note}."), 0)));
-        self.answer.text() + &note.unwrap_or_default()
-    }
 }

@@ -35,23 +35,24 @@ impl Coordinate {
     /// All of them.
     pub const ALL: [Coordinate; 4] = [Coordinate::Gamma, Coordinate::KPrime, Coordinate::K, Coordinate::Mu];
 
+    /// The key of `[point]` that it stands under.
+    pub fn key(self) -> Key {
+        match self {
+            Coordinate::Gamma => Key::Gamma,
+            Coordinate::KPrime => Key::KPrime,
+            Coordinate::K => Key::K,
+            Coordinate::Mu => Key::Mu,
+        }
+    }
+
     /// Its name in a case file.
     pub fn name(self) -> &'static str {
-        match self {
-            Coordinate::Gamma => "gamma",
-            Coordinate::KPrime => "k_prime",
-            Coordinate::K => "k",
-            Coordinate::Mu => "mu",
-        }
+        self.key().name()
     }
 
     /// Which values it takes.
     pub fn range(self) -> Range {
-        match self {
-            Coordinate::Gamma => Range::Positive,
-            Coordinate::KPrime => Range::Finite,
-            Coordinate::K | Coordinate::Mu => Range::NotNegative,
-        }
+        self.key().info().range().unwrap_or(Range::Finite)
     }
 }
 

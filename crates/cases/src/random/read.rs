@@ -37,7 +37,7 @@ pub struct Random {
     /// Where each correlation stands.
     pub(super) correlation_spans: Vec<Span<usize>>,
     /// Where the table stands.
-    pub(super) span: Span<usize>,
+    pub(crate) span: Span<usize>,
 }
 
 /// A random number.

@@ -26,8 +26,8 @@ use standfast_probability::sums::{OfEvent, Other, Sums};
 pub use answer::{Exceeded, Followed, Quantile, Rotating, Sliding, SlidingError};
 pub use pulse::Pulse;
 pub use pure::StormField;
-pub(super) use pure::{PureStorm, read_file};
-pub(crate) use read::{STORM, read};
+pub(super) use pure::{PureStorm, of_file};
+pub(super) use read::storm;
 pub(super) use sea::of_case;
 
 /// A storm as it is written.

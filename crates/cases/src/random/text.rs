@@ -15,6 +15,12 @@ use crate::layout::{apart, columns, digits, paragraph, row};
 impl Probability {
     /// The answer as text.
     pub fn text(&self) -> String {
+        let note = self.note.as_ref().map(|note| format!("\n{}", paragraph(&format!("Note: {note}."), 0)));
+        self.chances_and_slides() + &note.unwrap_or_default()
+    }
+
+    /// The answer without its note.
+    fn chances_and_slides(&self) -> String {
         let mut text = String::new();
         if let Some(worst) = self.situations.first() {
             text += &self.chances(worst);

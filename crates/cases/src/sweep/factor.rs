@@ -67,6 +67,16 @@ fn unknown(unknown: &Unknown) -> String {
     }
 }
 
+/// The name that heads a column, and the unit in brackets behind it. As in load[2].force the bracket is part of the name where
+/// nothing parts the two.
+pub fn heading(column: &str) -> (&str, Option<&str>) {
+    let parts = column.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    match parts.filter(|(name, _)| name.ends_with(char::is_whitespace)) {
+        Some((name, unit)) => (name.trim_end(), Some(unit.trim())),
+        None => (column, None),
+    }
+}
+
 impl Factor {
     /// The number of a case that is called `name`, as in [`Variable::find`], and besides one that the file leaves to what is
     /// taken for it, or a bound of the criteria. Plain numbers are in `unit`, or in that of the case file: SI, but for
@@ -225,23 +235,28 @@ fn expected(dimension: Option<Dimension>, gravity: bool) -> String {
 /// Numbers that a file does not have, of which the case is none the less complete: what is taken for them is said, and nothing
 /// goes with them; and bounds, where results are asked for.
 fn silent(inputs: &Inputs) -> impl Iterator<Item = Id> {
-    let open = |key: &&Key| {
+    let open = |key: &Key| {
         let info = key.info();
         // What is said of a list stands with the first of its numbers.
-        let taken = (info.silent.is_some() || info.kind == Kind::OneOfThree) && info.moves == Moves::Alone;
+        let taken =
+            (info.silent.is_some() || matches!(info.kind, Kind::OneOf(..))) && info.moves == Moves::Alone;
         // Of parts, centre, inertia and base follow.
-        let taken = taken && !(inputs.has(Table::Part) && OF_PARTS.contains(*key));
+        let taken = taken && !(inputs.has(Table::Part) && OF_PARTS.contains(key));
         info.range().is_some() && (taken || info.table == Table::Criteria)
     };
-    Key::ALL.iter().filter(open).flat_map(move |key| {
-        let table = key.info().table;
-        let count = match table {
-            Table::Top | Table::Criteria => 1,
-            table => inputs.count(table),
-        };
-        let ids = (0..count).map(|index| Id { key: *key, index });
-        ids.filter(move |id| table == Table::Criteria || inputs.get(*id).is_none())
-    })
+    let in_tables = Table::ALL.into_iter().flat_map(|table| table.keys().map(move |key| (table, key)));
+    in_tables.filter(move |(table, key)| *table != Table::History && open(&key)).flat_map(
+        move |(table, key)| {
+            let count = match table {
+                Table::Top | Table::Criteria => 1,
+                table if table.is_history() => table.parent().map_or(0, |parent| inputs.count(parent)),
+                table => inputs.count(table),
+            };
+            let there = move |index: &usize| !table.is_history() || inputs.has_at(table, *index);
+            let ids = (0..count).filter(there).map(move |index| Id::of(table, index, key));
+            ids.filter(move |id| table == Table::Criteria || inputs.get(*id).is_none())
+        },
+    )
 }
 
 /// The name as some case has it: right but for capitals.

@@ -114,7 +114,7 @@ impl Case {
         let beside = self.forces.iter().enumerate().filter_map(|(index, force)| {
             let distance = force.distance.filter(|_| !matches!(force.direction, Direction::Sideways(_)))?;
             let beside = (left - distance).max(distance - right);
-            let id = Id { key: Key::LoadDistance, index };
+            let id = Id::new(Key::LoadDistance, index);
             (beside > SLACK).then_some(Warning::LoadBesideBody { id, distance, beside })
         });
         beside.collect()
@@ -180,7 +180,7 @@ impl Case {
         warnings.extend(self.parts().enumerate().flat_map(|(index, (_, part))| {
             let of = |key, density: f64| {
                 let is_it = density != 0.0 && !usual.contains(density);
-                is_it.then_some(Warning::PartDensity { id: Id { key, index }, density, extent })
+                is_it.then_some(Warning::PartDensity { id: Id::new(key, index), density, extent })
             };
             let below = part.density_below_water();
             let wet = (below != part.density()).then_some(below);

@@ -1,22 +1,21 @@
 //! Tables of motions.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::path::Path;
 
 use miette::Diagnostic;
+use standfast_cases::CaseFile;
 use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
 use standfast_cases::suggest::closest;
-use standfast_tables::{OnError, TableFormat, WrittenColumn, written};
+use standfast_cases::sweep::heading;
+use standfast_tables::{Face, OnError, TableFormat, WrittenColumn, column_warnings, written};
 use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
 use crate::case_file;
 use crate::progress::Motions;
-use crate::simulate::record_reader;
 use crate::write::{self, WriteError};
 
 /// Why a table of motions was not answered.
@@ -50,6 +49,7 @@ pub enum MotionTableError {
     },
     /// A column that varies nothing it names.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Column(#[from] ColumnError),
     /// No column varies anything.
     #[error("no column of {name} varies anything of the case")]
@@ -86,7 +86,7 @@ pub enum MotionTableError {
 ///
 /// # Errors
 /// If the table, a column or a row makes no sense, or a file cannot be read or written.
-pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, MotionTableError> {
+pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile) -> Result<String, MotionTableError> {
     let is_standard = args.input.as_os_str() == "-";
     let name = if is_standard { "standard input".to_owned() } else { args.input.display().to_string() };
     if !args.map.is_empty() {
@@ -103,16 +103,19 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
     let format = format.map_err(|error| MotionTableError::Output(Box::new(error)))?;
     let nulls = args.on_error == OnError::Null;
     let (header, records) = read(args, &name, nulls)?;
-    let rows = MotionRows::of(&case_file::name(case), text, &header)?;
+    // What a column names, the case need not have beside it.
+    let named = |path: &str| header.iter().any(|column| heading(column).0 == path);
+    let read = case_file::beside(case);
+    let file = file.with_some_files(&read, &|id| !named(&id.to_string())).map_err(ColumnError::from)?;
+    let rows = MotionRows::of(&file, &header)?;
     if rows.varied().next().is_none() {
         return Err(MotionTableError::Nothing { name });
     }
     let results = if args.columns.is_empty() { rows.results() } else { results(&args.columns)? };
-    let file = cached(case.to_owned());
     let threads = threads(args.threads);
     let progress = Motions::shown();
     let answers = in_order(&records, threads, &|progressed| progress.tell(progressed), |record| {
-        rows.answer(&record.iter().collect::<Vec<_>>(), &file)
+        rows.answer(&record.iter().collect::<Vec<_>>(), &read)
     });
     progress.clear();
     let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
@@ -147,8 +150,16 @@ pub fn motions(args: &BatchArgs, case: &Path, text: &str) -> Result<String, Moti
         (name, column)
     });
     let content = written(format, &columns.collect::<Vec<_>>()).map_err(unwritten)?;
-    let varied: Vec<&str> = rows.varied().map(|place| header[place].as_str()).collect();
-    let mut said = paragraph(&format!("varied: {}", varied.join(", ")), 0);
+    let varied: Vec<(usize, String)> = rows.varied().collect();
+    let words = varied.iter().map(|(place, key)| match header[*place].as_str() {
+        column if column == key => key.clone(),
+        column => format!("{key} (column {column})"),
+    });
+    let mut said = paragraph(&format!("varied: {}", words.collect::<Vec<_>>().join(", ")), 0);
+    let places: Vec<usize> = varied.iter().map(|(place, _)| *place).collect();
+    for warning in column_warnings(&file, &header, &places) {
+        said += &paragraph(&format!("warning: {} ({})", warning.words(Face::Program), warning.name()), 0);
+    }
     rows.notes().iter().for_each(|note| said += &paragraph(note, 0));
     if let Some(first) = first {
         said += &format!("warning: {bad} of {} rows without a result; the first: {first}\n", records.len());
@@ -215,17 +226,4 @@ fn results(names: &[String]) -> Result<Vec<usize>, MotionTableError> {
         })
     };
     names.iter().map(place).collect()
-}
-
-/// What reads each file once.
-fn cached(case: PathBuf) -> impl Fn(&str) -> Result<String, String> + Sync {
-    let known: Mutex<BTreeMap<String, Result<String, String>>> = Mutex::default();
-    move |file| {
-        let found = known.lock().unwrap_or_else(PoisonError::into_inner).get(file).cloned();
-        found.unwrap_or_else(|| {
-            let text = record_reader(&case)(file);
-            known.lock().unwrap_or_else(PoisonError::into_inner).insert(file.to_owned(), text.clone());
-            text
-        })
-    }
 }

@@ -5,7 +5,7 @@ use standfast::ground::bearing::{self, Ground, GroundLaw};
 use standfast::ground::load_plane::{GroundLoadPlane, LoadEdge};
 use standfast::ground::strength::{self, CrushChart};
 use standfast::ground::{GroundStage, GroundVerdict};
-use standfast::loads::{Action, Load, LoadKind, LoadSource, Pose};
+use standfast::loads::{Action, AddedMass, Load, LoadKind, LoadSource, Pose};
 use standfast::{Body, Corner, Mode, Situation, Wrench};
 use standfast_figures::{GroundLoadMap, ground_load_lines, ground_load_plane};
 
@@ -30,7 +30,9 @@ fn situation(which: usize, friction: f64) -> Situation {
         2 => of(slender).with(push(-120e3, 3.0)).with(push(-60e3, 7.5)),
         3 => {
             let all = of(body).with(push(-2e6, 7.0)).with(uplift(&body, 0.0, 40e3));
-            all.with_kinetic_friction(0.8 * friction).expect("friction").with_added_mass(1e5).expect("mass")
+            all.with_kinetic_friction(0.8 * friction)
+                .expect("friction")
+                .with_added_mass(AddedMass::of(1e5).expect("mass"))
         }
         4 => {
             let pull =
@@ -210,7 +212,7 @@ fn bands_are_those_of_the_decision() {
             let loads = given.loads().iter().filter(|load| load.source != LoadSource::Weight);
             let bare = Situation::new(*given.body(), friction, 9.81).expect("a situation");
             let bare = bare.with_kinetic_friction(given.kinetic_friction()).expect("friction");
-            let bare = bare.with_added_mass(given.added_mass()).expect("mass").with_weight();
+            let bare = bare.with_added_mass(*given.moved_water()).with_weight();
             let times = |load: &Load| if load.permanent { load.clone() } else { load.clone().times(factor) };
             bare.with_all(loads.map(times).collect::<Vec<_>>())
         };

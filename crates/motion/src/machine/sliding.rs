@@ -4,9 +4,9 @@
 
 use standfast::{Mode, Modes, Slip};
 
-use crate::history::Piece;
 use crate::outcome::{End, Event, Outcome, Why};
 use crate::problem::{Initial, Problem};
+use standfast::history::Piece;
 
 /// A share of what is compared below which nothing is decided here.
 const TIE: f64 = 1e-9;

@@ -15,7 +15,7 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
          law and non-penetration at both corners. Forces are in m g, lengths in B, accelerations in g: `φ_x` and `φ_y` are the reactions \
          of the base, `ζ` is where `φ_y` acts, right of the centre of mass.",
     );
-    let (block, wrench) = (situation.block(), situation.reduced_wrench(total));
+    let (block, wrench) = (situation.reduced_block().0, situation.reduced_wrench(total));
     let Block { b1, b2, d, rho2, m_x, .. } = block;
     let mut add = |about: &str, name: &str, formula: &str, value: f64| {
         let result = Measured::of(value, NONE);

@@ -48,7 +48,7 @@ pub(super) fn steps(
     };
     let whole = case.extent == Extent::Whole;
     let long = if whole { " L_b" } else { "" };
-    let sheet = Sheet { case, inputs, assessed, components, foundation, ground, reaction, long };
+    let sheet = Sheet { inputs, assessed, components, foundation, ground, reaction, long };
     width(steps, reaction, case.extent, ["effective_width", "effective_pressure"]);
     match foundation.limit {
         Some(Limit::Strength(strength)) => sheet.crushing(steps, strength),
@@ -98,7 +98,6 @@ pub(super) fn decision(steps: &mut Steps, assessed: &Assessed) {
 }
 
 struct Sheet<'a> {
-    case: &'a Case,
     inputs: &'a Inputs,
     assessed: &'a Assessed,
     components: &'a [Component],

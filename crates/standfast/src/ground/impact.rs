@@ -43,106 +43,24 @@
 //! Reference: any text on structural dynamics; the triangle and the sudden rise are its cases.
 //!
 //! ```
-//! use standfast::ground::impact::{ElasticBody, History};
-//! use standfast::Wrench;
+//! use standfast::ground::impact::ElasticBody;
+//! use standfast::{History, Wrench};
 //!
 //! // 15 m by 10.5 m, 346 t/m, on 50 and 25 MN/m³.
 //! let body = ElasticBody::new(7.5, 5.25, 346e3, 1062e4, 50e6, 25e6)?;
-//! let triangle = History::triangle(0.05, 0.1)?;
+//! let triangle = History::triangle(1.0, 0.05, 0.1)?;
 //! let push = Wrench { x: -9.4e5, p: 0.0, m: 0.0 };
 //! let answer = body.response(&Wrench { x: 0.0, p: 2.3e6, m: 0.0 }, &[(push, triangle)], 0.6, None)?;
 //! assert!(answer.periods[0] > answer.periods[1]);
-//! # Ok::<(), standfast::InputError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 use std::f64::consts::TAU;
 
 use crate::error::InputError;
+use crate::history::{Change, History};
 use crate::quantity::{Expected, Quantity};
 use crate::wrench::Wrench;
-
-/// A share of a load over time: zero before it begins, linear between its moments, constant after the last.
-#[derive(Debug, Clone, PartialEq)]
-pub struct History {
-    /// Moment, s, and share there; two of one moment are a step.
-    points: Vec<[f64; 2]>,
-}
-
-impl History {
-    /// Moments (s, from zero on, not falling) and the share of the load at each. A share at the first moment that is not zero is a step.
-    ///
-    /// # Errors
-    /// If there is no moment, a moment is negative or before the last, or a number is not finite.
-    pub fn new(points: &[[f64; 2]]) -> Result<History, InputError> {
-        let mut last = 0.0;
-        for [t, share] in points {
-            InputError::not_negative(Quantity::LoadTime, *t)?;
-            InputError::finite(Quantity::LoadShare, *share)?;
-            if *t < last {
-                return Err(InputError::new(Quantity::LoadTime, *t, Expected::TimesInOrder));
-            }
-            last = *t;
-        }
-        if points.is_empty() {
-            return Err(InputError::new(Quantity::LoadTime, f64::NAN, Expected::TimesInOrder));
-        }
-        Ok(History { points: points.to_vec() })
-    }
-
-    /// A load that rises to its whole in `rise` (s) and is gone at `duration` (s).
-    ///
-    /// # Errors
-    /// If `rise` is negative or not below `duration`.
-    pub fn triangle(rise: f64, duration: f64) -> Result<History, InputError> {
-        History::new(&[[0.0, 0.0], [rise, 1.0], [duration, 0.0]])
-    }
-
-    /// The share at a moment; after a step at that moment.
-    pub fn at(&self, t: f64) -> f64 {
-        let next = self.points.partition_point(|point| point[0] <= t);
-        let Some([from, low]) = next.checked_sub(1).map(|last| self.points[last]) else { return 0.0 };
-        let Some([to, high]) = self.points.get(next) else { return low };
-        low + (high - low) * (t - from) / (to - from)
-    }
-
-    /// Moment, s, and share there; two of one moment are a step.
-    pub fn points(&self) -> &[[f64; 2]] {
-        &self.points
-    }
-
-    fn end(&self) -> f64 {
-        self.points[self.points.len() - 1][0]
-    }
-
-    /// What changes, moment by moment: the load is the sum of what they add from there on.
-    pub fn changes(&self) -> Vec<Change> {
-        let mut changes = vec![Change { at: self.points[0][0], step: self.points[0][1], slope: 0.0 }];
-        let mut slope = 0.0;
-        for pair in self.points.windows(2) {
-            let ([from, low], [to, high]) = (pair[0], pair[1]);
-            if to == from {
-                changes.push(Change { at: to, step: high - low, slope: 0.0 });
-                continue;
-            }
-            let next = (high - low) / (to - from);
-            changes.push(Change { at: from, step: 0.0, slope: next - slope });
-            slope = next;
-        }
-        changes.push(Change { at: self.end(), step: 0.0, slope: -slope });
-        changes
-    }
-}
-
-/// From a moment on, so much more and so much steeper.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Change {
-    /// The moment, s.
-    pub at: f64,
-    /// The share that is added at once.
-    pub step: f64,
-    /// What is added to the slope, 1/s.
-    pub slope: f64,
-}
 
 /// a + bτ + Σ (c cos ωτ + s sin ωτ) from a moment on.
 #[derive(Debug, Clone, Copy, Default)]
@@ -375,7 +293,7 @@ impl ElasticBody {
     /// that yields at `strength` (Pa), if at all. Wrenches are at C.
     ///
     /// # Errors
-    /// If a number is not finite, the permanent loads do not press, or `mu` or `strength` is negative.
+    /// If a number is not finite, the permanent loads do not press, `mu` or `strength` is negative, or a history has sines.
     pub fn response(
         &self,
         permanent: &Wrench,
@@ -392,13 +310,23 @@ impl ElasticBody {
             InputError::finite(Quantity::WrenchM, wrench.m)?;
         }
         let ω = self.frequencies();
-        let end = loads.iter().map(|(_, history)| history.end()).fold(0.0, f64::max);
+        let mut changes: Vec<(Wrench, Change)> = Vec::new();
+        for (wrench, history) in loads {
+            let lines = history.changes();
+            let lines = lines
+                .ok_or_else(|| InputError::new(Quantity::LoadShare, f64::NAN, Expected::StraightLines))?;
+            for change in lines {
+                InputError::not_negative(Quantity::LoadTime, change.at)?;
+                changes.push((*wrench, change));
+            }
+        }
+        let end = changes.iter().map(|(_, change)| change.at).fold(0.0, f64::max);
         let until = end + 2.0 * TAU / ω[0];
-        let borne = self.borne(&ω, loads, until);
+        let borne = self.borne(&ω, &changes, until);
         let applied = |of: &dyn Fn(&Wrench) -> f64| {
             let at = |t: f64| loads.iter().map(|(w, history)| of(w) * history.at(t)).sum::<f64>().abs();
             let before = |t: f64| at(t).max(at(t.next_down()));
-            loads.iter().flat_map(|(_, h)| &h.points).map(|point| before(point[0])).fold(0.0, f64::max)
+            changes.iter().map(|(_, change)| before(change.at)).fold(0.0, f64::max)
         };
         let d = self.depth;
         let about = |w: &Wrench| w.m - w.x * d;
@@ -459,10 +387,8 @@ impl ElasticBody {
     }
 
     /// S, N and M_O of the loads that vary: waves between moments at which a load changes.
-    fn borne(&self, ω: &[f64; 3], loads: &[(Wrench, History)], until: f64) -> Vec<(f64, f64, [Wave; 3])> {
+    fn borne(&self, ω: &[f64; 3], changes: &[(Wrench, Change)], until: f64) -> Vec<(f64, f64, [Wave; 3])> {
         let shares = self.shares(ω);
-        let changes: Vec<(Wrench, Change)> =
-            loads.iter().flat_map(|(w, history)| history.changes().into_iter().map(|c| (*w, c))).collect();
         let mut moments: Vec<f64> = changes.iter().map(|(_, change)| change.at).chain([0.0, until]).collect();
         moments.sort_by(f64::total_cmp);
         moments.dedup();

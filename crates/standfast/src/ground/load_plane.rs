@@ -106,7 +106,7 @@ pub(super) struct Rising {
 impl Rising {
     pub(super) fn of(situation: &Situation) -> Rising {
         let at = |factor: f64| situation.reduced_wrench(&situation.wrench_at(factor, Pose::UPRIGHT));
-        let block = situation.block();
+        let block = situation.reduced_block().0;
         let permanent = at(0.0);
         let ratio = contact::with_friction(&block, 1.0).mu_k;
         Rising { block, permanent, variable: at(1.0) + permanent * -1.0, ratio }

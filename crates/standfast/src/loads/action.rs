@@ -179,26 +179,96 @@ impl Action {
         Action::Pressure { face: Face::Base, diagram }
     }
 
+    /// The forces on a `body` at the acceleration of gravity `gravity` (m/s²) that it amounts to, whatever the pose: weight,
+    /// forces and inertia keep their direction in space, a pressure turns with its face. A moment without force is a couple.
+    pub fn forces(&self, body: &Body, gravity: f64) -> Vec<BodyForce> {
+        match self {
+            Action::Pressure { face, diagram } => pressing(body, *face, diagram),
+            Action::Resultant(Wrench { x, p, m }) => {
+                let force = BodyForce { at: [0.0; 2], size: [*x, 0.0 - p], follows: false };
+                [force].into_iter().chain(couple(*m).into_iter().flatten()).collect()
+            }
+            Action::Weight | Action::Force { .. } | Action::Inertia { .. } => vec![self.force(body, gravity)],
+        }
+    }
+
+    /// The force that a weight, a force or an inertia is; nothing of what is a pressure or a wrench.
+    fn force(&self, body: &Body, gravity: f64) -> BodyForce {
+        let (at, size) = match self {
+            Action::Weight => ([0.0; 2], [0.0, -body.mass() * gravity]),
+            Action::Force { at, right, up } => {
+                ([at.x - body.centroid_offset(), at.y - body.centroid_height()], [*right, *up])
+            }
+            Action::Inertia { right, up } => ([0.0; 2], [0.0 - body.mass() * right, 0.0 - body.mass() * up]),
+            Action::Pressure { .. } | Action::Resultant(_) => ([0.0; 2], [0.0; 2]),
+        };
+        BodyForce { at, size, follows: false }
+    }
+
     /// The wrench at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
     pub fn wrench(&self, body: &Body, gravity: f64, pose: Pose) -> Wrench {
-        let (sin, cos) = pose.theta.sin_cos();
         match self {
-            Action::Weight => Wrench { x: 0.0, p: body.mass() * gravity, m: 0.0 },
-            Action::Force { at, right, up } => {
-                let (x, y) = (at.x - body.centroid_offset(), at.y - body.centroid_height());
-                let (x, y) = (x * cos - y * sin, x * sin + y * cos);
-                Wrench { x: *right, p: 0.0 - up, m: x * up - y * right }
-            }
-            Action::Pressure { face, diagram } => {
-                let Wrench { x, p, m } = pressed(body, *face, diagram);
-                // The force turns with the face; its moment about C does not change.
-                Wrench { x: x * cos + p * sin, p: p * cos - x * sin, m }
-            }
-            Action::Inertia { right, up } => {
-                Wrench { x: 0.0 - body.mass() * right, p: body.mass() * up, m: 0.0 }
-            }
+            // As it is given, without the rounding of forces and couples.
             Action::Resultant(wrench) => *wrench,
+            Action::Pressure { face, diagram } if pose == Pose::UPRIGHT => pressed(body, *face, diagram),
+            Action::Pressure { face, diagram } => {
+                pressing(body, *face, diagram).iter().map(|force| force.wrench(pose)).sum()
+            }
+            _ => Wrench::ZERO + self.force(body, gravity).wrench(pose),
         }
+    }
+}
+
+/// A force on a body, per metre of its length where the body is so long.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyForce {
+    /// Where it acts from the centre of mass while the body stands upright, to the right and upwards, m; the place moves with the body.
+    pub at: [f64; 2],
+    /// To the right and upwards while the body stands upright, N.
+    pub size: [f64; 2],
+    /// Whether its direction turns with the body.
+    pub follows: bool,
+}
+
+impl BodyForce {
+    /// Its wrench at the centre of mass for a pose of the body.
+    pub fn wrench(&self, pose: Pose) -> Wrench {
+        let (sin, cos) = pose.theta.sin_cos();
+        let turned = |[x, y]: [f64; 2]| [x * cos - y * sin, x * sin + y * cos];
+        let [x, y] = turned(self.at);
+        let [right, up] = if self.follows { turned(self.size) } else { self.size };
+        let m = if self.follows {
+            // The moment about C does not change.
+            self.at[0] * self.size[1] - self.at[1] * self.size[0]
+        } else {
+            x * up - y * right
+        };
+        Wrench { x: right, p: 0.0 - up, m }
+    }
+}
+
+/// Two forces that add up to nothing but a moment, counter-clockwise, that the body's turning does not change.
+fn couple(moment: f64) -> Option<[BodyForce; 2]> {
+    let force = |x: f64, up: f64| BodyForce { at: [x, 0.0], size: [0.0, up], follows: true };
+    (moment != 0.0).then(|| [force(1.0, moment), force(0.0, 0.0 - moment)])
+}
+
+/// The resultant of a pressure where it acts on its face, or the couple that is left where it has none.
+fn pressing(body: &Body, face: Face, diagram: &PressureDiagram) -> Vec<BodyForce> {
+    let Wrench { x, p, m } = pressed(body, face, diagram);
+    let up = 0.0 - p;
+    let at = match face {
+        Face::Left | Face::Right if x != 0.0 => {
+            let side = if face == Face::Left { -0.5 } else { 0.5 };
+            Some([side * body.width() - body.centroid_offset(), -m / x])
+        }
+        Face::Base if up != 0.0 => Some([m / up, -body.centroid_height()]),
+        Face::Top if up != 0.0 => Some([m / up, body.height() - body.centroid_height()]),
+        _ => None,
+    };
+    match at {
+        Some(at) => vec![BodyForce { at, size: [x, up], follows: true }],
+        None => couple(m).into_iter().flatten().collect(),
     }
 }
 

@@ -81,6 +81,15 @@ impl AddedMass {
         Ok(AddedMass { mass: InputError::not_negative(Quantity::AddedMass, mass)?, height: None })
     }
 
+    /// The same, pressing on a shaken wall at a height above the base (m).
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn at(self, height: f64) -> Result<AddedMass, InputError> {
+        let height = InputError::not_negative(Quantity::ForceElevation, height)?;
+        Ok(AddedMass { height: (self.mass > 0.0).then_some(height), ..self })
+    }
+
     /// Water of `density` (kg/m³) beside a wall, as deep as `depths` (m) on one side or on each of both.
     ///
     /// # Errors

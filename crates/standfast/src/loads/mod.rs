@@ -19,13 +19,14 @@ mod uplift;
 mod water;
 pub mod wave;
 
-pub use action::{Action, Face, Place, Pose, PressureAt, PressureDiagram};
+pub use action::{Action, BodyForce, Face, Place, Pose, PressureAt, PressureDiagram};
 pub use earthquake::{AddedMass, Earthquake};
 pub use force::{HorizontalForce, Reduced};
 pub use uplift::Uplift;
 pub use water::StillWater;
 
 use crate::body::Body;
+use crate::history::History;
 use crate::wrench::Wrench;
 
 /// How a load counts among the [classical actions](crate::ClassicalActions).
@@ -77,9 +78,15 @@ pub enum LoadSource {
     Other,
 }
 
+/// A number by which whoever makes loads finds each again: two loads that are equal otherwise are told apart by it alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct LoadId(pub u64);
+
 /// A load on a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
+    /// Which of its maker's loads it is; 0 where nobody asks.
+    pub id: LoadId,
     /// Where it comes from.
     pub source: LoadSource,
     /// How it counts.
@@ -92,12 +99,24 @@ pub struct Load {
     pub factor: f64,
     /// What acts where.
     pub action: Action,
+    /// How its size goes with time, as a share of what acts; `None` of a load of which nothing is said, which a problem of
+    /// rest takes as it is.
+    pub history: Option<History>,
 }
 
 impl Load {
     /// A load that is there all the time.
     pub fn permanent(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
-        Load { source, kind, name: None, permanent: true, factor: 1.0, action: action.into() }
+        Load {
+            id: LoadId::default(),
+            source,
+            kind,
+            name: None,
+            permanent: true,
+            factor: 1.0,
+            action: action.into(),
+            history: None,
+        }
     }
 
     /// A load that grows with the load factor.
@@ -127,6 +146,16 @@ impl Load {
         Load { name: Some(name.into()), ..self }
     }
 
+    /// The same as one of its maker's loads.
+    pub fn with_id(self, id: LoadId) -> Load {
+        Load { id, ..self }
+    }
+
+    /// The same with a history.
+    pub fn over_time(self, history: History) -> Load {
+        Load { history: Some(history), ..self }
+    }
+
     /// The same multiplied by a partial factor.
     pub fn times(self, factor: f64) -> Load {
         Load { factor: self.factor * factor, ..self }
@@ -135,5 +164,14 @@ impl Load {
     /// What it amounts to at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
     pub fn wrench(&self, body: &Body, gravity: f64, pose: Pose) -> Wrench {
         self.action.wrench(body, gravity, pose) * self.factor
+    }
+
+    /// The forces that it is made of, times its factor; see [`Action::forces`].
+    pub fn forces(&self, body: &Body, gravity: f64) -> Vec<BodyForce> {
+        let mut forces = self.action.forces(body, gravity);
+        for force in &mut forces {
+            force.size = force.size.map(|size| size * self.factor);
+        }
+        forces
     }
 }

@@ -10,7 +10,7 @@ use crate::design::text::words;
 use crate::key::KeyInfo;
 use crate::units::Dimension;
 
-pub(super) fn draw(boundary: &Boundary<'_>) -> Option<Figure> {
+pub(super) fn draw(boundary: &Boundary) -> Option<Figure> {
     let Boundary { request, up, across, present, .. } = boundary;
     let (upwards, rightwards) = (Axis::of(up), Axis::of(across));
     let end = |end: &End| SetEnd { value: end.value / upwards.scale, by: end.beyond.by() };

@@ -23,21 +23,21 @@ use standfast::Mode;
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::Inputs as Laws;
 use standfast_probability::sample::Estimate;
-use toml::de::DeTable;
 
 use super::answer::{SlidingError, sliding};
-use super::read::{KEYS, STORM, measured, of_all, only};
+use super::read::storm;
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
-use crate::error::CaseError;
-use crate::key::Range;
-use crate::random::RANDOM;
+use crate::error::{CaseError, Fault, Place};
+use crate::key::{Key, Range, Table};
+use crate::parse::CaseFile;
 use crate::random::answer::{
     Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber, Request,
 };
+use crate::random::asked::alone;
 use crate::random::error::ProbabilityError;
 use crate::random::outcome::exclusive;
 use crate::random::quantity::{Bias, Input, Quantity};
-use crate::random::read::{At, Random, RandomProblem, Rate, read as read_random, table, wrong as of_type};
+use crate::random::read::{At, Random, RandomProblem, Rate};
 use crate::random::resolve::{Names, Resolve};
 use crate::units::Dimension;
 
@@ -69,35 +69,31 @@ impl StormField {
         StormField::Friction,
     ];
 
+    /// The key of `[storm]` that it stands under.
+    pub fn key(self) -> Key {
+        match self {
+            StormField::SignificantHeight => Key::StormHeight,
+            StormField::ForcePerHeight => Key::ForcePerHeight,
+            StormField::UpliftPerHeight => Key::UpliftPerHeight,
+            StormField::BuoyantWeight => Key::StormWeight,
+            StormField::Mass => Key::StormMass,
+            StormField::Friction => Key::StormFriction,
+        }
+    }
+
     /// Its name in a case file.
     pub fn name(self) -> &'static str {
-        match self {
-            StormField::SignificantHeight => "significant_height",
-            StormField::ForcePerHeight => "force_per_height",
-            StormField::UpliftPerHeight => "uplift_per_height",
-            StormField::BuoyantWeight => "buoyant_weight",
-            StormField::Mass => "mass",
-            StormField::Friction => "friction",
-        }
+        self.key().name()
     }
 
     /// What it measures; none of a plain number.
     pub fn dimension(self) -> Option<Dimension> {
-        match self {
-            StormField::SignificantHeight => Some(Dimension::Length),
-            StormField::ForcePerHeight | StormField::UpliftPerHeight => Some(Dimension::Pressure),
-            StormField::BuoyantWeight => Some(Dimension::Force),
-            StormField::Mass => Some(Dimension::Mass),
-            StormField::Friction => None,
-        }
+        self.key().info().dimension()
     }
 
     /// Which values it takes.
     pub(in crate::random) fn range(self) -> Range {
-        match self {
-            StormField::ForcePerHeight | StormField::UpliftPerHeight => Range::NotNegative,
-            _ => Range::Positive,
-        }
+        self.key().info().range().unwrap_or(Range::Positive)
     }
 }
 
@@ -111,55 +107,50 @@ pub(in crate::random) struct PureStorm {
     years: Option<f64>,
 }
 
-/// The problem, if the text is of a storm without a body; none if it is of a case.
-pub(in crate::random) fn read_file(
-    name: &str,
-    text: &str,
-    top: &DeTable<'_>,
+/// The problem, if the file is of a storm without a body; none if it is of a case.
+///
+/// # Errors
+/// If it says what such a storm does not have, or lacks a number.
+pub(in crate::random) fn of_file(
+    file: &CaseFile,
     years: Option<f64>,
 ) -> Result<Option<PureStorm>, CaseError> {
-    let Some(item) = top.get(STORM).filter(|_| top.get("body").is_none()) else { return Ok(None) };
-    let wrong = |(problem, span): (RandomProblem, _)| CaseError::new(name, text, problem.into(), vec![span]);
-    let allowed = ["title", "note", STORM, RANDOM];
-    if let Some((key, _)) = top.iter().find(|(key, _)| !allowed.contains(&key.get_ref().as_ref())) {
-        let (what, name) = ("a file with a [storm] and no [body]".to_owned(), key.get_ref().to_string());
-        let allowed = allowed.map(str::to_owned).to_vec();
-        return Err(wrong((RandomProblem::Name { what, name, allowed }, key.span())));
+    let inputs = file.inputs();
+    if !inputs.has(Table::Storm) || inputs.has(Table::Body) {
+        return Ok(None);
     }
-    let random = match top.get(RANDOM) {
-        Some(value) => read_random(value).map_err(wrong)?,
-        None => return Err(wrong((RandomProblem::Nothing, item.span()))),
+    alone(file, Table::Storm, "a file with a [storm] and no [body]")?;
+    let wrong = |(problem, span): (RandomProblem, _)| file.random_error(problem, span);
+    let fault = |message: String, at: Place| file.error(Fault::new(RandomProblem::Other(message).into(), at));
+    let random =
+        file.random().ok_or_else(|| file.error(Fault::new(RandomProblem::Nothing.into(), Table::Storm)))?;
+    if inputs.truth(Key::StormCut) == Some(true) {
+        let message =
+            "`cut` of [storm] is true; expected false, because without a [body] no sea has an H_max";
+        return Err(fault(message.to_owned(), Key::StormCut.into()));
+    }
+    let storm = storm(inputs).map_err(|fault| file.error(fault))?;
+    let Some(storm) = storm.map(|storm| Storm { is_cut: false, ..storm }) else { return Ok(None) };
+    let Tau0::Given(tau0) = storm.tau0 else {
+        let message = "\"shimosako-takahashi\" takes the waves of a case; expected a time".to_owned();
+        return Err(fault(message, Key::StormTau0.into()));
     };
-    let storm = table(item, "`storm`", "a table").and_then(|table| {
-        let fields = StormField::ALL.map(StormField::name);
-        only(table, &KEYS.into_iter().chain(fields).chain(["cut"]).collect::<Vec<_>>())?;
-        if let Some(cut) = table.get("cut").filter(|cut| cut.get_ref().as_bool() != Some(false)) {
-            let expected = "false, because without a [body] no sea has an H_max";
-            return Err(of_type(cut, "`cut` of [storm]", expected));
-        }
-        let storm = of_all(item, table)?;
-        let Tau0::Given(tau0) = storm.tau0 else {
-            let message = "\"shimosako-takahashi\" takes the waves of a case; expected a time".to_owned();
-            return Err((RandomProblem::Other(message), item.span()));
+    let mut values = [1.0; 6];
+    for field in StormField::ALL {
+        let name = field.name();
+        let is_random = random.named.iter().any(|named| named.name == name);
+        values[field as usize] = match inputs.number(field.key()) {
+            Some(value) => value,
+            // Its law says what it is.
+            None if is_random => 1.0,
+            None if field == StormField::UpliftPerHeight => 0.0,
+            None => {
+                let message = format!("[storm] lacks `{name}`, which is not random either");
+                return Err(fault(message, Table::Storm.into()));
+            }
         };
-        let mut values = [1.0; 6];
-        for field in StormField::ALL {
-            let name = field.name();
-            let is_random = random.named.iter().any(|named| named.name == name);
-            values[field as usize] = match table.get(name) {
-                Some(value) => measured(value, name, field.dimension())?,
-                // Its law says what it is.
-                None if is_random => 1.0,
-                None if field == StormField::UpliftPerHeight => 0.0,
-                None => {
-                    let message = format!("[storm] lacks `{name}`, which is not random either");
-                    return Err((RandomProblem::Other(message), item.span()));
-                }
-            };
-        }
-        PureStorm::of(storm, values, tau0, &random, years)
-    });
-    storm.map(Some).map_err(wrong)
+    }
+    PureStorm::of(storm, values, tau0, random, years).map(Some).map_err(wrong)
 }
 
 impl PureStorm {
@@ -236,6 +227,7 @@ impl PureStorm {
             sliding: Some(sliding),
             overturning: None,
             fragility: None,
+            note: None,
         })
     }
 

@@ -5,11 +5,10 @@
 
 use standfast::loads::{LoadSource, Pose};
 use standfast::wave::Goda;
-use standfast_motion::{History, Keep, simulate};
+use standfast_motion::{History, Keep, Problem, is_own_weight, simulate};
 use standfast_probability::sums::Other;
 
 use crate::case::{Acting, Case, Waves};
-use crate::motion::{acting_as, is_own_weight, standing};
 use crate::random::quantity::Bias;
 
 /// What comes of the wave: how far the body has slid at the end, and whether it overturned. None if it cannot be followed.
@@ -24,7 +23,7 @@ pub(super) fn wave(
     let case = Case { wave: Some(Waves { goda, ..waves.clone() }), ..case.clone() };
     let situation = case.situation(Acting::All, None).ok()?;
     let body = situation.body();
-    let mut problem = standing(&situation, case.gravity).ok()?;
+    let mut problem = Problem::standing(&situation).ok()?;
     (problem.block.mu_s, problem.block.mu_k) = (mu_s, mu_k);
     for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
         if load.wrench(body, case.gravity, Pose::UPRIGHT) == standfast::Wrench::ZERO {
@@ -36,7 +35,7 @@ pub(super) fn wave(
             LoadSource::Force => History::constant(bias(Bias::Force)),
             _ => History::constant(1.0),
         };
-        problem.loads.extend(acting_as(load, body, case.gravity, body.mass(), &history.ok()?));
+        problem.add(&situation, load, &history.ok()?);
     }
     let outcome = simulate(&problem, Keep::default()).ok()?;
     Some(Other { amount: outcome.slide.abs(), ends: outcome.overturned() })

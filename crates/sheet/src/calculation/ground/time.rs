@@ -1,7 +1,8 @@
 //! A short thrust on springs: periods, and what the base bears when it bears most.
 
 use standfast::Wrench;
-use standfast::ground::impact::{Change, History, ImpactEvent, ImpactResponse};
+use standfast::ground::impact::{ImpactEvent, ImpactResponse};
+use standfast::history::{Change, History};
 use standfast_cases::assess::ground::Elastic;
 
 use super::super::loads::{grouped, parts, sum};
@@ -73,13 +74,9 @@ impl Sheet<'_> {
 
     /// D: formulas where the loads in time have one course; where they have several, what the sum is and why it is not put in.
     fn amplified(&self, steps: &mut Steps, impact: &ImpactResponse, swaying: &Swaying) {
-        let histories = self.assessed.component_histories(self.case);
-        let timed: Vec<(usize, Wrench, &History)> = self
-            .components
-            .iter()
-            .zip(histories)
-            .enumerate()
-            .filter_map(|(i, (component, history))| Some((i, component.wrench, history?)))
+        let timed = self.components.iter().enumerate();
+        let timed: Vec<(usize, Wrench, &History)> = timed
+            .filter_map(|(i, component)| Some((i, component.wrench, component.load.history.as_ref()?)))
             .collect();
         let one = timed.first().filter(|(_, _, first)| timed.iter().all(|(_, _, other)| other == first));
         let Some((_, _, history)) = one else {
@@ -122,7 +119,7 @@ impl Sheet<'_> {
             None => "−X_T y_C".to_owned(),
         };
         steps.add("", "", ["M_T", &formula], moment, MOMENT, "");
-        let peak = history.points().iter().fold(0.0, |most: f64, [_, share]| most.max(share.abs()));
+        let peak = history.peak();
         steps.told("Their largest share in time", "f_m", peak, NONE, "as given", "");
         let changes = changes(steps, history);
         self.shares(steps, impact, swaying, (total.x, moment));
@@ -195,7 +192,8 @@ struct Numbered {
 
 /// The moments at which a load changes, and by how much.
 fn changes(steps: &mut Steps, history: &History) -> Vec<Numbered> {
-    let real = history.changes().into_iter().filter(|change| change.step != 0.0 || change.slope != 0.0);
+    let real =
+        history.changes().into_iter().flatten().filter(|change| change.step != 0.0 || change.slope != 0.0);
     let numbered: Vec<_> = real.enumerate().map(|(i, change)| Numbered { change, number: i + 1 }).collect();
     for Numbered { change, number } in &numbered {
         let about = if *number == 1 {

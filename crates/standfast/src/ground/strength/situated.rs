@@ -52,7 +52,7 @@ pub fn outcome(situation: &Situation, strength: f64) -> Result<CrushOutcome, Inp
     let body = situation.body();
     // Lengths in B, forces in m g, as those of the situation's block.
     let (half_width, weight) = (body.width() / 2.0, body.mass() * situation.gravity());
-    let block = situation.block();
+    let block = situation.reduced_block().0;
     let at = |factor: f64| situation.reduced_wrench(&situation.wrench_at(factor, Pose::UPRIGHT));
     let permanent = at(0.0);
     let solution = solve(&block, &at(1.0), reduced)?;

@@ -1,6 +1,71 @@
-//! How a load or the ground's acceleration goes with time: pieces that are lines or sines, zero before the first and after the last.
+//! How does a load, or the acceleration of the ground, go with time? In pieces that are lines or sines, zero before the first and
+//! after the last.
 
-use crate::error::{MotionError, Problematic};
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::number::exact;
+
+/// The fault of one point of a history.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointFault {
+    /// Its time is not a finite number.
+    Time,
+    /// Its value is not a finite number.
+    Value,
+    /// Its time is not above that before it.
+    NotRising,
+}
+
+/// A history that cannot be.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum HistoryError {
+    /// A number of a shape.
+    #[error("{name} is {}; expected {expected}", exact(*.value))]
+    Value {
+        /// Its name in a case file.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// Lists of points that differ in length.
+    #[error("{times} times and {values} values; expected as many of each")]
+    Lengths {
+        /// Times.
+        times: usize,
+        /// Values.
+        values: usize,
+    },
+    /// Fewer than two points.
+    #[error("{count} points; expected two at least")]
+    FewPoints {
+        /// How many there are.
+        count: usize,
+    },
+    /// A point.
+    #[error("point {}: {}", index + 1, words(*fault, *value))]
+    Point {
+        /// Which point, from 0.
+        index: usize,
+        /// The number.
+        value: f64,
+        /// What is wrong with it.
+        fault: PointFault,
+    },
+}
+
+fn words(fault: PointFault, value: f64) -> String {
+    let value = exact(value);
+    match fault {
+        PointFault::Time => format!("its time is {value}; expected a finite number"),
+        PointFault::Value => format!("its value is {value}; expected a finite number"),
+        PointFault::NotRising => format!("its time is {value}; expected one after that of the point before"),
+    }
+}
 
 /// A piece, over the time since it began.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +89,8 @@ pub enum Piece {
 }
 
 impl Piece {
-    pub(crate) const ZERO: Piece = Piece::Line { value: 0.0, slope: 0.0 };
+    /// Nothing.
+    pub const ZERO: Piece = Piece::Line { value: 0.0, slope: 0.0 };
 
     /// Its value τ after its beginning.
     pub fn at(&self, τ: f64) -> f64 {
@@ -39,32 +105,32 @@ impl Piece {
 /// A function of time, made of pieces that follow each other.
 ///
 /// ```
-/// use standfast_motion::History;
+/// use standfast::History;
 /// let wave = History::triangle(1.725, 0.0771, 0.231)?;
 /// assert_eq!(wave.at(0.0771), 1.725);
 /// assert_eq!(wave.at(0.3), 0.0);
-/// # Ok::<(), standfast_motion::MotionError>(())
+/// # Ok::<(), standfast::HistoryError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct History {
     /// One more than there are pieces.
-    times: Vec<f64>,
-    pieces: Vec<Piece>,
+    times: Arc<[f64]>,
+    pieces: Arc<[Piece]>,
 }
 
-fn finite(name: &'static str, value: f64) -> Result<f64, MotionError> {
+fn finite(name: &'static str, value: f64) -> Result<f64, HistoryError> {
     if value.is_finite() && value.abs() < 1e50 {
         Ok(value)
     } else {
-        Err(MotionError::Value { name, value, expected: "a finite number" })
+        Err(HistoryError::Value { name, value, expected: "a finite number" })
     }
 }
 
-fn positive(name: &'static str, value: f64) -> Result<f64, MotionError> {
+fn positive(name: &'static str, value: f64) -> Result<f64, HistoryError> {
     if value > 0.0 && value < 1e50 {
         Ok(value)
     } else {
-        Err(MotionError::Value { name, value, expected: "a number above zero" })
+        Err(HistoryError::Value { name, value, expected: "a number above zero" })
     }
 }
 
@@ -72,7 +138,7 @@ impl History {
     fn of(pieces: Vec<(f64, Piece)>, end: f64) -> History {
         let mut times: Vec<f64> = pieces.iter().map(|piece| piece.0).collect();
         times.push(end);
-        History { times, pieces: pieces.into_iter().map(|piece| piece.1).collect() }
+        History { times: times.into(), pieces: pieces.into_iter().map(|piece| piece.1).collect() }
     }
 
     fn lines(points: &[(f64, f64)]) -> History {
@@ -88,7 +154,7 @@ impl History {
     ///
     /// # Errors
     /// If it is not finite.
-    pub fn constant(peak: f64) -> Result<History, MotionError> {
+    pub fn constant(peak: f64) -> Result<History, HistoryError> {
         Ok(History::of(vec![(0.0, Piece::Line { value: finite("peak", peak)?, slope: 0.0 })], f64::INFINITY))
     }
 
@@ -96,7 +162,7 @@ impl History {
     ///
     /// # Errors
     /// If the duration is not above zero, or a number is not finite.
-    pub fn rect(peak: f64, duration: f64) -> Result<History, MotionError> {
+    pub fn rect(peak: f64, duration: f64) -> Result<History, HistoryError> {
         let piece = Piece::Line { value: finite("peak", peak)?, slope: 0.0 };
         Ok(History::of(vec![(0.0, piece)], positive("duration", duration)?))
     }
@@ -105,10 +171,10 @@ impl History {
     ///
     /// # Errors
     /// As [`History::rect`]; or if not 0 ≤ rise ≤ duration.
-    pub fn triangle(peak: f64, rise: f64, duration: f64) -> Result<History, MotionError> {
+    pub fn triangle(peak: f64, rise: f64, duration: f64) -> Result<History, HistoryError> {
         let (peak, duration) = (finite("peak", peak)?, positive("duration", duration)?);
         if !(0.0..=duration).contains(&rise) {
-            return Err(MotionError::Value {
+            return Err(HistoryError::Value {
                 name: "rise",
                 value: rise,
                 expected: "a time from zero to the duration",
@@ -121,7 +187,7 @@ impl History {
     ///
     /// # Errors
     /// As [`History::rect`].
-    pub fn decay(peak: f64, duration: f64) -> Result<History, MotionError> {
+    pub fn decay(peak: f64, duration: f64) -> Result<History, HistoryError> {
         History::triangle(peak, 0.0, duration)
     }
 
@@ -129,7 +195,7 @@ impl History {
     ///
     /// # Errors
     /// As [`History::rect`].
-    pub fn half_sine(peak: f64, duration: f64) -> Result<History, MotionError> {
+    pub fn half_sine(peak: f64, duration: f64) -> Result<History, HistoryError> {
         let duration = positive("duration", duration)?;
         History::sine(peak, std::f64::consts::PI / duration, 0.0, duration)
     }
@@ -143,7 +209,7 @@ impl History {
         angular_frequency: f64,
         phase: f64,
         duration: f64,
-    ) -> Result<History, MotionError> {
+    ) -> Result<History, HistoryError> {
         let angular_frequency = positive("angular_frequency", angular_frequency)?;
         let piece =
             Piece::Sine { peak: finite("peak", peak)?, angular_frequency, phase: finite("phase", phase)? };
@@ -161,16 +227,16 @@ impl History {
         impact_duration: f64,
         tail: f64,
         duration: f64,
-    ) -> Result<History, MotionError> {
+    ) -> Result<History, HistoryError> {
         History::triangle(peak, rise, positive("impact_duration", impact_duration)?)?;
         let duration = positive("duration", duration)?;
         if impact_duration > duration {
             let expected = "a time not above the duration";
-            return Err(MotionError::Value { name: "impact_duration", value: impact_duration, expected });
+            return Err(HistoryError::Value { name: "impact_duration", value: impact_duration, expected });
         }
         let share = if peak == 0.0 { if tail == 0.0 { 0.0 } else { f64::NAN } } else { tail / peak };
         if !(0.0..=1.0).contains(&share) {
-            return Err(MotionError::Value {
+            return Err(HistoryError::Value {
                 name: "tail",
                 value: tail,
                 expected: "a number between zero and the peak",
@@ -184,23 +250,23 @@ impl History {
     ///
     /// # Errors
     /// If there are fewer than two points, not as many times as values, a number is not finite, or the times do not rise.
-    pub fn points(times: &[f64], values: &[f64]) -> Result<History, MotionError> {
+    pub fn points(times: &[f64], values: &[f64]) -> Result<History, HistoryError> {
         if times.len() != values.len() {
-            return Err(MotionError::Lengths { times: times.len(), values: values.len() });
+            return Err(HistoryError::Lengths { times: times.len(), values: values.len() });
         }
         if times.len() < 2 {
-            return Err(MotionError::FewPoints { count: times.len() });
+            return Err(HistoryError::FewPoints { count: times.len() });
         }
         for (i, (t, value)) in times.iter().zip(values).enumerate() {
-            let at = |value, problem| Err(MotionError::Point { index: i, value, problem });
+            let at = |value, fault| Err(HistoryError::Point { index: i, value, fault });
             if !(t.is_finite() && t.abs() < 1e50) {
-                return at(*t, Problematic::Time);
+                return at(*t, PointFault::Time);
             }
             if !(value.is_finite() && value.abs() < 1e50) {
-                return at(*value, Problematic::Value);
+                return at(*value, PointFault::Value);
             }
             if i > 0 && *t <= times[i - 1] {
-                return at(*t, Problematic::NotRising);
+                return at(*t, PointFault::NotRising);
             }
         }
         let pieces = times.windows(2).zip(values.windows(2)).map(|(t, value)| {
@@ -209,11 +275,36 @@ impl History {
         Ok(History::of(pieces.collect(), times[times.len() - 1]))
     }
 
+    /// Lines between points, each a time and a value; two of one time are a step.
+    ///
+    /// # Errors
+    /// As [`History::points`], but that times may stand still.
+    pub fn stepped(points: &[[f64; 2]]) -> Result<History, HistoryError> {
+        if points.len() < 2 {
+            return Err(HistoryError::FewPoints { count: points.len() });
+        }
+        for (i, [t, value]) in points.iter().enumerate() {
+            let at = |value, fault| Err(HistoryError::Point { index: i, value, fault });
+            if !(t.is_finite() && t.abs() < 1e50) {
+                return at(*t, PointFault::Time);
+            }
+            if !(value.is_finite() && value.abs() < 1e50) {
+                return at(*value, PointFault::Value);
+            }
+            if i > 0 && *t < points[i - 1][0] {
+                return at(*t, PointFault::NotRising);
+            }
+        }
+        let points: Vec<(f64, f64)> = points.iter().map(|[t, value]| (*t, *value)).collect();
+        let history = History::lines(&points);
+        if history.pieces.is_empty() { Err(HistoryError::FewPoints { count: 1 }) } else { Ok(history) }
+    }
+
     /// Values `step` apart, the first at time 0, with lines between them.
     ///
     /// # Errors
     /// As [`History::points`]; or if the step is not above zero.
-    pub fn samples(step: f64, values: &[f64]) -> Result<History, MotionError> {
+    pub fn samples(step: f64, values: &[f64]) -> Result<History, HistoryError> {
         let step = positive("dt", step)?;
         let times: Vec<f64> = (0..values.len()).map(|i| i as f64 * step).collect();
         History::points(&times, values)
@@ -223,21 +314,21 @@ impl History {
     ///
     /// # Errors
     /// If there is no piece, a number is not finite, or the times do not rise.
-    pub fn of_pieces(pieces: &[(f64, Piece)], end: f64) -> Result<History, MotionError> {
+    pub fn of_pieces(pieces: &[(f64, Piece)], end: f64) -> Result<History, HistoryError> {
         let history = History::of(pieces.to_vec(), end);
         if pieces.is_empty() {
-            return Err(MotionError::FewPoints { count: 0 });
+            return Err(HistoryError::FewPoints { count: 0 });
         }
         for (i, pair) in history.times.windows(2).enumerate() {
             if !(pair[0].is_finite() && pair[0] < pair[1]) {
-                return Err(MotionError::Point {
+                return Err(HistoryError::Point {
                     index: i + 1,
                     value: pair[1],
-                    problem: Problematic::NotRising,
+                    fault: PointFault::NotRising,
                 });
             }
         }
-        for piece in &history.pieces {
+        for piece in &*history.pieces {
             match *piece {
                 Piece::Line { value, slope } => {
                     finite("value", value)?;
@@ -257,25 +348,26 @@ impl History {
     ///
     /// # Errors
     /// If it is not finite.
-    pub fn starting(mut self, start: f64) -> Result<History, MotionError> {
-        let start = finite("start", start)?;
-        self.times.iter_mut().for_each(|t| *t += start);
-        Ok(self)
+    pub fn starting(self, start: f64) -> Result<History, HistoryError> {
+        match finite("start", start)? {
+            0.0 => Ok(self),
+            start => Ok(History { times: self.times.iter().map(|t| t + start).collect(), ..self }),
+        }
     }
 
     /// The same times a factor.
     #[must_use]
-    pub fn times_factor(mut self, factor: f64) -> History {
-        for piece in &mut self.pieces {
-            match piece {
-                Piece::Line { value, slope } => {
-                    *value *= factor;
-                    *slope *= factor;
-                }
-                Piece::Sine { peak, .. } => *peak *= factor,
-            }
+    pub fn times_factor(self, factor: f64) -> History {
+        if factor == 1.0 {
+            return self;
         }
-        self
+        let scaled = |piece: &Piece| match *piece {
+            Piece::Line { value, slope } => Piece::Line { value: value * factor, slope: slope * factor },
+            Piece::Sine { peak, angular_frequency, phase } => {
+                Piece::Sine { peak: peak * factor, angular_frequency, phase }
+            }
+        };
+        History { pieces: self.pieces.iter().map(scaled).collect(), ..self }
     }
 
     /// When pieces begin, and when the last ends.
@@ -302,7 +394,7 @@ impl History {
 
     /// The largest magnitude at the ends of pieces and at crests of sines.
     pub fn peak(&self) -> f64 {
-        let ends = self.times.windows(2).zip(&self.pieces).map(|(t, piece)| match piece {
+        let ends = self.times.windows(2).zip(&*self.pieces).map(|(t, piece)| match piece {
             Piece::Sine { peak, angular_frequency, phase } => {
                 let turns = |angle: f64| ((angle / std::f64::consts::PI) - 0.5).floor();
                 let last = phase + angular_frequency * (t[1] - t[0]);
@@ -318,8 +410,52 @@ impl History {
         ends.fold(0.0, f64::max)
     }
 
+    /// Moments and values between which it is a line, two of one moment where it jumps, from the first piece to what is left after
+    /// the last; `None` of one with sines.
+    pub fn corners(&self) -> Option<Vec<[f64; 2]>> {
+        let mut corners: Vec<[f64; 2]> = Vec::with_capacity(2 * self.pieces.len() + 1);
+        for (t, piece) in self.times.windows(2).zip(&*self.pieces) {
+            let Piece::Line { value, slope } = *piece else { return None };
+            if corners.last().is_none_or(|last| *last != [t[0], value]) {
+                corners.push([t[0], value]);
+            }
+            if t[1].is_finite() {
+                corners.push([t[1], if slope == 0.0 { value } else { value + slope * (t[1] - t[0]) }]);
+            }
+        }
+        let last = corners.last().copied().filter(|last| last[1] != 0.0 && last[0] == self.end());
+        corners.extend(last.map(|[t, _]| [t, 0.0]));
+        Some(corners)
+    }
+
+    /// When the last piece ends; infinite of one without end.
+    pub fn end(&self) -> f64 {
+        self.times.last().copied().unwrap_or(0.0)
+    }
+
+    /// What it jumps or bends by, moment by moment: it is the sum of what they add from there on; `None` of one with sines.
+    pub fn changes(&self) -> Option<Vec<Change>> {
+        let corners = self.corners()?;
+        let Some(&[first, value]) = corners.first() else { return Some(Vec::new()) };
+        let mut changes = vec![Change { at: first, step: value, slope: 0.0 }];
+        let mut slope = 0.0;
+        for pair in corners.windows(2) {
+            let ([from, low], [to, high]) = (pair[0], pair[1]);
+            if to == from {
+                changes.push(Change { at: to, step: high - low, slope: 0.0 });
+                continue;
+            }
+            let next = (high - low) / (to - from);
+            changes.push(Change { at: from, step: 0.0, slope: next - slope });
+            slope = next;
+        }
+        let last = corners[corners.len() - 1][0];
+        changes.push(Change { at: last, step: 0.0, slope: -slope });
+        Some(changes)
+    }
+
     /// Whether it jumps at a moment, by more than rounding.
-    pub(crate) fn jumps_at(&self, t: f64) -> bool {
+    pub fn jumps_at(&self, t: f64) -> bool {
         let (before, after) = (self.before(t), self.at(t));
         (after - before).abs() > 1e-12 * self.size_near(t)
     }
@@ -337,4 +473,15 @@ impl History {
         };
         size(i).max(if i > 0 { size(i - 1) } else { 0.0 })
     }
+}
+
+/// What is added to a history from a moment on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// The moment, s.
+    pub at: f64,
+    /// What is added at once.
+    pub step: f64,
+    /// What is added to the slope, 1/s.
+    pub slope: f64,
 }
