@@ -224,7 +224,8 @@ fn ground_under_uplift() {
 fn the_ground_s_load_factor_is_the_first() {
     let mut random = Random(811);
     let mut found = [0; 3];
-    for i in 0..tries(150) {
+    let count = tries(150).max(30);
+    for i in 0..count {
         let [width, height] = [random.uniform(5.0, 20.0), random.uniform(3.0, 15.0)];
         let body = Body::new(width, height, width * height * 2000.0).unwrap();
         let weight = body.mass() * 9.81;
@@ -269,7 +270,7 @@ fn the_ground_s_load_factor_is_the_first() {
             None => 2,
         }] += 1;
     }
-    assert!(found[1] > 50, "{found:?}");
+    assert!(found[1] > count / 3, "{found:?}");
 }
 
 /// Of a body that its permanent loads lift nothing presses under any load factor; that is found without a search.
