@@ -3,7 +3,9 @@
 mod common;
 
 use common::{Random, tries};
-use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw, GroundPath, Reaction, outcome};
+use standfast::ground::bearing::{
+    BearingBlock, BearingPlane, Ground, GroundLaw, GroundPath, Reaction, outcome,
+};
 use standfast::ground::{GroundDeparture, GroundVerdict};
 use standfast::loads::{Action, Load, LoadKind, LoadSource, Uplift};
 use standfast::{Body, Mode, Quantity, Situation};
@@ -47,6 +49,37 @@ fn a_strip_by_hand() {
     let ours = ground(GroundLaw::Hansen).resistance(&reaction) / 1e3;
     assert!((ours / hansen - 1.0).abs() < 2e-5, "{ours} {hansen}");
     assert_eq!(ground(GroundLaw::Ec7).factor(&Reaction::new(2.0, 300e3, 60e3, 2.0).unwrap()), 0.0);
+}
+
+/// A base whose middle is not under the centre of mass, by hand: B = 5 m, C half a metre beside the middle and 3 m up, P = 1000 kN/m, and a
+/// push of λ · 100 kN/m at 4 m, away from that side. The reaction lies λ · 0.4 m from under C, so |0.5 − 0.4λ| from the middle; on ground with
+/// V₀ = P/[(1 − 0.14)²(1 − 0.21)⁵] it fails at λ = 3, where e is 0.7 m and η 0.3.
+#[test]
+fn the_middle_of_an_eccentric_base() {
+    let unit = Ground::new(GroundLaw::Hansen, 30.0, 1.0).unwrap();
+    let centric = 1e6 / (0.86f64.powi(2) * 0.79f64.powi(5));
+    let ground = Ground::new(GroundLaw::Hansen, 30.0, centric / unit.centric_resistance(5.0)).unwrap();
+    for side in [1.0, -1.0] {
+        let body = Body::new(10.0, 8.0, 1e5).unwrap().with_centroid(0.5 * side, 3.0).unwrap();
+        let push = Action::horizontal(-1e5 * side, 4.0);
+        let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, push);
+        let situation = Situation::new(body, 2.0, 10.0).unwrap().with_weight().with(push);
+        let path = GroundPath::new(ground, &situation).unwrap();
+        for (factor, e) in [(0.0, 0.5), (1.0, 0.1), (2.0, -0.3)] {
+            // To the right of the middle.
+            let reaction = path.reaction(factor).unwrap();
+            assert!((reaction.e() - e * side).abs() < 1e-12, "{factor}: {reaction:?}");
+            assert!((reaction.effective_width() - 2.0 * (5.0 - e.abs())).abs() < 1e-12);
+        }
+        assert!((path.load_factors().given - 3.0).abs() < 1e-9, "{:?}", path.load_factors());
+        // The same of the block of a contact problem, in its own units.
+        let on = BearingBlock::of(ground, &situation).unwrap();
+        let [none, full] = [0.0, 1.0].map(|factor| {
+            situation.reduced_wrench(&situation.wrench_at(factor, standfast::loads::Pose::UPRIGHT))
+        });
+        let fails = on.failure(&situation.block(), &none, &(full + none * -1.0));
+        assert!((fails - 3.0).abs() < 1e-9, "{fails}");
+    }
 }
 
 /// Without surcharge and cohesion R/V₀ is (1−ε)² i(η); the envelope is one where it says.
