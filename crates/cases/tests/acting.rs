@@ -243,6 +243,29 @@ fn an_earthquake_is_tried_both_ways() {
     }
 }
 
+/// Off the middle by a hair the body falls that way at a load factor that is less by as little, b/(h k) with b half the width less the hair:
+/// it is reported unless rounding could be the reason.
+#[test]
+fn the_worse_of_two_shakings_is_told_by_any_difference_beyond_rounding() {
+    for (offset, other_side) in [(1e-4, true), (1e-6, true), (1e-8, true), (1e-12, false), (0.0, false)] {
+        for side in [1.0, -1.0] {
+            let text = format!(
+                "{STATUE}centroid_offset = {:?}\n[earthquake]\nhorizontal = {:?}\n",
+                offset * side,
+                0.35 * side
+            );
+            let found = assess(&text);
+            // As given it falls to the side with the longer arm.
+            let reported = found.all[0].earthquake.unwrap().horizontal() / (0.35 * 9.81);
+            let expected = if other_side { -side } else { side };
+            assert!(close(reported, expected), "{offset} {side}: {reported}");
+            let least = (0.45 - offset) / (1.6 * 0.35);
+            let factor = found.all[0].departure().load_factor();
+            assert!((factor / least - 1.0).abs() < 1e-11, "{offset} {side}: {factor} {least}");
+        }
+    }
+}
+
 fn checks(criteria: &str) -> Vec<(&'static str, Option<f64>, bool)> {
     let text = format!("{CAISSON}[[load]]\nforce = 1e6\nelevation = 6\n[criteria]\n{criteria}");
     let assessment = assess(&text);

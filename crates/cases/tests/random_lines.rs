@@ -107,6 +107,29 @@ fn biases_of_moments_are_on_moments_about_the_heel() {
     }
 }
 
+/// The bias of a force is on its moment too: with `bias.P` alone the caisson turns where b M_p + M_U exceeds W' B/2, with `bias.U` alone where
+/// M_p + b M_U does. Where the moment has a bias of its own, that of the force is not on it.
+#[test]
+fn a_bias_of_a_force_is_on_its_moment_unless_that_has_its_own() {
+    let rough = CAISSON.replace("friction = 0.6", "friction = 5.0");
+    let [thrust, uplift, weight] = [4849.6, 4930.4, 2318.64 * 7.5];
+    for (force, moment, limit) in [
+        ("bias.P", "bias.M_p", (weight - uplift) / thrust),
+        ("bias.U", "bias.M_U", (weight - thrust) / uplift),
+    ] {
+        let law = "{ lognormal = { mean = 2.0, cov = 0.2 } }";
+        let found = answer(&format!("{rough}\n[random]\n{force} = {law}\n"), None, None);
+        let exact = lognormal_above(limit, 2.0, 0.2);
+        assert_close(force, found.situations[0].not_rest.value, exact, 1e-3);
+        let rocks = found.situations[0].modes.iter().find(|(mode, _)| mode.name() == "RO").unwrap().1.value;
+        assert_close(force, rocks, exact, 1e-3);
+        let [other, own] = [(1.0, 0.2), (1.8, 0.3)]
+            .map(|(mean, cov)| format!("{{ lognormal = {{ mean = {mean:?}, cov = {cov:?} }} }}"));
+        let found = answer(&format!("{rough}\n[random]\n{force} = {other}\n{moment} = {own}\n"), None, None);
+        assert_close(moment, found.situations[0].not_rest.value, lognormal_above(limit, 1.8, 0.3), 1e-3);
+    }
+}
+
 /// A block of 10 kN/m under 3 kN/m at half its height, friction 0.5, square: it slides where b · 3 > 5.
 const PUSHED: &str = "[body]\nwidth = \"1 m\"\nheight = \"1 m\"\nmass = 1019.367991845056\nfriction = 0.5\n\
                       [[load]]\nname = \"push\"\nforce = \"3 kN/m\"\nelevation = \"0.5 m\"\n";
@@ -117,6 +140,25 @@ fn a_bias_of_forces_is_on_every_load() {
     let exact = lognormal_above(5.0 / 3.0, 1.0, 0.3);
     // The weight is 9.81 times the mass to 1e-12 or so; gravity is 9.81 unless given.
     assert_close("slides", answer(&text, None, None).situations[0].not_rest.value, exact, 1e-9);
+}
+
+/// It slides where 3b > 10μ: with μ of mean 0.5 and deviation 0.08 and b of mean 1 and deviation 0.2 that is a plane 2 from the means,
+/// along 0.6 of b and −0.8 of μ; with one of them held there it is 1.25 and 5/3 as far, 1/√(1 − α²).
+#[test]
+fn the_document_has_the_omission_of_each_number() {
+    let laws = "friction = { normal = { sd = 0.08 } }\nbias.force = { normal = { mean = 1.0, sd = 0.2 } }";
+    let json = answer(&format!("{PUSHED}[random]\n{laws}\n"), None, None).json();
+    let document: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let near = |value: &serde_json::Value, expected: f64| {
+        // Both laws are cut at zero, five and six deviations below their means.
+        assert!((value.as_f64().unwrap() - expected).abs() < 1e-4, "{value} {expected}: {json}");
+    };
+    let importance = document["importance"].as_array().unwrap();
+    for (name, alpha, omission) in [("friction", -0.8, 5.0 / 3.0), ("bias.force", 0.6, 1.25)] {
+        let number = importance.iter().find(|number| number["name"] == name).unwrap();
+        near(&number["alpha"], alpha);
+        near(&number["omission"], omission);
+    }
 }
 
 /// The years of the request go before those of the file: 1 − (1 − p)ⁿ of what is drawn yearly.

@@ -231,12 +231,11 @@ impl<'a> Machine<'a> {
         Ok(self.go_on(Why::Start, decision, slip, closed))
     }
 
-    fn outcome(self, end: End) -> Outcome {
-        let touching = self.mode.corner().or(match self.mode {
-            Mode::Flight => None,
-            _ => Some(Corner::O),
-        });
-        let at = |corner: Corner| self.slide_of(corner);
+    fn outcome(mut self, end: End) -> Outcome {
+        if self.mode.slip().is_some() || self.mode == Mode::Flight {
+            self.see_slide();
+        }
+        let slide = self.slide();
         let last = self.events.last().map_or(0.0, |event| event.t);
         let resting = self.mode == Mode::Rest;
         let since = self.events.iter().rposition(|event| event.state != Mode::Rest);
@@ -244,8 +243,9 @@ impl<'a> Machine<'a> {
             resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
         Outcome {
             end,
-            slide: at(touching.unwrap_or(Corner::O)),
-            max_slide: self.max_slide[0],
+            slide,
+            // A corner that sticks is where it was seen before, but for rounding.
+            max_slide: self.max_slide[0].max(slide.abs()),
             t_max_slide: self.max_slide[1],
             max_theta: self.max_theta[0],
             t_max_theta: self.max_theta[1],
@@ -414,19 +414,15 @@ impl<'a> Machine<'a> {
         })
     }
 
-    /// How far a corner is along the base from where it was.
-    fn slide_of(&self, corner: Corner) -> f64 {
+    /// How far the corner that touches, O if none or both do, is along the base from where it was.
+    fn slide(&self) -> f64 {
+        let corner = self.mode.corner().unwrap_or(Corner::O);
         let [x, c] = self.feet[corner as usize];
         (self.pose.x - x) + (lever(self.block, corner, self.pose.θ)[0] - c)
     }
 
     fn see_slide(&mut self) {
-        let corner = match (self.mode, self.mode.corner()) {
-            (_, Some(corner)) => corner,
-            (Mode::Flight, None) => return,
-            (_, None) => Corner::O,
-        };
-        let slide = self.slide_of(corner).abs();
+        let slide = self.slide().abs();
         if slide > self.max_slide[0] {
             self.max_slide = [slide, self.t];
         }

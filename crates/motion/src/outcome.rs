@@ -120,7 +120,7 @@ pub struct Outcome {
     pub events: Vec<Event>,
     /// Displacement along the base of the corner that touches at the end, of O if none does.
     pub slide: f64,
-    /// The largest |displacement| of a touching corner.
+    /// The largest |displacement| on the way of the corner that touches, of O where none does.
     pub max_slide: f64,
     /// When.
     pub t_max_slide: f64,

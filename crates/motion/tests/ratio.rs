@@ -1,11 +1,12 @@
-//! Impacts with a measured ratio at which a body that slips would gain energy: the ratio that is taken, by the root of a quadratic.
+//! Impacts with a measured ratio: that which is taken where a body that slips would gain energy, by the root of a quadratic; and whether the
+//! base can give the impulse that it asks for.
 
 mod common;
 
 use common::Random;
 use standfast::contact::Block;
 use standfast::{Corner, Mode};
-use standfast_motion::{Impact, Initial, Keep, Problem, Why, simulate};
+use standfast_motion::{Impact, Initial, Keep, Outcome, Problem, Why, simulate};
 
 /// At θ = 0 a block turns from O to O' with θ̇⁻ < 0. With Λ_n = ẏ⁺ − ẏ⁻, ẏ⁻ = b₁θ̇⁻ and ẏ⁺ = −b₂θ̇⁺, θ̇⁺ = rθ̇⁻, and Λ_t = −sμΛ_n, s = ±1 the
 /// slip after it, all per mass, the energy after it is a quadratic in r. What is taken is the larger root at which it is that before, or
@@ -67,4 +68,69 @@ fn a_ratio_that_would_gain_is_the_root_of_the_energy() {
         assert!(root >= asked || outcome.reduced_impacts > 0);
     }
     assert!(reduced > 50 && kept > 300, "{reduced} {kept}");
+}
+
+/// Where the impulse acts right of C at the first impact of a body that rocked about a corner b_old to its other side without slip, with
+/// θ̇ = −1 before it, towards the corner b_new: Λ_n = m_y(b_new r + b_old), and Λ_t = −m_x d(1 − r) where friction suffices, −μΛ_n where it
+/// does not; about C ξΛ_n = ρ²(1 − r) − dΛ_t.
+fn place_of_impulse(block: &Block, [old, new]: [f64; 2], ratio: f64, friction: f64) -> f64 {
+    let normal = block.m_y * (new * ratio + old);
+    let along = (block.m_x * block.d * (1.0 - ratio)).min(friction * normal);
+    (block.rho2 * (1.0 - ratio) + block.d * along) / normal
+}
+
+/// The first impact of a body that is released where it leans, and nothing after it.
+fn first_impact(block: Block, impact: Impact, friction: f64, theta: f64) -> Outcome {
+    let mut problem = Problem::new(block, 1.0);
+    (problem.impact, problem.mu_impact) = (impact, Some(friction));
+    problem.initial.theta = theta;
+    let whole = simulate(&problem, Keep::default()).unwrap();
+    let met = whole.events.iter().find(|event| event.why == Why::Impact).expect("an impact");
+    problem.t_max = Some(met.t + 1e-9);
+    let outcome = simulate(&problem, Keep::default()).unwrap();
+    assert_eq!(outcome.impacts, 1);
+    outcome
+}
+
+/// The base cannot give an impulse beside it, and gives any other: of eccentric blocks that fall to either side, at ratios on both sides of that
+/// at which the impulse acts at the corner, and anywhere.
+#[test]
+fn an_impulse_beside_the_base_is_told() {
+    let mut random = Random::new(31);
+    let (mut beside, mut within, mut slipped) = (0, 0, 0);
+    for _ in 0..400 {
+        let mut block = Block::uniform(random.between(0.8, 4.0), 20.0);
+        (block.b1, block.b2) = (random.between(0.7, 1.2), random.between(0.7, 1.2));
+        (block.m_x, block.m_y) = (random.between(1.0, 1.5), random.between(1.0, 1.2));
+        let friction = if random.of(2) == 0 { 20.0 } else { random.between(0.02, 0.5) };
+        let theta = random.between(0.01, 0.05) * if random.of(2) == 0 { 1.0 } else { -1.0 };
+        // θ > 0: it leans on O, and falls to O'.
+        let corners = if theta > 0.0 { [block.b1, block.b2] } else { [block.b2, block.b1] };
+        let largest = Problem::new(block, 1.0).largest_ratio();
+        let place = |ratio: f64| place_of_impulse(&block, corners, ratio, friction);
+        // The less is left the farther out it acts: at no ratio, or from one on.
+        let (mut low, mut high) = (0.0, largest);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if place(middle) > corners[1] { low = middle } else { high = middle }
+        }
+        for ratio in [high - 1e-7, high + 1e-7, random.between(0.0, largest)] {
+            if !(0.0..=largest).contains(&ratio) {
+                continue;
+            }
+            let outcome = first_impact(block, Impact::Ratio(ratio), friction, theta);
+            if outcome.reduced_impacts > 0 {
+                continue;
+            }
+            let expected = place(ratio) > corners[1];
+            assert_eq!(outcome.impulse_left_base, expected, "{block:?} {ratio} {friction} {theta}");
+            *(if expected { &mut beside } else { &mut within }) += 1;
+            slipped += usize::from(place(ratio) < place_of_impulse(&block, corners, ratio, 20.0));
+        }
+        // What the laws find themselves the base can give.
+        for law in [Impact::Inelastic, Impact::Housner] {
+            assert!(!first_impact(block, law, friction, theta).impulse_left_base);
+        }
+    }
+    assert!(beside > 200 && within > 200 && slipped > 100, "{beside} {within} {slipped}");
 }

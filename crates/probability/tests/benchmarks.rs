@@ -59,6 +59,25 @@ fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
     assert!((value / expected - 1.0).abs() <= relative, "{what}: {value} where {expected} is expected");
 }
 
+/// A linear limit by hand: 3u₁ + 4u₂ > 10 is 2 from the origin, along (0.6, 0.8). With u₁ held at zero the limit is 10/4 away, with u₂ 10/3: by
+/// 1.25 and 5/3 farther, as H. O. Madsen has it, 1/√(1 − α²) (Omission sensitivity factors, Structural Safety 5, 1988; recalled). The direction of a number
+/// that acts the other way has another sign, and its omission is the same.
+#[test]
+fn omission_is_how_much_farther_the_limit_is_without_a_number() {
+    let inputs = standard(2);
+    for (sign, find) in [
+        (1.0, design_point(&inputs, &event(&inputs, |u: &[f64]| 10.0 - 3.0 * u[0] - 4.0 * u[1]), 1)),
+        (-1.0, design_point(&inputs, &event(&inputs, |u: &[f64]| 10.0 + 3.0 * u[0] - 4.0 * u[1]), 1)),
+    ] {
+        let point = find.unwrap();
+        assert_close("β", point.beta, 2.0, 1e-9);
+        assert!((point.alpha[0] - 0.6 * sign).abs() < 1e-6 && (point.alpha[1] - 0.8).abs() < 1e-6);
+        assert_close("without the first", point.omission(0), 1.25, 1e-5);
+        assert_close("without the second", point.omission(1), 5.0 / 3.0, 1e-5);
+        assert_close("β without the first", point.beta * point.omission(0), 10.0 / 4.0, 1e-5);
+    }
+}
+
 /// RP31: x₂ > 2 + 256 x₁⁴. RP75: x₁x₂ > 3. RP22: a parabola across the diagonal. RP89: two planes and a parabola.
 #[test]
 fn integrals_are_those_of_the_benchmarks() {

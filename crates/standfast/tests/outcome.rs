@@ -130,7 +130,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
             seen[3] += u32::from(rests);
         }
     }
-    assert!(seen.iter().all(|&count| count > tries(80)), "{seen:?}");
+    assert!(seen.iter().all(|&count| count >= tries(80)), "{seen:?}");
 }
 
 /// Whatever acts, lifted or not: the margins are the moments of all loads about both corners and what friction leaves of the

@@ -130,7 +130,7 @@ class MotionDocument(Answer):
 
     @property
     def max_slide(self) -> float:
-        """The largest displacement of a touching corner to either side, m."""
+        """The largest displacement on the way to either side, of the corner that touches, in flight of O, m."""
         return self._document["max_slide"]
 
     @property

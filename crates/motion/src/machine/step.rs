@@ -258,6 +258,33 @@ impl Machine<'_> {
         if !flat {
             self.see_rotation(τ);
         }
+        if self.mode == Mode::Flight {
+            self.see_flight(τ);
+        }
+    }
+
+    /// The largest |slide| within a step in flight: where O turns back. In a state of slip it does not; the ends of states are seen apart.
+    fn see_flight(&mut self, τ: f64) {
+        let (block, motion) = (self.block, &self.motion);
+        let r = arm(block, Corner::O);
+        let [x, c] = self.feet[Corner::O as usize];
+        let mut slide = [0.0; LEN];
+        for k in 0..=ORDER {
+            // `c` and `h` are sinθ and cosθ there.
+            slide[k] = motion.x[k] + (r * motion.h[k] + block.d * motion.c[k]);
+        }
+        slide[0] = (motion.x[0] - x) + (r * motion.h[0] + block.d * motion.c[0] - c);
+        let bound = slide.iter().rev().fold(0.0, |bound, a| bound * τ + a.abs());
+        if bound <= self.max_slide[0] {
+            return;
+        }
+        let rate: Vec<f64> = (1..=ORDER).map(|k| k as f64 * slide[k]).collect();
+        at_zeros(&rate, τ, |at| {
+            let size = value(&slide[..=ORDER], at).abs();
+            if size > self.max_slide[0] {
+                self.max_slide = [size, self.t + at];
+            }
+        });
     }
 
     /// The largest |θ| of a step: at its ends, or where ω is zero.
@@ -279,24 +306,7 @@ impl Machine<'_> {
             }
         };
         see(τ);
-        // All zeros of ω in turn, each divided out of what follows.
-        let mut from = 0.0;
-        let mut shifted = ω[..=ORDER].to_vec();
-        for _ in 0..4 {
-            let zeros = usize::from(shifted[0] == 0.0);
-            let rest = &mut shifted[zeros..];
-            if rest[0] < 0.0 {
-                rest.iter_mut().for_each(|a| *a = -*a);
-            }
-            let Some(root) = first_root(rest, τ - from) else { break };
-            see(from + root);
-            from += root;
-            shifted = moved(&ω[..=ORDER], from);
-            shifted[0] = 0.0;
-            if from >= τ {
-                break;
-            }
-        }
+        at_zeros(&ω[..=ORDER], τ, see);
         let [largest, t] = self.max_theta;
         if t >= self.t {
             let at = value(&self.motion.θ[..=ORDER + 1], t - self.t);
@@ -471,6 +481,27 @@ fn integral(a: &Series, degree: usize, b: &Series, other: usize, τ: f64) -> f64
         sum = sum * τ + product[k] / (k + 1) as f64;
     }
     sum * τ
+}
+
+/// Sees the moments of a step at which a rate is zero: all in turn, each divided out of what follows.
+fn at_zeros(rate: &[f64], τ: f64, mut see: impl FnMut(f64)) {
+    let mut from = 0.0;
+    let mut shifted = rate.to_vec();
+    for _ in 0..rate.len() {
+        let zeros = usize::from(shifted[0] == 0.0);
+        let rest = &mut shifted[zeros..];
+        if rest[0] < 0.0 {
+            rest.iter_mut().for_each(|a| *a = -*a);
+        }
+        let Some(root) = first_root(rest, τ - from) else { break };
+        see(from + root);
+        from += root;
+        if from >= τ {
+            break;
+        }
+        shifted = moved(rate, from);
+        shifted[0] = 0.0;
+    }
 }
 
 /// The polynomial about another moment.

@@ -110,6 +110,28 @@ mod tests {
         }
     }
 
+    /// By hand: 16 scrambles with 0.4 and 16 with 0.6 spread by √(32 · 0.01/31) about 0.5, and by a √32th of it in the mean. Student's factor
+    /// is 2.0395 in tables. Of means that spread by more than they are the lower end is zero.
+    #[test]
+    fn the_interval_of_means_is_students() {
+        let means: Vec<f64> = (0..SCRAMBLES).map(|i| if i % 2 == 0 { 0.4 } else { 0.6 }).collect();
+        let half = 2.0395 * 0.1 / 31f64.sqrt();
+        let one = Estimate::of_means(&means, 1 << 15);
+        let other = Estimate::about(0.3, &means);
+        for (estimate, value) in [(one, 0.5), (other, 0.3)] {
+            assert!((estimate.value - value).abs() < 1e-15);
+            // The table has four decimals.
+            assert!((estimate.high - value - half).abs() < 3e-5 * half, "{estimate:?}");
+            assert!((value - estimate.low - half).abs() < 3e-5 * half, "{estimate:?}");
+        }
+        assert_eq!(Estimate::about(0.01, &means).low, 0.0);
+        // One scramble of 32 was met: the mean is 1/32, and so is the spread.
+        let rare: Vec<f64> = (0..SCRAMBLES).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect();
+        let rare = Estimate::of_means(&rare, 1 << 15);
+        assert_eq!((rare.value, rare.low), (1.0 / 32.0, 0.0));
+        assert!((rare.high - 3.0395 / 32.0).abs() < 1e-5, "{rare:?}");
+    }
+
     /// 95 % of Student's law with 31 degrees of freedom lie within the factor: its density by Simpson's rule, normalised over the
     /// whole line.
     #[test]
