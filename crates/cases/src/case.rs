@@ -155,8 +155,12 @@ impl Case {
     pub fn of(inputs: &Inputs) -> Result<Case, Fault> {
         let given = Given { inputs };
         given.ranges()?;
-        if inputs.has(Table::Block) {
-            return Err(Fault::new(Problem::NoCase, Table::Block));
+        let in_place = [Table::Block, Table::Point, Table::Storm].into_iter();
+        if let Some(table) = in_place
+            .filter(|table| inputs.has(*table))
+            .find(|table| *table != Table::Storm || !inputs.has(Table::Body))
+        {
+            return Err(Fault::new(Problem::NoCase { table }, table));
         }
         given.of_motion()?;
         if !inputs.has(Table::Body) {

@@ -479,9 +479,12 @@ pub enum Problem {
         /// The strength, Pa.
         strength: f64,
     },
-    /// A body in pure numbers where a body in metres is needed.
-    #[error("a [block] has no first instant to assess: its motion is followed in time")]
-    NoCase,
+    /// What stands in place of a body, where a body is needed.
+    #[error("{}", without_body(*table))]
+    NoCase {
+        /// Its table.
+        table: Table,
+    },
     /// A case in time where cases at rest are answered.
     #[error("the case is one in time, and a table of cases is answered at rest")]
     TableInTime,
@@ -519,6 +522,15 @@ pub enum Problem {
     /// Numbers beyond what can be computed, by themselves or together.
     #[error("these numbers are too large or too small to be computed with: {} is {}; expected {}", .0.quantity, exact(.0.value), .0.expected)]
     Mechanics(InputError),
+}
+
+/// What is answered of a table that stands in place of a body.
+fn without_body(table: Table) -> &'static str {
+    match table {
+        Table::Block => "a [block] has no first instant to assess: its motion is followed in time",
+        Table::Point => "a [point] has no body and no loads: it is answered with its random numbers",
+        _ => "the case has a [storm] and no [body]: it is answered with its random numbers",
+    }
 }
 
 /// A value in the unit of plain numbers.

@@ -335,7 +335,7 @@ impl fmt::Display for Warning {
             Warning::EarthquakeWithoutAddedMass { acceleration } => write!(
                 f,
                 "earthquake.horizontal = {} m/s² shakes a wall in water, and there is no [added_mass]: the water's share \
-                 in the inertia and its pressure on the shaken wall are left out; sides = 1 or 2 counts them for a wall, mass for \
+                 in the inertia and its pressure on the shaken wall are left out; sides = \"right\" or \"both\" counts them for a wall, mass for \
                  anything else",
                 digits(*acceleration)
             ),

@@ -432,7 +432,7 @@ fn bad_histories() {
         ),
         (
             "history = { shape = \"points\", times = [1, 0], values = [0, 1] }",
-            vec!["point 2: its time is 0", "after that of the point before"],
+            vec!["point 2: its time is 0", "expected one after that"],
         ),
         ("history = { shape = \"points\", times = [], values = [] }", vec!["a list that is not empty"]),
         ("permanent = true\nhistory = { shape = \"constant\" }", vec!["the load is permanent"]),

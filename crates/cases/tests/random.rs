@@ -3,9 +3,17 @@
 use standfast::Mode;
 use standfast::initiation::Chart;
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Chances, Draws, Happening, Method, Over, Probability, Request};
+use standfast_cases::random::{
+    Chances, Draws, Happening, Method, Over, Probability, ProbabilityError, Request,
+};
 use standfast_probability::normal::below;
 use standfast_probability::sample::{Effort, Estimate};
+
+/// Why there is no answer to a text.
+fn refused_of(text: &str) -> ProbabilityError {
+    let file = CaseFile::parse("case.toml", text).map_err(ProbabilityError::from);
+    file.and_then(|file| Probability::of(&file, Request::default())).unwrap_err()
+}
 
 fn file(text: &str) -> CaseFile {
     CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"))
@@ -188,7 +196,7 @@ fn few_points_about_a_rare_failure_tell_it_well() {
 fn wrong_random_numbers_are_refused() {
     let refused = |random: &str, expected: &str| {
         let text = goda(random);
-        let error = Probability::of(&file(&text), Request::default()).unwrap_err();
+        let error = refused_of(&text);
         assert!(error.to_string().contains(expected), "{random}\n{error}\n{expected}");
         let said = standfast_cases::report(&error);
         assert!(said.contains("case.toml:"), "{said}");
@@ -230,11 +238,11 @@ fn wrong_random_numbers_are_refused() {
     );
     refused("years = inf\nfriction = { normal = { cov = 0.1 } }", "`years` is inf; expected a finite number");
     let point = format!("{POINT}[random]\nmuu = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}\n");
-    let error = Probability::of(&file(&point), Request::default()).unwrap_err();
+    let error = refused_of(&point);
     let expected = "[random] of a [point] has no `muu`; expected gamma, k_prime, k, mu: did you mean `mu`?";
     assert_eq!(error.to_string(), expected);
     let forever = goda("years = 50\nfriction = { normal = { cov = 0.1 } }");
-    let error = Probability::of(&file(&forever), Request::default()).unwrap_err();
+    let error = refused_of(&forever);
     assert_eq!(error.to_string(), "a life of 50 years, and no random number is drawn yearly");
 }
 
@@ -613,7 +621,7 @@ fn heights_without_a_sea_are_not_cut() {
         let text = format!(
             "[storm]\nwaves = 1000\ncut = {cut}\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}\n"
         );
-        Probability::of(&file(&text), Request::default()).unwrap_err().to_string()
+        refused_of(&text).to_string()
     };
     assert!(refusal("false").contains("lacks `tau0`"), "{}", refusal("false"));
     assert!(

@@ -82,7 +82,7 @@ pub enum Command {
         \u{20} [[pressure]]  face = \"left\", \"right\", \"base\" or \"top\"; elevation = [\"0 m\", \"9 m\"] on a\n\
         \u{20}               side, distance right of O on base and top; pressure = [\"54 kPa\", 0]; name;\n\
         \u{20}               permanent = true; scale\n\
-        \u{20} [added_mass]  sides = 1 or 2, or mass\n\
+        \u{20} [added_mass]  sides = \"right\", \"left\" or \"both\", or mass\n\
         \u{20} [[part]]      in place of width, height and mass: left, width, bottom, height, top_left,\n\
         \u{20}               top_width, or corners x and y; density, density_below_water; name\n\
         \u{20} [body]        length, for a single object with masses in kg and forces in kN;\n\

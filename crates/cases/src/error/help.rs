@@ -75,7 +75,7 @@ impl Problem {
             Problem::Neither { one: Key::Mass, .. } => {
                 "add one of them, for example density = \"2.1 t/m3\"".into()
             }
-            Problem::Neither { .. } => "add sides = 1 or 2 for a wall, or the mass of water, for example \"50 t/m\", or \"200 kg\" of a single object".into(),
+            Problem::Neither { .. } => "add sides = \"right\" or \"both\" for a wall, or the mass of water, for example \"50 t/m\", or \"200 kg\" of a single object".into(),
             Problem::Syntax(message) if message.contains("missing value") || message.contains("quot") => {
                 "texts and numbers with a unit stand in quotes, e.g. width = \"15 m\"".into()
             }
@@ -110,7 +110,8 @@ impl Problem {
             Problem::Motion(MotionError::WaterWithoutHeight { .. }) => {
                 "add its height above the base, for example elevation = \"4 m\"; or sides in place of mass".into()
             }
-            Problem::NoCase => "`standfast simulate` follows it".into(),
+            Problem::NoCase { table: Table::Block } => "`standfast simulate` follows it".into(),
+            Problem::NoCase { .. } => "`standfast probability` answers it".into(),
             Problem::TableInTime => "`standfast batch` with --case follows the motion of every row".into(),
             Problem::NoInertia => {
                 "(1 + d²)/3 is taken for b1 = b2 = 1 only, a uniform block; else give I/m about C, rho2".into()

@@ -55,7 +55,7 @@ impl CaseFile {
     /// # Errors
     /// If the case is none, or a variable load has no history.
     pub fn motions(&self) -> Result<Vec<BlockCase>, CaseError> {
-        if !self.inputs().has(Table::Block) {
+        if self.is_in_time() && !self.inputs().has(Table::Block) {
             self.case()?;
         }
         motions(self.inputs()).map_err(|fault| self.error(fault))
@@ -67,12 +67,16 @@ impl CaseFile {
 /// # Errors
 /// As [`CaseFile::motions`].
 pub(crate) fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
-    let given = Given { inputs };
     if inputs.has(Table::Block) {
-        return Ok(vec![block_case(&given)?]);
+        return Ok(vec![block_case(&Given { inputs })?]);
     }
-    // What is said of no time is there all the time.
-    let mut case = Case::of(inputs)?;
+    // Histories on a [ground] are those of a motion where one is followed.
+    let mut moving = inputs.clone();
+    if !inputs.is_in_time() {
+        moving.add_table(Table::Motion);
+    }
+    let given = Given { inputs: &moving };
+    let mut case = Case::of(&moving)?;
     let motion = match case.motion.take() {
         Some(motion) => motion,
         None => given.motion(History::Base)?,

@@ -490,7 +490,7 @@ mod tests {
             ),
             (
                 format!("{BLOCK}{WATER_TABLE}{SHAKEN}"),
-                ["earthquake.horizontal = 1.962 m/s²", "[added_mass]", "sides = 1 or 2"],
+                ["earthquake.horizontal = 1.962 m/s²", "[added_mass]", "sides = \"right\" or \"both\""],
             ),
             (
                 format!("{sea}[uplift]\nleft = 0\nright = 20e3\n"),

@@ -102,7 +102,7 @@ fn more() -> Vec<(String, String)> {
     let caisson = "[body]\nwidth = 15\nheight = 10.5\nmass = 346050\nfriction = 0.6\n[water]\nlevel = 7.1\n";
     let list = [
         ("earthquake in water", format!("{body}[water]\nlevel = 5\ndensity = 1000\n[earthquake]\nhorizontal = -0.3\nvertical = 0.1\n[added_mass]\nsides = 2\n")),
-        ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.2\n[added_mass]\nsides = 1\n")),
+        ("one side", format!("{body}[water]\nleft = 2\nright = 5\ndensity = 1000\n[earthquake]\nhorizontal = 0.2\n[added_mass]\nsides = \"right\"\n")),
         ("added mass given", format!("{body}[earthquake]\nhorizontal = 0.2\n[added_mass]\nmass = 20e3\n")),
         ("pressures, scaled", format!("{body}[[pressure]]\nname = \"left\"\nface = \"left\"\nelevation = [0, 2, 2, 7]\npressure = [3e3, 1e3, 9e3, -2e3]\nscale = 1.3\n\
             [[pressure]]\nface = \"top\"\ndistance = [1, 6]\npressure = [4e3, 2e3]\npermanent = true\n\
