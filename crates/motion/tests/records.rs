@@ -57,7 +57,7 @@ fn wrong_files() {
         "r.csv, line 3: the time 0 is not after 0; expected times that rise"
     );
     assert_eq!(csv("time_s,a_g\n0,0\n"), "r.csv: 1 values; expected two at least");
-    assert_eq!(csv("time_s,a_g\n0,0\n1\n"), "r.csv, line 3: the row has 1 cells; expected 2");
+    assert_eq!(csv("time_s,a_g\n0,0\n1\n"), "r.csv, line 3: the row 1 has 1 cells; expected 2");
     assert_eq!(
         csv("0,0\n1,1\n"),
         "r.csv, line 1: \"0,0\" is not understood; expected a header with units, as time_s,a_g"
@@ -81,6 +81,66 @@ fn wrong_files() {
     let cut: String = smc.lines().take(400).map(|line| format!("{line}\n")).collect();
     let error = Record::parse("r.smc", &cut, None, None).unwrap_err().to_string();
     assert!(error.starts_with("r.smc: the header says 7183 values, and there are "), "{error}");
+}
+
+/// A comma within a number is no other number, and quotes are those of every table.
+#[test]
+fn commas_and_quotes() {
+    let read = |text: &str, dt| Record::parse("r.csv", text, Some("a"), dt);
+    let said = |text: &str, dt| read(text, dt).unwrap_err().to_string();
+    assert_eq!(
+        said("a\n0,0\n9,5\n", Some(0.5)),
+        "r.csv, line 2: the row 0,0 has 2 cells; expected 1, as the header has, and numbers with a decimal point, not a comma"
+    );
+    let comma = |value| {
+        format!("\"{value}\" is written with a comma; expected a decimal point and nothing between thousands")
+    };
+    assert_eq!(said("t,a\n0,0\n1,\"2,500\"\n", None), format!("r.csv, line 3: {}", comma("2,500")));
+    assert_eq!(said("# c\nt;a\n0;0\n\n0,5;1\n", None), format!("r.csv, line 5: {}", comma("0,5")));
+    assert_eq!(said("t\ta\n0\t1.234,5\n", None), format!("r.csv, line 2: {}", comma("1.234,5")));
+    assert!(
+        said("t,a\n0,0\n1,2,3\n", None).starts_with("r.csv, line 3: the row 1,2,3 has 3 cells; expected 2")
+    );
+    assert_eq!(
+        said("t,a,b,a\n0,0,0,0\n", None),
+        "r.csv, line 1: there are two columns \"a\"; expected names that differ"
+    );
+    let quoted = read("\"t\",\"what, how\",\"a\"\n0,\"x, \"\"y\"\"\",\"1.5\"\n\n1,,2\n", None).unwrap();
+    assert_eq!((quoted.times, quoted.values), (vec![0.0, 1.0], vec![1.5, 2.0]));
+    assert!(said("t,a\n0,0\n1, \"2\"\n", None).starts_with("r.csv, line 3: \"2\": a quote"));
+    assert!(said("t,a\n0,0\n1,\"2\n2,3\n", None).starts_with("r.csv, line 3: 1,\"2: a quote"));
+    assert!(said("t, \"a\"\n0,0\n", None).starts_with("r.csv, line 1: \"a\": a quote"));
+}
+
+/// Bytes that are no lines of text are not shown as if they were.
+#[test]
+fn other_encodings() {
+    let said = |text: &str| Record::parse("r.csv", text, None, None).unwrap_err().to_string();
+    assert_eq!(said("t,a_g\r0,0\r1,1\r"), "r.csv: its lines end in CR alone; expected LF or CR LF");
+    let wide: Vec<u8> = "\u{feff}t,a_g\n0,0\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let wide = said(&String::from_utf8_lossy(&wide));
+    assert_eq!(wide, "r.csv: it has bytes of value 0, as UTF-16 text has; expected UTF-8");
+    assert_eq!(said("t\u{1},a\u{2},b\n0,1,2\n").matches(char::is_control).count(), 0);
+    let wide: Vec<String> = (0..1000).map(|i| format!("a{i}")).collect();
+    assert!(said(&(wide.join(",") + "\n")).len() < 200);
+    let crlf = Record::parse("r.csv", "t,a_g\r\n0,0\r\n1,1\r\n", None, None).unwrap();
+    assert_eq!(crlf.values, [0.0, 1.0]);
+}
+
+/// Points that no instrument takes are refused by their values.
+#[test]
+fn steps_that_are_no_seconds() {
+    let said = |text: &str, dt| Record::parse("r.csv", text, None, dt).unwrap_err().to_string();
+    for dt in [1e-300, 9e-10, 0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let expected =
+            format!("r.csv, line 1: the step of time is {dt}; expected a number of seconds, 1e-9 at least");
+        assert_eq!(said("a_g\n0\n1\n", Some(dt)), expected);
+    }
+    assert_eq!(
+        said("t,a_g\n0,0\n1e-12,1\n", None),
+        "r.csv, line 3: the time 0.000000000001 is less than 1e-9 s after 0; expected times in s"
+    );
+    assert!(Record::parse("r.csv", "a_g\n0\n1\n2\n3\n", None, Some(1e-9)).is_ok());
 }
 
 /// A line under a record is found again, and the drift of a constant acceleration is that of a falling stone.
