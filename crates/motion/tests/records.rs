@@ -196,3 +196,33 @@ fn bodies_under_a_real_record() {
     assert_eq!(ends[End::AtRest as usize] + ends[End::Overturned as usize], 72, "{ends:?}");
     assert!(impacts > 5000 && ends[End::Overturned as usize] > 5, "{impacts} {ends:?}");
 }
+
+/// A slip of units is refused before a motion is followed under it, whatever the unit of gravity.
+#[test]
+fn shakings_beyond_all_measure_are_refused() {
+    use standfast::contact::Block;
+    use standfast_motion::{Keep, MotionError, Problem, simulate};
+    let record = Record::parse("r.csv", "t,a_g\n0,0\n1,2\n2,-3\n3,0\n", None, None).unwrap();
+    let followed = |factor: f64, gravity: f64, vertical: bool| {
+        let mut problem = Problem::new(Block::uniform(2.0, 0.5), gravity);
+        let history = Some(record.history(factor).unwrap());
+        if vertical {
+            problem.base.vertical = history;
+        } else {
+            problem.base.horizontal = history;
+        }
+        simulate(&problem, Keep::default())
+    };
+    for (vertical, name) in [(false, "horizontal"), (true, "vertical")] {
+        for (factor, gravity) in [(1e308, 9.81), (1e7, 9.81), (1e6, 1.0), (-4e6, 9.81)] {
+            let error = followed(factor, gravity, vertical).unwrap_err();
+            let peak = 3.0 * f64::abs(factor);
+            assert_eq!(error, MotionError::Acceleration { name, peak, most: 1e6 * gravity });
+        }
+    }
+    assert_eq!(
+        followed(1e7, 9.81, true).unwrap_err().to_string(),
+        "the acceleration `vertical` of the base has a peak of 30000000; expected 9810000 at most, a million times gravity"
+    );
+    assert!(followed(10.0, 9.81, true).is_ok() && followed(10.0, 9.81, false).is_ok());
+}
