@@ -162,6 +162,23 @@ fn more_rows_than_a_sheet_has_are_refused() {
     );
 }
 
+/// What a spreadsheet would take for a formula in CSV is a text in a workbook, and nothing is put before it in either.
+#[test]
+fn a_text_is_no_formula() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = "=1+1,1,1,2,5\n+1+1,1,1,2,5\n@SUM(1),1,1,2,5\n-1+1,1,1,2,5\n";
+    fs::write(folder.path().join("in.csv"), format!("name,gamma,k_prime,k,mu\n{rows}")).unwrap();
+    answer(&folder, "in.csv", "out.xlsx", TableOptions::new("in.csv")).unwrap();
+    let mut workbook: Xlsx<_> = calamine::open_workbook(folder.path().join("out.xlsx")).unwrap();
+    assert!(workbook.worksheet_formula("Sheet1").unwrap().is_empty());
+    answer(&folder, "in.csv", "out.csv", TableOptions::new("in.csv")).unwrap();
+    let text = fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    for (row, name) in ["=1+1", "+1+1", "@SUM(1)", "-1+1"].into_iter().enumerate() {
+        assert_eq!(cells(&folder, "out.xlsx")[row + 1][0], Data::String(name.to_owned()));
+        assert!(text.lines().nth(row + 1).unwrap().starts_with(&format!("{name},")));
+    }
+}
+
 /// A workbook of points with another text in place of a cell.
 fn packed(folder: &TempDir, cell: &str) {
     use std::io::{Read, Write};
