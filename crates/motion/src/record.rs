@@ -3,6 +3,7 @@
 use std::fmt;
 
 use standfast::history::{History, HistoryError};
+use standfast::number::exact;
 
 /// The unit of a record's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -344,7 +345,7 @@ fn short(word: &str) -> String {
 const LEAST_STEP: f64 = 1e-9;
 
 fn step(dt: f64) -> Result<(), RecordProblem> {
-    if dt >= LEAST_STEP && dt.is_finite() { Ok(()) } else { Err(RecordProblem::Step(dt.to_string())) }
+    if dt >= LEAST_STEP && dt.is_finite() { Ok(()) } else { Err(RecordProblem::Step(exact(dt).to_string())) }
 }
 
 fn evenly(dt: f64, values: Vec<f64>, unit: RecordUnit) -> Record {
@@ -563,14 +564,14 @@ fn values<'a>(
             Some(time) => number(cells[time], line)?,
             None => dt.unwrap_or(0.0) * values.len() as f64,
         };
-        let found = || t.to_string();
+        let found = || exact(t).to_string();
         match times.last() {
             Some(before) if t <= *before => {
-                let problem = RecordProblem::NotRising { found: found(), before: before.to_string() };
+                let problem = RecordProblem::NotRising { found: found(), before: exact(*before).to_string() };
                 return Err((Some(line), problem));
             }
             Some(before) if t - before < LEAST_STEP && columns.time.is_some() => {
-                let problem = RecordProblem::Close { found: found(), before: before.to_string() };
+                let problem = RecordProblem::Close { found: found(), before: exact(*before).to_string() };
                 return Err((Some(line), problem));
             }
             _ => {}

@@ -130,15 +130,19 @@ fn other_encodings() {
 /// Points that no instrument takes are refused by their values.
 #[test]
 fn steps_that_are_no_seconds() {
+    use standfast::number::exact;
     let said = |text: &str, dt| Record::parse("r.csv", text, None, dt).unwrap_err().to_string();
+    assert!(said("a_g\n0\n1\n", Some(1e-300)).contains("is 1e-300; expected"));
     for dt in [1e-300, 9e-10, 0.0, -1.0, f64::INFINITY, f64::NAN] {
-        let expected =
-            format!("r.csv, line 1: the step of time is {dt}; expected a number of seconds, 1e-9 at least");
+        let expected = format!(
+            "r.csv, line 1: the step of time is {}; expected a number of seconds, 1e-9 at least",
+            exact(dt)
+        );
         assert_eq!(said("a_g\n0\n1\n", Some(dt)), expected);
     }
     assert_eq!(
         said("t,a_g\n0,0\n1e-12,1\n", None),
-        "r.csv, line 3: the time 0.000000000001 is less than 1e-9 s after 0; expected times in s"
+        "r.csv, line 3: the time 1e-12 is less than 1e-9 s after 0; expected times in s"
     );
     assert!(Record::parse("r.csv", "a_g\n0\n1\n2\n3\n", None, Some(1e-9)).is_ok());
 }
