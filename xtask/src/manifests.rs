@@ -13,6 +13,7 @@ pub fn check(tally: &mut Tally) {
         Ok(metadata) => {
             tally.outcome("oldest Rust of the dependencies", oldest_rust(&metadata));
             tally.outcome("what a published crate has to say", presentable(&metadata));
+            tally.outcome("what a published crate depends on", complete(&metadata));
             package(tally, &metadata);
         }
         Err(error) => tally.fail("manifests", error),
@@ -104,6 +105,20 @@ fn presentable(metadata: &Value) -> Result<(), String> {
     if missing.is_empty() { Ok(()) } else { Err(missing.join(", ")) }
 }
 
+/// No crate that is to be published needs one of ours that is not.
+fn complete(metadata: &Value) -> Result<(), String> {
+    let kept: Vec<&str> = ours(metadata).filter(|package| !package["publish"].is_null()).map(name).collect();
+    let mut missing = Vec::new();
+    for package in published(metadata) {
+        for dependency in package["dependencies"].as_array().into_iter().flatten().map(name) {
+            if kept.contains(&dependency) {
+                missing.push(format!("{} needs {dependency}, which is not published", name(package)));
+            }
+        }
+    }
+    if missing.is_empty() { Ok(()) } else { Err(missing.join(", ")) }
+}
+
 /// Packs the crates that are to be published, all at once because they depend on each other. What they hold is compiled by
 /// the other steps.
 fn package(tally: &mut Tally, metadata: &Value) {
@@ -144,5 +159,17 @@ mod tests {
         let error = presentable(&workspace("1.90", Value::Null, &[])).unwrap_err();
         assert_eq!(error, "ours has no keywords");
         assert!(presentable(&workspace("1.90", json!([]), &["k"])).is_err());
+    }
+
+    #[test]
+    fn a_published_crate_that_needs_one_that_is_not_is_named() {
+        let of = |publish: Value| {
+            let ours = json!({"name": "ours", "source": null, "publish": null,
+                "dependencies": [{"name": "face"}, {"name": "theirs"}]});
+            let face = json!({"name": "face", "source": null, "publish": publish, "dependencies": []});
+            json!({"packages": [ours, face, {"name": "theirs", "source": "registry", "publish": []}]})
+        };
+        assert_eq!(complete(&of(Value::Null)), Ok(()));
+        assert_eq!(complete(&of(json!([]))).unwrap_err(), "ours needs face, which is not published");
     }
 }

@@ -331,3 +331,31 @@ fn a_given_weight_of_parts_has_their_arm() {
     let found = higher.number(standfast_cases::Key::BuoyantWeight).unwrap();
     assert!((found - (weight - 8.0 * (1030.0 + 300.0)) * 9.81).abs() < 1e-6, "{found}");
 }
+
+/// A load at the crest of parts, and water up to it, are where the file's decimals have them, however these add up as f64.
+#[test]
+fn the_crest_of_parts_is_where_their_decimals_have_it() {
+    let text = |lower: u32, upper: u32, level: &str| {
+        let [lower, upper] = [lower, upper].map(|tenths| f64::from(tenths) / 10.0);
+        format!(
+            "[body]\nfriction = 0.6\n[water]\nlevel = {level}\ndensity = 1030\n\
+             [[part]]\nleft = 0\nwidth = 9\nbottom = 0\nheight = {lower}\ndensity = 2400\n\
+             [[part]]\nleft = 0\nwidth = 9\nbottom = {lower}\nheight = {upper}\ndensity = 2400\n\
+             [[load]]\nforce = 1e3\nelevation = {level}\n"
+        )
+    };
+    let mut less = 0;
+    for lower in 1..40 {
+        for upper in 1..20 {
+            let level = f64::from(lower + upper) / 10.0;
+            let case = CaseFile::parse("t.toml", &text(lower, upper, &level.to_string())).unwrap().case();
+            let case = case.unwrap_or_else(|error| panic!("{lower} + {upper}: {error}"));
+            less += u32::from(case.body.height() < level);
+        }
+    }
+    assert!(less > 20, "{less}");
+    let above = text(7, 1, "0.8000000000000007");
+    assert!(error(&above).contains("crest"));
+    let above = above.replace("[water]\nlevel = 0.8000000000000007\ndensity = 1030\n", "");
+    assert!(error(&above).contains("above the crest"));
+}

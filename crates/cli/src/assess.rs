@@ -9,6 +9,7 @@ use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
 use crate::figures::{self, Drawn, FigureError, Figures};
+use crate::files_read::FilesRead;
 use crate::format::Format;
 
 /// Why a case was not assessed.
@@ -60,13 +61,14 @@ pub fn assess(
     format: Format,
     check: bool,
 ) -> Result<Answered, AssessError> {
-    let assessment = Assessment::of_file(&case_file::parse(path)?)?;
+    let read = FilesRead::default();
+    let assessment = Assessment::of_file(&case_file::parse(path, &read)?)?;
     let nothing = assessment.all_checks().is_empty();
     if check && nothing {
         return Err(AssessError::NothingToCheck { path: path.to_owned() });
     }
     let mut drawn = Vec::new();
-    let undrawn = draw(&assessment, view, path, figures, &mut drawn).err();
+    let undrawn = draw(&assessment, view, (path, &read), figures, &mut drawn).err();
     let answer = match format {
         Format::Text => {
             let mut answer = assessment.text(view);
@@ -84,7 +86,7 @@ pub fn assess(
 fn draw(
     assessment: &Assessment,
     view: &View,
-    case: &Path,
+    (case, read): (&Path, &FilesRead),
     figures: Figures,
     drawn: &mut Vec<Drawn>,
 ) -> Result<(), AssessError> {
@@ -92,5 +94,5 @@ fn draw(
         return Ok(());
     }
     let all = assessment.figures(view)?.into_iter();
-    Ok(figures.write(case, all.map(|figure| (figure.words, figure.suffix, figure.figure)), drawn)?)
+    Ok(figures.write(case, read, all.map(|figure| (figure.words, figure.suffix, figure.figure)), drawn)?)
 }

@@ -2,7 +2,7 @@
 
 pub mod motion;
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,6 +19,7 @@ use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
 use crate::features::{Feature, LeftOut};
+use crate::files_read::{FilesRead, ReadAs};
 use crate::progress::Bar;
 use crate::write::{Pending, WriteError};
 
@@ -39,6 +40,7 @@ pub enum BatchCommandError {
     Case(#[from] CaseFileError),
     /// The file of the result cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
 }
 
@@ -59,8 +61,8 @@ pub fn columns(problem: TableProblem, names: &[String]) -> Result<Vec<ResultColu
 ///
 /// # Errors
 /// If the case file cannot be read or is wrong, or there is no result of a name.
-pub fn case(path: &Path, names: &[String]) -> Result<CaseTable, BatchCommandError> {
-    let case = CaseTable::of(case_file::parse(path)?).map_err(CaseFileError::from)?;
+pub fn case(path: &Path, names: &[String], read: &FilesRead) -> Result<CaseTable, BatchCommandError> {
+    let case = CaseTable::of(case_file::parse(path, read)?).map_err(CaseFileError::from)?;
     let of_name = |name: &String| {
         let found = SweepResult::find(name.trim());
         found.ok_or_else(|| no_result(name, SweepResult::all().map(SweepResult::name)))
@@ -120,15 +122,20 @@ pub fn format(
     Ok(format)
 }
 
-/// Answers the table in one file and writes another, which appears only when it is complete; `-` is standard input or
-/// output.
+/// Answers the table in one file and writes another, or the same, which appears only when it is complete; `-` is standard input or
+/// output. No other file that was `read` is written.
 ///
 /// An interrupt (Ctrl-C) ends the program with exit code 130 and says what was done.
 ///
 /// # Errors
 /// If the table or a row makes no sense (see [`OnError`](standfast_tables::OnError)), or a file cannot be opened or written.
-pub fn process(input: &Path, output: &Path, options: &TableOptions) -> Result<Summary, BatchCommandError> {
-    let (source, length) = open(input, options)?;
+pub fn process(
+    input: &Path,
+    output: &Path,
+    options: &TableOptions,
+    read: &FilesRead,
+) -> Result<Summary, BatchCommandError> {
+    let (source, length) = open(input, options, read)?;
     let progress = Arc::new(Bar::shown(length));
 
     if output == Path::new("-") {
@@ -144,7 +151,7 @@ pub fn process(input: &Path, output: &Path, options: &TableOptions) -> Result<Su
             outcome => Ok(outcome?),
         };
     }
-    let file = Pending::create(output)?;
+    let file = Pending::create_answer(output, read)?;
     let temporary = Arc::new(Mutex::new(file.temporary().map(Path::to_owned)));
     let said = if file.is_unseen() { "was not written" } else { "is not complete" };
     let said = format!("{} {said}", output.display());
@@ -152,7 +159,7 @@ pub fn process(input: &Path, output: &Path, options: &TableOptions) -> Result<Su
     let mut sink = BufWriter::with_capacity(1 << 18, file);
     let outcome = answer(source, &mut sink, options, &*progress);
     progress.clear();
-    let unwritten = |cause| WriteError { path: output.to_owned(), cause };
+    let unwritten = |cause| WriteError::System { path: output.to_owned(), cause };
     let summary = outcome.map_err(|error| match error {
         TableError::Write(cause) => BatchCommandError::from(unwritten(cause)),
         other => other.into(),
@@ -174,12 +181,16 @@ pub fn process(input: &Path, output: &Path, options: &TableOptions) -> Result<Su
 }
 
 /// The input, and its length if that is known.
-fn open(path: &Path, options: &TableOptions) -> Result<(Input<'static>, Option<u64>), TableError> {
+fn open(
+    path: &Path,
+    options: &TableOptions,
+    read: &FilesRead,
+) -> Result<(Input<'static>, Option<u64>), TableError> {
     if path == Path::new("-") {
         return Ok((Input::Stream(Box::new(io::stdin())), None));
     }
     let unread = |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
-    let file = File::open(path).map_err(unread)?;
+    let file = read.open(path, ReadAs::Table).map_err(unread)?;
     let metadata = file.metadata().map_err(unread)?;
     if metadata.is_dir() {
         return Err(unread(io::ErrorKind::IsADirectory.into()));

@@ -1,12 +1,13 @@
 //! Case files, read: from a file, or from standard input where `-` stands in its place.
 
-use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 
 use miette::Diagnostic;
 use standfast_cases::{CaseError, CaseFile};
 use thiserror::Error;
+
+use crate::files_read::{FilesRead, ReadAs};
 
 /// Why a case file was not read.
 #[derive(Debug, Error, Diagnostic)]
@@ -52,33 +53,27 @@ pub fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Whether `file` is the case file, so that writing the one would replace the other.
-pub fn is_at(path: &Path, file: &Path) -> bool {
-    !is_standard_input(path)
-        && file.canonicalize().is_ok_and(|file| path.canonicalize().is_ok_and(|case| case == file))
-}
-
 /// A case file with the files that it names, which lie beside it.
 ///
 /// # Errors
 /// If it, or a file that it names, cannot be read, or is not understood.
-pub fn parse(path: &Path) -> Result<CaseFile, CaseFileError> {
-    Ok(CaseFile::read(&name(path), &read(path)?, &beside(path))?)
+pub fn parse(path: &Path, files: &FilesRead) -> Result<CaseFile, CaseFileError> {
+    Ok(CaseFile::read(&name(path), &read(path, files)?, &beside(path, files))?)
 }
 
 /// A case file without the files that it names.
 ///
 /// # Errors
 /// If it cannot be read, or is not understood.
-pub fn parse_alone(path: &Path) -> Result<CaseFile, CaseFileError> {
-    Ok(CaseFile::parse(&name(path), &read(path)?)?)
+pub fn parse_alone(path: &Path, files: &FilesRead) -> Result<CaseFile, CaseFileError> {
+    Ok(CaseFile::parse(&name(path), &read(path, files)?)?)
 }
 
 /// Reads the files that a case names, beside it.
-pub(crate) fn beside(case: &Path) -> impl Fn(&str) -> Result<String, String> {
+pub(crate) fn beside(case: &Path, files: &FilesRead) -> impl Fn(&str) -> Result<String, String> {
     let directory = case.parent().unwrap_or(Path::new("")).to_owned();
     move |file| {
-        let bytes = fs::read(directory.join(file)).map_err(|cause| cause.to_string())?;
+        let bytes = files.read(&directory.join(file), ReadAs::Record).map_err(|cause| cause.to_string())?;
         // Old records have letters of other alphabets in their headers, and no meaning in them.
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
@@ -88,16 +83,13 @@ pub(crate) fn beside(case: &Path) -> impl Fn(&str) -> Result<String, String> {
 ///
 /// # Errors
 /// If it cannot be read, or is not text.
-pub(crate) fn read(path: &Path) -> Result<String, CaseFileError> {
-    let read = || {
-        if !is_standard_input(path) {
-            return fs::read(path);
-        }
-        let mut bytes = Vec::new();
-        io::stdin().read_to_end(&mut bytes)?;
-        Ok(bytes)
+pub(crate) fn read(path: &Path, files: &FilesRead) -> Result<String, CaseFileError> {
+    let read = if is_standard_input(path) {
+        files.read_standard_input(ReadAs::Case)
+    } else {
+        files.read(path, ReadAs::Case)
     };
-    let bytes = read().map_err(|cause| CaseFileError::System { name: name(path), cause })?;
+    let bytes = read.map_err(|cause| CaseFileError::System { name: name(path), cause })?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();

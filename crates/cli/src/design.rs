@@ -12,6 +12,7 @@ use thiserror::Error;
 use crate::args::DesignArgs;
 use crate::case_file::{self, CaseFileError};
 use crate::draw::{DrawError, PictureFile};
+use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::write::{self, ExtensionError, WriteError};
 
@@ -66,13 +67,6 @@ pub enum DesignCommandError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Design(#[from] DesignError),
-    /// The file would replace the case file.
-    #[error("the boundary would be written over the case file {}", path.display())]
-    #[diagnostic(help("choose another name with -o FILE"))]
-    Overwrite {
-        /// The case file.
-        path: PathBuf,
-    },
     /// There is no boundary to be drawn.
     #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
     #[diagnostic(help("--from and --to widen the range; -o FILE.csv writes the values"))]
@@ -83,6 +77,7 @@ pub enum DesignCommandError {
     Draw(#[from] DrawError),
     /// The table cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
 }
 
@@ -91,7 +86,12 @@ pub enum DesignCommandError {
 /// # Errors
 /// If the case file cannot be read or makes no sense, there is no design, or a file cannot be written.
 pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
-    let file = case_file::parse(&args.case)?;
+    let read = FilesRead::default();
+    let file = case_file::parse(&args.case, &read)?;
+    for output in &args.output {
+        // Before a boundary is looked for, or the first of several files is written.
+        read.refuse(output.path()).map_err(WriteError::from)?;
+    }
     let request = Request {
         vary: args.vary.clone(),
         target: args.target,
@@ -110,7 +110,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
     let request =
         BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
     let boundary = Boundary::of(&file, request)?;
-    let written = files(args, &boundary)?;
+    let written = files(args, &boundary, &read)?;
     Ok(match args.format {
         Format::Text => boundary.text() + &written,
         Format::Json => boundary.json(),
@@ -118,20 +118,17 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
 }
 
 /// Writes the files; says so.
-fn files(args: &DesignArgs, boundary: &Boundary) -> Result<String, DesignCommandError> {
+fn files(args: &DesignArgs, boundary: &Boundary, read: &FilesRead) -> Result<String, DesignCommandError> {
     let mut said = if args.output.is_empty() { String::new() } else { "\n".to_owned() };
     for output in &args.output {
-        if case_file::is_at(&args.case, output.path()) {
-            return Err(DesignCommandError::Overwrite { path: args.case.clone() });
-        }
         let what = match output {
             BoundaryFile::Csv(path) => {
-                write::write_file(path, boundary.csv().as_bytes())?;
+                write::write_file(path, boundary.csv().as_bytes(), read)?;
                 "Table"
             }
             BoundaryFile::Picture(picture) => {
                 let figure = boundary.figure().ok_or(DesignCommandError::NoBoundary)?;
-                picture.save(&figure, args.scale)?;
+                picture.save(&figure, args.scale, read)?;
                 "Picture"
             }
         };

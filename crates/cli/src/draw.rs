@@ -18,6 +18,7 @@ use thiserror::Error;
 
 use crate::args::DiagramArgs;
 use crate::features::{Feature, LeftOut};
+use crate::files_read::FilesRead;
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a picture is written.
@@ -82,12 +83,12 @@ impl PictureFile {
         &self.path
     }
 
-    /// Writes a figure into it, a PNG with `scale` pixels per unit of the figure.
+    /// Writes a figure into it, over no file that was `read`, a PNG with `scale` pixels per unit of the figure.
     ///
     /// # Errors
     /// If the picture cannot be made or written.
-    pub fn save(&self, figure: &Figure, scale: f32) -> Result<(), DrawError> {
-        save(figure, &self.path, self.picture, scale)
+    pub fn save(&self, figure: &Figure, scale: f32, read: &FilesRead) -> Result<(), DrawError> {
+        save(figure, &self.path, self.picture, scale, read)
     }
 }
 
@@ -118,15 +119,24 @@ pub enum DrawError {
     },
     /// The picture cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
 }
 
-fn save(figure: &Figure, path: &Path, picture: Picture, scale: f32) -> Result<(), DrawError> {
-    match picture {
-        Picture::Svg => write::write_file(path, figure.svg().as_bytes())?,
-        Picture::Png | Picture::Pdf => write::write_file(path, &rendered(figure, path, picture, scale)?)?,
-    }
-    Ok(())
+fn save(
+    figure: &Figure,
+    path: &Path,
+    picture: Picture,
+    scale: f32,
+    read: &FilesRead,
+) -> Result<(), DrawError> {
+    let written = match picture {
+        Picture::Svg => write::write_file(path, figure.svg().as_bytes(), read),
+        Picture::Png | Picture::Pdf => {
+            write::write_file(path, &rendered(figure, path, picture, scale)?, read)
+        }
+    };
+    Ok(written?)
 }
 
 #[cfg(feature = "pictures")]
@@ -187,7 +197,7 @@ pub fn draw_diagram(plane: &Plane, points: &[KMu], file: &PictureFile, scale: f3
         Plane::Crushing(map) => ground_diagram(GroundPlane::Crushing(map), &content),
         Plane::Failing(plane) => ground_diagram(GroundPlane::Failing(plane), &content),
     };
-    file.save(&figure, scale)
+    file.save(&figure, scale, &FilesRead::default())
 }
 
 /// Draws figures of the report into a directory, which is made if it is not there; gives the files written.
@@ -206,7 +216,7 @@ pub fn draw_figures(
         .iter()
         .map(|&id| {
             let path = directory.join(format!("fig-{id}.{}", picture.extension()));
-            save(&report_figure(id), &path, picture, scale)?;
+            save(&report_figure(id), &path, picture, scale, &FilesRead::default())?;
             Ok(path)
         })
         .collect()

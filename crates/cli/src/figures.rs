@@ -1,24 +1,18 @@
 //! Figures that are written beside a case file, or into a directory of their own.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use miette::Diagnostic;
 use standfast_figures::Figure;
 use thiserror::Error;
 
 use crate::case_file;
+use crate::files_read::FilesRead;
 use crate::write::{self, WriteError};
 
 /// Why a figure was not written.
 #[derive(Debug, Error, Diagnostic)]
 pub enum FigureError {
-    /// It would replace the case file.
-    #[error("the figure would be written over the case file {}", path.display())]
-    #[diagnostic(help("rename the case file to end in .toml, or choose another directory with -o DIR"))]
-    Overwrite {
-        /// The case file.
-        path: PathBuf,
-    },
     /// It cannot be written.
     #[error(transparent)]
     #[diagnostic(help("-o DIR puts the figures into another directory"))]
@@ -51,13 +45,14 @@ impl<'a> Figures<'a> {
         !matches!(self, Figures::None)
     }
 
-    /// Writes figures, each with its words and what its file's name has behind that of the case; `drawn` gets those that were written.
+    /// Writes figures, over no file that was `read`, each with its words and what its file's name has behind that of the case; `drawn` gets those that were written.
     ///
     /// # Errors
     /// If one cannot be written; those before it are.
     pub fn write<W: Into<String>>(
         self,
         case: &Path,
+        read: &FilesRead,
         figures: impl IntoIterator<Item = (W, String, Figure)>,
         drawn: &mut Vec<Drawn>,
     ) -> Result<(), FigureError> {
@@ -72,10 +67,7 @@ impl<'a> Figures<'a> {
         let stem = case_file::stem(case);
         for (words, suffix, figure) in figures {
             let file = directory.join(format!("{stem}{suffix}.svg"));
-            if case_file::is_at(case, &file) {
-                return Err(FigureError::Overwrite { path: case.to_owned() });
-            }
-            write::write_file(&file, figure.svg().as_bytes())?;
+            write::write_file(&file, figure.svg().as_bytes(), read)?;
             drawn.push(Drawn { words: words.into(), file: file.display().to_string() });
         }
         Ok(())

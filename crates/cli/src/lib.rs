@@ -7,6 +7,7 @@
 //! | What becomes of a case file and its diagrams? | [`assess`], [`mod@design`] |
 //! | How is a calculation sheet written? | [`sheet`] |
 //! | What becomes of a block in time? | [`simulate`], [`mod@spectrum`] |
+//! | Which files may no answer be written over? | [`files_read`] |
 //! | What may a build leave out? | [`features`] |
 //!
 //! All mechanics is `standfast`'s; case files and answers are `standfast-cases`'; all drawing is `standfast-figures`';
@@ -22,6 +23,7 @@ pub mod design;
 pub mod draw;
 pub mod features;
 pub mod figures;
+pub mod files_read;
 pub mod format;
 pub mod probability;
 mod progress;
@@ -46,6 +48,7 @@ use standfast_tables::TableOptions;
 
 use args::{Cli, Command};
 use figures::Figures;
+use files_read::FilesRead;
 use format::Format;
 
 /// How a command ended that did what it was asked.
@@ -146,15 +149,16 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     } else {
         args.input.display().to_string()
     };
+    let read = FilesRead::default();
     if let Some(path) = args.case.as_ref().filter(|path| path.as_os_str() != "-") {
-        let file = case_file::parse_alone(path)?;
+        let file = case_file::parse_alone(path, &read)?;
         if file.is_in_time() {
-            return print(&batch::motion::motions(args, path, file)?);
+            return print(&batch::motion::motions(args, path, file, &read)?);
         }
     }
     let plain = TableOptions::new(&name);
     let (case, columns) = match &args.case {
-        Some(case) => (Some(batch::case(case, &args.columns)?.into()), Vec::new()),
+        Some(case) => (Some(batch::case(case, &args.columns, &read)?.into()), Vec::new()),
         None => (None, batch::columns(args.problem, &args.columns)?),
     };
     let options = TableOptions {
@@ -169,7 +173,7 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
         threads: args::threads(args.threads),
         ..plain
     };
-    let summary = batch::process(&args.input, &args.output, &options)?;
+    let summary = batch::process(&args.input, &args.output, &options, &read)?;
     complain(&batch::said(&summary));
     Ok(())
 }

@@ -13,6 +13,7 @@ use thiserror::Error;
 
 use crate::args::{ProbabilityArgs, RotationsArg};
 use crate::case_file::{self, CaseFileError};
+use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::write::{self, ExtensionError, Pending, WriteError};
 
@@ -55,20 +56,6 @@ pub enum ProbabilityCommandError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Probability(#[from] ProbabilityError),
-    /// A figure would replace the case file.
-    #[error("the figure would be written over the case file {}", path.display())]
-    #[diagnostic(help("rename the case file to end in .toml, or choose another directory with -o DIR"))]
-    FigureOverwrite {
-        /// The case file.
-        path: PathBuf,
-    },
-    /// The draws would replace the case file.
-    #[error("the draws would be written over the case file {}", path.display())]
-    #[diagnostic(help("choose another name with --draws FILE"))]
-    Overwrite {
-        /// The case file.
-        path: PathBuf,
-    },
     /// The draws cannot be written.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -93,7 +80,8 @@ pub struct Answered {
 /// # Errors
 /// If the case file cannot be read or makes no sense, or the draws cannot be written.
 pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityCommandError> {
-    let case = case_file::parse(&args.case)?;
+    let read = FilesRead::default();
+    let case = case_file::parse(&args.case, &read)?;
     if args.template {
         return Ok(Answered { answer: template(&case)?, undrawn: None });
     }
@@ -105,19 +93,18 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
         points: args.samples,
         threads: args.threads.map_or(plain.threads, NonZeroUsize::get),
     };
-    if let Some(file) = args.draws.as_ref().filter(|file| case_file::is_at(&args.case, &file.path)) {
-        let path = file.path.clone();
-        return Err(ProbabilityCommandError::Overwrite { path });
+    if let Some(file) = &args.draws {
+        read.refuse(&file.path).map_err(WriteError::from)?;
     }
     let follow = args.rotations == RotationsArg::Simulate;
     let plainly = Request { effort, years: args.years, follow, ..Request::default() };
     let request = args.method.map_or(plainly, |method| plainly.with(method));
     let answer = &Probability::along(&case, request, args.over.as_ref())?;
     if let Some(file) = &args.draws {
-        write_draws(WeighedDraws::of(&case, answer)?, file)?;
+        write_draws(WeighedDraws::of(&case, answer)?, file, &read)?;
     }
     let mut drawn = Vec::new();
-    let undrawn = if args.no_figures { None } else { draw(answer, &case, args, &mut drawn).err() };
+    let undrawn = if args.no_figures { None } else { draw(answer, &case, (args, &read), &mut drawn).err() };
     let answer = match args.format {
         Format::Text => {
             let mut said = answer.text();
@@ -141,7 +128,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
 fn draw(
     answer: &Probability,
     case: &CaseFile,
-    args: &ProbabilityArgs,
+    (args, read): (&ProbabilityArgs, &FilesRead),
     drawn: &mut Vec<(&'static str, String)>,
 ) -> Result<(), ProbabilityCommandError> {
     if let Some(directory) = &args.output {
@@ -151,17 +138,18 @@ fn draw(
     let stem = case_file::stem(&args.case);
     for figure in answer.figures(case)? {
         let file = directory.join(format!("{stem}{}.svg", figure.suffix));
-        if case_file::is_at(&args.case, &file) {
-            return Err(ProbabilityCommandError::FigureOverwrite { path: args.case.clone() });
-        }
-        write::write_file(&file, figure.figure.svg().as_bytes())?;
+        write::write_file(&file, figure.figure.svg().as_bytes(), read)?;
         drawn.push((figure.words, file.display().to_string()));
     }
     Ok(())
 }
 
 /// A row for each draw: the numbers, the weight and the mode, and of several sets of loads which.
-fn write_draws(draws: WeighedDraws, file: &DrawsFile) -> Result<(), ProbabilityCommandError> {
+fn write_draws(
+    draws: WeighedDraws,
+    file: &DrawsFile,
+    read: &FilesRead,
+) -> Result<(), ProbabilityCommandError> {
     let WeighedDraws { inputs, values, of, weights, happens, situations } = draws;
     let number = |((name, unit), values): ((String, Option<&'static str>), Vec<f64>)| PlainColumn {
         name,
@@ -185,7 +173,7 @@ fn write_draws(draws: WeighedDraws, file: &DrawsFile) -> Result<(), ProbabilityC
         let names = situations.into_iter().map(Option::unwrap_or_default).collect();
         columns.push(word("situation", PlainValues::Words(names, of)));
     }
-    let pending = Pending::create(&file.path)?;
+    let pending = Pending::create(&file.path, read)?;
     let mut bytes = Vec::new();
     write_columns(&columns, file.format, &mut bytes)?;
     Ok(pending.write_all_and_finish(&bytes)?)

@@ -9,6 +9,7 @@ use standfast_sheet::{Paper, PrintError, Sheet, SheetError, SheetOptions};
 use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
+use crate::files_read::FilesRead;
 use crate::write::{self, ExtensionError, WriteError};
 
 /// How a sheet is written.
@@ -59,15 +60,9 @@ pub enum SheetCommandError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Print(#[from] PrintError),
-    /// The sheet would replace the case file.
-    #[error("the sheet would be written over the case file {}", path.display())]
-    #[diagnostic(help("choose another file with -o"))]
-    Overwrite {
-        /// The case file.
-        path: PathBuf,
-    },
     /// The sheet cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
 }
 
@@ -81,15 +76,15 @@ pub fn sheet(
     options: &SheetOptions,
     paper: Paper,
 ) -> Result<(), SheetCommandError> {
-    let sheet = Sheet::of_file(&case_file::parse(case)?, options)?;
-    if case_file::is_at(case, &file.path) {
-        return Err(SheetCommandError::Overwrite { path: case.to_owned() });
-    }
+    let read = FilesRead::default();
+    let case = case_file::parse(case, &read)?;
+    read.refuse(&file.path).map_err(WriteError::from)?;
+    let sheet = Sheet::of_file(&case, options)?;
     match file.kind {
-        Kind::Html => write::write_file(&file.path, sheet.html().as_bytes())?,
+        Kind::Html => write::write_file(&file.path, sheet.html().as_bytes(), &read)?,
         Kind::Pdf => {
             // Before a browser is started for nothing.
-            let pending = write::Pending::create(&file.path)?;
+            let pending = write::Pending::create(&file.path, &read)?;
             pending.write_all_and_finish(&sheet.pdf(paper)?)?;
         }
     }

@@ -13,6 +13,7 @@ use crate::args::SimulateArgs;
 use crate::batch::{self, BatchCommandError};
 use crate::case_file::{self, CaseFileError};
 use crate::figures::{self, FigureError, Figures};
+use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::write::{self, WriteError};
 
@@ -30,12 +31,6 @@ pub enum SimulateError {
     /// The motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] standfast_cases::motion::MotionError),
-    /// The series would replace the case file.
-    #[error("the series would be written over the case file {}", path.display())]
-    Overwrite {
-        /// The case file.
-        path: PathBuf,
-    },
     /// There are no criteria to check.
     #[error("--check finds no [criteria] of the motion in {}", path.display())]
     #[diagnostic(help(
@@ -58,6 +53,7 @@ pub enum SimulateError {
     Format(Box<BatchCommandError>),
     /// The series cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
     /// A figure cannot be written.
     #[error(transparent)]
@@ -81,16 +77,15 @@ pub struct Simulated {
 /// # Errors
 /// If a file cannot be read, the series cannot be written, or the case makes no sense.
 pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
-    let file = case_file::parse(&args.case)?;
+    let read = FilesRead::default();
+    let file = case_file::parse(&args.case, &read)?;
     let cases = file.motions()?;
     if args.check && cases.iter().all(|case| case.criteria.is_empty()) {
         return Err(SimulateError::NothingToCheck { path: args.case.clone() });
     }
     if let Some(series) = args.series.as_ref().filter(|series| series.as_os_str() != "-") {
         // Before a motion is followed for nothing.
-        if case_file::is_at(&args.case, series) {
-            return Err(SimulateError::Overwrite { path: series.clone() });
-        }
+        read.refuse(series).map_err(WriteError::from)?;
         series_format(series)?;
     }
     let to_stdout = args.series.as_ref().is_some_and(|series| series.as_os_str() == "-");
@@ -109,7 +104,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
         Some((case, followed)) if figures.are_drawn() => {
             let all = case.figures(followed).into_iter();
             let all = all.map(|figure| (figure.words, figure.suffix.to_owned(), figure.figure));
-            figures.write(&args.case, all, &mut drawn).err()
+            figures.write(&args.case, &read, all, &mut drawn).err()
         }
         _ => None,
     };
@@ -126,7 +121,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
         Format::Json => all_json(&answers, &figures::files(drawn)),
     };
     if let (Some(series), Some(dt), Some(worst)) = (&args.series, args.dt, worst) {
-        write::write_file(series, &series_bytes(worst, dt, series)?)?;
+        write::write_file(series, &series_bytes(worst, dt, series)?, &read)?;
         if args.format == Format::Text {
             let _ = writeln!(answer, "Series written to {}", series.display());
         }
@@ -162,5 +157,5 @@ fn series_bytes(outcome: &Outcome, dt: f64, file: &Path) -> Result<Vec<u8>, Simu
         WrittenColumn::Texts(rows.iter().map(|(_, at)| at.state.symbol().to_owned()).collect()),
     ];
     let columns: Vec<_> = SERIES.iter().map(|name| (*name).to_owned()).zip(columns).collect();
-    Ok(written(format, &columns).map_err(|cause| WriteError { path: file.to_owned(), cause })?)
+    Ok(written(format, &columns).map_err(|cause| WriteError::System { path: file.to_owned(), cause })?)
 }

@@ -1,7 +1,6 @@
 //! `standfast spectrum`: many motions under one shaking.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use miette::Diagnostic;
@@ -12,6 +11,7 @@ use thiserror::Error;
 use crate::args::{SpectrumArgs, threads};
 use crate::case_file::{self, CaseFileError};
 use crate::figures::{self, FigureError, Figures};
+use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::progress::Motions;
 use crate::write::{self, WriteError};
@@ -30,14 +30,9 @@ pub enum SpectrumCommandError {
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
-    /// The points would replace the case file.
-    #[error("the points would be written over the case file {}", path.display())]
-    Overwrite {
-        /// The case file.
-        path: PathBuf,
-    },
     /// The points cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
     /// The figure cannot be written.
     #[error(transparent)]
@@ -50,7 +45,12 @@ pub enum SpectrumCommandError {
 /// # Errors
 /// If a file cannot be read or written, or the case has no such spectrum.
 pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
-    let cases = case_file::parse(&args.case)?.motions()?;
+    let read = FilesRead::default();
+    let cases = case_file::parse(&args.case, &read)?.motions()?;
+    if let Some(csv) = args.csv.as_ref().filter(|csv| csv.as_os_str() != "-") {
+        // Before many motions are followed for nothing.
+        read.refuse(csv).map_err(WriteError::from)?;
+    }
     let Some(case) = cases.into_iter().next() else { return Err(SpectrumError::NoShaking.into()) };
     let request = SpectrumRequest {
         size: args.size,
@@ -70,12 +70,9 @@ pub fn spectrum(args: &SpectrumArgs) -> Result<String, SpectrumCommandError> {
     }
     let mut drawn = Vec::new();
     let figure = ("Spectrum", format!("-{}", args.kind.word()), spectrum.figure());
-    Figures::asked(args.output.as_deref(), false).write(&args.case, [figure], &mut drawn)?;
+    Figures::asked(args.output.as_deref(), false).write(&args.case, &read, [figure], &mut drawn)?;
     if let Some(csv) = &args.csv {
-        if case_file::is_at(&args.case, csv) {
-            return Err(SpectrumCommandError::Overwrite { path: args.case.clone() });
-        }
-        write::write_file(csv, spectrum.csv().as_bytes())?;
+        write::write_file(csv, spectrum.csv().as_bytes(), &read)?;
     }
     let said = figures::said(&drawn);
     Ok(match args.format {

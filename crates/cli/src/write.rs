@@ -6,18 +6,27 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use miette::Diagnostic;
 use thiserror::Error;
 
+use crate::files_read::{FilesRead, WouldReplace};
 use unfinished::Unfinished;
 
 /// Why a file was not written.
-#[derive(Debug, Error)]
-#[error("cannot write {}: {cause}", path.display())]
-pub struct WriteError {
-    /// The file.
-    pub path: PathBuf,
-    /// What the system says.
-    pub cause: io::Error,
+#[derive(Debug, Error, Diagnostic)]
+pub enum WriteError {
+    /// The system does not write it.
+    #[error("cannot write {}: {cause}", path.display())]
+    System {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        cause: io::Error,
+    },
+    /// It is a file that was read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    WouldReplace(#[from] WouldReplace),
 }
 
 /// A file name whose extension does not say how the file is written.
@@ -65,11 +74,25 @@ enum Target {
 }
 
 impl Pending {
-    /// Begins the file `path`.
+    /// Begins the file `path`, which is none of those that were read.
     ///
     /// # Errors
-    /// If its directory does not exist or cannot be written to, or `path` is a directory.
-    pub fn create(path: &Path) -> Result<Pending, WriteError> {
+    /// If it is one of those, its directory does not exist or cannot be written to, or `path` is a directory.
+    pub fn create(path: &Path, read: &FilesRead) -> Result<Pending, WriteError> {
+        read.refuse(path)?;
+        Pending::begin(path)
+    }
+
+    /// Begins the answer to a table, which may replace that table, and no other file that was read.
+    ///
+    /// # Errors
+    /// As [`Pending::create`].
+    pub fn create_answer(path: &Path, read: &FilesRead) -> Result<Pending, WriteError> {
+        read.refuse_but_table(path)?;
+        Pending::begin(path)
+    }
+
+    fn begin(path: &Path) -> Result<Pending, WriteError> {
         let open = || -> io::Result<Target> {
             // A link to a file is followed, so that the file it points to is replaced and not the link.
             let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
@@ -82,7 +105,7 @@ impl Pending {
             }
             Ok(Target::Place(Unfinished::beside(&place)?, place))
         };
-        let target = open().map_err(|cause| WriteError { path: path.to_owned(), cause })?;
+        let target = open().map_err(|cause| WriteError::System { path: path.to_owned(), cause })?;
         Ok(Pending { path: path.to_owned(), target })
     }
 
@@ -106,7 +129,7 @@ impl Pending {
     pub fn write_all_and_finish(mut self, bytes: &[u8]) -> Result<(), WriteError> {
         match self.write_all(bytes) {
             Ok(()) => self.finish(),
-            Err(cause) => Err(WriteError { path: self.path, cause }),
+            Err(cause) => Err(WriteError::System { path: self.path, cause }),
         }
     }
 
@@ -117,7 +140,7 @@ impl Pending {
     pub fn finish(self) -> Result<(), WriteError> {
         match self.target {
             Target::Place(file, place) => {
-                file.put(&place).map_err(|cause| WriteError { path: self.path, cause })
+                file.put(&place).map_err(|cause| WriteError::System { path: self.path, cause })
             }
             Target::Device(_) => Ok(()),
         }
@@ -143,9 +166,9 @@ impl Write for Pending {
 /// Writes the file `path`, whole or not at all.
 ///
 /// # Errors
-/// If it cannot be written.
-pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    Pending::create(path)?.write_all_and_finish(bytes)
+/// If it is one of the files that were read, or cannot be written.
+pub fn write_file(path: &Path, bytes: &[u8], read: &FilesRead) -> Result<(), WriteError> {
+    Pending::create(path, read)?.write_all_and_finish(bytes)
 }
 
 /// Makes the directory `path` and those above it, if they are not there.
@@ -153,5 +176,5 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// # Errors
 /// If that is not possible.
 pub fn make_directory(path: &Path) -> Result<(), WriteError> {
-    fs::create_dir_all(path).map_err(|cause| WriteError { path: path.to_owned(), cause })
+    fs::create_dir_all(path).map_err(|cause| WriteError::System { path: path.to_owned(), cause })
 }

@@ -25,6 +25,16 @@ pub enum MotionError {
         /// What it has to be.
         expected: &'static str,
     },
+    /// A base that no ground shakes like.
+    #[error("the acceleration `{name}` of the base has a peak of {}; expected {} at most, a million times gravity", exact(*.peak), exact(*.most))]
+    Acceleration {
+        /// Its name in a case file.
+        name: &'static str,
+        /// Its largest magnitude.
+        peak: f64,
+        /// The largest that is taken.
+        most: f64,
+    },
     /// A variable load of which nothing is said in time.
     #[error("a load that varies has no history: nothing says how it goes with time")]
     NoHistory {

@@ -39,6 +39,21 @@ pub struct Base {
     pub vertical: Option<History>,
 }
 
+/// The largest acceleration of a base, in gravities: what shakes more is a slip of units.
+const MOST_GRAVITIES: f64 = 1e6;
+
+impl Base {
+    fn check(&self, most: f64) -> Result<(), MotionError> {
+        for (name, history) in [("horizontal", &self.horizontal), ("vertical", &self.vertical)] {
+            let peak = history.as_ref().map_or(0.0, History::peak);
+            if peak.is_nan() || peak > most {
+                return Err(MotionError::Acceleration { name, peak, most });
+            }
+        }
+        Ok(())
+    }
+}
+
 /// How the motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Initial {
@@ -133,6 +148,7 @@ impl Problem {
                 return value(name, number, "a finite number");
             }
         }
+        self.base.check(MOST_GRAVITIES * self.gravity)?;
         for load in &self.loads {
             for (name, numbers) in [("at", load.at), ("direction", load.direction)] {
                 if let Some(number) = numbers.into_iter().find(|number| !(-1e50..1e50).contains(number)) {

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use standfast::history::{History, HistoryError};
+use standfast::number::exact;
 
 /// The unit of a record's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -166,26 +167,62 @@ pub enum RecordProblem {
         /// The columns.
         found: String,
     },
-    /// A row with fewer cells than the header.
-    #[error("the row has {found} cells; expected {expected}")]
+    /// Two columns of one name.
+    #[error("there are two columns \"{column}\"; expected names that differ")]
+    TwoColumns {
+        /// The column.
+        column: String,
+    },
+    /// A row with more or fewer cells than the header.
+    #[error(
+        "the row {row} has {found} cells; expected {expected}{}", too_many(*found > *expected)
+    )]
     Row {
+        /// The row.
+        row: String,
         /// Cells.
         found: usize,
         /// Columns.
         expected: usize,
     },
+    /// A number with commas in it.
+    #[error("\"{0}\" is written with a comma; expected a decimal point and nothing between thousands")]
+    Comma(String),
+    /// A quote that holds no cell together.
+    #[error(
+        "{0}: a quote does not open or close a cell; expected both quotes of a cell on its line, right beside the separators"
+    )]
+    Quote(String),
     /// Values without times, and no step given.
     #[error("there is no column of times; expected `time_s` first, or the step `dt`")]
     NoTimes,
+    /// A time that is hardly after that before it.
+    #[error("the time {found} is less than 1e-9 s after {before}; expected times in s")]
+    Close {
+        /// The time.
+        found: String,
+        /// That before it.
+        before: String,
+    },
+    /// Lines that end in an old way.
+    #[error("its lines end in CR alone; expected LF or CR LF")]
+    LineEnds,
+    /// Text in another encoding.
+    #[error("it has bytes of value 0, as UTF-16 text has; expected UTF-8")]
+    Encoding,
     /// Too short.
     #[error("{0} values; expected two at least")]
     TooShort(usize),
     /// A step that is none.
-    #[error("the step of time is {0}; expected a number above zero")]
+    #[error("the step of time is {0}; expected a number of seconds, 1e-9 at least")]
     Step(String),
     /// Nothing there.
     #[error("the file is empty")]
     Empty,
+}
+
+fn too_many(are: bool) -> &'static str {
+    if are { ", as the header has, and numbers with a decimal point, not a comma" } else { "" }
 }
 
 /// What to subtract from a record of acceleration.
@@ -213,6 +250,12 @@ impl Record {
         let lines: Vec<&str> = text.lines().collect();
         if text.trim().is_empty() {
             return Err(at(None, RecordProblem::Empty));
+        }
+        if text.contains('\0') {
+            return Err(at(None, RecordProblem::Encoding));
+        }
+        if !text.contains('\n') && text.trim_end().contains('\r') {
+            return Err(at(None, RecordProblem::LineEnds));
         }
         let third = lines.get(2).map_or("", |line| line).to_uppercase();
         let read = if third.contains("UNITS OF") {
@@ -277,16 +320,32 @@ impl Record {
 type Found = Result<Record, (Option<usize>, RecordProblem)>;
 
 fn number(word: &str, line: usize) -> Result<f64, (Option<usize>, RecordProblem)> {
-    let found: f64 = word.parse().map_err(|_| (Some(line), RecordProblem::NotANumber(short(word))))?;
+    let found: f64 = word.parse().map_err(|_| {
+        let is_number = word.contains(',') && word.replace(',', "").parse::<f64>().is_ok();
+        let problem = match is_number {
+            true => RecordProblem::Comma,
+            false if word.contains('"') => RecordProblem::Quote,
+            false => RecordProblem::NotANumber,
+        };
+        (Some(line), problem(short(word)))
+    })?;
     if found.is_finite() { Ok(found) } else { Err((Some(line), RecordProblem::NotFinite(short(word)))) }
 }
 
 fn short(word: &str) -> String {
-    let mut short: String = word.chars().take(60).collect();
+    let plain = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+    let mut short: String = word.chars().take(60).map(plain).collect();
     if short.len() < word.len() {
         short.push('…');
     }
     short
+}
+
+/// The least time between two values, s: what records have is a million times as much.
+const LEAST_STEP: f64 = 1e-9;
+
+fn step(dt: f64) -> Result<(), RecordProblem> {
+    if dt >= LEAST_STEP && dt.is_finite() { Ok(()) } else { Err(RecordProblem::Step(exact(dt).to_string())) }
 }
 
 fn evenly(dt: f64, values: Vec<f64>, unit: RecordUnit) -> Record {
@@ -322,9 +381,7 @@ fn at2(lines: &[&str]) -> Found {
     if !(has("NPTS") && has("DT")) || count.fract() != 0.0 || count < 0.0 {
         return Err(header());
     }
-    if !(dt > 0.0 && dt.is_finite()) {
-        return Err((Some(4), RecordProblem::Step(dt.to_string())));
-    }
+    step(dt).map_err(|problem| (Some(4), problem))?;
     let mut values = Vec::with_capacity((count as usize).min(1 << 20));
     for (i, line) in lines.iter().enumerate().skip(4) {
         for word in line.split_whitespace() {
@@ -382,6 +439,85 @@ fn cells(line: &str, width: usize) -> impl Iterator<Item = &str> {
     ends.filter_map(move |start| line.get(start..(start + width).min(line.len())))
 }
 
+/// What stands in the cells of a CSV.
+struct Columns<'a> {
+    names: Vec<&'a str>,
+    time: Option<usize>,
+    value: usize,
+}
+
+impl<'a> Columns<'a> {
+    fn of(names: Vec<&'a str>, column: Option<&str>) -> Result<Columns<'a>, RecordProblem> {
+        if let Some(name) =
+            names.iter().enumerate().find_map(|(i, name)| names[..i].iter().find(|n| *n == name))
+        {
+            return Err(RecordProblem::TwoColumns { column: short(name) });
+        }
+        if let Some(name) = names.iter().find(|name| name.contains('"')) {
+            return Err(RecordProblem::Quote(short(name)));
+        }
+        let is_time = |name: &str| ["time_s", "t_s", "time", "t"].contains(&name.to_lowercase().as_str());
+        let time = names.iter().position(|name| is_time(name));
+        let others: Vec<usize> = (0..names.len()).filter(|i| Some(*i) != time).collect();
+        let listed = || {
+            let more = if others.len() > LISTED { ", …" } else { "" };
+            let listed = others.iter().take(LISTED).map(|i| format!("\"{}\"", short(names[*i])));
+            listed.collect::<Vec<_>>().join(", ") + more
+        };
+        let value = match column {
+            Some(column) => others
+                .iter()
+                .copied()
+                .find(|i| names[*i] == column)
+                .ok_or_else(|| RecordProblem::Column { column: column.to_owned(), found: listed() })?,
+            None if others.len() == 1 => others[0],
+            None => return Err(RecordProblem::Columns { found: listed() }),
+        };
+        Ok(Columns { names, time, value })
+    }
+
+    fn unit(&self) -> RecordUnit {
+        let name = self.names[self.value].to_lowercase();
+        let known = RecordUnit::NAMED.iter().filter(|(unit, _)| name.ends_with(&format!("_{unit}")));
+        let unit = known.max_by_key(|(unit, _)| unit.len()).map(|(_, unit)| *unit);
+        unit.unwrap_or(if name == "share" { RecordUnit::Share } else { RecordUnit::Unnamed })
+    }
+}
+
+/// So many names of columns are listed at most.
+const LISTED: usize = 12;
+
+/// Cuts lines into cells; quotes may hold a cell together.
+struct Cutter {
+    reader: csv_core::Reader,
+    text: Vec<u8>,
+    ends: Vec<usize>,
+}
+
+impl Cutter {
+    fn of(separator: u8) -> Cutter {
+        let reader = csv_core::ReaderBuilder::new().delimiter(separator).build();
+        Cutter { reader, text: Vec::new(), ends: Vec::new() }
+    }
+
+    /// The cells of a line, which is not empty.
+    fn cells(&mut self, line: &str) -> Result<Vec<&str>, RecordProblem> {
+        self.text.resize(self.text.len().max(line.len() + 1), 0);
+        self.ends.resize(self.ends.len().max(line.len() + 1), 0);
+        let (_, _, text, ends) = self.reader.read_record(line.as_bytes(), &mut self.text, &mut self.ends);
+        // Within quotes, the end of the line does not end the row.
+        let (ended, _, _, last) =
+            self.reader.read_record(b"\n", &mut self.text[text..], &mut self.ends[ends..]);
+        if ended != csv_core::ReadRecordResult::Record {
+            return Err(RecordProblem::Quote(short(line)));
+        }
+        let ends = &self.ends[..ends + last];
+        let starts = [0].into_iter().chain(ends.iter().copied());
+        let cells = starts.zip(ends).map(|(start, end)| std::str::from_utf8(&self.text[start..*end]));
+        Ok(cells.map(|cell| cell.unwrap_or_default().trim()).collect())
+    }
+}
+
 fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
     // Lines that are empty or comments do not count; the first of the others is the header.
     let mut rows = lines
@@ -390,57 +526,60 @@ fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
         .map(|(i, line)| (i + 1, line.trim_start_matches('\u{feff}').trim()))
         .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let Some((at, header)) = rows.next() else { return Err((None, RecordProblem::Empty)) };
-    let separator = if header.contains(';') {
-        ';'
-    } else if header.contains('\t') {
-        '\t'
-    } else {
-        ','
-    };
-    let names: Vec<&str> = header.split(separator).map(|name| name.trim().trim_matches('"')).collect();
+    let separator = [b';', b'\t'].into_iter().find(|c| header.as_bytes().contains(c)).unwrap_or(b',');
+    let names = Cutter::of(separator)
+        .cells(header)
+        .map(|names| names.iter().map(|n| (*n).to_owned()).collect::<Vec<_>>());
+    let names = names.map_err(|problem| (Some(at), problem))?;
     if names.iter().all(|name| name.parse::<f64>().is_ok()) {
         let expected = "a header with units, as time_s,a_g";
         return Err((Some(at), RecordProblem::Header { found: short(header), expected }));
     }
-    let is_time = |name: &str| ["time_s", "t_s", "time", "t"].contains(&name.to_lowercase().as_str());
-    let time = names.iter().position(|name| is_time(name));
-    let others: Vec<usize> = (0..names.len()).filter(|i| Some(*i) != time).collect();
-    let listed = || others.iter().map(|i| format!("\"{}\"", names[*i])).collect::<Vec<_>>().join(", ");
-    let value = match column {
-        Some(column) => others.iter().copied().find(|i| names[*i] == column).ok_or_else(|| {
-            (Some(at), RecordProblem::Column { column: column.to_owned(), found: listed() })
-        })?,
-        None if others.len() == 1 => others[0],
-        None => return Err((Some(at), RecordProblem::Columns { found: listed() })),
-    };
-    if time.is_none() && dt.is_none() {
-        return Err((Some(at), RecordProblem::NoTimes));
+    let columns = Columns::of(names.iter().map(String::as_str).collect(), column);
+    let columns = columns.map_err(|problem| (Some(at), problem))?;
+    match dt {
+        None if columns.time.is_none() => return Err((Some(at), RecordProblem::NoTimes)),
+        Some(dt) => step(dt).map_err(|problem| (Some(at), problem))?,
+        None => {}
     }
-    if let Some(dt) = dt.filter(|dt| !(*dt > 0.0 && dt.is_finite())) {
-        return Err((Some(at), RecordProblem::Step(dt.to_string())));
-    }
+    values(rows, &columns, Cutter::of(separator), dt)
+}
+
+/// The rows under a header.
+fn values<'a>(
+    rows: impl Iterator<Item = (usize, &'a str)>,
+    columns: &Columns<'_>,
+    mut cutter: Cutter,
+    dt: Option<f64>,
+) -> Found {
+    let expected = columns.names.len();
     let (mut times, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     for (line, row) in rows {
-        let cells: Vec<&str> = row.split(separator).map(|cell| cell.trim().trim_matches('"')).collect();
-        if cells.len() < names.len() {
-            return Err((Some(line), RecordProblem::Row { found: cells.len(), expected: names.len() }));
+        let cells = cutter.cells(row).map_err(|problem| (Some(line), problem))?;
+        if cells.len() != expected {
+            let problem = RecordProblem::Row { row: short(row), found: cells.len(), expected };
+            return Err((Some(line), problem));
         }
-        let t = match (time, dt) {
-            (Some(time), _) => number(cells[time], line)?,
-            (None, dt) => dt.unwrap_or(0.0) * values.len() as f64,
+        let t = match columns.time {
+            Some(time) => number(cells[time], line)?,
+            None => dt.unwrap_or(0.0) * values.len() as f64,
         };
-        if let Some(before) = times.last().filter(|before| t <= **before) {
-            let (found, before) = (t.to_string(), before.to_string());
-            return Err((Some(line), RecordProblem::NotRising { found, before }));
+        let found = || exact(t).to_string();
+        match times.last() {
+            Some(before) if t <= *before => {
+                let problem = RecordProblem::NotRising { found: found(), before: exact(*before).to_string() };
+                return Err((Some(line), problem));
+            }
+            Some(before) if t - before < LEAST_STEP && columns.time.is_some() => {
+                let problem = RecordProblem::Close { found: found(), before: exact(*before).to_string() };
+                return Err((Some(line), problem));
+            }
+            _ => {}
         }
         times.push(t);
-        values.push(number(cells[value], line)?);
+        values.push(number(cells[columns.value], line)?);
     }
-    let name = names[value].to_lowercase();
-    let known = RecordUnit::NAMED.iter().filter(|(unit, _)| name.ends_with(&format!("_{unit}")));
-    let unit = known.max_by_key(|(unit, _)| unit.len()).map(|(_, unit)| *unit);
-    let unit = unit.unwrap_or(if name == "share" { RecordUnit::Share } else { RecordUnit::Unnamed });
-    Ok(Record { times, values, unit })
+    Ok(Record { times, values, unit: columns.unit() })
 }
 
 impl Record {

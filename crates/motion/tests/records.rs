@@ -57,7 +57,7 @@ fn wrong_files() {
         "r.csv, line 3: the time 0 is not after 0; expected times that rise"
     );
     assert_eq!(csv("time_s,a_g\n0,0\n"), "r.csv: 1 values; expected two at least");
-    assert_eq!(csv("time_s,a_g\n0,0\n1\n"), "r.csv, line 3: the row has 1 cells; expected 2");
+    assert_eq!(csv("time_s,a_g\n0,0\n1\n"), "r.csv, line 3: the row 1 has 1 cells; expected 2");
     assert_eq!(
         csv("0,0\n1,1\n"),
         "r.csv, line 1: \"0,0\" is not understood; expected a header with units, as time_s,a_g"
@@ -81,6 +81,70 @@ fn wrong_files() {
     let cut: String = smc.lines().take(400).map(|line| format!("{line}\n")).collect();
     let error = Record::parse("r.smc", &cut, None, None).unwrap_err().to_string();
     assert!(error.starts_with("r.smc: the header says 7183 values, and there are "), "{error}");
+}
+
+/// A comma within a number is no other number, and quotes are those of every table.
+#[test]
+fn commas_and_quotes() {
+    let read = |text: &str, dt| Record::parse("r.csv", text, Some("a"), dt);
+    let said = |text: &str, dt| read(text, dt).unwrap_err().to_string();
+    assert_eq!(
+        said("a\n0,0\n9,5\n", Some(0.5)),
+        "r.csv, line 2: the row 0,0 has 2 cells; expected 1, as the header has, and numbers with a decimal point, not a comma"
+    );
+    let comma = |value| {
+        format!("\"{value}\" is written with a comma; expected a decimal point and nothing between thousands")
+    };
+    assert_eq!(said("t,a\n0,0\n1,\"2,500\"\n", None), format!("r.csv, line 3: {}", comma("2,500")));
+    assert_eq!(said("# c\nt;a\n0;0\n\n0,5;1\n", None), format!("r.csv, line 5: {}", comma("0,5")));
+    assert_eq!(said("t\ta\n0\t1.234,5\n", None), format!("r.csv, line 2: {}", comma("1.234,5")));
+    assert!(
+        said("t,a\n0,0\n1,2,3\n", None).starts_with("r.csv, line 3: the row 1,2,3 has 3 cells; expected 2")
+    );
+    assert_eq!(
+        said("t,a,b,a\n0,0,0,0\n", None),
+        "r.csv, line 1: there are two columns \"a\"; expected names that differ"
+    );
+    let quoted = read("\"t\",\"what, how\",\"a\"\n0,\"x, \"\"y\"\"\",\"1.5\"\n\n1,,2\n", None).unwrap();
+    assert_eq!((quoted.times, quoted.values), (vec![0.0, 1.0], vec![1.5, 2.0]));
+    assert!(said("t,a\n0,0\n1, \"2\"\n", None).starts_with("r.csv, line 3: \"2\": a quote"));
+    assert!(said("t,a\n0,0\n1,\"2\n2,3\n", None).starts_with("r.csv, line 3: 1,\"2: a quote"));
+    assert!(said("t, \"a\"\n0,0\n", None).starts_with("r.csv, line 1: \"a\": a quote"));
+}
+
+/// Bytes that are no lines of text are not shown as if they were.
+#[test]
+fn other_encodings() {
+    let said = |text: &str| Record::parse("r.csv", text, None, None).unwrap_err().to_string();
+    assert_eq!(said("t,a_g\r0,0\r1,1\r"), "r.csv: its lines end in CR alone; expected LF or CR LF");
+    let wide: Vec<u8> = "\u{feff}t,a_g\n0,0\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let wide = said(&String::from_utf8_lossy(&wide));
+    assert_eq!(wide, "r.csv: it has bytes of value 0, as UTF-16 text has; expected UTF-8");
+    assert_eq!(said("t\u{1},a\u{2},b\n0,1,2\n").matches(char::is_control).count(), 0);
+    let wide: Vec<String> = (0..1000).map(|i| format!("a{i}")).collect();
+    assert!(said(&(wide.join(",") + "\n")).len() < 200);
+    let crlf = Record::parse("r.csv", "t,a_g\r\n0,0\r\n1,1\r\n", None, None).unwrap();
+    assert_eq!(crlf.values, [0.0, 1.0]);
+}
+
+/// Points that no instrument takes are refused by their values.
+#[test]
+fn steps_that_are_no_seconds() {
+    use standfast::number::exact;
+    let said = |text: &str, dt| Record::parse("r.csv", text, None, dt).unwrap_err().to_string();
+    assert!(said("a_g\n0\n1\n", Some(1e-300)).contains("is 1e-300; expected"));
+    for dt in [1e-300, 9e-10, 0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let expected = format!(
+            "r.csv, line 1: the step of time is {}; expected a number of seconds, 1e-9 at least",
+            exact(dt)
+        );
+        assert_eq!(said("a_g\n0\n1\n", Some(dt)), expected);
+    }
+    assert_eq!(
+        said("t,a_g\n0,0\n1e-12,1\n", None),
+        "r.csv, line 3: the time 1e-12 is less than 1e-9 s after 0; expected times in s"
+    );
+    assert!(Record::parse("r.csv", "a_g\n0\n1\n2\n3\n", None, Some(1e-9)).is_ok());
 }
 
 /// A line under a record is found again, and the drift of a constant acceleration is that of a falling stone.
@@ -135,4 +199,34 @@ fn bodies_under_a_real_record() {
     }
     assert_eq!(ends[End::AtRest as usize] + ends[End::Overturned as usize], 72, "{ends:?}");
     assert!(impacts > 5000 && ends[End::Overturned as usize] > 5, "{impacts} {ends:?}");
+}
+
+/// A slip of units is refused before a motion is followed under it, whatever the unit of gravity.
+#[test]
+fn shakings_beyond_all_measure_are_refused() {
+    use standfast::contact::Block;
+    use standfast_motion::{Keep, MotionError, Problem, simulate};
+    let record = Record::parse("r.csv", "t,a_g\n0,0\n1,2\n2,-3\n3,0\n", None, None).unwrap();
+    let followed = |factor: f64, gravity: f64, vertical: bool| {
+        let mut problem = Problem::new(Block::uniform(2.0, 0.5), gravity);
+        let history = Some(record.history(factor).unwrap());
+        if vertical {
+            problem.base.vertical = history;
+        } else {
+            problem.base.horizontal = history;
+        }
+        simulate(&problem, Keep::default())
+    };
+    for (vertical, name) in [(false, "horizontal"), (true, "vertical")] {
+        for (factor, gravity) in [(1e308, 9.81), (1e7, 9.81), (1e6, 1.0), (-4e6, 9.81)] {
+            let error = followed(factor, gravity, vertical).unwrap_err();
+            let peak = 3.0 * f64::abs(factor);
+            assert_eq!(error, MotionError::Acceleration { name, peak, most: 1e6 * gravity });
+        }
+    }
+    assert_eq!(
+        followed(1e7, 9.81, true).unwrap_err().to_string(),
+        "the acceleration `vertical` of the base has a peak of 30000000; expected 9810000 at most, a million times gravity"
+    );
+    assert!(followed(10.0, 9.81, true).is_ok() && followed(10.0, 9.81, false).is_ok());
 }

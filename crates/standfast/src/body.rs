@@ -173,6 +173,12 @@ impl Body {
         self.height
     }
 
+    /// Whether it reaches up to an elevation (m above the base). One that is above its crest by four units in the last place at most
+    /// is taken for the crest: that of parts is a sum of decimals, and 0.7 + 0.1 is less than 0.8.
+    pub fn reaches(&self, elevation: f64) -> bool {
+        elevation <= self.height * (1.0 + 4.0 * f64::EPSILON)
+    }
+
     /// m, kg per metre run, or kg of a body of a given length.
     pub fn mass(&self) -> f64 {
         self.mass

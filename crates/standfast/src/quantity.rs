@@ -104,6 +104,7 @@ worded! {
         Rotation => "rotation",
         LoadTime => "time of a load",
         LoadShare => "share of a load",
+        PeriodsFollowed => "time in which an elastic base is followed, in its shortest periods,",
     }
 }
 
@@ -127,6 +128,7 @@ worded! {
         CouplingBelowOne => "a number from -1 to 1",
         StraightLines => "a history of straight lines: springs have no closed form here for sines",
         TimesInOrder => "times that do not fall from point to point",
+        PeriodsAtMost => "100000 at most: stiffnesses, dimensions and durations are out of proportion",
         RectangularBase => "none for a round base: the formulas are those of a strip",
         InOrder => "positions that rise from point to point",
     }

@@ -79,7 +79,7 @@ fn the_middle_of_an_eccentric_base() {
         let [none, full] = [0.0, 1.0].map(|factor| {
             situation.reduced_wrench(&situation.wrench_at(factor, standfast::loads::Pose::UPRIGHT))
         });
-        let fails = on.failure(&situation.block(), &none, &(full + none * -1.0));
+        let fails = on.failure(&situation.reduced_block().0, &none, &(full + none * -1.0));
         assert!((fails - 3.0).abs() < 1e-9, "{fails}");
     }
 }

@@ -248,3 +248,26 @@ fn wrong_numbers_are_shown() {
     assert_eq!((still.d_shear, still.first_event()), (None, None));
     assert_eq!(still.events[0].event, ImpactEvent::Slip);
 }
+
+/// Numbers out of proportion are refused before they are followed, and what is stiff but finite is not.
+#[test]
+fn what_would_be_followed_without_end_is_refused() {
+    use standfast::{Expected, Quantity};
+    let answer = |b: f64, d: f64, k_n: f64, duration: f64| {
+        let i = 346e3 * (b * b + d * d) / 3.0;
+        let body = ElasticBody::new(b, d, 346e3, i, k_n, 25e6).unwrap();
+        let push = Wrench { x: -9.4e5, p: 0.0, m: 0.0 };
+        let history = History::triangle(1.0, duration / 2.0, duration).unwrap();
+        body.response(&Wrench { x: 0.0, p: 2.3e6, m: 0.0 }, &[(push, history)], 0.6, None)
+    };
+    for k_n in [1e6, 50e6, 1e12, 1e14] {
+        assert!(answer(7.5, 5.25, k_n, 0.1).is_ok(), "{k_n}");
+    }
+    for (b, d, k_n, duration) in
+        [(7.5, 5.25e6, 50e6, 0.1), (7.5, 5.25, 1e18, 0.1), (7.5e-6, 5.25, 50e6, 0.1), (7.5, 5.25, 50e6, 1e9)]
+    {
+        let error = answer(b, d, k_n, duration).unwrap_err();
+        assert_eq!((error.quantity, error.expected), (Quantity::PeriodsFollowed, Expected::PeriodsAtMost));
+        assert!(error.value > 1e5, "{error}");
+    }
+}

@@ -226,6 +226,21 @@ pub enum TableError {
         /// How many there can be, the header apart.
         room: u64,
     },
+    /// A workbook that holds more than is read.
+    #[error("{name}: {part} has {found} {what} or more; expected {most} at most")]
+    #[diagnostic(help("save the table as CSV or Parquet, which are read piece by piece"))]
+    TooLarge {
+        /// The workbook.
+        name: String,
+        /// Where in it.
+        part: String,
+        /// How many were counted.
+        found: u64,
+        /// What is counted.
+        what: &'static str,
+        /// How many there may be.
+        most: u64,
+    },
     /// A column that has no place in a text or a sheet.
     #[error("{name}, column {column}: holds {found}, for which {format} has no place")]
     #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]

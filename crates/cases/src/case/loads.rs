@@ -148,7 +148,7 @@ impl Given<'_> {
                 (elevation.unwrap_or(body.height()), Some(distance))
             }
         };
-        if elevation > body.height() {
+        if !body.reaches(elevation) {
             return Err(Fault::new(Problem::AboveCrest { height: body.height() }, id(Key::Elevation)));
         }
         if let Direction::Sideways(side) = direction {

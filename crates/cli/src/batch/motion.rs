@@ -1,7 +1,6 @@
 //! Tables of motions.
 
-use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use miette::Diagnostic;
@@ -15,8 +14,9 @@ use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
 use crate::case_file;
+use crate::files_read::{FilesRead, ReadAs};
 use crate::progress::Motions;
-use crate::write::{self, WriteError};
+use crate::write::{Pending, WriteError};
 
 /// Why a table of motions was not answered.
 #[derive(Debug, Error, Diagnostic)]
@@ -79,6 +79,7 @@ pub enum MotionTableError {
     },
     /// The file cannot be written.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Write(#[from] WriteError),
 }
 
@@ -86,7 +87,12 @@ pub enum MotionTableError {
 ///
 /// # Errors
 /// If the table, a column or a row makes no sense, or a file cannot be read or written.
-pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile) -> Result<String, MotionTableError> {
+pub fn motions(
+    args: &BatchArgs,
+    case: &Path,
+    file: CaseFile,
+    files: &FilesRead,
+) -> Result<String, MotionTableError> {
     let is_standard = args.input.as_os_str() == "-";
     let name = if is_standard { "standard input".to_owned() } else { args.input.display().to_string() };
     if !args.map.is_empty() {
@@ -102,10 +108,14 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile) -> Result<String, 
     let format = super::format(&args.output, args.output_format, "--output-format");
     let format = format.map_err(|error| MotionTableError::Output(Box::new(error)))?;
     let nulls = args.on_error == OnError::Null;
-    let (header, records) = read(args, &name, nulls)?;
+    let (header, records) = read(args, &name, nulls, files)?;
+    if args.output != Path::new("-") {
+        // Before many motions are followed for nothing.
+        files.refuse_but_table(&args.output).map_err(WriteError::from)?;
+    }
     // What a column names, the case need not have beside it.
     let named = |path: &str| header.iter().any(|column| heading(column).0 == path);
-    let read = case_file::beside(case);
+    let read = case_file::beside(case, files);
     let file = file.with_some_files(&read, &|id| !named(&id.to_string())).map_err(ColumnError::from)?;
     let rows = MotionRows::of(&file, &header)?;
     if rows.varied().next().is_none() {
@@ -121,7 +131,7 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile) -> Result<String, 
     let mut head: Vec<&str> = header.iter().map(String::as_str).collect();
     head.extend(results.iter().map(|i| ROW_RESULTS[*i]));
     head.extend(nulls.then_some("problem"));
-    let unwritten = |cause: io::Error| WriteError { path: args.output.clone(), cause };
+    let unwritten = |cause: io::Error| WriteError::System { path: args.output.clone(), cause };
     let (mut bad, mut first) = (0, None);
     let mut table: Vec<Vec<String>> = vec![Vec::new(); head.len()];
     for (i, (record, answer)) in records.iter().zip(answers).enumerate() {
@@ -172,7 +182,7 @@ pub fn motions(args: &BatchArgs, case: &Path, file: CaseFile) -> Result<String, 
         io::stdout().write_all(&content).map_err(unwritten)?;
         return Ok(String::new());
     }
-    write::write_file(&args.output, &content)?;
+    Pending::create_answer(&args.output, files)?.write_all_and_finish(&content)?;
     crate::complain(&said);
     Ok(String::new())
 }
@@ -182,14 +192,15 @@ fn read(
     args: &BatchArgs,
     name: &str,
     nulls: bool,
+    files: &FilesRead,
 ) -> Result<(Vec<String>, Vec<csv::StringRecord>), MotionTableError> {
     let unread = |cause: String| MotionTableError::Read { name: name.to_owned(), cause };
-    let mut bytes = Vec::new();
-    if args.input.as_os_str() == "-" {
-        io::stdin().read_to_end(&mut bytes).map_err(|cause| unread(cause.to_string()))?;
+    let bytes = if args.input.as_os_str() == "-" {
+        files.read_standard_input(ReadAs::Table)
     } else {
-        bytes = fs::read(&args.input).map_err(|cause| unread(cause.to_string()))?;
-    }
+        files.read(&args.input, ReadAs::Table)
+    };
+    let bytes = bytes.map_err(|cause| unread(cause.to_string()))?;
     let mut table = csv::ReaderBuilder::new().flexible(nulls).from_reader(&bytes[..]);
     let header = table.headers().map_err(|cause| unread(cause.to_string()))?;
     let header = header.iter().map(str::to_owned).collect();

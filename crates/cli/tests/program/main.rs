@@ -3,6 +3,7 @@
 mod batch;
 mod case_file;
 mod completions;
+mod files_read;
 mod json;
 mod loads;
 #[path = "../../../tables/tests/common/mutated.rs"]

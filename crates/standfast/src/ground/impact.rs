@@ -293,7 +293,9 @@ impl ElasticBody {
     /// that yields at `strength` (Pa), if at all. Wrenches are at C.
     ///
     /// # Errors
-    /// If a number is not finite, the permanent loads do not press, `mu` or `strength` is negative, or a history has sines.
+    /// If a number is not finite, the permanent loads do not press, `mu` or `strength` is negative, or a history has sines; if the
+    /// time to be followed is more than 100,000 of the shortest period, as where the other period or a history is out of proportion
+    /// to it.
     pub fn response(
         &self,
         permanent: &Wrench,
@@ -322,6 +324,10 @@ impl ElasticBody {
         }
         let end = changes.iter().map(|(_, change)| change.at).fold(0.0, f64::max);
         let until = end + 2.0 * TAU / ω[0];
+        let periods = (until * ω.iter().fold(0.0, |most: f64, ω| most.max(*ω)) / TAU).ceil();
+        if periods.is_nan() || periods > PERIODS_AT_MOST {
+            return Err(InputError::new(Quantity::PeriodsFollowed, periods, Expected::PeriodsAtMost));
+        }
         let borne = self.borne(&ω, &changes, until);
         let applied = |of: &dyn Fn(&Wrench) -> f64| {
             let at = |t: f64| loads.iter().map(|(w, history)| of(w) * history.at(t)).sum::<f64>().abs();
@@ -410,6 +416,9 @@ impl ElasticBody {
         pairs.map(|pair| (pair[0], pair[1], at(pair[0]))).collect()
     }
 }
+
+/// So many of its shortest periods is a body followed at most: a second of work.
+const PERIODS_AT_MOST: f64 = 1e5;
 
 /// What a change of a load moves a mode by, of its static displacement, from a moment on.
 fn moved(ω: &[f64; 3], mode: usize, change: &Change, from: f64) -> Wave {

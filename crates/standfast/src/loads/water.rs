@@ -21,7 +21,7 @@ impl StillWater {
     pub fn new(body: &Body, left: f64, right: f64, density: f64) -> Result<StillWater, InputError> {
         let level = |level: f64| {
             let level = InputError::not_negative(Quantity::WaterLevel, level)?;
-            if level > body.height() {
+            if !body.reaches(level) {
                 return Err(InputError::new(Quantity::WaterLevel, level, Expected::NotAboveCrest));
             }
             Ok(level)

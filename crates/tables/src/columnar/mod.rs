@@ -10,6 +10,8 @@ mod source;
 mod table;
 mod text;
 #[cfg(feature = "xlsx")]
+mod unpacked;
+#[cfg(feature = "xlsx")]
 mod workbook;
 mod written;
 

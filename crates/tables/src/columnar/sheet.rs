@@ -11,6 +11,7 @@ use arrow_array::{
 use arrow_schema::{Field, Schema};
 use calamine::{DataRef, ExcelDateTime, Reader, Xlsx};
 
+use super::unpacked;
 use super::workbook::ROWS;
 use crate::{TableError, TableOptions};
 
@@ -27,10 +28,20 @@ enum Cell {
     Text(String),
 }
 
+/// Characters of a cell, as Excel has it.
+const CHARACTERS: usize = 32_767;
+
+/// Bytes of all texts of a sheet: a text that is kept once may stand in each of its cells.
+const TEXTS: usize = 1 << 30;
+
+/// Cells of a sheet, empty ones among its columns and rows too: sixty columns of all its rows.
+const CELLS: usize = 1 << 26;
+
 const DAY: i64 = 86_400_000;
 
 /// The table of the sheet that the options name, or the first, and the row of its header, counted from one.
 pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u64), TableError> {
+    unpacked::check(&file, options, unpacked::LIMITS)?;
     let damaged = |error: calamine::XlsxError| options.damaged(error.to_string());
     let mut workbook: Xlsx<_> = Xlsx::new(BufReader::new(file)).map_err(damaged)?;
     let sheet = sheet(&workbook, options)?;
@@ -38,13 +49,14 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
     let mut header: Option<u32> = None;
     // The columns of the sheet that have a name, with their cells so far.
     let mut columns: Vec<(u32, String, Vec<Cell>)> = Vec::new();
-    let mut rows = 0;
+    let (mut rows, mut room) = (0, Room { options, sheet: &sheet, texts: 0 });
     while let Some(cell) = cells.next_cell().map_err(damaged)? {
         let value = Cell::of(cell.get_value());
         let (row, column) = cell.get_position();
         if matches!(value, Cell::Empty) {
             continue;
         }
+        room.hold(&value, row, column)?;
         let header = *header.get_or_insert(row);
         if row == header {
             columns.push((column, value.words().trim().to_owned(), Vec::new()));
@@ -58,6 +70,7 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
                 header: u64::from(header) + 1,
             });
         };
+        let width = columns.len();
         let cells = &mut columns[place].2;
         // Rows rise in a sheet, and there are no more of them; what says otherwise is no sheet.
         let index =
@@ -66,6 +79,7 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
             return Err(options.damaged("its cells are not in the order of rows".to_owned()));
         };
         rows = rows.max(index + 1);
+        room.hold_all(rows * width)?;
         cells.resize_with(index, || Cell::Empty);
         cells.push(value);
     }
@@ -82,6 +96,50 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
         .unzip();
     let batch = RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays);
     Ok((batch.map_err(|error| options.damaged(error.to_string()))?, u64::from(header) + 1))
+}
+
+/// How much of a sheet is kept.
+struct Room<'a> {
+    options: &'a TableOptions,
+    sheet: &'a str,
+    /// Bytes.
+    texts: usize,
+}
+
+impl Room<'_> {
+    /// One more cell.
+    fn hold(&mut self, cell: &Cell, row: u32, column: u32) -> Result<(), TableError> {
+        let Cell::Text(text) = cell else { return Ok(()) };
+        let characters = text.chars().count();
+        if characters > CHARACTERS {
+            let cell = format!("cell {}{}", letters(column), row + 1);
+            return self.too_large(cell, characters, "characters", CHARACTERS);
+        }
+        self.texts += text.len();
+        if self.texts > TEXTS {
+            return self.too_large(format!("sheet {}", self.sheet), self.texts, "bytes of text", TEXTS);
+        }
+        Ok(())
+    }
+
+    /// So many cells, empty ones among them.
+    fn hold_all(&self, cells: usize) -> Result<(), TableError> {
+        if cells > CELLS {
+            return self.too_large(format!("sheet {}", self.sheet), cells, "cells", CELLS);
+        }
+        Ok(())
+    }
+
+    fn too_large(
+        &self,
+        part: String,
+        found: usize,
+        what: &'static str,
+        most: usize,
+    ) -> Result<(), TableError> {
+        let (name, found, most) = (self.options.name.clone(), found as u64, most as u64);
+        Err(TableError::TooLarge { name, part, found, what, most })
+    }
 }
 
 /// The name of the sheet to be read.

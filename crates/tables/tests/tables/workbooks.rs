@@ -161,3 +161,80 @@ fn more_rows_than_a_sheet_has_are_refused() {
         "1048576 rows do not fit into a sheet of an Excel workbook, which has room for 1048575"
     );
 }
+
+/// What a spreadsheet would take for a formula in CSV is a text in a workbook, and nothing is put before it in either.
+#[test]
+fn a_text_is_no_formula() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = "=1+1,1,1,2,5\n+1+1,1,1,2,5\n@SUM(1),1,1,2,5\n-1+1,1,1,2,5\n";
+    fs::write(folder.path().join("in.csv"), format!("name,gamma,k_prime,k,mu\n{rows}")).unwrap();
+    answer(&folder, "in.csv", "out.xlsx", TableOptions::new("in.csv")).unwrap();
+    let mut workbook: Xlsx<_> = calamine::open_workbook(folder.path().join("out.xlsx")).unwrap();
+    assert!(workbook.worksheet_formula("Sheet1").unwrap().is_empty());
+    answer(&folder, "in.csv", "out.csv", TableOptions::new("in.csv")).unwrap();
+    let text = fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    for (row, name) in ["=1+1", "+1+1", "@SUM(1)", "-1+1"].into_iter().enumerate() {
+        assert_eq!(cells(&folder, "out.xlsx")[row + 1][0], Data::String(name.to_owned()));
+        assert!(text.lines().nth(row + 1).unwrap().starts_with(&format!("{name},")));
+    }
+}
+
+/// A workbook of points with another text in place of a cell.
+fn packed(folder: &TempDir, cell: &str) {
+    use std::io::{Read, Write};
+    workbook(folder);
+    let path = folder.path().join("in.xlsx");
+    let mut archive = zip::ZipArchive::new(fs::File::open(&path).unwrap()).unwrap();
+    let mut packed = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for index in 0..archive.len() {
+        let mut part = archive.by_index(index).unwrap();
+        let name = part.name().unwrap().into_owned();
+        let mut text = String::new();
+        part.read_to_string(&mut text).unwrap();
+        if name.ends_with("sheet2.xml") {
+            assert_eq!(text.matches("<c r=\"E4\"><v>5</v></c>").count(), 1, "{text}");
+            let cell = format!("<c r=\"E4\" t=\"inlineStr\"><is><t>{cell}</t></is></c>");
+            text = text.replace("<c r=\"E4\"><v>5</v></c>", &cell);
+        }
+        packed.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        packed.write_all(text.as_bytes()).unwrap();
+    }
+    fs::write(path, packed.finish().unwrap().into_inner()).unwrap();
+}
+
+/// A small file may hold cells and parts that no memory does: they are refused by their size, before they are read.
+#[test]
+fn what_unpacks_to_too_much_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let failed = || answer(&folder, "in.xlsx", "out.csv", options()).unwrap_err().to_string();
+    packed(&folder, &"5".repeat(32_767));
+    assert!(failed().contains("row 4 of the sheet, column mu: \"555"));
+    packed(&folder, &"ü".repeat(32_768));
+    assert_eq!(failed(), "in.xlsx: cell E4 has 32768 characters or more; expected 32767 at most");
+    packed(&folder, &"5".repeat((1 << 24) + 1));
+    assert!(fs::metadata(folder.path().join("in.xlsx")).unwrap().len() < 100_000);
+    assert_eq!(
+        failed(),
+        "cannot read in.xlsx: not a whole Excel file, or damaged (its part xl/worksheets/sheet2.xml has a text of more than 16777216 bytes)"
+    );
+}
+
+/// Names over all columns, and one cell in the last row: columns that would be filled up with cells that are not there.
+#[test]
+fn columns_are_not_filled_up_without_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut workbook = Workbook::new();
+    let sheet = workbook.add_worksheet();
+    sheet.write_row(0, 0, ["gamma", "k_prime", "k", "mu"]).unwrap();
+    for column in 4..100 {
+        sheet.write_string(0, column, format!("c{column}")).unwrap();
+    }
+    sheet.write_row(1, 0, [1.0, 1.0, 2.0, 5.0]).unwrap();
+    sheet.write_number((1 << 20) - 1, 99, 1.0).unwrap();
+    workbook.save(folder.path().join("in.xlsx")).unwrap();
+    let error = answer(&folder, "in.xlsx", "out.csv", TableOptions::new("in.xlsx")).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "in.xlsx: sheet Sheet1 has 104857500 cells or more; expected 67108864 at most"
+    );
+}

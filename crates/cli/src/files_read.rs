@@ -1,0 +1,185 @@
+//! The files that a run has read: case, records, table. No answer is written over one of them.
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// What a file was read as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ReadAs {
+    /// The case.
+    Case,
+    /// A record that the case or a row of a table names.
+    Record,
+    /// The table whose rows are answered.
+    Table,
+}
+
+impl ReadAs {
+    fn words(self) -> &'static str {
+        match self {
+            ReadAs::Case => "the case file",
+            ReadAs::Record => "the record",
+            ReadAs::Table => "the table",
+        }
+    }
+}
+
+/// An output that would replace what was read.
+#[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[error("cannot write over {} {}, which was read for this answer{}", read_as.words(), read.display(), self.other_name())]
+#[diagnostic(help("give the output another name or directory"))]
+pub struct WouldReplace {
+    /// The file to be written.
+    pub output: PathBuf,
+    /// The file that was read, as it was named.
+    pub read: PathBuf,
+    /// What it was read as.
+    pub read_as: ReadAs,
+}
+
+impl WouldReplace {
+    /// What the output is called, where that is another name.
+    fn other_name(&self) -> String {
+        if self.output == self.read {
+            String::new()
+        } else {
+            format!("; {} is the same file", self.output.display())
+        }
+    }
+}
+
+/// The files that a run has read.
+#[derive(Debug, Default)]
+pub struct FilesRead(Mutex<Vec<FileRead>>);
+
+#[derive(Debug)]
+struct FileRead {
+    path: PathBuf,
+    read_as: ReadAs,
+    same: Identity,
+}
+
+/// What two names of one file have in common.
+#[derive(Debug)]
+struct Identity {
+    /// Where it is, links followed.
+    place: Option<PathBuf>,
+    /// Device and number: those of a hard link too.
+    #[cfg(unix)]
+    node: (u64, u64),
+}
+
+impl Identity {
+    fn of(path: &Path, #[cfg_attr(not(unix), expect(unused))] found: &Metadata) -> Identity {
+        #[cfg(unix)]
+        use std::os::unix::fs::MetadataExt;
+        Identity {
+            place: path.canonicalize().ok(),
+            #[cfg(unix)]
+            node: (found.dev(), found.ino()),
+        }
+    }
+
+    fn is(&self, other: &Identity) -> bool {
+        #[cfg(unix)]
+        if self.node == other.node {
+            return true;
+        }
+        self.place.is_some() && self.place == other.place
+    }
+}
+
+impl FilesRead {
+    /// Opens a file to read it.
+    ///
+    /// # Errors
+    /// If it cannot be opened.
+    pub fn open(&self, path: &Path, read_as: ReadAs) -> io::Result<File> {
+        let file = File::open(path)?;
+        self.note(path, read_as, &file)?;
+        Ok(file)
+    }
+
+    /// Reads a whole file.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn read(&self, path: &Path, read_as: ReadAs) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        self.open(path, read_as)?.read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// Reads standard input to its end.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn read_standard_input(&self, read_as: ReadAs) -> io::Result<Vec<u8>> {
+        self.note_standard_input(read_as)?;
+        let mut bytes = Vec::new();
+        io::stdin().read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// Notes the file that standard input may be.
+    ///
+    /// # Errors
+    /// If the system says nothing of it.
+    pub fn note_standard_input(&self, read_as: ReadAs) -> io::Result<()> {
+        #[cfg(unix)]
+        {
+            use std::os::fd::AsFd;
+            let file = File::from(io::stdin().as_fd().try_clone_to_owned()?);
+            self.note(Path::new("standard input"), read_as, &file)?;
+        }
+        #[cfg(not(unix))]
+        let _ = read_as;
+        Ok(())
+    }
+
+    /// Notes an open file; a device or a pipe is not replaced by being written to.
+    fn note(&self, path: &Path, read_as: ReadAs, file: &File) -> io::Result<()> {
+        let found = file.metadata()?;
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        // Rows of a table may name one record many times.
+        let is_known = all.iter().any(|read| read.read_as == read_as && read.path == path);
+        if found.is_file() && !is_known {
+            all.push(FileRead { path: path.to_owned(), read_as, same: Identity::of(path, &found) });
+        }
+        Ok(())
+    }
+
+    /// Refuses an output that is one of the files.
+    ///
+    /// # Errors
+    /// If it is.
+    pub fn refuse(&self, output: &Path) -> Result<(), WouldReplace> {
+        self.refuse_if(output, |_| true)
+    }
+
+    /// Refuses an output that is one of the files; the table, and nothing but the table, may be replaced by its own answer.
+    ///
+    /// # Errors
+    /// If it is, and was read as anything but the table.
+    pub fn refuse_but_table(&self, output: &Path) -> Result<(), WouldReplace> {
+        self.refuse_if(output, |read_as| read_as != ReadAs::Table)
+    }
+
+    fn refuse_if(&self, output: &Path, kept: impl Fn(ReadAs) -> bool) -> Result<(), WouldReplace> {
+        // What is not there yet replaces nothing.
+        let Ok(found) = fs::metadata(output) else { return Ok(()) };
+        let same = Identity::of(output, &found);
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match all.iter().find(|read| kept(read.read_as) && read.same.is(&same)) {
+            None => Ok(()),
+            Some(FileRead { path, read_as, .. }) => {
+                Err(WouldReplace { output: output.to_owned(), read: path.clone(), read_as: *read_as })
+            }
+        }
+    }
+}
