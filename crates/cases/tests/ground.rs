@@ -440,7 +440,7 @@ fn bad_histories() {
         let said = refused(&with(springs, history));
         assert!(parts.iter().all(|part| said.contains(part)), "{history}\n{said}");
     }
-    let said = refused(&with("", "history = { shape = \"constant\" }"));
+    let said = refused(&with("[ground]\nstrength = 3e6\n", "history = { shape = \"constant\" }"));
     assert!(
         said.contains("`load[1].history` says how a load varies in time") && said.contains("no `stiffness`"),
         "{said}"
