@@ -218,7 +218,7 @@ impl Table {
             Table::Combination => "[[combination]]",
             Table::Criteria => "[criteria]",
             Table::Motion => "[motion]",
-            Table::Impact => "`impact` of [motion]",
+            Table::Impact => "[motion.impact]",
             Table::Initial => "[motion.initial]",
             Table::Base => "[motion.base]",
             Table::BaseHorizontal => "`horizontal` of [motion.base]",
@@ -323,7 +323,7 @@ impl Table {
             Table::Motion | Table::Base | Table::BaseHorizontal | Table::BaseVertical => {
                 "[motion.base]\nhorizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" }"
             }
-            Table::Impact => "[motion]\nimpact = { law = \"ratio\", ratio = 0.9 }",
+            Table::Impact => "[motion.impact]\nlaw = \"ratio\"\nratio = 0.9",
             Table::Initial => "[motion.initial]\ntheta = 0.05",
             Table::WaveHistory | Table::LoadHistory | Table::BlockLoadHistory | Table::History => {
                 "history = { shape = \"triangle\", rise = \"0.2 s\", duration = \"0.4 s\" }"

@@ -501,3 +501,22 @@ fn shaken_once_only() {
         assert!(error.unwrap_err().to_string().contains("counts the same shaking twice"));
     }
 }
+
+/// A record in g moves a block in pure numbers only with what g is in them; a record of zeros is scaled to nothing, and nothing to zero.
+#[test]
+fn records_that_say_too_little_are_refused() {
+    let at2 = "PEER\nname\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .5 SEC\n 0.0 0.4 -0.3 0.0\n";
+    let with = |base: &str, record: &str| {
+        let block = "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 0.8\ngravity = 9.81\n[motion.base]\n";
+        let base = format!("{block}horizontal = {{ shape = \"file\", file = \"r\", {base} }}\n");
+        motions(&base, &|_| Ok(record.to_owned())).map_err(|error| standfast_cases::report(&error))
+    };
+    let said = with("start = 0", at2).unwrap_err();
+    assert!(said.contains("in units of g") && said.contains("factor"), "{said}");
+    let moved = with("factor = 9.81", at2).unwrap();
+    close(moved[0].problem.base.horizontal.as_ref().unwrap().peak(), 0.4 * 9.81, 1e-12);
+    let said = with("target_peak = 0", at2).unwrap_err();
+    assert!(said.contains("`target_peak` is 0; expected another number than zero"), "{said}");
+    let said = with("target_peak = 1", "t,a\n0,0\n1,0\n2,0\n").unwrap_err();
+    assert!(said.contains("zero throughout"), "{said}");
+}

@@ -18,6 +18,7 @@ pub fn page() -> String {
     for table in Table::ALL.into_iter().filter(|table| !table.is_history() && *table != Table::Base) {
         let header = match table {
             Table::Top => "Above all tables".to_owned(),
+            Table::History => format!("A history: {}", table.words()),
             _ => format!("`{}`: {}", table.header(), table.words()),
         };
         page.push_str(&format!("\n## {header}\n\n| key | symbol | what it is | takes | example | if not given |\n|---|---|---|---|---|---|\n"));

@@ -248,6 +248,11 @@ impl Field<'_> {
                     Problem::BothIn { table: self.table, one: Key::RecordFactor, two: Key::TargetPeak };
                 return Err(Fault::new(problem, self.id(Key::TargetPeak)));
             }
+            (None, Some(0.0)) => {
+                let (key, expected) = (Key::TargetPeak, "another number than zero");
+                let problem = Problem::OutOfRange { key, written: "0".to_owned(), expected };
+                return Err(Fault::new(problem, self.id(key)));
+            }
             (None, Some(_)) if record.peak() == 0.0 => {
                 let words = format!("{} is zero throughout: nothing scales it to a peak", file.name());
                 return Err(Fault::new(Problem::Record { words, help: None }, self.id(Key::TargetPeak)));
@@ -280,6 +285,12 @@ impl Field<'_> {
             Fault::new(Problem::Record { words, help }, self.id(Key::RecordFile))
         };
         match self.of {
+            Of::Pure if record.unit == RecordUnit::Gravity && !self.is_scaled() => Err(wrong(
+                format!("{name} is in units of g, and a [block] has accelerations as they come"),
+                Some(
+                    "factor says what g is in the numbers of the block, for example factor = 1 where its gravity is 1",
+                ),
+            )),
             Of::Pure => Ok(1.0),
             Of::Base => {
                 let unit = record.known_unit(name, column).map_err(|error| wrong(error.to_string(), None))?;
@@ -296,6 +307,11 @@ impl Field<'_> {
                 of_own_force(None, name, record).map_err(|(words, help)| wrong(words, Some(help)))
             }
         }
+    }
+
+    /// Whether something says what the values of a record are multiplied by.
+    fn is_scaled(&self) -> bool {
+        self.has(Key::RecordFactor) || self.has(Key::TargetPeak)
     }
 
     /// What the library refuses, shown at the key it is about.
