@@ -8,11 +8,8 @@ use std::process::{Child, Command, ExitCode};
 use crate::tally::{Tally, cargo};
 use crate::{arm, built, explorer, lints, manifests, programs, python, target};
 
-/// All crates of the workspace. The steps select the same crates with the same features, and only by their kind what they need
+/// All crates with all they can do. The steps select the same crates with the same features, and only by their kind what they need
 /// of them: a dependency whose features differ from step to step would be compiled again and again.
-const ALL: [&str; 3] = ["--workspace", "--features", "standfast-python/gate"];
-
-/// All crates with all they can do.
 const EVERYTHING: [&str; 3] = ["--workspace", "--features", "standfast-python/gate,standfast-cli/full"];
 
 /// Runs all steps, also after one has failed, and ends with the count.
@@ -22,10 +19,6 @@ pub fn run() -> ExitCode {
     manifests::check(&mut tally);
     left_out(&mut tally);
     pdf_programs(&mut tally);
-    // What the program says of all that a build leaves out. Its libraries have here what they have in all steps.
-    let mut small = cargo(&["test", "--quiet", "--test", "program"]);
-    lints::beside(small.args(ALL).arg("transcripts"));
-    tally.count("what the program says without its features", &mut small, result_line);
     lints::record(&mut tally, "programs and tests", &mut programs_and_tests());
     // Python's tests keep one core busy; those of a browser want both, because a page waits for nobody.
     let python = Beside::start(Part::Python);
