@@ -172,7 +172,7 @@ impl CaseFile {
     }
 
     /// The same with other values, as if they stood where those of the file do; an entry without value goes.
-    pub(crate) fn with_inputs(&self, inputs: Inputs) -> CaseFile {
+    pub fn varied(&self, inputs: Inputs) -> CaseFile {
         let mut file = CaseFile { inputs, ..self.clone() };
         file.entries.retain(|entry| file.inputs.get(entry.id).is_some());
         file

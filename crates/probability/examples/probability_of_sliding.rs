@@ -56,8 +56,7 @@ impl Outcomes for Caisson {
 }
 
 fn sliding() -> Result<f64, Box<dyn Error>> {
-    let inputs =
-        Inputs::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(1.7e6, 0.2e6)?.into()]);
+    let inputs = Inputs::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(1.7e6, 0.2e6)?.into()]);
     let caisson = Caisson(Body::new(WIDTH, HEIGHT, MASS)?);
     let slides = 1 << Mode::SlideLeft.code();
     Ok(integrate(&inputs, &caisson, &[slides]).probabilities[0])

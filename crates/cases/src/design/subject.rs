@@ -94,7 +94,7 @@ impl Subject {
     /// If the motion has no such first instant.
     pub(super) fn with(&self, changes: &[(&Variable, f64)]) -> Result<CaseFile, CaseError> {
         let (_, still) = self.varied(changes).map_err(|fault| self.error(fault))?;
-        Ok(self.file.with_inputs(still))
+        Ok(self.file.varied(still))
     }
 
     /// The answer with some numbers changed, with the motion where it is followed.

@@ -56,7 +56,7 @@ impl CaseFile {
             let name = format!("the {} record", table.name());
             let record = Arc::new(RecordFile::of_record(name, record.clone()));
             inputs.put(Id::of(table, 0, Key::RecordFile), Value::Record(record));
-            file = file.with_inputs(inputs);
+            file = file.varied(inputs);
         }
         file
     }
@@ -70,7 +70,7 @@ impl CaseFile {
             return Ok(None);
         }
         let (inputs, peaks) = at_first_instant(self.inputs()).map_err(|fault| self.error(fault))?;
-        let mut file = self.with_inputs(inputs);
+        let mut file = self.varied(inputs);
         let mut note = format!(
             "the loads are taken at their own values, all at once, as if at rest until then{FOLLOWED}"
         );

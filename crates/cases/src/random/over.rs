@@ -198,7 +198,7 @@ impl Over {
                     return Err(self.wrong("it is random itself"));
                 }
                 let at = |value: f64| {
-                    let changed = file.with_inputs(vary(file.inputs(), &case, &[(&variable, value)]));
+                    let changed = file.varied(vary(file.inputs(), &case, &[(&variable, value)]));
                     problems_of(&changed, None)
                 };
                 let unit = variable.dimension().map(crate::units::Dimension::si);
