@@ -1,9 +1,10 @@
 //! Case files: a body, its friction and its loads as an engineer writes them, and the answers as text, JSON and figures.
 //!
 //! ```text
-//! text ── CaseFile::parse ──► Inputs ── Case::of ──► Case ── Assessment::of ──► Assessment ──► text, JSON, figures
-//!                              ▲  typed values under their keys, varied without text
-//!                              └── design, tables, random variables
+//! text ── CaseFile::read ──► Inputs ── Case::of ──► Case ─┬─ Assessment::of ──► Assessment ──► text, JSON, figures
+//!                             ▲                          ├─ CaseFile::motions ──► motion::Problem ──► Followed ──► …
+//!                             │                          └─ Probability::of ──► Probability ──► …
+//!                             └── typed values under their keys, varied without text: design, tables, random numbers
 //! ```
 //!
 //! | question | start at |
@@ -27,7 +28,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Nothing here reads or writes a file. All mechanics is `standfast`'s; all drawing is `standfast-figures`'.
+//! Nothing here reads or writes a file: those that a case names are read by whoever calls ([`ReadFile`]). All mechanics is `standfast`'s; all drawing is `standfast-figures`'.
 
 #![forbid(unsafe_code)]
 

@@ -75,3 +75,25 @@ fn every_equation_and_figure_has_a_row() {
         assert!(listed.contains(&figure.to_string().as_str()), "Fig. {figure}");
     }
 }
+
+/// Text is parsed in one place: a second reader of case files would be a second answer. Python's and xtask's own files are not cases.
+#[test]
+fn one_file_calls_the_parser_of_case_files() {
+    fn calls(directory: &Path, found: &mut Vec<String>) {
+        for entry in fs::read_dir(directory).unwrap().map(Result::unwrap) {
+            let path = entry.path();
+            if path.is_dir() && path.file_name().is_some_and(|name| name != "target" && name != "tests") {
+                calls(&path, found);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let text = fs::read_to_string(&path).unwrap();
+                let parsers = ["DeTable::parse", "toml::from_str", "toml::Table", "DocumentMut"];
+                if parsers.iter().any(|parser| text.contains(parser)) {
+                    found.push(path.strip_prefix(root()).unwrap().display().to_string());
+                }
+            }
+        }
+    }
+    let mut found = Vec::new();
+    ["crates", "python", "web"].iter().for_each(|directory| calls(&root().join(directory), &mut found));
+    assert_eq!(found, ["crates/cases/src/parse.rs"]);
+}

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::DeValue;
 
 use super::{At, Field};
 use crate::error::Problem;
@@ -15,16 +15,10 @@ use crate::units::{Extent, UnitError};
 /// The value that `written` says for a key that takes `kind` in a case with such units: a number, a text or a list as in a file, but that a text may
 /// stand without its quotes, which a command line takes away.
 pub(crate) fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<Value, Problem> {
-    const NAME: &str = "x";
-    let line = format!("{NAME} = {written}");
-    let document = DeTable::parse(&line).ok();
-    let table = document.as_ref().map(Spanned::get_ref).filter(|table| table.len() == 1);
+    let parsed = DeValue::parse(written).ok();
     let text = Spanned::new(0..written.len(), DeValue::String(Cow::Borrowed(written)));
-    let (value, text) = match table.and_then(|table| table.get(NAME)) {
-        Some(value) => (value, line.as_str()),
-        None => (&text, written),
-    };
-    Field { id, value, text, units }.value(kind).map_err(|At { problem, .. }| match problem {
+    let value = parsed.as_ref().unwrap_or(&text);
+    Field { id, value, text: written, units }.value(kind).map_err(|At { problem, .. }| match problem {
         // Two numbers to the one, a decimal to the other.
         Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
             let dimension = dimension(id, units);
