@@ -6,6 +6,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use standfast::Mode;
+use standfast_cases::CaseFile;
 use standfast_cases::random::{Effort, Probability, Problem, Request};
 use standfast_probability::integrate::integrate;
 
@@ -28,11 +29,13 @@ fn least(what: &str, times: usize, mut work: impl FnMut()) {
 
 fn all(text: &str) {
     let request = Request { effort: Effort { threads: 1, ..Effort::default() }, ..Request::default() };
-    drop(black_box(Probability::of_text("case", text, request)));
+    let file = CaseFile::parse("case", text).expect("a case");
+    drop(black_box(Probability::of(&file, request)));
 }
 
 fn main() {
-    let problem = Problem::of_text("case", PLANE).expect("a point").remove(0);
+    let problem =
+        Problem::of_file(&CaseFile::parse("case", PLANE).expect("a point")).expect("a point").remove(0);
     let modes: Vec<u64> = Mode::ALL.into_iter().map(|mode| 1 << mode.code()).collect();
     let slide_rock = [1 << Mode::SlideRockOLeft.code()];
     let of = |sets: &[u64]| drop(black_box(integrate(problem.laws(), &problem, sets)));

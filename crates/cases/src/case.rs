@@ -40,7 +40,7 @@ use standfast::{Body, InputError, Situation};
 
 pub(crate) use given::{Given, fault, motion_fault};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
-pub(crate) use history::Of as History;
+pub(crate) use history::HistoryOf;
 pub use history::history_shapes;
 pub use loads::{Combination, Direction, FacePressure, PointForce};
 pub use motion::CaseMotion;
@@ -173,7 +173,7 @@ impl Case {
         let weight = given.weight(&body, section.as_ref())?;
         let ground = given.in_table(Table::Ground, |given| given.ground(&body))?;
         given.answerable(ground.as_ref())?;
-        let mut motion = if inputs.is_in_time() { Some(given.motion(History::Base)?) } else { None };
+        let mut motion = if inputs.is_in_time() { Some(given.motion(HistoryOf::Base)?) } else { None };
         let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity, motion.as_mut()))?;
         let water = match (inputs.has(Table::Water), weight, &wave) {
             (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),

@@ -520,3 +520,19 @@ fn records_that_say_too_little_are_refused() {
     let said = with("target_peak = 1", "t,a\n0,0\n1,0\n2,0\n").unwrap_err();
     assert!(said.contains("zero throughout"), "{said}");
 }
+
+/// The warning that an impulse acts beside the base stands where it does: a block that sticks keeps r = (ρ² + d² − b²)/(ρ² + d² + b²) of its
+/// rate if the impulse acts at the corner itself, which of 1 by 3 is 0.85; for less it acts farther out.
+#[test]
+fn an_impulse_beside_the_base_is_warned_of() {
+    for (ratio, beside) in [(0.8, true), (0.8499, true), (0.8501, false), (0.9, false)] {
+        let text = format!(
+            "[block]\nb1 = 1\nb2 = 1\nd = 3\nmu_s = 20\ngravity = 1\n[motion]\nimpact = {{ law = \"ratio\", ratio = {ratio} }}\n\
+             initial = {{ theta = 0.02 }}\nt_max = 2\n"
+        );
+        let answers = follow(&text);
+        assert!(answers[0].1.outcome.impacts > 0);
+        let warned = answers[0].1.warnings.iter().any(|warning| warning.name == "impulse-beside-base");
+        assert_eq!(warned, beside, "{ratio}");
+    }
+}

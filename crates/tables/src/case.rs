@@ -5,10 +5,11 @@ use std::fmt;
 use std::sync::Arc;
 
 use standfast_cases::couple::Variable;
+use standfast_cases::key::Table;
 use standfast_cases::results::{ResultKind, ResultValue};
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
-use standfast_cases::{CaseError, CaseFile, Id, Key, Warning};
+use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
 use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
 use crate::task::{Fault, Faults, Wrong};
@@ -441,7 +442,11 @@ impl Search<'_> {
 /// Whether a name begins as the keys of a table of case files do.
 fn begins_like_key(column: &str) -> bool {
     let table = column.split_once(['.', '[']).map(|(table, _)| table);
-    table.is_some_and(|table| Key::ALL.iter().any(|key| key.info().table.name() == table))
+    let of_top = |known: &Table| known.parent() == Some(Table::Top);
+    let known =
+        |table: &str| Table::ALL.iter().filter(|table| of_top(table)).any(|known| known.name() == table);
+    // What loads are multiplied by, which [random] has and a table has not.
+    table.is_some_and(|table| table == "bias" || known(table))
 }
 
 /// Columns that vary nothing and have almost the name of a number of the case, or that of its last part; or the name of one that the

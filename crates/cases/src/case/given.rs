@@ -6,7 +6,7 @@ use standfast::wave::{self, Choices, Heights, Sea, goda};
 use standfast::{Body, InputError, Section};
 use standfast_motion::MotionError;
 
-use super::history::Of;
+use super::history::HistoryOf;
 use super::motion::CaseMotion;
 use super::{Waves, Weight};
 use crate::error::{Fault, Place, Problem};
@@ -301,7 +301,7 @@ impl Given<'_> {
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
         }
         let mut waves = Waves { sea, heights, section, choices, goda, history: None };
-        let history = self.history(Table::WaveHistory, 0, Of::Waves(&waves))?;
+        let history = self.history(Table::WaveHistory, 0, HistoryOf::Waves(&waves))?;
         waves.history = self.taken(history, motion, Table::WaveHistory, 0)?;
         Ok(waves)
     }

@@ -4,7 +4,7 @@ use standfast::ground::bearing::{Ground, GroundLaw};
 use standfast::{Body, History, Plan};
 
 use super::given::Given;
-use super::history::Read;
+use super::history::ReadHistory;
 use super::motion::CaseMotion;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
@@ -153,7 +153,7 @@ impl Given<'_> {
     /// A history that was read, its warnings put beside those of the motion; on springs, the history if it is of straight lines.
     pub(super) fn taken(
         &self,
-        read: Option<Read>,
+        read: Option<ReadHistory>,
         motion: Option<&mut CaseMotion>,
         table: Table,
         index: usize,

@@ -45,7 +45,7 @@ pub fn history_shapes() -> impl Iterator<Item = (&'static str, &'static [Key], &
 
 /// What a history is of.
 #[derive(Clone, Copy)]
-pub(crate) enum Of<'a> {
+pub(crate) enum HistoryOf<'a> {
     /// The acceleration of the base under a body.
     Base,
     /// A force, N, in a case of this extent.
@@ -58,7 +58,7 @@ pub(crate) enum Of<'a> {
 
 /// A history with what it gives reason to warn of.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Read {
+pub(crate) struct ReadHistory {
     pub(crate) history: History,
     pub(crate) warnings: Vec<MotionWarning>,
     /// The longest step between the points of a file.
@@ -70,12 +70,17 @@ struct Field<'a> {
     given: &'a Given<'a>,
     table: Table,
     index: usize,
-    of: Of<'a>,
+    of: HistoryOf<'a>,
 }
 
 impl Given<'_> {
     /// The history in the `index`-th of a kind of tables, where there is one.
-    pub(crate) fn history(&self, table: Table, index: usize, of: Of<'_>) -> Result<Option<Read>, Fault> {
+    pub(crate) fn history(
+        &self,
+        table: Table,
+        index: usize,
+        of: HistoryOf<'_>,
+    ) -> Result<Option<ReadHistory>, Fault> {
         if !self.inputs.has_at(table, index) {
             return Ok(None);
         }
@@ -104,7 +109,7 @@ impl Field<'_> {
         self.given.missing_in(self.id(key))
     }
 
-    fn read(&self) -> Result<Read, Fault> {
+    fn read(&self) -> Result<ReadHistory, Fault> {
         let shape = self.given.inputs.choice(self.id(Key::HistoryShape));
         let shape = shape.ok_or_else(|| self.lacks(Key::HistoryShape))?;
         self.only_of(shape)?;
@@ -120,7 +125,7 @@ impl Field<'_> {
             history.and_then(|history| history.starting(start)).map_err(|error| self.refused(error))?;
         let values = self.given.inputs.list(self.id(Key::Values)).unwrap_or_default();
         let warnings = cut(values, "the points").into_iter().collect();
-        Ok(Read { history, warnings, step: None })
+        Ok(ReadHistory { history, warnings, step: None })
     }
 
     /// Refuses keys of other shapes.
@@ -196,8 +201,8 @@ impl Field<'_> {
     /// The history of an impulsive thrust whose duration the waves give: Shimosako and Takahashi's, a triangle with its peak in the
     /// middle, for τ₀F = max(0.4, 0.5 − H/(8h)) T and k = 1/(α*^0.3 + 1)², α* the larger of α₂ and α_I, of k τ₀F. Both formulas are
     /// recalled; the original was not read.
-    fn by_waves(&self, shape: &'static str) -> Result<Read, Fault> {
-        let Of::Waves(waves) = self.of else { return Err(self.lacks(Key::HistoryDuration)) };
+    fn by_waves(&self, shape: &'static str) -> Result<ReadHistory, Fault> {
+        let HistoryOf::Waves(waves) = self.of else { return Err(self.lacks(Key::HistoryDuration)) };
         let words = BY_WAVES.1;
         if shape != "triangle" {
             return Err(Fault::new(Problem::ByWavesShape { words }, self.id(Key::HistoryShape)));
@@ -217,11 +222,15 @@ impl Field<'_> {
         let words = format!(
             "the wave's thrust lasts {duration:.4} s by formulas of Shimosako and Takahashi that are recalled: the original was not read"
         );
-        Ok(Read { history, warnings: vec![MotionWarning { name: "duration-recalled", words }], step: None })
+        Ok(ReadHistory {
+            history,
+            warnings: vec![MotionWarning { name: "duration-recalled", words }],
+            step: None,
+        })
     }
 
     /// A record of a file.
-    fn recorded(&self, start: f64) -> Result<Read, Fault> {
+    fn recorded(&self, start: f64) -> Result<ReadHistory, Fault> {
         let id = self.id(Key::RecordFile);
         let inputs = self.given.inputs;
         let file = match (inputs.record(id), inputs.text(id)) {
@@ -264,7 +273,7 @@ impl Field<'_> {
     }
 
     /// The history of a record, its values times a factor, with what it gives reason to warn of.
-    fn of_record(&self, name: &str, record: &Record, factor: f64, start: f64) -> Result<Read, Fault> {
+    fn of_record(&self, name: &str, record: &Record, factor: f64, start: f64) -> Result<ReadHistory, Fault> {
         let [velocity, displacement] = record.drift().map(|drift| drift * factor);
         let mut warnings: Vec<MotionWarning> = cut(&record.values, name).into_iter().collect();
         warnings.push(MotionWarning {
@@ -276,7 +285,7 @@ impl Field<'_> {
         let history = record.history(factor).and_then(|history| history.starting(start));
         let history = history.map_err(|error| self.refused(error))?;
         let longest = record.times.windows(2).map(|pair| pair[1] - pair[0]).reduce(f64::max);
-        Ok(Read { history, warnings, step: longest })
+        Ok(ReadHistory { history, warnings, step: longest })
     }
 
     /// What the values of a record are multiplied by: 1 of pure numbers, and of shares of the load's own force.
@@ -285,14 +294,14 @@ impl Field<'_> {
             Fault::new(Problem::Record { words, help }, self.id(Key::RecordFile))
         };
         match self.of {
-            Of::Pure if record.unit == RecordUnit::Gravity && !self.is_scaled() => Err(wrong(
+            HistoryOf::Pure if record.unit == RecordUnit::Gravity && !self.is_scaled() => Err(wrong(
                 format!("{name} is in units of g, and a [block] has accelerations as they come"),
                 Some(
                     "factor says what g is in the numbers of the block, for example factor = 1 where its gravity is 1",
                 ),
             )),
-            Of::Pure => Ok(1.0),
-            Of::Base => {
+            HistoryOf::Pure => Ok(1.0),
+            HistoryOf::Base => {
                 let unit = record.known_unit(name, column).map_err(|error| wrong(error.to_string(), None))?;
                 if !unit.is_acceleration() {
                     let words =
@@ -301,9 +310,9 @@ impl Field<'_> {
                 }
                 Ok(unit.si())
             }
-            Of::Force(force, extent) => of_own_force(Some((force, extent)), name, record)
+            HistoryOf::Force(force, extent) => of_own_force(Some((force, extent)), name, record)
                 .map_err(|(words, help)| wrong(words, Some(help))),
-            Of::Waves(_) => {
+            HistoryOf::Waves(_) => {
                 of_own_force(None, name, record).map_err(|(words, help)| wrong(words, Some(help)))
             }
         }

@@ -4,7 +4,7 @@ use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, Pre
 use standfast::{Body, History, InputError, Quantity, Slip};
 
 use super::given::Given;
-use super::history::Of;
+use super::history::HistoryOf;
 use super::motion::CaseMotion;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
@@ -160,7 +160,7 @@ impl Given<'_> {
         }
         let truth = |key| self.inputs.truth(id(key)).unwrap_or(false);
         let extent = self.inputs.extent();
-        let history = self.history(Table::LoadHistory, index, Of::Force(magnitude, extent))?;
+        let history = self.history(Table::LoadHistory, index, HistoryOf::Force(magnitude, extent))?;
         if history.is_some() && truth(Key::LoadPermanent) {
             let problem = Problem::HistoryOfPermanent { index };
             return Err(

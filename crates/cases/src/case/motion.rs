@@ -3,7 +3,7 @@
 use standfast_motion::{Base, Impact, Initial, MotionError};
 
 use super::Given;
-use super::history::{Of, Read};
+use super::history::{HistoryOf, ReadHistory};
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 use crate::motion::{MotionCriterion, MotionWarning};
@@ -29,7 +29,7 @@ pub struct CaseMotion {
 
 impl CaseMotion {
     /// Puts the warnings of a history beside the others, and passes on the history.
-    pub(crate) fn take(&mut self, read: Read) -> standfast::History {
+    pub(crate) fn take(&mut self, read: ReadHistory) -> standfast::History {
         self.warnings.extend(read.warnings);
         self.step = [self.step, read.step].into_iter().flatten().reduce(f64::max);
         read.history
@@ -38,7 +38,7 @@ impl CaseMotion {
 
 impl Given<'_> {
     /// The motion in time; `of` is what the accelerations of the base are of.
-    pub(crate) fn motion(&self, of: Of<'_>) -> Result<CaseMotion, Fault> {
+    pub(crate) fn motion(&self, of: HistoryOf<'_>) -> Result<CaseMotion, Fault> {
         let mut motion = CaseMotion {
             base: Base::default(),
             impact: self.impact()?,
@@ -94,6 +94,10 @@ impl Given<'_> {
             MotionError::Input(error) => return self.blame(Table::Block, *error),
             MotionError::Value { name, .. } => named(name).map(Place::from),
             MotionError::Ratio { .. } => Some(Key::ImpactRatio.into()),
+            MotionError::Acceleration { name, .. } => {
+                let tables = [Table::BaseHorizontal, Table::BaseVertical].into_iter();
+                tables.filter(|table| table.name() == *name).map(Place::from).next()
+            }
             MotionError::WaterWithoutHeight { .. } => Some(Key::WaterMass.into()),
             _ => None,
         };

@@ -9,7 +9,7 @@ use super::MotionWarning;
 use super::criteria::MotionCriterion;
 use super::slips::slips;
 use crate::assess::load_words;
-use crate::case::{Acting, Case, CaseMotion, Foundation, Given, History, said_by};
+use crate::case::{Acting, Case, CaseMotion, Foundation, Given, HistoryOf, said_by};
 use crate::error::{CaseError, Fault, Problem as Wrong};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
@@ -79,7 +79,7 @@ pub(crate) fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
     let mut case = Case::of(&moving)?;
     let motion = match case.motion.take() {
         Some(motion) => motion,
-        None => given.motion(History::Base)?,
+        None => given.motion(HistoryOf::Base)?,
     };
     if let Some(strength) = case.ground.as_ref().and_then(Foundation::strength) {
         return Err(Fault::new(Wrong::MovingOnCrushing { strength }, Key::Strength));
@@ -142,13 +142,13 @@ fn block_case(given: &Given<'_>) -> Result<BlockCase, Fault> {
     given.ranges()?;
     let mut problem = Problem::new(block(given)?, given.required(Key::BlockGravity)?);
     problem.mu_impact = given.number(Key::MuImpact);
-    let mut motion = given.motion(History::Pure)?;
+    let mut motion = given.motion(HistoryOf::Pure)?;
     for index in 0..inputs.count(Table::BlockLoad) {
         let number = |key| inputs.number(Id::new(key, index));
         let pair = |x, y| Some([number(x)?, number(y)?]);
         let lacks = || given.missing(Key::DirectionX, index);
         let direction = pair(Key::DirectionX, Key::DirectionY).ok_or_else(lacks)?;
-        let read = given.history(Table::BlockLoadHistory, index, History::Pure)?;
+        let read = given.history(Table::BlockLoadHistory, index, HistoryOf::Pure)?;
         let read = read.ok_or_else(|| {
             let problem = Wrong::MissingTableIn { table: Table::BlockLoad, missing: Table::BlockLoadHistory };
             Fault::new(problem, crate::error::Place::Table(Table::BlockLoad, index))

@@ -18,7 +18,7 @@ pub(super) enum Asked {
         note: Option<String>,
     },
     /// A `[point]`.
-    Point(OfPoint),
+    Point(Box<OfPoint>),
     /// A `[storm]` without a body.
     Storm(Box<PureStorm>),
 }
@@ -45,7 +45,7 @@ impl Asked {
             let random = file.random().cloned();
             let random =
                 random.ok_or_else(|| file.error(Fault::new(RandomProblem::Nothing.into(), Table::Point)))?;
-            return Ok(Asked::Point(OfPoint { file: file.clone(), point, random }));
+            return Ok(Asked::Point(Box::new(OfPoint { file: file.clone(), point, random })));
         }
         if let Some(pure) = storm::of_file(file, years)? {
             return Ok(Asked::Storm(Box::new(pure)));

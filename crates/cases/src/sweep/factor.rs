@@ -1,6 +1,7 @@
 //! A number of a case that varies, and how its values are read: which key a name means, in which unit.
 
 use miette::Diagnostic;
+use standfast_motion::record::STANDARD_GRAVITY;
 use thiserror::Error;
 
 use crate::case::OF_PARTS;
@@ -26,6 +27,8 @@ enum Counted {
     Unit(Unit),
     /// The acceleration of gravity: this one, unless it varies as well.
     Gravity(Option<f64>),
+    /// The standard acceleration of gravity.
+    StandardGravity,
 }
 
 /// Why a name is no number that can vary.
@@ -103,8 +106,10 @@ impl Factor {
             },
         };
         let gravity = variable.id().key.info().kind == Kind::InGravity;
+        let of_base = variable.id().key.info().kind == Kind::Reached && variable.dimension().is_some();
         let unit = match (unit, variable.dimension()) {
             (None | Some("g"), _) if gravity => Counted::Gravity(Some(inputs.gravity())),
+            (Some("g"), _) if of_base => Counted::StandardGravity,
             (None, _) | (Some("-" | "1" | ""), None) => Counted::Si,
             (Some(unit), dimension) => {
                 let known = dimension.and_then(|dimension| dimension.unit(unit));
@@ -163,13 +168,14 @@ impl Factor {
         0.0 + match self.unit {
             Counted::Si | Counted::Gravity(_) => number,
             Counted::Unit(unit) => unit.si(number),
+            Counted::StandardGravity => number * STANDARD_GRAVITY,
         }
     }
 
     /// The unit of plain numbers, where that is not the one of the values.
     pub fn unit(&self) -> Option<Unit> {
         match self.unit {
-            Counted::Si | Counted::Gravity(_) => None,
+            Counted::Si | Counted::Gravity(_) | Counted::StandardGravity => None,
             Counted::Unit(unit) => Some(unit),
         }
     }
@@ -190,7 +196,13 @@ impl Factor {
                     (None, Err(error)) => Err(error),
                 }
             }
-            (_, _, Some(dimension)) => Ok(0.0 + dimension.parse(text)?),
+            (_, _, Some(dimension)) => {
+                let of_base = self.variable.id().key.info().kind == Kind::Reached;
+                match in_gravity(text).filter(|_| of_base) {
+                    Some(share) => Ok(0.0 + share * STANDARD_GRAVITY),
+                    None => Ok(0.0 + dimension.parse(text)?),
+                }
+            }
             // Two numbers to the one, a decimal to the other.
             (_, _, None) if text.trim().replace(',', ".").parse::<f64>().is_ok() => Err(UnitError::Comma),
             (_, _, None) => Err(UnitError::Number),
@@ -245,7 +257,7 @@ fn silent(inputs: &Inputs) -> impl Iterator<Item = Id> {
         info.range().is_some() && (taken || info.table == Table::Criteria)
     };
     let in_tables = Table::ALL.into_iter().flat_map(|table| table.keys().map(move |key| (table, key)));
-    in_tables.filter(move |(table, key)| *table != Table::History && open(&key)).flat_map(
+    in_tables.filter(move |(table, key)| *table != Table::History && open(key)).flat_map(
         move |(table, key)| {
             let count = match table {
                 Table::Top | Table::Criteria => 1,
