@@ -185,7 +185,7 @@ impl Inputs {
         Table::ALL.into_iter().filter(|table| of(*table)).for_each(|table| self.tables[table as usize] = 0);
     }
 
-    /// Whether loads or the base go with time, or the body is a [block], so that there is a motion to follow. Histories of loads on a
+    /// Whether loads or the base go with time, or the body is a `[block]`, so that there is a motion to follow. Histories of loads on a
     /// `[ground]`, and no `[motion]`, are those of an elastic base.
     pub fn is_in_time(&self) -> bool {
         let histories = [Table::WaveHistory, Table::LoadHistory];

@@ -70,7 +70,7 @@ fn unknown(unknown: &Unknown) -> String {
     }
 }
 
-/// The name that heads a column, and the unit in brackets behind it. As in load[2].force the bracket is part of the name where
+/// The name that heads a column, and the unit in brackets behind it. As in `load[2].force` the bracket is part of the name where
 /// nothing parts the two.
 pub fn heading(column: &str) -> (&str, Option<&str>) {
     let parts = column.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));

@@ -41,7 +41,7 @@ impl BearingBlock {
         })
     }
 
-    /// The ground under a situation's [block](Situation::block), of which a length of 1 is B and a force of 1 is m g.
+    /// The ground under a situation's [block](Situation::reduced_block), of which a length of 1 is B and a force of 1 is m g.
     ///
     /// # Errors
     /// If the base is round.
