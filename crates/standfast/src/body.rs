@@ -9,6 +9,7 @@
 //!        b₁      b₂
 //! ```
 
+use crate::ball::Scalar;
 use crate::error::InputError;
 use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
@@ -16,46 +17,47 @@ use crate::quantity::{Expected, Quantity};
 /// A rectangular body; uniform, and described per metre run of its length, unless told otherwise. Of a body of a given
 /// [length](Body::with_length), and of a [cylinder](Body::cylinder), masses, forces and moments are those of the whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Body {
-    width: f64,
-    height: f64,
-    mass: f64,
-    centroid_offset: f64,
-    centroid_height: f64,
-    base_left: f64,
-    base_right: f64,
-    moment_of_inertia: f64,
-    plan: Plan,
+pub struct Body<T = f64> {
+    width: T,
+    height: T,
+    mass: T,
+    centroid_offset: T,
+    centroid_height: T,
+    base_left: T,
+    base_right: T,
+    moment_of_inertia: T,
+    plan: Plan<T>,
 }
 
 /// How far a base reaches from mid-width, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BaseEdges {
+pub struct BaseEdges<T = f64> {
     /// To the left, to O.
-    pub left: f64,
+    pub left: T,
     /// To the right, to O'.
-    pub right: f64,
+    pub right: T,
 }
 
-impl Body {
+impl<T: Scalar> Body<T> {
     /// A uniform body of `width` 2B (m), `height` 2H (m) and `mass` (kg per metre run).
     ///
     /// # Errors
     /// If one of them is not a finite number above zero.
-    pub fn new(width: f64, height: f64, mass: f64) -> Result<Body, InputError> {
+    pub fn new(width: T, height: T, mass: T) -> Result<Body<T>, InputError> {
         let width = InputError::positive(Quantity::Width, width)?;
         let height = InputError::positive(Quantity::Height, height)?;
         let mass = InputError::positive(Quantity::Mass, mass)?;
+        let half = |length: &T| length.clone() / T::of(2.0);
         Ok(Body {
+            centroid_offset: T::of(0.0),
+            centroid_height: half(&height),
+            base_left: half(&width),
+            base_right: half(&width),
+            moment_of_inertia: mass.clone() * (square(&width) + square(&height)) / T::of(12.0),
+            plan: Plan::Rectangle { length: T::of(1.0) },
             width,
             height,
             mass,
-            centroid_offset: 0.0,
-            centroid_height: height / 2.0,
-            base_left: width / 2.0,
-            base_right: width / 2.0,
-            moment_of_inertia: mass * (width * width + height * height) / 12.0,
-            plan: Plan::PER_METRE,
         })
     }
 
@@ -73,9 +75,10 @@ impl Body {
     ///
     /// # Errors
     /// If one of them is not a finite number above zero.
-    pub fn cylinder(diameter: f64, height: f64, mass: f64) -> Result<Body, InputError> {
-        let body = Body::new(diameter, height, mass)?;
-        let moment_of_inertia = mass * (0.75 * diameter * diameter + height * height) / 12.0;
+    pub fn cylinder(diameter: T, height: T, mass: T) -> Result<Body<T>, InputError> {
+        let body = Body::new(diameter.clone(), height.clone(), mass.clone())?;
+        let squares = T::of(0.75) * diameter.clone() * diameter + square(&height);
+        let moment_of_inertia = mass * squares / T::of(12.0);
         Ok(Body { moment_of_inertia, plan: Plan::Circle, ..body })
     }
 
@@ -83,9 +86,10 @@ impl Body {
     ///
     /// # Errors
     /// If one of them, or the mass, is not a finite number above zero.
-    pub fn of_density(width: f64, height: f64, density: f64) -> Result<Body, InputError> {
+    pub fn of_density(width: T, height: T, density: T) -> Result<Body<T>, InputError> {
         let density = InputError::positive(Quantity::Density, density)?;
-        Body::new(width, height, density * width * height)
+        let mass = density * width.clone() * height.clone();
+        Body::new(width, height, mass)
     }
 
     /// The same body `length` long out of the plane (m): pressures act on that length, and its mass and all forces are those of
@@ -93,7 +97,7 @@ impl Body {
     ///
     /// # Errors
     /// If it is not a finite number above zero.
-    pub fn with_length(self, length: f64) -> Result<Body, InputError> {
+    pub fn with_length(self, length: T) -> Result<Body<T>, InputError> {
         let length = InputError::positive(Quantity::Length, length)?;
         Ok(Body { plan: Plan::Rectangle { length }, ..self })
     }
@@ -102,7 +106,7 @@ impl Body {
     ///
     /// # Errors
     /// If the centre of mass does not lie above the base, between O and O'.
-    pub fn with_centroid(self, offset: f64, height: f64) -> Result<Body, InputError> {
+    pub fn with_centroid(self, offset: T, height: T) -> Result<Body<T>, InputError> {
         let body = Body {
             centroid_offset: InputError::finite(Quantity::CentroidOffset, offset)?,
             centroid_height: InputError::positive(Quantity::CentroidHeight, height)?,
@@ -116,7 +120,7 @@ impl Body {
     ///
     /// # Errors
     /// If one of them is not a finite number above zero, or the centre of mass does not lie between O and O'.
-    pub fn with_base(self, left: f64, right: f64) -> Result<Body, InputError> {
+    pub fn with_base(self, left: T, right: T) -> Result<Body<T>, InputError> {
         let body = Body {
             base_left: InputError::positive(Quantity::BaseLeft, left)?,
             base_right: InputError::positive(Quantity::BaseRight, right)?,
@@ -126,7 +130,7 @@ impl Body {
     }
 
     /// The same of a section of parts, whose base may lie on one side of mid-width: its centre of mass comes with it.
-    pub(crate) fn standing(self, base: BaseEdges, offset: f64, height: f64) -> Result<Body, InputError> {
+    pub(crate) fn standing(self, base: BaseEdges<T>, offset: T, height: T) -> Result<Body<T>, InputError> {
         let body = Body {
             centroid_offset: InputError::finite(Quantity::CentroidOffset, offset)?,
             centroid_height: InputError::positive(Quantity::CentroidHeight, height)?,
@@ -141,92 +145,115 @@ impl Body {
     ///
     /// # Errors
     /// If it is not a finite number above zero.
-    pub fn with_moment_of_inertia(self, moment: f64) -> Result<Body, InputError> {
+    pub fn with_moment_of_inertia(self, moment: T) -> Result<Body<T>, InputError> {
         Ok(Body { moment_of_inertia: InputError::positive(Quantity::MomentOfInertia, moment)?, ..self })
     }
 
-    fn check(self) -> Result<Body, InputError> {
-        if self.heel_distance() > 0.0 && self.toe_distance() > 0.0 {
+    fn check(self) -> Result<Body<T>, InputError> {
+        if self.heel_distance().value() > 0.0 && self.toe_distance().value() > 0.0 {
             Ok(self)
         } else {
-            Err(InputError::new(Quantity::CentroidOffset, self.centroid_offset, Expected::BetweenCorners))
+            let offset = self.centroid_offset.value();
+            Err(InputError::new(Quantity::CentroidOffset, offset, Expected::BetweenCorners))
         }
     }
 
     /// How far the base reaches to the left and to the right of mid-width; see [`with_base`](Body::with_base).
-    pub fn base_edges(&self) -> BaseEdges {
-        BaseEdges { left: self.base_left, right: self.base_right }
+    pub fn base_edges(&self) -> BaseEdges<T> {
+        BaseEdges { left: self.base_left.clone(), right: self.base_right.clone() }
     }
 
     /// How it looks from above.
-    pub fn plan(&self) -> Plan {
-        self.plan
+    pub fn plan(&self) -> Plan<T> {
+        self.plan.clone()
     }
 
     /// 2B, m.
-    pub fn width(&self) -> f64 {
-        self.width
+    pub fn width(&self) -> T {
+        self.width.clone()
     }
 
     /// 2H, m.
-    pub fn height(&self) -> f64 {
-        self.height
+    pub fn height(&self) -> T {
+        self.height.clone()
     }
 
     /// Whether it reaches up to an elevation (m above the base). One that is above its crest by four units in the last place at most
     /// is taken for the crest: that of parts is a sum of decimals, and 0.7 + 0.1 is less than 0.8.
-    pub fn reaches(&self, elevation: f64) -> bool {
-        elevation <= self.height * (1.0 + 4.0 * f64::EPSILON)
+    pub fn reaches(&self, elevation: T) -> bool {
+        elevation.value() <= self.height.value() * (1.0 + 4.0 * f64::EPSILON)
     }
 
     /// m, kg per metre run, or kg of a body of a given length.
-    pub fn mass(&self) -> f64 {
-        self.mass
+    pub fn mass(&self) -> T {
+        self.mass.clone()
     }
 
     /// γ = H/B.
-    pub fn slenderness(&self) -> f64 {
-        self.height / self.width
+    pub fn slenderness(&self) -> T {
+        self.height.clone() / self.width.clone()
     }
 
     /// I about the centre of mass, kg m² per metre run; m(B² + H²)/3 of a uniform body.
-    pub fn moment_of_inertia(&self) -> f64 {
-        self.moment_of_inertia
+    pub fn moment_of_inertia(&self) -> T {
+        self.moment_of_inertia.clone()
     }
 
     /// How far the centre of mass lies to the right of mid-width, m.
-    pub fn centroid_offset(&self) -> f64 {
-        self.centroid_offset
+    pub fn centroid_offset(&self) -> T {
+        self.centroid_offset.clone()
     }
 
     /// Height of the centre of mass above the base, m.
-    pub fn centroid_height(&self) -> f64 {
-        self.centroid_height
+    pub fn centroid_height(&self) -> T {
+        self.centroid_height.clone()
     }
 
     /// b₁, distance of O to the left of the centre of mass, m.
-    pub fn heel_distance(&self) -> f64 {
-        self.base_left + self.centroid_offset
+    pub fn heel_distance(&self) -> T {
+        self.base_left.clone() + self.centroid_offset.clone()
     }
 
     /// b₂, distance of O' to the right of the centre of mass, m.
-    pub fn toe_distance(&self) -> f64 {
-        self.base_right - self.centroid_offset
+    pub fn toe_distance(&self) -> T {
+        self.base_right.clone() - self.centroid_offset.clone()
     }
 
     /// Distance from O to O', m.
-    pub fn base_width(&self) -> f64 {
-        self.base_left + self.base_right
+    pub fn base_width(&self) -> T {
+        self.base_left.clone() + self.base_right.clone()
     }
 
     /// The area of the base, m².
-    pub fn base_area(&self) -> f64 {
-        self.plan.area(self.base_width())
+    pub fn base_area(&self) -> T {
+        self.plan().area(self.base_width())
     }
 
     /// Whether the body is the report's: a uniform rectangle that touches its base over its whole width.
     pub fn is_uniform(&self) -> bool {
-        let uniform = Body::new(self.width, self.height, self.mass);
-        uniform.is_ok_and(|uniform| Body { plan: self.plan, ..uniform } == *self)
+        let uniform = Body::new(self.width(), self.height(), self.mass());
+        uniform.is_ok_and(|uniform| Body { plan: self.plan(), ..uniform } == *self)
     }
+
+    /// The body whose numbers were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    pub fn computed(body: &Body) -> Body<T> {
+        Body {
+            width: T::computed(body.width),
+            height: T::computed(body.height),
+            mass: T::computed(body.mass),
+            centroid_offset: T::computed(body.centroid_offset),
+            centroid_height: T::computed(body.centroid_height),
+            base_left: T::computed(body.base_left),
+            base_right: T::computed(body.base_right),
+            moment_of_inertia: T::computed(body.moment_of_inertia),
+            plan: match body.plan {
+                Plan::Rectangle { length } => Plan::Rectangle { length: T::computed(length) },
+                Plan::Circle => Plan::Circle,
+            },
+        }
+    }
+}
+
+fn square<T: Scalar>(x: &T) -> T {
+    x.clone() * x.clone()
 }

@@ -1,5 +1,6 @@
 //! The one error of the mechanics: a quantity whose value makes no sense.
 
+use crate::ball::Scalar;
 use crate::number::exact;
 use crate::quantity::{Expected, Quantity};
 
@@ -52,32 +53,31 @@ impl InputError {
     }
 
     /// Passes `value` on if it is a number of any sign.
-    pub(crate) fn finite(quantity: Quantity, value: f64) -> Result<f64, InputError> {
+    pub(crate) fn finite<T: Scalar>(quantity: Quantity, value: T) -> Result<T, InputError> {
         InputError::within(quantity, value, -LARGEST, LARGEST, Expected::Finite)
     }
 
     /// Passes `value` on if it is a number not below zero.
-    pub(crate) fn not_negative(quantity: Quantity, value: f64) -> Result<f64, InputError> {
+    pub(crate) fn not_negative<T: Scalar>(quantity: Quantity, value: T) -> Result<T, InputError> {
         InputError::within(quantity, value, 0.0, LARGEST, Expected::NotNegative)
     }
 
     /// Passes `value` on if it is a number above zero.
-    pub(crate) fn positive(quantity: Quantity, value: f64) -> Result<f64, InputError> {
+    pub(crate) fn positive<T: Scalar>(quantity: Quantity, value: T) -> Result<T, InputError> {
         InputError::within(quantity, value, SMALLEST, LARGEST, Expected::Positive)
     }
 
     /// Passes `value` on if it lies between `least` and `most`; −0 becomes 0.
-    pub(crate) fn within(
+    pub(crate) fn within<T: Scalar>(
         quantity: Quantity,
-        value: f64,
+        value: T,
         least: f64,
         most: f64,
         expected: Expected,
-    ) -> Result<f64, InputError> {
-        if (least..=most).contains(&value) {
-            Ok(value + 0.0)
-        } else {
-            Err(InputError::new(quantity, value, expected))
+    ) -> Result<T, InputError> {
+        match value.value() {
+            number if (least..=most).contains(&number) => Ok(value + T::of(0.0)),
+            number => Err(InputError::new(quantity, number, expected)),
         }
     }
 }

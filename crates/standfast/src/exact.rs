@@ -10,8 +10,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 use num_bigint::{BigInt, Sign};
 
 /// The arithmetic that the formulas of this library are written in: f64 and f32 where rounding is accounted for,
-/// [`Exact`] where it is not allowed, [`Approx`](crate::approx::Approx) where it is tracked.
-pub(crate) trait Real:
+/// `Exact` where it is not allowed, `Approx` where it is tracked, [`Ball`](crate::Ball) from decimals as they are written.
+pub trait Real:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// The number `x`, unrounded.
@@ -63,6 +63,11 @@ impl Exact {
         }
     }
 
+    /// Mantissa and exponent.
+    pub(crate) fn parts(self) -> (BigInt, i64) {
+        (self.mantissa, self.exponent)
+    }
+
     /// The mantissa shifted so that the exponent becomes `exponent`, which must not be larger.
     fn aligned(self, exponent: i64) -> BigInt {
         self.mantissa << (self.exponent - exponent)
@@ -70,7 +75,7 @@ impl Exact {
 }
 
 /// `x · 2^exponent`, in steps that neither overflow nor underflow before the result does.
-fn scale(mut x: f64, mut exponent: i64) -> f64 {
+pub(crate) fn scale(mut x: f64, mut exponent: i64) -> f64 {
     while exponent != 0 && x != 0.0 && x.is_finite() {
         let step = exponent.clamp(-1000, 1000);
         x *= 2f64.powi(step as i32);

@@ -29,6 +29,7 @@
 //! given; no decision has a tolerance.
 
 mod approx;
+mod ball;
 pub mod batch;
 mod body;
 pub mod contact;
@@ -52,6 +53,7 @@ mod situation;
 mod stability;
 mod wrench;
 
+pub use ball::{Ball, COMPUTED, Scalar};
 pub use body::{BaseEdges, Body};
 pub use diagram::Diagram;
 pub use error::InputError;
@@ -63,7 +65,7 @@ pub use motion::{CornerAcceleration, Motion};
 pub use plan::Plan;
 pub use quantity::{Expected, Quantity};
 pub use section::Section;
-pub use situation::{Departure, InHalfWidths, Outcome, Response, Situation};
+pub use situation::{Boundary, Departure, InHalfWidths, Outcome, Response, Situation};
 pub use stability::{Bearing, ClassicalActions, GrossOverturning, Margins, Stability};
 pub use wrench::Wrench;
 

@@ -21,16 +21,17 @@
 
 use std::f64::consts::PI;
 
+use crate::ball::Scalar;
 use crate::loads::PressureAt;
 
 /// How a body looks from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Plan {
+pub enum Plan<T = f64> {
     /// As long everywhere.
     Rectangle {
         /// L, m; 1 for a body per metre run.
-        length: f64,
+        length: T,
     },
     /// A circle, whose diameter is the width: an upright cylinder.
     Circle,
@@ -52,17 +53,19 @@ pub(crate) struct CirclePressure {
 impl Plan {
     /// One metre of a long body.
     pub const PER_METRE: Plan = Plan::Rectangle { length: 1.0 };
+}
 
+impl<T: Scalar> Plan<T> {
     /// The area of a base `width` wide, m².
-    pub fn area(self, width: f64) -> f64 {
+    pub fn area(self, width: T) -> T {
         match self {
             Plan::Rectangle { length } => width * length,
-            Plan::Circle => PI * width * width / 4.0,
+            Plan::Circle => T::computed(PI) * width.clone() * width / T::of(4.0),
         }
     }
 
     /// The length of a side of a body `width` wide that pressures act on, m; of a cylinder that which is seen from there.
-    pub fn side(self, width: f64) -> f64 {
+    pub fn side(self, width: T) -> T {
         match self {
             Plan::Rectangle { length } => length,
             Plan::Circle => width,
@@ -70,24 +73,29 @@ impl Plan {
     }
 
     /// ∫p dA (N) and ∫p s dA (N·m) of a pressure along a base that is `width` wide, s from its left edge.
-    pub(crate) fn resultant(self, points: &[PressureAt], width: f64) -> (f64, f64) {
+    pub(crate) fn resultant(&self, points: &[PressureAt<T>], width: T) -> (T, T) {
         let pairs = points.windows(2).map(|pair| match self {
             Plan::Rectangle { length } => {
                 let (force, moment) = strip(&pair[0], &pair[1]);
-                (force * length, moment * length)
+                (force * length.clone(), moment * length.clone())
             }
-            Plan::Circle => across_circle(&pair[0], &pair[1], width / 2.0),
+            Plan::Circle => {
+                let [one, two] = [&pair[0], &pair[1]].map(PressureAt::rounded);
+                let (force, moment) = across_circle(&one, &two, width.value() / 2.0);
+                (T::computed(force), T::computed(moment))
+            }
         });
-        pairs.fold((0.0, 0.0), |sum, (force, moment)| (sum.0 + force, sum.1 + moment))
+        pairs.fold((T::of(0.0), T::of(0.0)), |sum, (force, moment)| (sum.0 + force, sum.1 + moment))
     }
 }
 
 /// ∫p ds and ∫p s ds between two points.
-pub(crate) fn strip(one: &PressureAt, two: &PressureAt) -> (f64, f64) {
-    let [(s1, p1), (s2, p2)] = [one, two].map(|at| (at.position, at.pressure));
-    let length = s2 - s1;
-    let lever = p1 * (2.0 * s1 + s2) + p2 * (s1 + 2.0 * s2);
-    ((p1 + p2) / 2.0 * length, lever / 6.0 * length)
+pub(crate) fn strip<T: Scalar>(one: &PressureAt<T>, two: &PressureAt<T>) -> (T, T) {
+    let two_of = |x: &T| T::of(2.0) * x.clone();
+    let [(s1, p1), (s2, p2)] = [one, two].map(|at| (&at.position, &at.pressure));
+    let length = s2.clone() - s1.clone();
+    let lever = p1.clone() * (two_of(s1) + s2.clone()) + p2.clone() * (s1.clone() + two_of(s2));
+    ((p1.clone() + p2.clone()) / T::of(2.0) * length.clone(), lever / T::of(6.0) * length)
 }
 
 /// ∫ c du, ∫ u c du and ∫ u² c du of a circle of radius r from its middle to u.

@@ -29,28 +29,37 @@
 //! # Ok::<(), standfast::InputError>(())
 //! ```
 
+use crate::ball::{Ball, Scalar};
 use crate::body::Body;
 use crate::contact::path::{Stage, stages};
 use crate::contact::{self, Block, Solution, plane};
 use crate::error::InputError;
 use crate::initiation::Point;
+use crate::exact::Real;
 use crate::loads::{Action, AddedMass, HorizontalForce, Load, LoadKind, LoadSource, Pose, Reduced};
 use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::quantity::{Expected, Quantity};
 use crate::region::Region;
-use crate::stability::{ClassicalActions, GrossOverturning, Stability};
+use crate::stability::{ClassicalActions, GrossOverturning, Margins, Stability};
 use crate::wrench::Wrench;
+
+mod written;
+
+pub use written::Boundary;
+use written::{Written, WrittenVerdict};
 
 /// A body, its friction and its loads; SI units, per metre run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Situation {
-    body: Body,
-    gravity: f64,
-    static_friction: f64,
-    kinetic_friction: f64,
-    added_mass: AddedMass,
-    loads: Vec<Load>,
+pub struct Situation<T = f64> {
+    body: Body<T>,
+    gravity: T,
+    static_friction: T,
+    kinetic_friction: T,
+    added_mass: AddedMass<T>,
+    loads: Vec<Load<T>>,
+    /// Its numbers as they are written, where they decide.
+    written: Option<Box<Written>>,
 }
 
 /// How a body responds to a load that is applied at once.
@@ -66,6 +75,8 @@ pub struct Response {
     pub effective: Option<Reduced>,
     /// Accelerations and reactions of the mode reported: m/s², rad/s², N per metre run, m.
     pub motion: Option<Motion>,
+    /// Where it stands on the boundary of rest; `None` of one that does not, and where nobody has [asked](Situation::as_written).
+    pub boundary: Option<Boundary>,
 }
 
 /// Where a body leaves rest as its variable loads rise from nothing.
@@ -105,6 +116,8 @@ pub struct Outcome {
     pub stability: Stability,
     /// Overturning by gross moments; it means nothing either for a body that is lifted.
     pub gross: GrossOverturning,
+    /// What the inequalities of rest leave under the full load.
+    pub margins: Margins,
 }
 
 impl Response {
@@ -170,20 +183,21 @@ impl Outcome {
     }
 }
 
-impl Situation {
+impl<T: Scalar> Situation<T> {
     /// A body without loads, not even its weight, with one coefficient of friction, at `gravity` (m/s²).
     ///
     /// # Errors
     /// If `friction` is negative or `gravity` not above zero, or one of them not finite.
-    pub fn new(body: Body, friction: f64, gravity: f64) -> Result<Situation, InputError> {
+    pub fn new(body: Body<T>, friction: T, gravity: T) -> Result<Situation<T>, InputError> {
         let friction = InputError::not_negative(Quantity::Friction, friction)?;
         Ok(Situation {
             body,
             gravity: InputError::positive(Quantity::Gravity, gravity)?,
-            static_friction: friction,
+            static_friction: friction.clone(),
             kinetic_friction: friction,
-            added_mass: AddedMass::NONE,
+            added_mass: AddedMass::of(T::of(0.0))?,
             loads: Vec::new(),
+            written: None,
         })
     }
 
@@ -191,77 +205,101 @@ impl Situation {
     ///
     /// # Errors
     /// If it is negative or more than to stick.
-    pub fn with_kinetic_friction(self, friction: f64) -> Result<Situation, InputError> {
+    pub fn with_kinetic_friction(self, friction: T) -> Result<Situation<T>, InputError> {
         let kinetic_friction = InputError::not_negative(Quantity::KineticFriction, friction)?;
-        if kinetic_friction > self.static_friction {
+        if kinetic_friction.value() > self.static_friction.value() {
             let expected = Expected::NotAboveStaticFriction;
-            return Err(InputError::new(Quantity::KineticFriction, friction, expected));
+            return Err(InputError::new(Quantity::KineticFriction, kinetic_friction.value(), expected));
         }
         Ok(Situation { kinetic_friction, ..self })
     }
 
     /// The same with water that a horizontal motion carries along.
-    pub fn with_added_mass(self, water: AddedMass) -> Situation {
-        Situation { added_mass: water, ..self }
+    pub fn with_added_mass(self, water: AddedMass<T>) -> Situation<T> {
+        Situation { added_mass: water, written: None, ..self }
     }
 
     /// The same with the body's weight.
-    pub fn with_weight(self) -> Situation {
+    pub fn with_weight(self) -> Situation<T> {
         self.with(Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight))
     }
 
     /// The same with a load.
-    pub fn with(mut self, load: Load) -> Situation {
+    pub fn with(mut self, load: Load<T>) -> Situation<T> {
+        self.written = None;
         self.loads.push(load);
         self
     }
 
     /// The same with loads.
-    pub fn with_all(mut self, loads: impl IntoIterator<Item = Load>) -> Situation {
+    pub fn with_all(mut self, loads: impl IntoIterator<Item = Load<T>>) -> Situation<T> {
+        self.written = None;
         self.loads.extend(loads);
         self
     }
 
     /// The body.
-    pub fn body(&self) -> &Body {
+    pub fn body(&self) -> &Body<T> {
         &self.body
     }
 
     /// g, m/s².
-    pub fn gravity(&self) -> f64 {
-        self.gravity
+    pub fn gravity(&self) -> T {
+        self.gravity.clone()
     }
 
     /// μ to stick.
-    pub fn static_friction(&self) -> f64 {
-        self.static_friction
+    pub fn static_friction(&self) -> T {
+        self.static_friction.clone()
     }
 
     /// μ to slip; no more than to stick.
-    pub fn kinetic_friction(&self) -> f64 {
-        self.kinetic_friction
+    pub fn kinetic_friction(&self) -> T {
+        self.kinetic_friction.clone()
     }
 
     /// Mass of water that a horizontal motion carries along, kg per metre run.
-    pub fn added_mass(&self) -> f64 {
+    pub fn added_mass(&self) -> T {
         self.added_mass.mass()
     }
 
     /// Water that a horizontal motion carries along, with the height at which it presses.
-    pub fn moved_water(&self) -> &AddedMass {
+    pub fn moved_water(&self) -> &AddedMass<T> {
         &self.added_mass
     }
 
     /// All loads.
-    pub fn loads(&self) -> &[Load] {
+    pub fn loads(&self) -> &[Load<T>] {
         &self.loads
     }
 
     /// What a load amounts to at the centre of mass of the body on its base.
-    pub fn wrench_of(&self, load: &Load) -> Wrench {
-        load.wrench(&self.body, self.gravity, Pose::UPRIGHT)
+    pub fn wrench_of(&self, load: &Load<T>) -> Wrench<T> {
+        load.upright(&self.body, self.gravity())
     }
 
+    /// The wrenches of the permanent and of the variable loads, and what a kind of load adds up to under the full load.
+    fn sums(&self) -> Sums<T> {
+        let mut sums = Sums {
+            permanent: Wrench::zero(),
+            variable: Wrench::zero(),
+            by_kind: std::array::from_fn(|_| Wrench::zero()),
+            buoyancy: Wrench::zero(),
+        };
+        let add = |sum: &mut Wrench<T>, wrench: &Wrench<T>| *sum = sum.clone() + wrench.clone();
+        for load in &self.loads {
+            let wrench = self.wrench_of(load);
+            add(if load.permanent { &mut sums.permanent } else { &mut sums.variable }, &wrench);
+            add(&mut sums.by_kind[load.kind as usize], &wrench);
+            if load.source == LoadSource::Buoyancy {
+                add(&mut sums.buoyancy, &wrench);
+            }
+        }
+        sums
+    }
+}
+
+impl Situation {
     /// The total wrench under a load factor, for any pose of the body.
     pub fn wrench_at(&self, factor: f64, pose: Pose) -> Wrench {
         let [permanent, variable] = [true, false].map(|permanent| {
@@ -269,27 +307,6 @@ impl Situation {
             loads.map(|load| load.wrench(&self.body, self.gravity, pose)).sum::<Wrench>()
         });
         permanent + variable * factor
-    }
-
-    /// The wrenches of the permanent and of the variable loads, and what a kind of load adds up to under the full load.
-    fn sums(&self) -> Sums {
-        let mut sums = Sums {
-            permanent: Wrench::ZERO,
-            variable: Wrench::ZERO,
-            by_kind: [Wrench::ZERO; 3],
-            buoyancy: Wrench::ZERO,
-        };
-        for load in &self.loads {
-            let wrench = self.wrench_of(load);
-            let share = if load.permanent { &mut sums.permanent } else { &mut sums.variable };
-            *share = *share + wrench;
-            let kind = &mut sums.by_kind[load.kind as usize];
-            *kind = *kind + wrench;
-            if load.source == LoadSource::Buoyancy {
-                sums.buoyancy = sums.buoyancy + wrench;
-            }
-        }
-        sums
     }
 
     /// The classical actions under the full load.
@@ -368,28 +385,52 @@ impl Situation {
         let Sums { permanent, variable, .. } = self.sums();
         let wrench = permanent + variable * factor;
         let lone = self.in_air().filter(|_| factor == 1.0);
-        self.response(wrench, lone.or_else(|| self.effective(&wrench)))
+        self.response(factor, wrench, lone.or_else(|| self.effective(&wrench)))
     }
 
-    fn response(&self, wrench: Wrench, effective: Option<Reduced>) -> Result<Response, InputError> {
+    fn response(
+        &self,
+        factor: f64,
+        wrench: Wrench,
+        effective: Option<Reduced>,
+    ) -> Result<Response, InputError> {
         let weight = self.body.mass() * self.gravity;
         let half_width = self.body.width() / 2.0;
-        Ok(match effective {
+        let response = |solution: Solution, effective, boundary| {
+            let motion = solution.mode().and_then(|mode| solution.motion(mode));
+            let motion = motion.map(|motion| motion.scaled(self.gravity, half_width, weight));
+            let (mode, modes) = (solution.mode(), solution.modes);
+            Response { wrench, mode, modes, effective, motion, boundary }
+        };
+        Ok(match (&self.written, effective) {
+            (Some(written), _) => {
+                let WrittenVerdict { verdict, boundary } = written.verdict(&Ball::of(factor));
+                let (block, reduced) = (self.reduced_block().0, self.reduced_wrench(&wrench));
+                let solution = Solution::decided(&block, &reduced, verdict);
+                response(solution, effective.map(|reduced| reduced.beside(solution.mode())), boundary)
+            }
             // The report's closed form, scaled by P.
-            Some(reduced) => {
+            (None, Some(reduced)) => {
                 let mut modes = reduced.others();
                 modes.insert(reduced.mode());
                 let acceleration = self.gravity * (wrench.p / weight);
                 let motion = reduced.motion().scaled(acceleration, half_width, wrench.p);
-                Response { wrench, mode: Some(reduced.mode()), modes, effective, motion: Some(motion) }
+                let (mode, motion) = (Some(reduced.mode()), Some(motion));
+                Response { wrench, mode, modes, effective, motion, boundary: None }
             }
-            None => {
-                let solution = self.solve(&wrench)?;
-                let motion = solution.mode().and_then(|mode| solution.motion(mode));
-                let motion = motion.map(|motion| motion.scaled(self.gravity, half_width, weight));
-                Response { wrench, mode: solution.mode(), modes: solution.modes, effective, motion }
-            }
+            (None, None) => response(self.solve(&wrench)?, effective, None),
         })
+    }
+
+    /// Whether rounding in f64 could put it on the other side of a boundary, under its permanent loads or under the full load: it is
+    /// then worth saying what its numbers are [as they are written](Situation::as_written).
+    pub fn is_near_boundary(&self) -> bool {
+        written::is_near(self)
+    }
+
+    /// The same, decided by the same situation in the numbers that were written.
+    pub fn as_written(self, exact: &Situation<Ball>) -> Situation {
+        Situation { written: Some(Box::new(Written::of(exact))), ..self }
     }
 
     /// The contact problem under a total wrench, in the units of [`reduced_block`](Situation::reduced_block).
@@ -405,6 +446,9 @@ impl Situation {
     /// # Errors
     /// If a number is out of range.
     pub fn path(&self) -> Result<Vec<Stage>, InputError> {
+        if let Some(written) = &self.written {
+            return written.path();
+        }
         let Sums { permanent, variable, .. } = self.sums();
         stages(&self.reduced_block().0, &self.reduced_wrench(&permanent), &self.reduced_wrench(&variable))
     }
@@ -426,18 +470,25 @@ impl Situation {
     pub fn outcome(&self) -> Result<Outcome, InputError> {
         let sums = self.sums();
         let wrench = sums.permanent + sums.variable;
-        let full = self.response(wrench, self.in_air().or_else(|| self.effective(&wrench)))?;
+        let full = self.response(1.0, wrench, self.in_air().or_else(|| self.effective(&wrench)))?;
         let varies = self.loads.iter().any(|load| !load.permanent);
         let path = if varies { self.path()? } else { Vec::new() };
         let departure = self.departure(&path, &sums.permanent)?;
         let actions = self.actions(&sums.by_kind);
-        let stability = actions.stability(self.static_friction, &self.body);
-        let gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
-        Ok(Outcome { full, departure, path, actions, stability, gross })
+        let mut margins = actions.margins(self.static_friction, &self.body);
+        let mut stability = actions.stability(self.static_friction, &self.body);
+        let mut gross = GrossOverturning::of(&self.body, &actions, &sums.buoyancy);
+        if let Some(written) = &self.written {
+            written.settle(&self.body, actions.heel, (&mut margins, &mut stability, &mut gross));
+        }
+        Ok(Outcome { full, departure, path, actions, stability, gross, margins })
     }
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
-        let begin = self.solve(permanent)?.mode();
+        let begin = match &self.written {
+            Some(written) => written.verdict(&Ball::of(0.0)).verdict.mode,
+            None => self.solve(permanent)?.mode(),
+        };
         let moves = |stage: &&Stage| begin != Some(Mode::Rest) || stage.mode != Some(Mode::Rest);
         Ok(Departure::of(begin, path.iter().find(moves)))
     }
@@ -448,11 +499,11 @@ impl Situation {
 pub struct InHalfWidths(pub Block);
 
 /// What loads add up to.
-struct Sums {
-    permanent: Wrench,
-    variable: Wrench,
+struct Sums<T> {
+    permanent: Wrench<T>,
+    variable: Wrench<T>,
     /// In the order of [`LoadKind`].
-    by_kind: [Wrench; 3],
+    by_kind: [Wrench<T>; 3],
     /// Of the kind of the weight, what buoyancy is.
-    buoyancy: Wrench,
+    buoyancy: Wrench<T>,
 }

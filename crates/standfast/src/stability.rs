@@ -118,6 +118,12 @@ impl Stability {
     pub fn overturning(&self) -> f64 {
         self.overturning_about_heel.min(self.overturning_about_toe)
     }
+
+    /// Puts the resultant W_e = `pressing` at t_e = `arm` from the heel.
+    pub(crate) fn bear(&mut self, body: &Body, pressing: f64, arm: f64) {
+        self.resultant_arm = Some(arm);
+        self.bearing = bearing(pressing, arm, body.base_width(), body.plan());
+    }
 }
 
 /// What the inequalities of rest leave: none is negative of a body that can rest, and one is of a body that cannot. Unlike safety

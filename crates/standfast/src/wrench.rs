@@ -3,7 +3,9 @@
 use std::iter::Sum;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A planar wrench at the centre of mass.
+use crate::ball::Scalar;
+
+/// A planar wrench at the centre of mass; in f64, unless signs must not hang on rounding ([`Scalar`]).
 ///
 /// ```text
 ///        ▲            M ⟲
@@ -27,13 +29,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Wrench {
+pub struct Wrench<T = f64> {
     /// X: horizontal force, to the right.
-    pub x: f64,
+    pub x: T,
     /// P: net vertical force, downwards.
-    pub p: f64,
+    pub p: T,
     /// M: moment, counter-clockwise.
-    pub m: f64,
+    pub m: T,
 }
 
 impl Wrench {
@@ -41,37 +43,44 @@ impl Wrench {
     pub const ZERO: Wrench = Wrench { x: 0.0, p: 0.0, m: 0.0 };
 }
 
-impl Add for Wrench {
-    type Output = Wrench;
-    fn add(self, other: Wrench) -> Wrench {
+impl<T: Scalar> Wrench<T> {
+    /// No load, in any arithmetic.
+    pub fn zero() -> Wrench<T> {
+        Wrench { x: T::of(0.0), p: T::of(0.0), m: T::of(0.0) }
+    }
+}
+
+impl<T: Scalar> Add for Wrench<T> {
+    type Output = Wrench<T>;
+    fn add(self, other: Wrench<T>) -> Wrench<T> {
         Wrench { x: self.x + other.x, p: self.p + other.p, m: self.m + other.m }
     }
 }
 
-impl Sub for Wrench {
-    type Output = Wrench;
-    fn sub(self, other: Wrench) -> Wrench {
+impl<T: Scalar> Sub for Wrench<T> {
+    type Output = Wrench<T>;
+    fn sub(self, other: Wrench<T>) -> Wrench<T> {
         Wrench { x: self.x - other.x, p: self.p - other.p, m: self.m - other.m }
     }
 }
 
-impl Neg for Wrench {
-    type Output = Wrench;
-    fn neg(self) -> Wrench {
+impl<T: Scalar> Neg for Wrench<T> {
+    type Output = Wrench<T>;
+    fn neg(self) -> Wrench<T> {
         Wrench { x: -self.x, p: -self.p, m: -self.m }
     }
 }
 
-impl Mul<f64> for Wrench {
-    type Output = Wrench;
-    fn mul(self, factor: f64) -> Wrench {
-        Wrench { x: self.x * factor, p: self.p * factor, m: self.m * factor }
+impl<T: Scalar> Mul<T> for Wrench<T> {
+    type Output = Wrench<T>;
+    fn mul(self, factor: T) -> Wrench<T> {
+        Wrench { x: self.x * factor.clone(), p: self.p * factor.clone(), m: self.m * factor }
     }
 }
 
-impl Sum for Wrench {
-    fn sum<I: Iterator<Item = Wrench>>(wrenches: I) -> Wrench {
-        wrenches.fold(Wrench::ZERO, Add::add)
+impl<T: Scalar> Sum for Wrench<T> {
+    fn sum<I: Iterator<Item = Wrench<T>>>(wrenches: I) -> Wrench<T> {
+        wrenches.fold(Wrench::zero(), Add::add)
     }
 }
 

@@ -51,15 +51,15 @@ fn position<T: Real>(numbers: &Numbers<T>, corner: Corner) -> T {
 }
 
 /// How many quantities there are of each kind, in their order.
-const REST: usize = 4;
+pub(crate) const REST: usize = 4;
 const SLIDES: usize = 4;
 const CORNER: usize = 12;
 const ROCK: usize = 4;
 const SLIDE_ROCK: usize = 4;
-pub(super) const COUNT: usize = REST + SLIDES + 2 * CORNER + 3;
+pub(crate) const COUNT: usize = REST + SLIDES + 2 * CORNER + 3;
 
 /// The quantities, in the order that [`Verdict::of`] reads them.
-pub(super) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
+pub(crate) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers;
     let mul = |a: &T, b: &T| a.clone() * b.clone();
     let sub = |a: &T, b: &T| a.clone() - b.clone();
@@ -139,7 +139,7 @@ impl Verdict {
     }
 
     /// Reads the signs in their order.
-    pub(super) fn of_signs(signs: &[Ordering; COUNT]) -> Verdict {
+    pub(crate) fn of_signs(signs: &[Ordering; COUNT]) -> Verdict {
         let (rest_signs, signs) = signs.split_at(REST);
         let (slide_signs, signs) = signs.split_at(SLIDES);
         let (corner_signs, signs) = signs.split_at(2 * CORNER);

@@ -56,8 +56,8 @@
 mod conditions;
 mod explain;
 
-pub(crate) use conditions::{Numbers, Verdict};
-use conditions::{Rotation, conditions};
+use conditions::Rotation;
+pub(crate) use conditions::{Numbers, REST, Verdict, conditions};
 
 pub mod departure;
 pub mod friction;
@@ -166,6 +166,11 @@ impl Solution {
         self.mode
     }
 
+    /// What was decided otherwise than by the numbers of `block` and `wrench`, which are those of its motions.
+    pub(crate) fn decided(block: &Block, wrench: &Wrench, verdict: Verdict) -> Solution {
+        Solution { modes: verdict.modes, mode: verdict.mode, block: *block, wrench: *wrench }
+    }
+
     /// The motion of a consistent mode, in the units of the input; `None` for a mode that is not consistent.
     pub fn motion(&self, mode: Mode) -> Option<Motion> {
         self.modes.contains(mode).then(|| motion(&self.block, &self.wrench, mode))
@@ -195,8 +200,8 @@ impl Solution {
 pub fn solve(block: &Block, wrench: &Wrench) -> Result<Solution, InputError> {
     check(block, wrench)?;
     let numbers = numbers(block, wrench);
-    let Verdict { modes, mode } = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
-    Ok(Solution { modes, mode, block: *block, wrench: *wrench })
+    let verdict = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
+    Ok(Solution::decided(block, wrench, verdict))
 }
 
 /// Refuses what no block and no wrench can be.
@@ -215,7 +220,7 @@ pub(crate) fn with_friction(block: &Block, μ: f64) -> Block {
 }
 
 /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k, X, P, M.
-fn numbers(block: &Block, wrench: &Wrench) -> Numbers<f64> {
+pub(crate) fn numbers(block: &Block, wrench: &Wrench) -> Numbers<f64> {
     let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
     let Wrench { x, p, m } = *wrench;
     [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m]

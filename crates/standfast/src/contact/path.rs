@@ -37,8 +37,15 @@ impl Stage {
 /// # Errors
 /// As [`solve`].
 pub fn stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Vec<Stage>, InputError> {
+    merged(pieces(block, permanent, variable))
+}
+
+/// The stretches of one load, one by one, as stages.
+pub(crate) fn merged(
+    pieces: impl Iterator<Item = Result<Stage, InputError>>,
+) -> Result<Vec<Stage>, InputError> {
     let mut stages: Vec<Stage> = Vec::new();
-    for stage in pieces(block, permanent, variable) {
+    for stage in pieces {
         let stage = stage?;
         match stages.last_mut() {
             Some(last) if (last.mode, last.modes) == (stage.mode, stage.modes) => last.to = stage.to,
@@ -54,7 +61,17 @@ fn pieces(
     permanent: &Wrench,
     variable: &Wrench,
 ) -> impl Iterator<Item = Result<Stage, InputError>> {
-    let mut ends: Vec<f64> = crossings(block, permanent, variable).collect();
+    between(crossings(block, permanent, variable).collect(), |factor| {
+        let solution = solve(block, &(*permanent + *variable * factor))?;
+        Ok((solution.mode(), solution.modes))
+    })
+}
+
+/// The stretches between load factors, with what is decided inside each.
+pub(crate) fn between(
+    mut ends: Vec<f64>,
+    decided: impl Fn(f64) -> Result<(Option<Mode>, Modes), InputError>,
+) -> impl Iterator<Item = Result<Stage, InputError>> {
     ends.sort_by(f64::total_cmp);
     // One crossing, computed from two conditions.
     ends.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
@@ -67,8 +84,8 @@ fn pieces(
             f64::INFINITY => 2.0 * from,
             to => from + (to - from) / 2.0,
         };
-        let solution = solve(block, &(*permanent + *variable * inside))?;
-        let stage = Stage { from, to, mode: solution.mode(), modes: solution.modes };
+        let (mode, modes) = decided(inside)?;
+        let stage = Stage { from, to, mode, modes };
         from = to;
         Ok(stage)
     })

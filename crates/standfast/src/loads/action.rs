@@ -18,6 +18,7 @@
 //! F = (p₁ + p₂)/2 (s₂ − s₁)        S = ∫p s ds = (s₂ − s₁)/6 [p₁(2s₁ + s₂) + p₂(s₁ + 2s₂)]
 //! ```
 
+use crate::ball::Scalar;
 use crate::body::Body;
 use crate::error::InputError;
 use crate::plan::strip;
@@ -26,11 +27,11 @@ use crate::wrench::Wrench;
 
 /// A place on the body, in the frame of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct Place<T = f64> {
     /// To the right of mid-width, m.
-    pub x: f64,
+    pub x: T,
     /// Above the base, m.
-    pub y: f64,
+    pub y: T,
 }
 
 /// How a body stands: turned about its centre of mass.
@@ -60,62 +61,69 @@ pub enum Face {
 
 /// A pressure at a position on a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PressureAt {
+pub struct PressureAt<T = f64> {
     /// See [`Face`], m.
-    pub position: f64,
+    pub position: T,
     /// Pa.
-    pub pressure: f64,
+    pub pressure: T,
 }
 
 /// A pressure along a face, linear from point to point; nothing outside.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PressureDiagram {
-    points: Vec<PressureAt>,
+pub struct PressureDiagram<T = f64> {
+    points: Vec<PressureAt<T>>,
 }
 
-impl PressureDiagram {
+impl<T: Scalar> PressureAt<T> {
+    /// The same in f64.
+    pub(crate) fn rounded(&self) -> PressureAt {
+        PressureAt { position: self.position.value(), pressure: self.pressure.value() }
+    }
+}
+
+impl<T: Scalar> PressureDiagram<T> {
     /// A pressure through these points.
     ///
     /// # Errors
     /// If a number is not finite, or a position lies before the one it follows. At one position the pressure may jump.
-    pub fn new(points: Vec<PressureAt>) -> Result<PressureDiagram, InputError> {
+    pub fn new(points: Vec<PressureAt<T>>) -> Result<PressureDiagram<T>, InputError> {
         let mut before = f64::NEG_INFINITY;
-        for PressureAt { position, pressure } in &points {
-            InputError::finite(Quantity::PressurePosition, *position)?;
-            InputError::finite(Quantity::Pressure, *pressure)?;
-            if *position < before {
-                return Err(InputError::new(Quantity::PressurePosition, *position, Expected::InOrder));
+        for PressureAt { position, pressure } in points.iter().map(PressureAt::rounded) {
+            InputError::finite(Quantity::PressurePosition, position)?;
+            InputError::finite(Quantity::Pressure, pressure)?;
+            if position < before {
+                return Err(InputError::new(Quantity::PressurePosition, position, Expected::InOrder));
             }
-            before = *position;
+            before = position;
         }
         Ok(PressureDiagram { points })
     }
 
     /// A pressure through points that are known to be in order.
-    pub(super) fn through(points: impl IntoIterator<Item = (f64, f64)>) -> PressureDiagram {
+    pub(super) fn through(points: impl IntoIterator<Item = (T, T)>) -> PressureDiagram<T> {
         let points = points.into_iter().map(|(position, pressure)| PressureAt { position, pressure });
         PressureDiagram { points: points.collect() }
     }
 
     /// The points.
-    pub fn points(&self) -> &[PressureAt] {
+    pub fn points(&self) -> &[PressureAt<T>] {
         &self.points
     }
 
     /// ∫p ds (N per metre run), and ∫p s ds (N·m per metre run), about the origin of positions.
-    pub fn resultant(&self) -> (f64, f64) {
+    pub fn resultant(&self) -> (T, T) {
         let pairs = self.points.windows(2).map(|pair| strip(&pair[0], &pair[1]));
-        pairs.fold((0.0, 0.0), |sum, (force, moment)| (sum.0 + force, sum.1 + moment))
+        pairs.fold((T::of(0.0), T::of(0.0)), |sum, (force, moment)| (sum.0 + force, sum.1 + moment))
     }
 
     /// ∫p dA (N) and ∫p s dA (N·m) on a face of `body`, about the origin of positions.
-    pub fn resultant_on(&self, body: &Body, face: Face) -> (f64, f64) {
+    pub fn resultant_on(&self, body: &Body<T>, face: Face) -> (T, T) {
         let plan = body.plan();
         match face {
             Face::Left | Face::Right => {
                 let (force, moment) = self.resultant();
                 let side = plan.side(body.width());
-                (force * side, moment * side)
+                (force * side.clone(), moment * side)
             }
             Face::Base | Face::Top => plan.resultant(&self.points, body.base_width()),
         }
@@ -125,60 +133,90 @@ impl PressureDiagram {
 /// What acts on a body, and where.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Action {
+pub enum Action<T = f64> {
     /// m g, at the centre of mass.
     Weight,
     /// A force at a place of the body, its direction fixed in space; N per metre run.
     Force {
         /// Where it acts.
-        at: Place,
+        at: Place<T>,
         /// To the right.
-        right: f64,
+        right: T,
         /// Upwards.
-        up: f64,
+        up: T,
     },
     /// A pressure on a face.
     Pressure {
         /// The face.
         face: Face,
         /// Along it.
-        diagram: PressureDiagram,
+        diagram: PressureDiagram<T>,
     },
     /// The body's inertia against an acceleration of its base, m/s²: its motion is then the one relative to the base.
     Inertia {
         /// Of the base, to the right.
-        right: f64,
+        right: T,
         /// Of the base, upwards.
-        up: f64,
+        up: T,
     },
     /// Any wrench at the centre of mass, its direction fixed in space.
-    Resultant(Wrench),
+    Resultant(Wrench<T>),
 }
 
-impl From<Wrench> for Action {
-    fn from(wrench: Wrench) -> Action {
+impl<T> From<Wrench<T>> for Action<T> {
+    fn from(wrench: Wrench<T>) -> Action<T> {
         Action::Resultant(wrench)
     }
 }
 
-impl Action {
+impl<T: Scalar> Action<T> {
     /// A horizontal force `right` (N per metre run, to the right) at `elevation` above the base (m).
-    pub fn horizontal(right: f64, elevation: f64) -> Action {
-        Action::Force { at: Place { x: 0.0, y: elevation }, right, up: 0.0 }
+    pub fn horizontal(right: T, elevation: T) -> Action<T> {
+        Action::Force { at: Place { x: T::of(0.0), y: elevation }, right, up: T::of(0.0) }
     }
 
     /// A vertical force `down` (N per metre run) at `arm` to the right of O (m) and at the height of the centre of mass.
-    pub fn vertical(body: &Body, down: f64, arm: f64) -> Action {
+    pub fn vertical(body: &Body<T>, down: T, arm: T) -> Action<T> {
         let at = Place { x: arm - body.base_edges().left, y: body.centroid_height() };
-        Action::Force { at, right: 0.0, up: -down }
+        Action::Force { at, right: T::of(0.0), up: -down }
     }
 
     /// A pressure under the base, linear between `left` at O and `right` at O' (Pa).
-    pub fn base_pressure(body: &Body, left: f64, right: f64) -> Action {
-        let diagram = PressureDiagram::through([(0.0, left), (body.base_width(), right)]);
+    pub fn base_pressure(body: &Body<T>, left: T, right: T) -> Action<T> {
+        let diagram = PressureDiagram::through([(T::of(0.0), left), (body.base_width(), right)]);
         Action::Pressure { face: Face::Base, diagram }
     }
 
+    /// The force that a weight, a force or an inertia is; nothing of what is a pressure or a wrench.
+    fn force(&self, body: &Body<T>, gravity: T) -> BodyForce<T> {
+        let zero = || T::of(0.0);
+        let (at, size) = match self {
+            Action::Weight => ([zero(), zero()], [zero(), -body.mass() * gravity]),
+            Action::Force { at, right, up } => {
+                let at = [at.x.clone() - body.centroid_offset(), at.y.clone() - body.centroid_height()];
+                (at, [right.clone(), up.clone()])
+            }
+            Action::Inertia { right, up } => {
+                let of = |acceleration: &T| zero() - body.mass() * acceleration.clone();
+                ([zero(), zero()], [of(right), of(up)])
+            }
+            Action::Pressure { .. } | Action::Resultant(_) => ([zero(), zero()], [zero(), zero()]),
+        };
+        BodyForce { at, size, follows: false }
+    }
+
+    /// The wrench at the centre of mass of `body`, upright, at the acceleration of gravity `gravity` (m/s²).
+    pub fn upright(&self, body: &Body<T>, gravity: T) -> Wrench<T> {
+        match self {
+            // As it is given, without the rounding of forces and couples.
+            Action::Resultant(wrench) => wrench.clone(),
+            Action::Pressure { face, diagram } => pressed(body, *face, diagram),
+            _ => Wrench::zero() + self.force(body, gravity).upright(),
+        }
+    }
+}
+
+impl Action {
     /// The forces on a `body` at the acceleration of gravity `gravity` (m/s²) that it amounts to, whatever the pose: weight,
     /// forces and inertia keep their direction in space, a pressure turns with its face. A moment without force is a couple.
     pub fn forces(&self, body: &Body, gravity: f64) -> Vec<BodyForce> {
@@ -192,42 +230,55 @@ impl Action {
         }
     }
 
-    /// The force that a weight, a force or an inertia is; nothing of what is a pressure or a wrench.
-    fn force(&self, body: &Body, gravity: f64) -> BodyForce {
-        let (at, size) = match self {
-            Action::Weight => ([0.0; 2], [0.0, -body.mass() * gravity]),
-            Action::Force { at, right, up } => {
-                ([at.x - body.centroid_offset(), at.y - body.centroid_height()], [*right, *up])
-            }
-            Action::Inertia { right, up } => ([0.0; 2], [0.0 - body.mass() * right, 0.0 - body.mass() * up]),
-            Action::Pressure { .. } | Action::Resultant(_) => ([0.0; 2], [0.0; 2]),
-        };
-        BodyForce { at, size, follows: false }
-    }
-
     /// The wrench at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
     pub fn wrench(&self, body: &Body, gravity: f64, pose: Pose) -> Wrench {
         match self {
-            // As it is given, without the rounding of forces and couples.
+            _ if pose == Pose::UPRIGHT => self.upright(body, gravity),
             Action::Resultant(wrench) => *wrench,
-            Action::Pressure { face, diagram } if pose == Pose::UPRIGHT => pressed(body, *face, diagram),
             Action::Pressure { face, diagram } => {
                 pressing(body, *face, diagram).iter().map(|force| force.wrench(pose)).sum()
             }
             _ => Wrench::ZERO + self.force(body, gravity).wrench(pose),
         }
     }
+
+    /// The same of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    pub fn computed<T: Scalar>(self) -> Action<T> {
+        let of = T::computed;
+        match self {
+            Action::Weight => Action::Weight,
+            Action::Force { at, right, up } => {
+                Action::Force { at: Place { x: of(at.x), y: of(at.y) }, right: of(right), up: of(up) }
+            }
+            Action::Pressure { face, diagram } => {
+                let points = diagram.points.iter().map(|at| (of(at.position), of(at.pressure)));
+                Action::Pressure { face, diagram: PressureDiagram::through(points) }
+            }
+            Action::Inertia { right, up } => Action::Inertia { right: of(right), up: of(up) },
+            Action::Resultant(Wrench { x, p, m }) => {
+                Action::Resultant(Wrench { x: of(x), p: of(p), m: of(m) })
+            }
+        }
+    }
 }
 
 /// A force on a body, per metre of its length where the body is so long.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodyForce {
+pub struct BodyForce<T = f64> {
     /// Where it acts from the centre of mass while the body stands upright, to the right and upwards, m; the place moves with the body.
-    pub at: [f64; 2],
+    pub at: [T; 2],
     /// To the right and upwards while the body stands upright, N.
-    pub size: [f64; 2],
+    pub size: [T; 2],
     /// Whether its direction turns with the body.
     pub follows: bool,
+}
+
+impl<T: Scalar> BodyForce<T> {
+    /// Its wrench at the centre of mass of a body that stands upright.
+    fn upright(self) -> Wrench<T> {
+        let ([x, y], [right, up]) = (self.at, self.size);
+        Wrench { x: right.clone(), p: T::of(0.0) - up.clone(), m: x * up - y * right }
+    }
 }
 
 impl BodyForce {
@@ -273,15 +324,16 @@ fn pressing(body: &Body, face: Face, diagram: &PressureDiagram) -> Vec<BodyForce
 }
 
 /// The wrench of a pressure on a body that stands upright.
-fn pressed(body: &Body, face: Face, diagram: &PressureDiagram) -> Wrench {
+fn pressed<T: Scalar>(body: &Body<T>, face: Face, diagram: &PressureDiagram<T>) -> Wrench<T> {
+    let zero = || T::of(0.0);
     let (force, moment) = diagram.resultant_on(body, face);
     // About C: of a side by its height, of the base and the top by the distance to the right.
-    let about_height = moment - force * body.centroid_height();
+    let about = |distance: T| moment.clone() - force.clone() * distance;
     match face {
-        Face::Left => Wrench { x: force, p: 0.0, m: 0.0 - about_height },
-        Face::Right => Wrench { x: 0.0 - force, p: 0.0, m: about_height },
-        Face::Base => Wrench { x: 0.0, p: 0.0 - force, m: moment - force * body.heel_distance() },
-        Face::Top => Wrench { x: 0.0, p: force, m: force * body.heel_distance() - moment },
+        Face::Left => Wrench { m: zero() - about(body.centroid_height()), x: force, p: zero() },
+        Face::Right => Wrench { m: about(body.centroid_height()), x: zero() - force, p: zero() },
+        Face::Base => Wrench { m: about(body.heel_distance()), x: zero(), p: zero() - force },
+        Face::Top => Wrench { m: force.clone() * body.heel_distance() - moment, x: zero(), p: force },
     }
 }
 

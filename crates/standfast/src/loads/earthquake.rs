@@ -2,68 +2,65 @@
 
 use super::wave::{added_mass, added_mass_height};
 use super::{Action, Load, LoadKind, LoadSource};
+use crate::ball::Scalar;
 use crate::error::InputError;
 use crate::quantity::Quantity;
 
 /// An acceleration of the base, as forces of inertia: the motion that follows is the one relative to the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Earthquake {
-    horizontal: f64,
-    vertical: f64,
+pub struct Earthquake<T = f64> {
+    horizontal: T,
+    vertical: T,
 }
 
 /// Water that a horizontal motion carries along.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AddedMass {
-    mass: f64,
-    height: Option<f64>,
+pub struct AddedMass<T = f64> {
+    mass: T,
+    height: Option<T>,
 }
 
-impl Earthquake {
+impl<T: Scalar> Earthquake<T> {
     /// `horizontal` to the right, so that the force of inertia points left, and `vertical` upwards (m/s²).
     ///
     /// # Errors
     /// If one of them is not finite.
-    pub fn new(horizontal: f64, vertical: f64) -> Result<Earthquake, InputError> {
-        let acceleration = |value| InputError::finite(Quantity::Acceleration, value);
+    pub fn new(horizontal: T, vertical: T) -> Result<Earthquake<T>, InputError> {
+        let acceleration = |value: T| InputError::finite(Quantity::Acceleration, value);
         Ok(Earthquake { horizontal: acceleration(horizontal)?, vertical: acceleration(vertical)? })
     }
 
     /// The same with its accelerations times 1 or −1: to the other side, downwards for upwards.
-    pub fn turned(&self, side: f64, way: f64) -> Earthquake {
-        Earthquake { horizontal: self.horizontal * side, vertical: self.vertical * way }
+    pub fn turned(&self, side: f64, way: f64) -> Earthquake<T> {
+        Earthquake { horizontal: self.horizontal() * T::of(side), vertical: self.vertical() * T::of(way) }
     }
 
     /// To the right, m/s².
-    pub fn horizontal(&self) -> f64 {
-        self.horizontal
+    pub fn horizontal(&self) -> T {
+        self.horizontal.clone()
     }
 
     /// Upwards, m/s².
-    pub fn vertical(&self) -> f64 {
-        self.vertical
+    pub fn vertical(&self) -> T {
+        self.vertical.clone()
     }
 
     /// Inertia of the body; against the shaken wall, water presses as if its mass were shaken, too.
-    pub fn loads(&self, water: &AddedMass) -> Vec<Load> {
+    pub fn loads(&self, water: &AddedMass<T>) -> Vec<Load<T>> {
         use LoadKind::{Horizontal, Weight};
-        let inertia = |right, up| Action::Inertia { right, up };
+        let zero = || T::of(0.0);
         let mut loads = Vec::new();
-        if self.horizontal != 0.0 {
-            loads.push(Load::variable(
-                LoadSource::HorizontalInertia,
-                Horizontal,
-                inertia(self.horizontal, 0.0),
-            ));
+        if self.horizontal != zero() {
+            let inertia = Action::Inertia { right: self.horizontal(), up: zero() };
+            loads.push(Load::variable(LoadSource::HorizontalInertia, Horizontal, inertia));
+            if let Some(height) = water.height() {
+                let push = Action::horizontal(zero() - water.mass() * self.horizontal(), height);
+                loads.push(Load::variable(LoadSource::ShakenWater, Horizontal, push));
+            }
         }
-        if let AddedMass { mass, height: Some(height) } = *water
-            && self.horizontal != 0.0
-        {
-            let push = Action::horizontal(0.0 - mass * self.horizontal, height);
-            loads.push(Load::variable(LoadSource::ShakenWater, Horizontal, push));
-        }
-        if self.vertical != 0.0 {
-            loads.push(Load::variable(LoadSource::VerticalInertia, Weight, inertia(0.0, self.vertical)));
+        if self.vertical != zero() {
+            let inertia = Action::Inertia { right: zero(), up: self.vertical() };
+            loads.push(Load::variable(LoadSource::VerticalInertia, Weight, inertia));
         }
         loads
     }
@@ -73,21 +70,9 @@ impl AddedMass {
     /// No water.
     pub const NONE: AddedMass = AddedMass { mass: 0.0, height: None };
 
-    /// A mass (kg per metre run) whose height is not known: the water's pressure on a shaken wall is then no load.
-    ///
-    /// # Errors
-    /// If it is negative or not finite.
-    pub fn of(mass: f64) -> Result<AddedMass, InputError> {
-        Ok(AddedMass { mass: InputError::not_negative(Quantity::AddedMass, mass)?, height: None })
-    }
-
-    /// The same, pressing on a shaken wall at a height above the base (m).
-    ///
-    /// # Errors
-    /// If it is negative or not finite.
-    pub fn at(self, height: f64) -> Result<AddedMass, InputError> {
-        let height = InputError::not_negative(Quantity::ForceElevation, height)?;
-        Ok(AddedMass { height: (self.mass > 0.0).then_some(height), ..self })
+    /// The same of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    pub fn computed<T: Scalar>(self) -> AddedMass<T> {
+        AddedMass { mass: T::computed(self.mass), height: self.height.map(T::computed) }
     }
 
     /// Water of `density` (kg/m³) beside a wall, as deep as `depths` (m) on one side or on each of both.
@@ -104,14 +89,33 @@ impl AddedMass {
         let moment: f64 = masses().map(|(mass, depth)| mass * added_mass_height(depth)).sum();
         Ok(AddedMass { mass, height: (mass > 0.0).then(|| moment / mass) })
     }
+}
+
+impl<T: Scalar> AddedMass<T> {
+    /// A mass (kg per metre run) whose height is not known: the water's pressure on a shaken wall is then no load.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn of(mass: T) -> Result<AddedMass<T>, InputError> {
+        Ok(AddedMass { mass: InputError::not_negative(Quantity::AddedMass, mass)?, height: None })
+    }
+
+    /// The same, pressing on a shaken wall at a height above the base (m).
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn at(self, height: T) -> Result<AddedMass<T>, InputError> {
+        let height = InputError::not_negative(Quantity::ForceElevation, height)?;
+        Ok(AddedMass { height: (self.mass.value() > 0.0).then_some(height), ..self })
+    }
 
     /// Its mass, kg per metre run.
-    pub fn mass(&self) -> f64 {
-        self.mass
+    pub fn mass(&self) -> T {
+        self.mass.clone()
     }
 
     /// Height above the base at which it presses on a shaken wall, m; `None` where the mass alone is given.
-    pub fn height(&self) -> Option<f64> {
-        self.height
+    pub fn height(&self) -> Option<T> {
+        self.height.clone()
     }
 }

@@ -105,6 +105,16 @@ impl Reduced {
         if self.mirrored { mode.mirrored() } else { mode }
     }
 
+    /// The same in the f64 beside it whose mode is `mode`, where rounding has put it on the other side of a boundary; else as it is.
+    pub(crate) fn beside(self, mode: Option<Mode>) -> Reduced {
+        let moved = |steps: i32| {
+            let k = self.point.k() * (1.0 + f64::from(steps) * f64::EPSILON);
+            let point = Point::new(self.point.gamma(), self.point.k_prime(), k, self.point.mu()).ok()?;
+            Some(Reduced { point, ..self }).filter(|reduced| Some(reduced.mode()) == mode)
+        };
+        (0..=16).flat_map(|steps| [-steps, steps]).find_map(moved).unwrap_or(self)
+    }
+
     /// The other consistent modes of the real body, mirrored if the force points right.
     pub fn others(&self) -> Modes {
         let others = self.point.others();

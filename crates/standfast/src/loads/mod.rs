@@ -25,6 +25,7 @@ pub use force::{HorizontalForce, Reduced};
 pub use uplift::Uplift;
 pub use water::StillWater;
 
+use crate::ball::Scalar;
 use crate::body::Body;
 use crate::history::History;
 use crate::wrench::Wrench;
@@ -84,7 +85,7 @@ pub struct LoadId(pub u64);
 
 /// A load on a body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Load {
+pub struct Load<T = f64> {
     /// Which of its maker's loads it is; 0 where nobody asks.
     pub id: LoadId,
     /// Where it comes from.
@@ -96,36 +97,36 @@ pub struct Load {
     /// Whether it is there all the time, or grows with the load factor.
     pub permanent: bool,
     /// The partial factor by which it is multiplied; 1 for the load itself.
-    pub factor: f64,
+    pub factor: T,
     /// What acts where.
-    pub action: Action,
+    pub action: Action<T>,
     /// How its size goes with time, as a share of what acts; `None` of a load of which nothing is said, which a problem of
     /// rest takes as it is.
     pub history: Option<History>,
 }
 
-impl Load {
+impl<T: Scalar> Load<T> {
     /// A load that is there all the time.
-    pub fn permanent(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
+    pub fn permanent(source: LoadSource, kind: LoadKind, action: impl Into<Action<T>>) -> Load<T> {
         Load {
             id: LoadId::default(),
             source,
             kind,
             name: None,
             permanent: true,
-            factor: 1.0,
+            factor: T::of(1.0),
             action: action.into(),
             history: None,
         }
     }
 
     /// A load that grows with the load factor.
-    pub fn variable(source: LoadSource, kind: LoadKind, action: impl Into<Action>) -> Load {
+    pub fn variable(source: LoadSource, kind: LoadKind, action: impl Into<Action<T>>) -> Load<T> {
         Load { permanent: false, ..Load::permanent(source, kind, action) }
     }
 
     /// A pressure along a face, that varies: under the base it counts as uplift, on the top as weight, on a side as a push.
-    pub fn pressure(face: Face, diagram: PressureDiagram) -> Load {
+    pub fn pressure(face: Face, diagram: PressureDiagram<T>) -> Load<T> {
         let kind = match face {
             Face::Left | Face::Right => LoadKind::Horizontal,
             Face::Base => LoadKind::Uplift,
@@ -136,29 +137,43 @@ impl Load {
 
     /// A force at a place of the body (N per metre run, to the right and upwards), that varies: a vertical one counts as weight,
     /// any other as a push.
-    pub fn force(at: Place, right: f64, up: f64) -> Load {
-        let kind = if right == 0.0 { LoadKind::Weight } else { LoadKind::Horizontal };
+    pub fn force(at: Place<T>, right: T, up: T) -> Load<T> {
+        let kind = if right == T::of(0.0) { LoadKind::Weight } else { LoadKind::Horizontal };
         Load::variable(LoadSource::Force, kind, Action::Force { at, right, up })
     }
 
     /// The same under a name.
-    pub fn named(self, name: impl Into<String>) -> Load {
+    pub fn named(self, name: impl Into<String>) -> Load<T> {
         Load { name: Some(name.into()), ..self }
     }
 
     /// The same as one of its maker's loads.
-    pub fn with_id(self, id: LoadId) -> Load {
+    pub fn with_id(self, id: LoadId) -> Load<T> {
         Load { id, ..self }
     }
 
     /// The same with a history.
-    pub fn over_time(self, history: History) -> Load {
+    pub fn over_time(self, history: History) -> Load<T> {
         Load { history: Some(history), ..self }
     }
 
     /// The same multiplied by a partial factor.
-    pub fn times(self, factor: f64) -> Load {
+    pub fn times(self, factor: T) -> Load<T> {
         Load { factor: self.factor * factor, ..self }
+    }
+
+    /// What it amounts to at the centre of mass of `body`, upright, at the acceleration of gravity `gravity` (m/s²).
+    pub fn upright(&self, body: &Body<T>, gravity: T) -> Wrench<T> {
+        self.action.upright(body, gravity) * self.factor.clone()
+    }
+}
+
+impl Load {
+    /// The same of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    pub fn computed<T: Scalar>(self) -> Load<T> {
+        let Load { id, source, kind, name, permanent, factor, action, history } = self;
+        let (factor, action) = (T::computed(factor), action.computed());
+        Load { id, source, kind, name, permanent, factor, action, history }
     }
 
     /// What it amounts to at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
