@@ -386,8 +386,9 @@ impl AnyCheck<'_> {
 impl Assessed {
     /// A situation under the worst of the accelerations of the base that are tried.
     fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
-        let shaken = |earthquake: Option<Earthquake>| {
-            let situation = case.situation(acting, earthquake)?;
+        let shaken = |shaking: Option<[f64; 2]>| {
+            let earthquake = shaking.and_then(|signs| case.shaken(signs));
+            let situation = case.decided(acting, shaking)?;
             let outcome = situation.outcome()?;
             let others = Vec::new();
             let extent = case.extent;
@@ -407,8 +408,8 @@ impl Assessed {
                 others,
             })
         };
-        let tried = case.earthquakes(acting).into_iter().map(|earthquake| {
-            let assessed = shaken(Some(earthquake))?;
+        let tried = case.shakings(acting).into_iter().map(|signs| {
+            let assessed = shaken(Some(signs))?;
             Ok((assessed.severity(case), assessed))
         });
         let mut tried: Vec<(Severity, Assessed)> = tried.collect::<Result<_, InputError>>()?;

@@ -31,12 +31,14 @@ mod loads;
 mod motion;
 mod section;
 
+use std::sync::Arc;
+
 use standfast::loads::{
     Action, AddedMass, Earthquake, Load, LoadId, LoadKind, LoadSource, StillWater, Uplift,
 };
 use standfast::section::{Part, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
-use standfast::{Body, InputError, Situation};
+use standfast::{Ball, Body, InputError, Scalar, Situation};
 
 pub(crate) use given::{Given, fault, motion_fault};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
@@ -48,23 +50,23 @@ pub(crate) use section::OF_PARTS;
 
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
-use crate::inputs::Inputs;
+use crate::inputs::{GRAVITY, Inputs};
 use crate::key::{Key, Table};
 use crate::units::Extent;
 
 /// A case: one body and the loads on it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Case {
+pub struct Case<T = f64> {
     /// What the case is called.
     pub title: Option<String>,
     /// Where its numbers come from.
     pub note: Option<String>,
     /// Acceleration of gravity, m/s².
-    pub gravity: f64,
+    pub gravity: T,
     /// What forces, masses and moments are of.
     pub extent: Extent,
     /// The body.
-    pub body: Body,
+    pub body: Body<T>,
     /// Its section, where it is made of parts.
     pub section: Option<Section>,
     /// Under which line they are wet.
@@ -72,19 +74,19 @@ pub struct Case {
     /// The names of its parts.
     pub part_names: Vec<Option<String>>,
     /// Coulomb friction μ between body and base, to stick.
-    pub friction: f64,
+    pub friction: T,
     /// Coulomb friction μ to slip.
-    pub kinetic_friction: f64,
+    pub kinetic_friction: T,
     /// What the base can bear; `None` of one that is rigid.
     pub ground: Option<Foundation>,
     /// How water takes part in the weight.
-    pub weight: Weight,
+    pub weight: Weight<T>,
     /// Still water.
-    pub water: Option<StillWater>,
+    pub water: Option<StillWater<T>>,
     /// Pressures under the base.
-    pub uplift: Option<Uplift>,
+    pub uplift: Option<Uplift<T>>,
     /// Acceleration of the base, as given.
-    pub earthquake: Option<Earthquake>,
+    pub earthquake: Option<Earthquake<T>>,
     /// Whether it may be to the other side as well.
     pub both_sides: bool,
     /// Whether it may be downwards as well as upwards.
@@ -92,17 +94,19 @@ pub struct Case {
     /// Waves.
     pub wave: Option<Waves>,
     /// Water that a horizontal motion carries along.
-    pub added_mass: AddedMass,
+    pub added_mass: AddedMass<T>,
     /// Pressures along faces.
-    pub pressures: Vec<FacePressure>,
+    pub pressures: Vec<FacePressure<T>>,
     /// Forces.
-    pub forces: Vec<PointForce>,
+    pub forces: Vec<PointForce<T>>,
     /// Which loads act together, times which factors.
     pub combinations: Vec<Combination>,
     /// What is asked of the results.
     pub criteria: Vec<Criterion>,
     /// What it says of its motion in time; `None` of one at rest, and of one whose histories are those of loads on springs.
     pub motion: Option<CaseMotion>,
+    /// What it was made of, whose decimals decide where f64 cannot.
+    pub(crate) inputs: Arc<Inputs>,
 }
 
 /// Which of a case's loads act in a situation.
@@ -118,15 +122,15 @@ pub enum Acting {
 
 /// What the weight of the body stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Weight {
+pub enum Weight<T = f64> {
     /// m g; water under the base is a load of its own.
     Total,
     /// W', from which buoyancy is taken off already.
     Buoyant {
         /// W', N per metre run.
-        force: f64,
+        force: T,
         /// Its arm to O, m.
-        arm: f64,
+        arm: T,
     },
 }
 
@@ -153,6 +157,38 @@ impl Case {
     /// # Errors
     /// If a value is missing, out of its range, or does not go with the others.
     pub fn of(inputs: &Inputs) -> Result<Case, Fault> {
+        Case::sharing(Arc::new(inputs.clone()))
+    }
+
+    /// The same of inputs that are shared.
+    pub(crate) fn sharing(inputs: Arc<Inputs>) -> Result<Case, Fault> {
+        Case::in_scalars(inputs)
+    }
+
+    /// A [situation](Case::situation) under an acceleration of the base by its [signs](Case::shakings), decided by the numbers as
+    /// they are written where f64 could put it on the other side of a boundary.
+    ///
+    /// # Errors
+    /// If the numbers of a changed case are out of range.
+    pub fn decided(&self, acting: Acting, shaking: Option<[f64; 2]>) -> Result<Situation, InputError> {
+        let situation = self.situation(acting, shaking.and_then(|signs| self.shaken(signs)))?;
+        if !situation.is_near_boundary() {
+            return Ok(situation);
+        }
+        let written = Case::<Ball>::in_scalars(Arc::clone(&self.inputs)).ok();
+        let written = written
+            .and_then(|case| case.situation(acting, shaking.and_then(|signs| case.shaken(signs))).ok());
+        Ok(match written {
+            Some(written) => situation.as_written(&written),
+            None => situation,
+        })
+    }
+}
+
+impl<T: Scalar> Case<T> {
+    /// The same in any arithmetic.
+    fn in_scalars(shared: Arc<Inputs>) -> Result<Case<T>, Fault> {
+        let inputs = &*shared;
         let given = Given { inputs };
         given.ranges()?;
         let in_place = [Table::Block, Table::Point, Table::Storm].into_iter();
@@ -166,16 +202,17 @@ impl Case {
         if !inputs.has(Table::Body) {
             return Err(Fault::new(Problem::MissingTable { table: Table::Body }, Table::Top));
         }
-        let gravity = inputs.gravity();
-        let (body, section) = given.body()?;
-        let friction = given.required(Key::Friction)?;
-        let kinetic_friction = given.kinetic_friction(friction)?;
+        let gravity = given.scalar(Key::Gravity).unwrap_or_else(|| T::written(GRAVITY));
+        let (body, section) = given.body::<T>()?;
+        let friction: T = given.needed(Key::Friction)?;
+        let kinetic_friction = given.kinetic_friction(friction.clone())?;
         let weight = given.weight(&body, section.as_ref())?;
-        let ground = given.in_table(Table::Ground, |given| given.ground(&body))?;
+        let ground = given.in_table(Table::Ground, |given| given.ground(&body.rounded()))?;
         given.answerable(ground.as_ref())?;
         let mut motion = if inputs.is_in_time() { Some(given.motion(HistoryOf::Base)?) } else { None };
-        let wave = given.in_table(Table::Wave, |given| given.waves(&body, gravity, motion.as_mut()))?;
-        let water = match (inputs.has(Table::Water), weight, &wave) {
+        let wave = given
+            .in_table(Table::Wave, |given| given.waves(&body.rounded(), gravity.value(), motion.as_mut()))?;
+        let water = match (inputs.has(Table::Water), &weight, &wave) {
             (true, Weight::Buoyant { .. }, _) => return Err(Fault::new(Problem::WaterTwice, Table::Water)),
             (false, Weight::Total, Some(_)) => return Err(Fault::new(Problem::NoWater, Table::Wave)),
             (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
@@ -219,17 +256,116 @@ impl Case {
             both_sides: !inputs.truth(Key::HorizontalFixed).unwrap_or(false),
             both_ways: !inputs.truth(Key::VerticalFixed).unwrap_or(false),
             wave,
-            added_mass: added_mass.unwrap_or(AddedMass::NONE),
+            added_mass: match added_mass {
+                Some(water) => water,
+                None => AddedMass::of(T::of(0.0)).map_err(|error| given.blame(Table::Body, error))?,
+            },
             pressures,
             forces,
             combinations,
             criteria: Criterion::all(inputs),
             motion,
+            inputs: Arc::clone(&shared),
         };
         case.bare().map_err(|error| given.blame(Table::Body, error))?;
         Ok(case)
     }
 
+    /// The acceleration of the base times signs, to the sides and upwards.
+    pub fn shaken(&self, [side, way]: [f64; 2]) -> Option<Earthquake<T>> {
+        self.earthquake.as_ref().map(|given| given.turned(side, way))
+    }
+
+    /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
+    ///
+    /// # Errors
+    /// If the numbers of a changed case are out of range.
+    ///
+    /// # Panics
+    /// If there is no such force or combination.
+    pub fn situation(
+        &self,
+        acting: Acting,
+        earthquake: Option<Earthquake<T>>,
+    ) -> Result<Situation<T>, InputError> {
+        let mut situation = self.bare()?;
+        for (of, load) in self.loads(acting, earthquake.or_else(|| self.earthquake.clone())) {
+            let factor = match acting {
+                Acting::Combination(index) => self.factor(&self.combinations[index], of, &load),
+                Acting::All | Acting::Alone(_) => 1.0,
+            };
+            if factor != 0.0 {
+                situation = situation.with(load.times(T::written(factor)).with_id(of.into()));
+            }
+        }
+        Ok(situation)
+    }
+
+    /// The body without loads.
+    fn bare(&self) -> Result<Situation<T>, InputError> {
+        let situation = Situation::new(self.body.clone(), self.friction.clone(), self.gravity.clone())?
+            .with_kinetic_friction(self.kinetic_friction.clone())?;
+        Ok(situation.with_added_mass(self.added_mass.clone()))
+    }
+
+    /// All loads of the case but for alternatives to the one that acts, and what each is of.
+    fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(Of, Load<T>)> {
+        let weight = match self.weight.clone() {
+            Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
+            Weight::Buoyant { force, arm } => {
+                let action = Action::vertical(&self.body, force, arm);
+                Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
+            }
+        };
+        let mut loads = vec![(Of::Table(Table::Body), weight)];
+        let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
+        let over_time = |load: Load<T>, history: &Option<standfast::History>| match history {
+            Some(history) => load.over_time(history.clone()),
+            None => load,
+        };
+        if let Some(water) = &self.water {
+            add(Of::Table(Table::Water), water.loads(&self.body, self.gravity.clone()));
+            if let Some(section) = &self.section {
+                let (body, gravity) = (self.body.rounded(), self.gravity.value());
+                let on_sides = section.water_on_sides(&body, &water.rounded(), gravity).into_iter();
+                add(Of::Table(Table::Water), on_sides.map(Load::computed).collect());
+            }
+        }
+        if let Some(uplift) = &self.uplift {
+            add(Of::Table(Table::Uplift), vec![uplift.load(&self.body)]);
+        }
+        if let Some(earthquake) = earthquake {
+            add(Of::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
+        }
+        if let Some(Waves { goda, section, history, .. }) = &self.wave {
+            let waves = goda.loads(&self.body.rounded(), section.base_depth).into_iter().map(Load::computed);
+            add(Of::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
+        }
+        for (index, pressure) in self.pressures.iter().enumerate() {
+            add(Of::Pressure(index), vec![pressure.load()]);
+        }
+        for (index, force) in self.forces.iter().enumerate() {
+            let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
+            if !replaced {
+                add(Of::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
+            }
+        }
+        loads
+    }
+
+    /// What a combination multiplies a load by: one that it does not name acts as it is if it is permanent, and else not.
+    fn factor(&self, combination: &Combination, of: Of, load: &Load<T>) -> f64 {
+        let name = match of {
+            Of::Table(table) => table.in_combination(),
+            Of::Pressure(index) => self.pressures[index].name.as_deref(),
+            Of::Force(index) => self.forces[index].name.as_deref(),
+        };
+        let factor = name.and_then(|name| combination.factor(name));
+        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
+    }
+}
+
+impl Case {
     /// Whether its base may crush, or the ground under it fail.
     pub fn gives_way(&self) -> bool {
         self.ground.is_some_and(|ground| ground.limit.is_some())
@@ -269,11 +405,6 @@ impl Case {
         sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
     }
 
-    /// The acceleration of the base times signs, to the sides and upwards.
-    pub fn shaken(&self, [side, way]: [f64; 2]) -> Option<Earthquake> {
-        self.earthquake.map(|given| given.turned(side, way))
-    }
-
     /// What an earthquake is multiplied by: the factor of a combination, which may be zero.
     pub fn earthquake_factor(&self, acting: Acting) -> f64 {
         match (acting, Table::Earthquake.in_combination()) {
@@ -282,82 +413,10 @@ impl Case {
         }
     }
 
-    /// The body under the loads that act, the base shaken in one of the ways that are tried or else as given.
-    ///
-    /// # Errors
-    /// If the numbers of a changed case are out of range.
-    ///
-    /// # Panics
-    /// If there is no such force or combination.
-    pub fn situation(&self, acting: Acting, earthquake: Option<Earthquake>) -> Result<Situation, InputError> {
-        let mut situation = self.bare()?;
-        for (of, load) in self.loads(acting, earthquake.or(self.earthquake)) {
-            let factor = match acting {
-                Acting::Combination(index) => self.factor(&self.combinations[index], of, &load),
-                Acting::All | Acting::Alone(_) => 1.0,
-            };
-            if factor != 0.0 {
-                situation = situation.with(load.times(factor).with_id(of.into()));
-            }
-        }
-        Ok(situation)
-    }
-
     /// The parts of the body, with their names.
     pub fn parts(&self) -> impl Iterator<Item = (Option<&str>, &Part)> {
         let parts = self.section.iter().flat_map(Section::parts);
         self.part_names.iter().map(Option::as_deref).zip(parts)
-    }
-
-    /// The body without loads.
-    fn bare(&self) -> Result<Situation, InputError> {
-        let situation = Situation::new(self.body, self.friction, self.gravity)?
-            .with_kinetic_friction(self.kinetic_friction)?;
-        Ok(situation.with_added_mass(self.added_mass))
-    }
-
-    /// All loads of the case but for alternatives to the one that acts, and what each is of.
-    fn loads(&self, acting: Acting, earthquake: Option<Earthquake>) -> Vec<(Of, Load)> {
-        let weight = match self.weight {
-            Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
-            Weight::Buoyant { force, arm } => {
-                let action = Action::vertical(&self.body, force, arm);
-                Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
-            }
-        };
-        let mut loads = vec![(Of::Table(Table::Body), weight)];
-        let mut add = |of, more: Vec<Load>| loads.extend(more.into_iter().map(|load| (of, load)));
-        let over_time = |load: Load, history: &Option<standfast::History>| match history {
-            Some(history) => load.over_time(history.clone()),
-            None => load,
-        };
-        if let Some(water) = &self.water {
-            add(Of::Table(Table::Water), water.loads(&self.body, self.gravity));
-            if let Some(section) = &self.section {
-                let on_sides = section.water_on_sides(&self.body, water, self.gravity);
-                add(Of::Table(Table::Water), on_sides);
-            }
-        }
-        if let Some(uplift) = &self.uplift {
-            add(Of::Table(Table::Uplift), vec![uplift.load(&self.body)]);
-        }
-        if let Some(earthquake) = earthquake {
-            add(Of::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
-        }
-        if let Some(Waves { goda, section, history, .. }) = &self.wave {
-            let waves = goda.loads(&self.body, section.base_depth).into_iter();
-            add(Of::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
-        }
-        for (index, pressure) in self.pressures.iter().enumerate() {
-            add(Of::Pressure(index), vec![pressure.load()]);
-        }
-        for (index, force) in self.forces.iter().enumerate() {
-            let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
-            if !replaced {
-                add(Of::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
-            }
-        }
-        loads
     }
 
     /// Variable loads that act in no combination: the table each is of, and its place.
@@ -373,17 +432,6 @@ impl Case {
         let mut places: Vec<_> = unused.map(|(of, _)| of.place()).collect();
         places.dedup();
         places
-    }
-
-    /// What a combination multiplies a load by: one that it does not name acts as it is if it is permanent, and else not.
-    fn factor(&self, combination: &Combination, of: Of, load: &Load) -> f64 {
-        let name = match of {
-            Of::Table(table) => table.in_combination(),
-            Of::Pressure(index) => self.pressures[index].name.as_deref(),
-            Of::Force(index) => self.forces[index].name.as_deref(),
-        };
-        let factor = name.and_then(|name| combination.factor(name));
-        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
     }
 
     /// What a situation is called: its force that acts alone or its combination, or the number of it, counted from one.

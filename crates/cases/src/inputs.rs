@@ -1,6 +1,6 @@
 //! What a case file says, as typed values under their keys, without its text: what is varied, millions of times if need be.
 
-use standfast::Modes;
+use standfast::{Ball, Modes, Scalar};
 
 use std::sync::Arc;
 
@@ -58,6 +58,8 @@ impl Value {
 pub struct Inputs {
     /// In the order of their keys.
     values: Vec<(Id, Value)>,
+    /// Numbers with more decimals than an f64 says, as they are written.
+    decimals: Vec<(Id, Ball)>,
     /// How many tables of each kind there are, in the order of [`Table::ALL`].
     tables: [usize; Table::ALL.len()],
 }
@@ -77,6 +79,28 @@ impl Inputs {
             Value::InGravity(share) => Some(share * self.gravity()),
             _ => None,
         }
+    }
+
+    /// The number under a key in any arithmetic: the decimal that its f64 stands for, or the longer one that was written.
+    pub(crate) fn scalar<T: Scalar>(&self, id: impl Into<Id>) -> Option<T> {
+        let id = id.into();
+        let written = |x: f64| match self.decimals.iter().find(|(other, _)| *other == id) {
+            Some((_, decimal)) => T::of_decimal(decimal),
+            None => T::written(x),
+        };
+        match self.get(id)? {
+            Value::Number(number) => Some(written(*number)),
+            Value::InGravity(share) => {
+                let gravity = self.scalar(Key::Gravity).unwrap_or_else(|| T::written(GRAVITY));
+                Some(written(*share) * gravity)
+            }
+            _ => None,
+        }
+    }
+
+    /// Puts the decimal that was written beside its number.
+    pub(crate) fn put_decimal(&mut self, id: Id, decimal: Ball) {
+        self.decimals.push((id, decimal));
     }
 
     /// The words under a key.
@@ -151,6 +175,7 @@ impl Inputs {
     }
 
     pub(crate) fn put(&mut self, id: Id, value: Value) {
+        self.decimals.retain(|(other, _)| *other != id);
         match self.place(id) {
             Ok(place) => self.values[place].1 = value,
             Err(place) => self.values.insert(place, (id, value)),

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::ops::Range as Span;
 use std::sync::Arc;
 
-use standfast::{InputError, Modes};
+use standfast::{Ball, InputError, Modes};
 use standfast_motion::MotionError;
 use standfast_motion::record::STANDARD_GRAVITY;
 use toml::Spanned;
@@ -22,7 +22,7 @@ use crate::key::{Id, Key, Kind, Range, Table};
 use crate::layout::shortened;
 use crate::random::{self, RANDOM, Random, RandomProblem};
 use crate::record::{ReadFile, RecordFile};
-use crate::units::{Dimension, Extent, in_gravity};
+use crate::units::{Dimension, Extent, in_gravity, split_text};
 pub(crate) use option::read;
 
 /// A case file: what it says, and where it says it.
@@ -317,7 +317,12 @@ impl CaseFile {
                         self.inputs.put(Id::of(table, index, key), Value::Number(number));
                     }
                 }
-                kind => self.inputs.put(id, field.value(kind)?),
+                kind => {
+                    self.inputs.put(id, field.value(kind)?);
+                    if let Some(decimal) = field.long_decimal() {
+                        self.inputs.put_decimal(id, decimal);
+                    }
+                }
             }
             self.entries.push(Entry { id, span: value.span(), follows: None });
         }
@@ -578,6 +583,21 @@ impl Field<'_> {
             let written = self.written(self.value);
             self.problem(Problem::Unit { key: self.id.key, dimension: Some(dimension), written, error })
         })
+    }
+
+    /// The decimal as it is written, in SI units or in g, of a number that has more digits than an f64 can say.
+    fn long_decimal(&self) -> Option<Ball> {
+        let (text, power) = match self.value.get_ref() {
+            DeValue::Integer(integer) if integer.radix() == 10 => (integer.as_str(), 0),
+            DeValue::Float(float) => (float.as_str(), 0),
+            DeValue::String(text) => {
+                let unit = self.dimension().and_then(|dimension| dimension.split(text).ok());
+                (split_text(text.trim())?.0, unit.map_or(0, |(_, unit)| unit.0))
+            }
+            _ => return None,
+        };
+        let digits = text.chars().filter(char::is_ascii_digit).count();
+        (digits > f64::DIGITS as usize).then(|| Ball::decimal(text))?.map(|number| number.times_ten_to(power))
     }
 
     /// What a history reaches, with its unit: g is the standard acceleration of gravity.

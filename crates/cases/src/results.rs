@@ -352,8 +352,7 @@ fn factor(full: &Response, factor: f64) -> ResultValue {
 
 /// What the inequalities of rest leave under the full load.
 fn margins(assessed: &Assessed) -> Margins {
-    let situation = &assessed.situation;
-    assessed.outcome.actions.margins(situation.static_friction(), situation.body())
+    assessed.outcome.margins
 }
 
 fn pressed(assessed: &Assessed, of: impl Fn(f64, f64, f64) -> f64) -> ResultValue {

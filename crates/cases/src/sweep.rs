@@ -20,6 +20,8 @@
 
 mod factor;
 
+use std::sync::Arc;
+
 use standfast::loads::Earthquake;
 
 pub use factor::{Factor, NoFactor, heading};
@@ -47,7 +49,7 @@ pub struct Sweep {
 
 /// The inputs of one answer after the other: one for each thread.
 #[derive(Debug, Clone)]
-pub struct Scratch(Inputs);
+pub struct Scratch(Arc<Inputs>);
 
 /// The answer for one set of values.
 #[derive(Debug, Clone, PartialEq)]
@@ -167,7 +169,7 @@ impl Sweep {
 
     /// Inputs to answer with.
     pub fn scratch(&self) -> Scratch {
-        Scratch(self.inputs.clone())
+        Scratch(Arc::new(self.inputs.clone()))
     }
 
     /// The answer for these values, one for each number that varies.
@@ -175,6 +177,8 @@ impl Sweep {
     /// # Errors
     /// If the case cannot have these values.
     pub fn answer(&self, Scratch(inputs): &mut Scratch, values: &[f64]) -> Result<Answer, Fault> {
+        let shared = inputs;
+        let inputs = Arc::make_mut(shared);
         for (key, value) in &self.moved {
             inputs.put((*key).into(), value.clone());
         }
@@ -183,7 +187,8 @@ impl Sweep {
         for (factor, value) in self.factors.iter().zip(values).filter(|(factor, _)| factor.counts_gravity()) {
             inputs.put(factor.variable().id(), Value::InGravity(*value));
         }
-        let assessment = Assessment::owning(Case::of(inputs)?).map_err(|error| fault(inputs, error))?;
+        let case = Case::sharing(Arc::clone(shared))?;
+        let assessment = Assessment::owning(case).map_err(|error| fault(shared, error))?;
         Ok(Answer::of(assessment))
     }
 

@@ -104,82 +104,56 @@ pub enum Dimension {
     WholeMoment,
 }
 
-/// How a value in some unit becomes SI. Small units divide by a whole number, so that "123 mm" is the f64 nearest to
-/// 0.123, just as the plain number 0.123 is.
-#[derive(Debug, Clone, Copy)]
-enum Scale {
-    Times(f64),
-    Over(f64),
-}
+/// The name of a unit, and the power of ten that makes SI of it.
+type Named = (&'static str, i32);
 
-type Named = (&'static str, Scale);
-
-/// A unit of some dimension.
+/// A unit of some dimension: the power of ten by which it is more than that of SI.
 #[derive(Debug, Clone, Copy)]
-pub struct Unit(Scale);
+pub struct Unit(pub(crate) i32);
 
 impl Unit {
-    /// So many of it, in SI units.
+    /// So many of it, in SI units: the f64 nearest to the decimal that `value` stands for, times a power of ten. "123 mm" is 0.123,
+    /// just as the plain number is.
     pub fn si(self, value: f64) -> f64 {
-        match self.0 {
-            Scale::Times(factor) => value * factor,
-            Scale::Over(divisor) => value / divisor,
+        // A whole number is multiplied, or divided, with one rounding.
+        if self.0 == 0 || value.fract() == 0.0 {
+            let factor = 10f64.powi(self.0.abs());
+            return if self.0 < 0 { value / factor } else { value * factor };
         }
+        let written = format!("{value:e}");
+        let (digits, exponent) = written.split_once('e').unwrap_or((&written, "0"));
+        let exponent = exponent.parse::<i32>().unwrap_or_default() + self.0;
+        format!("{digits}e{exponent}").parse().unwrap_or(f64::NAN)
     }
 
     /// How many of it an SI value is.
     pub fn of_si(self, value: f64) -> f64 {
-        match self.0 {
-            Scale::Times(factor) => value / factor,
-            Scale::Over(divisor) => value * divisor,
-        }
+        let factor = 10f64.powi(self.0.abs());
+        if self.0 < 0 { value * factor } else { value / factor }
     }
 }
 
 impl Dimension {
     fn units(self) -> &'static [Named] {
-        use Scale::{Over, Times};
         match self {
-            Dimension::Length => &[("mm", Over(1e3)), ("cm", Over(1e2)), ("m", Times(1.0))],
-            Dimension::Mass => &[("kg/m", Times(1.0)), ("t/m", Times(1e3))],
-            Dimension::Density => {
-                &[("kg/m3", Times(1.0)), ("t/m3", Times(1e3)), ("kg/m³", Times(1.0)), ("t/m³", Times(1e3))]
+            Dimension::Length => &[("mm", -3), ("cm", -2), ("m", 0)],
+            Dimension::Mass => &[("kg/m", 0), ("t/m", 3)],
+            Dimension::Density => &[("kg/m3", 0), ("t/m3", 3), ("kg/m³", 0), ("t/m³", 3)],
+            Dimension::Force => &[("N/m", 0), ("kN/m", 3), ("MN/m", 6)],
+            Dimension::Acceleration => &[("m/s2", 0), ("m/s²", 0)],
+            Dimension::Inertia => &[("kg m2/m", 0), ("t m2/m", 3), ("kg m²/m", 0), ("t m²/m", 3)],
+            Dimension::Pressure => &[("Pa", 0), ("kPa", 3), ("MPa", 6), ("kN/m2", 3), ("kN/m²", 3)],
+            Dimension::UnitWeight => &[("N/m3", 0), ("kN/m3", 3), ("N/m³", 0), ("kN/m³", 3)],
+            Dimension::Stiffness => {
+                &[("N/m3", 0), ("kN/m3", 3), ("MN/m3", 6), ("N/m³", 0), ("kN/m³", 3), ("MN/m³", 6)]
             }
-            Dimension::Force => &[("N/m", Times(1.0)), ("kN/m", Times(1e3)), ("MN/m", Times(1e6))],
-            Dimension::Acceleration => &[("m/s2", Times(1.0)), ("m/s²", Times(1.0))],
-            Dimension::Inertia => &[
-                ("kg m2/m", Times(1.0)),
-                ("t m2/m", Times(1e3)),
-                ("kg m²/m", Times(1.0)),
-                ("t m²/m", Times(1e3)),
-            ],
-            Dimension::Pressure => &[
-                ("Pa", Times(1.0)),
-                ("kPa", Times(1e3)),
-                ("MPa", Times(1e6)),
-                ("kN/m2", Times(1e3)),
-                ("kN/m²", Times(1e3)),
-            ],
-            Dimension::UnitWeight => {
-                &[("N/m3", Times(1.0)), ("kN/m3", Times(1e3)), ("N/m³", Times(1.0)), ("kN/m³", Times(1e3))]
-            }
-            Dimension::Stiffness => &[
-                ("N/m3", Times(1.0)),
-                ("kN/m3", Times(1e3)),
-                ("MN/m3", Times(1e6)),
-                ("N/m³", Times(1.0)),
-                ("kN/m³", Times(1e3)),
-                ("MN/m³", Times(1e6)),
-            ],
-            Dimension::Angle => &[("rad", Times(1.0)), ("mrad", Over(1e3))],
-            Dimension::Time => &[("s", Times(1.0))],
-            Dimension::Moment => &[("N m/m", Times(1.0)), ("kN m/m", Times(1e3)), ("MN m/m", Times(1e6))],
-            Dimension::WholeMass => &[("kg", Times(1.0)), ("t", Times(1e3))],
-            Dimension::WholeForce => &[("N", Times(1.0)), ("kN", Times(1e3)), ("MN", Times(1e6))],
-            Dimension::WholeInertia => {
-                &[("kg m2", Times(1.0)), ("t m2", Times(1e3)), ("kg m²", Times(1.0)), ("t m²", Times(1e3))]
-            }
-            Dimension::WholeMoment => &[("N m", Times(1.0)), ("kN m", Times(1e3)), ("MN m", Times(1e6))],
+            Dimension::Angle => &[("rad", 0), ("mrad", -3)],
+            Dimension::Time => &[("s", 0)],
+            Dimension::Moment => &[("N m/m", 0), ("kN m/m", 3), ("MN m/m", 6)],
+            Dimension::WholeMass => &[("kg", 0), ("t", 3)],
+            Dimension::WholeForce => &[("N", 0), ("kN", 3), ("MN", 6)],
+            Dimension::WholeInertia => &[("kg m2", 0), ("t m2", 3), ("kg m²", 0), ("t m²", 3)],
+            Dimension::WholeMoment => &[("N m", 0), ("kN m", 3), ("MN m", 6)],
         }
     }
 
@@ -273,8 +247,13 @@ impl Dimension {
     /// # Errors
     /// If the text does not begin with a number, or its unit is missing or does not fit.
     pub fn parse(self, text: &str) -> Result<f64, UnitError> {
-        let text = text.trim();
-        let (value, unit) = split(text).ok_or(UnitError::Number)?;
+        let (value, unit) = self.split(text)?;
+        Ok(unit.si(value))
+    }
+
+    /// The number of a text such as "450 kN/m", and its unit.
+    pub(crate) fn split(self, text: &str) -> Result<(f64, Unit), UnitError> {
+        let (value, unit) = split(text.trim()).ok_or(UnitError::Number)?;
         if unit.is_empty() {
             return Err(UnitError::Missing);
         }
@@ -282,12 +261,12 @@ impl Dimension {
             return Err(UnitError::Comma);
         }
         let known = self.unit(unit).ok_or_else(|| UnitError::Unknown(unit.to_owned()))?;
-        Ok(known.si(value))
+        Ok((value, known))
     }
 
     /// The unit of a name, where it fits.
     pub fn unit(self, name: &str) -> Option<Unit> {
-        self.units().iter().find(|(known, _)| *known == name).map(|(_, scale)| Unit(*scale))
+        self.units().iter().find(|(known, _)| *known == name).map(|(_, power)| Unit(*power))
     }
 }
 
@@ -315,13 +294,16 @@ pub enum UnitError {
 
 /// The longest number at the beginning of `text`, and what follows it.
 fn split(text: &str) -> Option<(f64, &str)> {
+    let (number, rest) = split_text(text)?;
+    Some((number.parse().ok()?, rest.trim_start()))
+}
+
+/// The text of the longest number at the beginning of `text`, and what follows it.
+pub(crate) fn split_text(text: &str) -> Option<(&str, &str)> {
     // Only these, so that Rust's "inf", "nan" and "infinity" are no numbers.
     let end =
         text.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E')).unwrap_or(text.len());
-    (1..=end).rev().find_map(|end| {
-        let value = text[..end].parse().ok()?;
-        Some((value, text[end..].trim_start()))
-    })
+    (1..=end).rev().find(|end| text[..*end].parse::<f64>().is_ok()).map(|end| text.split_at(end))
 }
 
 #[cfg(test)]

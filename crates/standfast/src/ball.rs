@@ -31,8 +31,8 @@ pub trait Scalar: Real + Div<Output = Self> + Debug + PartialEq {
     /// The number that a person means by an f64: the shortest decimal that reads as it.
     fn written(x: f64) -> Self;
 
-    /// The number that stands in a text, of which `x` is the f64; as [`written`](Scalar::written) if it is no decimal.
-    fn of_text(text: &str, x: f64) -> Self;
+    /// A number that was written with more digits than an f64 has.
+    fn of_decimal(decimal: &Ball) -> Self;
 
     /// A number that was computed in f64, to [some thirteen digits](COMPUTED).
     fn computed(x: f64) -> Self;
@@ -53,9 +53,8 @@ impl Scalar for f64 {
         x
     }
 
-    #[inline(always)]
-    fn of_text(_: &str, x: f64) -> f64 {
-        x
+    fn of_decimal(decimal: &Ball) -> f64 {
+        decimal.value()
     }
 
     #[inline(always)]
@@ -184,8 +183,8 @@ impl Scalar for Ball {
         Ball::decimal(&format!("{x:e}")).unwrap_or_else(|| Ball::of(x))
     }
 
-    fn of_text(text: &str, x: f64) -> Ball {
-        Ball::decimal(text).unwrap_or_else(|| Ball::written(x))
+    fn of_decimal(decimal: &Ball) -> Ball {
+        decimal.clone()
     }
 
     fn computed(x: f64) -> Ball {
@@ -255,7 +254,8 @@ impl Div for Ball {
                 up(off / (other.value().abs() * least))
             }
         };
-        let (numerator, denominator) = (self.numerator * &other.denominator, self.denominator * &other.numerator);
+        let (numerator, denominator) =
+            (self.numerator * &other.denominator, self.denominator * &other.numerator);
         match denominator.sign() {
             Sign::Minus => Ball::fraction(-numerator, -denominator, radius),
             _ => Ball::fraction(numerator, denominator, radius),
@@ -286,7 +286,9 @@ mod tests {
     #[test]
     fn decimals_are_what_they_say() {
         let tenth = |n: f64| Ball::of(n) / Ball::of(10.0);
-        for (text, expected) in [("0.1", tenth(1.0)), ("-.5", tenth(-5.0)), ("+3e-1", tenth(3.0)), ("7.E+0", tenth(70.0))] {
+        for (text, expected) in
+            [("0.1", tenth(1.0)), ("-.5", tenth(-5.0)), ("+3e-1", tenth(3.0)), ("7.E+0", tenth(70.0))]
+        {
             assert_eq!(Ball::decimal(text), Some(expected), "{text}");
         }
         for text in ["", ".", "e5", "1.-5", "0x10", "1e", "inf", "NaN", "1 2", "1e401"] {
@@ -300,7 +302,11 @@ mod tests {
     #[test]
     fn a_ball_holds_what_it_may_be() {
         let ball = |x: f64, radius: f64| Ball { radius, ..Ball::of(x) };
-        let ends = |ball: &Ball| [-1.0, 1.0].map(|side| ball.clone() + Ball::of(side * ball.radius)).map(|end| Ball { radius: 0.0, ..end });
+        let ends = |ball: &Ball| {
+            [-1.0, 1.0]
+                .map(|side| ball.clone() + Ball::of(side * ball.radius))
+                .map(|end| Ball { radius: 0.0, ..end })
+        };
         let inside = |exact: Ball, ball: &Ball| {
             let off = exact - Ball { radius: 0.0, ..ball.clone() };
             let off = if off.sign() == Some(Ordering::Less) { -off } else { off };

@@ -235,6 +235,24 @@ impl<T: Scalar> Body<T> {
         uniform.is_ok_and(|uniform| Body { plan: self.plan(), ..uniform } == *self)
     }
 
+    /// The same in f64.
+    pub fn rounded(&self) -> Body {
+        Body {
+            width: self.width.value(),
+            height: self.height.value(),
+            mass: self.mass.value(),
+            centroid_offset: self.centroid_offset.value(),
+            centroid_height: self.centroid_height.value(),
+            base_left: self.base_left.value(),
+            base_right: self.base_right.value(),
+            moment_of_inertia: self.moment_of_inertia.value(),
+            plan: match &self.plan {
+                Plan::Rectangle { length } => Plan::Rectangle { length: length.value() },
+                Plan::Circle => Plan::Circle,
+            },
+        }
+    }
+
     /// The body whose numbers were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed(body: &Body) -> Body<T> {
         Body {

@@ -34,13 +34,14 @@ use crate::body::Body;
 use crate::contact::path::{Stage, stages};
 use crate::contact::{self, Block, Solution, plane};
 use crate::error::InputError;
-use crate::initiation::Point;
 use crate::exact::Real;
+use crate::initiation::Point;
 use crate::loads::{Action, AddedMass, HorizontalForce, Load, LoadKind, LoadSource, Pose, Reduced};
 use crate::mode::{Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::quantity::{Expected, Quantity};
 use crate::region::Region;
+use crate::relation::Relation;
 use crate::stability::{ClassicalActions, GrossOverturning, Margins, Stability};
 use crate::wrench::Wrench;
 
@@ -420,6 +421,19 @@ impl Situation {
             }
             (None, None) => response(self.solve(&wrench)?, effective, None),
         })
+    }
+
+    /// The conditions of the mode of a response of this situation, with the numbers of its motion; those that are on their
+    /// boundary to the digits of f64 are said to be there, where the response is.
+    pub fn explain(&self, response: &Response) -> Vec<Relation> {
+        let Some(mode) = response.mode else { return Vec::new() };
+        let verdict = contact::Verdict { modes: response.modes, mode: response.mode };
+        let reduced = self.reduced_wrench(&response.wrench);
+        let mut relations = Solution::decided(&self.reduced_block().0, &reduced, verdict).explain(mode);
+        if response.boundary.is_some() {
+            relations.iter_mut().for_each(written::settle_relation);
+        }
+        relations
     }
 
     /// Whether rounding in f64 could put it on the other side of a boundary, under its permanent loads or under the full load: it is

@@ -25,13 +25,9 @@ impl Assessed {
         if self.is_on_ground() {
             return self.because_of_ground();
         }
-        match (&full.effective, full.mode) {
-            (Some(reduced), _) => reduced.point.explain().deciding().to_vec(),
-            (None, Some(mode)) => {
-                let solution = self.situation.solve(&full.wrench);
-                solution.map_or_else(|_| Vec::new(), |solution| solution.explain(mode))
-            }
-            (None, None) => Vec::new(),
+        match &full.effective {
+            Some(reduced) if full.boundary.is_none() => reduced.point.explain().deciding().to_vec(),
+            _ => self.situation.explain(full),
         }
     }
 }

@@ -6,7 +6,7 @@ use standfast::ground::elastic::{ElasticBase, LargestMoment};
 use standfast::ground::impact::{ElasticBody, ImpactResponse};
 use standfast::ground::strength::{self, CrushMotion};
 use standfast::ground::{GroundDeparture, GroundStage, GroundVerdict};
-use standfast::{Departure, History, InputError, Mode, Modes, Motion, Outcome, Situation, Wrench};
+use standfast::{Boundary, Departure, History, InputError, Mode, Modes, Motion, Outcome, Situation, Wrench};
 
 mod because;
 mod text;
@@ -302,6 +302,11 @@ impl Assessed {
     /// The consistent modes beside the one reported.
     pub fn others(&self) -> Modes {
         self.modes().without(self.mode())
+    }
+
+    /// Where the body stands on the boundary of rest; `None` on a base that gives way, where nobody asks.
+    pub fn boundary(&self) -> Option<Boundary> {
+        self.outcome.full.boundary.filter(|_| !self.is_on_ground())
     }
 
     /// Whether one mode only is consistent.

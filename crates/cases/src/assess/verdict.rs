@@ -1,7 +1,7 @@
 //! What the body does under the full load at once, and while it rises, in sentences: those of every face.
 
 use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast::{Mode, Response};
+use standfast::{Boundary, Mode, Response};
 
 use super::{Assessed, OnGround, View};
 use crate::layout::{columns, digits, row};
@@ -63,6 +63,18 @@ fn lifted(full: &Response, extent: Extent) -> String {
     }
 }
 
+/// That the answer is the only one, and where it is on the boundary to another, which.
+fn unique(assessed: &Assessed) -> String {
+    if assessed.boundary() != Some(Boundary::Exact) {
+        return "The answer is unique.".to_owned();
+    }
+    let beyond = match assessed.departure() {
+        GroundDeparture::At { factor: 1.0, verdict } => predicate(verdict),
+        _ => "moves".to_owned(),
+    };
+    format!("The answer is unique, and exactly on the boundary: with the least more load the body {beyond}.")
+}
+
 /// Whether the answer is the only one, and which it is if not.
 fn uniqueness(assessed: &Assessed) -> String {
     let mode = match assessed.verdict() {
@@ -70,9 +82,17 @@ fn uniqueness(assessed: &Assessed) -> String {
             return "That happens only where friction to stick is larger than friction to slip.".to_owned();
         }
         Some(GroundVerdict::BearingFailure) => return NO_MOTION.to_owned(),
-        Some(_) if assessed.is_unique() => return "The answer is unique.".to_owned(),
+        Some(_) if assessed.is_unique() => return unique(assessed),
         Some(GroundVerdict::Begins(mode)) => mode,
     };
+    if assessed.boundary() == Some(Boundary::ToTheDigits) {
+        let others: Vec<_> =
+            assessed.others().iter().map(|mode| format!("{} ({mode})", mode.words())).collect();
+        return format!(
+            "To the digits given it is on a boundary: that it {} cannot be told from that.",
+            others.join(" or ")
+        );
+    }
     let list: Vec<_> =
         assessed.others().iter().map(|mode| predicate(Some(GroundVerdict::Begins(mode)))).collect();
     let verb = if list.len() == 1 { "satisfies" } else { "satisfy" };

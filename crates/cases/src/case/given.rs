@@ -3,7 +3,7 @@
 
 use standfast::loads::{AddedMass, Earthquake, StillWater, Uplift};
 use standfast::wave::{self, Choices, Heights, Sea, goda};
-use standfast::{Body, InputError, Section};
+use standfast::{Body, InputError, Scalar, Section};
 use standfast_motion::MotionError;
 
 use super::history::HistoryOf;
@@ -57,6 +57,16 @@ impl Given<'_> {
         self.inputs.number(key)
     }
 
+    /// The number under a key, in any arithmetic.
+    pub(crate) fn scalar<T: Scalar>(&self, key: Key) -> Option<T> {
+        self.inputs.scalar(key)
+    }
+
+    /// The same where there has to be one.
+    pub(crate) fn needed<T: Scalar>(&self, key: Key) -> Result<T, Fault> {
+        self.scalar(key).ok_or_else(|| self.missing(key, 0))
+    }
+
     pub(crate) fn required(&self, key: Key) -> Result<f64, Fault> {
         self.number(key).ok_or_else(|| self.missing(key, 0))
     }
@@ -106,20 +116,26 @@ impl Given<'_> {
         said.or_else(|| Some(Fault::new(Problem::Mechanics(error), farthest()?.0)))
     }
 
-    pub(super) fn kinetic_friction(&self, friction: f64) -> Result<f64, Fault> {
-        let kinetic = self.number(Key::KineticFriction).unwrap_or(friction);
-        if kinetic > friction {
-            return Err(Fault::new(Problem::KineticFriction { kinetic, friction }, Key::KineticFriction));
+    pub(super) fn kinetic_friction<T: Scalar>(&self, friction: T) -> Result<T, Fault> {
+        let kinetic = self.scalar(Key::KineticFriction).unwrap_or_else(|| friction.clone());
+        let [slips, sticks] = [&kinetic, &friction].map(T::value);
+        if slips > sticks {
+            let problem = Problem::KineticFriction { kinetic: slips, friction: sticks };
+            return Err(Fault::new(problem, Key::KineticFriction));
         }
         Ok(kinetic)
     }
 
-    pub(super) fn weight(&self, body: &Body, section: Option<&Section>) -> Result<Weight, Fault> {
-        match (self.number(Key::BuoyantWeight), self.number(Key::WeightArm)) {
+    pub(super) fn weight<T: Scalar>(
+        &self,
+        body: &Body<T>,
+        section: Option<&Section>,
+    ) -> Result<Weight<T>, Fault> {
+        match (self.scalar(Key::BuoyantWeight), self.scalar::<T>(Key::WeightArm)) {
             (Some(force), Some(arm)) => Ok(Weight::Buoyant { force, arm }),
             (Some(force), None) => {
                 let arm = section.and_then(|section| self.arm_of_parts(body, section));
-                Ok(Weight::Buoyant { force, arm: arm.unwrap_or(body.heel_distance()) })
+                Ok(Weight::Buoyant { force, arm: arm.unwrap_or_else(|| body.heel_distance()) })
             }
             (None, None) => Ok(Weight::Total),
             (None, Some(_)) => Err(Fault::new(Problem::ArmWithoutWeight, Key::WeightArm)),
@@ -127,19 +143,24 @@ impl Given<'_> {
     }
 
     /// The arm of the weight of parts less the water that they displace under the waves' still water.
-    fn arm_of_parts(&self, body: &Body, section: &Section) -> Option<f64> {
+    fn arm_of_parts<T: Scalar>(&self, body: &Body<T>, section: &Section) -> Option<T> {
         let (depth, density) = (self.number(Key::BaseDepth)?, self.number(Key::WaveWaterDensity)?);
         let [o, _] = section.base();
         let displaced = section.below(depth);
         let buoyancy = density * displaced.area;
-        let weight = body.mass() - buoyancy;
-        (weight > 0.0).then(|| (body.mass() * body.heel_distance() - buoyancy * (displaced.x - o)) / weight)
+        let (mass, arm) = (body.mass().value(), body.heel_distance().value());
+        let weight = mass - buoyancy;
+        (weight > 0.0).then(|| T::computed((mass * arm - buoyancy * (displaced.x - o)) / weight))
     }
 
-    pub(super) fn water(&self, body: &Body, wave: Option<&Waves>) -> Result<StillWater, Fault> {
-        let sides = (self.number(Key::Level), self.number(Key::WaterLeft), self.number(Key::WaterRight));
+    pub(super) fn water<T: Scalar>(
+        &self,
+        body: &Body<T>,
+        wave: Option<&Waves>,
+    ) -> Result<StillWater<T>, Fault> {
+        let sides = (self.scalar::<T>(Key::Level), self.scalar(Key::WaterLeft), self.scalar(Key::WaterRight));
         let (left, right) = match sides {
-            (Some(level), None, None) => (level, level),
+            (Some(level), None, None) => (level.clone(), level),
             (None, Some(left), Some(right)) => (left, right),
             (None, None, None) => return Err(Fault::new(Problem::NoLevel, Table::Water)),
             (None, Some(_), None) => {
@@ -151,62 +172,69 @@ impl Given<'_> {
             (Some(_), _, _) => return Err(Fault::new(Problem::LevelAndSides, Key::Level)),
         };
         let of_wave = wave.map(|wave| wave.sea.water_density);
-        let density = match (self.number(Key::WaterDensity), of_wave) {
-            (Some(density), Some(of_wave)) if (density - of_wave).abs() > SAME_DENSITY => {
-                return Err(disagree((Key::WaterDensity, density), (Key::WaveWaterDensity, of_wave)));
+        let density = match (self.scalar::<T>(Key::WaterDensity), of_wave) {
+            (Some(density), Some(of_wave)) if (density.value() - of_wave).abs() > SAME_DENSITY => {
+                let own = (Key::WaterDensity, density.value());
+                return Err(disagree(own, (Key::WaveWaterDensity, of_wave)));
             }
-            (Some(density), _) | (None, Some(density)) => density,
+            (Some(density), _) => density,
+            (None, Some(_)) => self.needed(Key::WaveWaterDensity)?,
             (None, None) => return Err(Fault::new(Problem::NoWaterDensity, Table::Water)),
         };
         let right_key = if self.number(Key::Level).is_some() { Key::Level } else { Key::WaterRight };
+        let levels = [&left, &right].map(T::value);
         let water = StillWater::new(body, left, right, density).map_err(|error| {
-            let left_is_it = error.value == left && self.number(Key::WaterLeft).is_some();
+            let left_is_it = error.value == levels[0] && self.number(Key::WaterLeft).is_some();
             let key = if left_is_it { Key::WaterLeft } else { right_key };
             let blamed = [key, Key::WaterDensity].into_iter();
             let fault = self.blame_one_of(blamed, 0, error);
             fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Table::Water))
         })?;
         match wave.map(|wave| wave.section.base_depth) {
-            Some(depth) if (depth - right).abs() > SAME_LENGTH => {
-                Err(disagree((right_key, right), (Key::BaseDepth, depth)))
+            Some(depth) if (depth - levels[1]).abs() > SAME_LENGTH => {
+                Err(disagree((right_key, levels[1]), (Key::BaseDepth, depth)))
             }
             _ => Ok(water),
         }
     }
 
-    pub(super) fn uplift(&self) -> Result<Uplift, Fault> {
-        let (left, right) = (self.required(Key::UpliftLeft)?, self.required(Key::UpliftRight)?);
+    pub(super) fn uplift<T: Scalar>(&self) -> Result<Uplift<T>, Fault> {
+        let (left, right) = (self.needed::<T>(Key::UpliftLeft)?, self.needed(Key::UpliftRight)?);
+        let at_left = left.value();
         let grows = self.inputs.truth(Key::UpliftGrows).unwrap_or(false);
         Uplift::new(left, right, grows).map_err(|error| {
-            let key = if error.value == left { Key::UpliftLeft } else { Key::UpliftRight };
+            let key = if error.value == at_left { Key::UpliftLeft } else { Key::UpliftRight };
             Fault::new(Problem::Impossible { key, error }, key)
         })
     }
 
-    pub(super) fn earthquake(&self) -> Result<Earthquake, Fault> {
-        let horizontal = self.required(Key::Horizontal)?;
-        let vertical = self.number(Key::Vertical).unwrap_or(0.0);
+    pub(super) fn earthquake<T: Scalar>(&self) -> Result<Earthquake<T>, Fault> {
+        let horizontal: T = self.needed(Key::Horizontal)?;
+        let sideways = horizontal.value();
+        let vertical = self.scalar(Key::Vertical).unwrap_or_else(|| T::of(0.0));
         Earthquake::new(horizontal, vertical).map_err(|error| {
-            let key = if error.value == horizontal { Key::Horizontal } else { Key::Vertical };
+            let key = if error.value == sideways { Key::Horizontal } else { Key::Vertical };
             Fault::new(Problem::Impossible { key, error }, key)
         })
     }
 
-    pub(super) fn added_mass(
+    pub(super) fn added_mass<T: Scalar>(
         &self,
-        body: &Body,
-        water: Option<&StillWater>,
+        body: &Body<T>,
+        water: Option<&StillWater<T>>,
         wave: Option<&Waves>,
-    ) -> Result<AddedMass, Fault> {
+    ) -> Result<AddedMass<T>, Fault> {
         // The sea, or the water at the right, and the water at the left.
         let depths = match (water, wave) {
-            (Some(water), _) => Some((water.density(), [water.right(), water.left()])),
+            (Some(water), _) => {
+                Some((water.density().value(), [water.right(), water.left()].map(|level| level.value())))
+            }
             (None, Some(Waves { sea, section, .. })) => Some((sea.water_density, [section.base_depth; 2])),
             (None, None) => None,
         };
-        match (self.number(Key::WaterMass), self.inputs.get(Key::WetSides), depths) {
+        match (self.scalar::<T>(Key::WaterMass), self.inputs.get(Key::WetSides), depths) {
             (Some(mass), None, _) => {
-                let water = AddedMass::of(mass).and_then(|water| match self.number(Key::WaterElevation) {
+                let water = AddedMass::of(mass).and_then(|water| match self.scalar(Key::WaterElevation) {
                     Some(elevation) => water.at(elevation),
                     None => Ok(water),
                 });
@@ -218,9 +246,9 @@ impl Given<'_> {
             }
             (None, Some(sides), Some((density, depths))) => {
                 let depths = self.wet(sides, depths)?;
-                let side = body.plan().side(body.width());
-                AddedMass::beside(density * side, &depths)
-                    .map_err(|error| self.blame(Table::AddedMass, error))
+                let side = body.plan().side(body.width()).value();
+                let water = AddedMass::beside(density * side, &depths);
+                water.map(AddedMass::computed).map_err(|error| self.blame(Table::AddedMass, error))
             }
             (None, Some(_), None) => Err(Fault::new(Problem::SidesWithoutWater, Key::WetSides)),
             (None, None, _) => {

@@ -1,7 +1,7 @@
 //! Pressures along faces, forces at points, and which of them act together.
 
 use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, PressureDiagram};
-use standfast::{Body, History, InputError, Quantity, Slip};
+use standfast::{Body, History, InputError, Quantity, Scalar, Slip};
 
 use super::given::Given;
 use super::history::HistoryOf;
@@ -11,32 +11,32 @@ use crate::key::{Id, Key, Table};
 
 /// A pressure along a face.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FacePressure {
+pub struct FacePressure<T = f64> {
     /// What it is called.
     pub name: Option<String>,
     /// The face it presses on, inwards.
     pub face: Face,
     /// The pressure as it acts, scaled.
-    pub diagram: PressureDiagram,
+    pub diagram: PressureDiagram<T>,
     /// What the pressures of the file are multiplied by.
-    pub scale: f64,
+    pub scale: T,
     /// Whether it is there all the time.
     pub permanent: bool,
 }
 
 /// A force at a point of the body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PointForce {
+pub struct PointForce<T = f64> {
     /// What it is called.
     pub name: Option<String>,
     /// N per metre run.
-    pub magnitude: f64,
+    pub magnitude: T,
     /// Where it points.
     pub direction: Direction,
     /// Above the base, m.
-    pub elevation: f64,
+    pub elevation: T,
     /// To the right of O, m; `None` at mid-width.
-    pub distance: Option<f64>,
+    pub distance: Option<T>,
     /// Whether it is there all the time.
     pub permanent: bool,
     /// Whether it acts with all other loads, rather than alone of those that do.
@@ -72,9 +72,9 @@ impl Combination {
     }
 }
 
-impl FacePressure {
+impl<T: Scalar> FacePressure<T> {
     /// The load.
-    pub fn load(&self) -> Load {
+    pub fn load(&self) -> Load<T> {
         let load = Load::pressure(self.face, self.diagram.clone());
         let load = Load { permanent: self.permanent, ..load };
         match &self.name {
@@ -84,22 +84,22 @@ impl FacePressure {
     }
 }
 
-impl PointForce {
+impl<T: Scalar> PointForce<T> {
     /// Whether it is an alternative to the others that act alone.
     pub fn acts_alone(&self) -> bool {
         !self.permanent && !self.together
     }
 
     /// The load on `body`.
-    pub fn load(&self, body: &Body) -> Load {
-        let at = At {
-            x: self.distance.map_or(0.0, |distance| distance - body.base_edges().left),
-            y: self.elevation,
-        };
+    pub fn load(&self, body: &Body<T>) -> Load<T> {
+        let zero = || T::of(0.0);
+        let from_middle = |distance: &T| distance.clone() - body.base_edges().left;
+        let at = At { x: self.distance.as_ref().map_or_else(zero, from_middle), y: self.elevation.clone() };
+        let magnitude = self.magnitude.clone();
         let (right, up) = match self.direction {
-            Direction::Sideways(side) => (side.sign() * self.magnitude, 0.0),
-            Direction::Down => (0.0, -self.magnitude),
-            Direction::Up => (0.0, self.magnitude),
+            Direction::Sideways(side) => (T::of(side.sign()) * magnitude, zero()),
+            Direction::Down => (zero(), -magnitude),
+            Direction::Up => (zero(), magnitude),
         };
         let load = Load { permanent: self.permanent, name: self.name.clone(), ..Load::force(at, right, up) };
         match self.direction {
@@ -124,14 +124,14 @@ impl Direction {
 
 impl Given<'_> {
     /// A force.
-    pub(super) fn force(
+    pub(super) fn force<T: Scalar>(
         &self,
         index: usize,
-        body: &Body,
+        body: &Body<T>,
         motion: Option<&mut CaseMotion>,
-    ) -> Result<PointForce, Fault> {
+    ) -> Result<PointForce<T>, Fault> {
         let id = |key| Id::new(key, index);
-        let number = |key| self.inputs.number(id(key));
+        let number = |key| self.inputs.scalar::<T>(id(key));
         let missing = |key| self.missing(key, index);
         let magnitude = number(Key::Force).ok_or_else(|| missing(Key::Force))?;
         let direction = match self.inputs.choice(id(Key::Towards)) {
@@ -145,22 +145,24 @@ impl Given<'_> {
             Direction::Sideways(_) => (elevation.ok_or_else(|| missing(Key::Elevation))?, distance),
             _ => {
                 let distance = distance.ok_or_else(|| missing(Key::LoadDistance))?;
-                (elevation.unwrap_or(body.height()), Some(distance))
+                (elevation.unwrap_or_else(|| body.height()), Some(distance))
             }
         };
-        if !body.reaches(elevation) {
-            return Err(Fault::new(Problem::AboveCrest { height: body.height() }, id(Key::Elevation)));
+        if !body.reaches(elevation.clone()) {
+            let problem = Problem::AboveCrest { height: body.height().value() };
+            return Err(Fault::new(problem, id(Key::Elevation)));
         }
         if let Direction::Sideways(side) = direction {
             // As a point of the report's plane it has to be within range.
-            let force = HorizontalForce::new(magnitude, elevation, side);
+            let force = HorizontalForce::new(magnitude.value(), elevation.value(), side);
             let friction = self.number(Key::Friction).unwrap_or(0.0);
-            let reduced = force.and_then(|force| force.reduce(body, friction, self.inputs.gravity()));
+            let reduced =
+                force.and_then(|force| force.reduce(&body.rounded(), friction, self.inputs.gravity()));
             reduced.map_err(|error| self.blame_in(Table::Load, index, error))?;
         }
         let truth = |key| self.inputs.truth(id(key)).unwrap_or(false);
         let extent = self.inputs.extent();
-        let history = self.history(Table::LoadHistory, index, HistoryOf::Force(magnitude, extent))?;
+        let history = self.history(Table::LoadHistory, index, HistoryOf::Force(magnitude.value(), extent))?;
         if history.is_some() && truth(Key::LoadPermanent) {
             let problem = Problem::HistoryOfPermanent { index };
             return Err(
@@ -181,17 +183,20 @@ impl Given<'_> {
     }
 
     /// A pressure along a face.
-    pub(super) fn pressure(&self, index: usize, body: &Body) -> Result<FacePressure, Fault> {
+    pub(super) fn pressure<T: Scalar>(&self, index: usize, body: &Body<T>) -> Result<FacePressure<T>, Fault> {
         let id = |key| Id::new(key, index);
         let face =
             self.inputs.choice(id(Key::PressedFace)).ok_or_else(|| self.missing(Key::PressedFace, index))?;
+        let rounded = body.rounded();
         let (face, along, other, ends) = match face {
-            "left" => (Face::Left, Key::PressureElevation, Key::PressureDistance, [0.0, body.height()]),
-            "right" => (Face::Right, Key::PressureElevation, Key::PressureDistance, [0.0, body.height()]),
-            "base" => (Face::Base, Key::PressureDistance, Key::PressureElevation, [0.0, body.base_width()]),
+            "left" => (Face::Left, Key::PressureElevation, Key::PressureDistance, [0.0, rounded.height()]),
+            "right" => (Face::Right, Key::PressureElevation, Key::PressureDistance, [0.0, rounded.height()]),
+            "base" => {
+                (Face::Base, Key::PressureDistance, Key::PressureElevation, [0.0, rounded.base_width()])
+            }
             _ => {
-                let left = body.base_edges().left - body.width() / 2.0;
-                (Face::Top, Key::PressureDistance, Key::PressureElevation, [left, left + body.width()])
+                let left = rounded.base_edges().left - rounded.width() / 2.0;
+                (Face::Top, Key::PressureDistance, Key::PressureElevation, [left, left + rounded.width()])
             }
         };
         if self.inputs.list(id(other)).is_some() {
@@ -208,13 +213,15 @@ impl Given<'_> {
             let problem = Problem::BesideFace { along, position, from: ends[0], to: ends[1] };
             return Err(Fault::new(problem, id(along)));
         }
-        let scale = self.inputs.number(id(Key::PressureFactor)).unwrap_or(1.0);
-        let points = positions.iter().zip(pressures);
-        let points = points.map(|(&position, &pressure)| PressureAt { position, pressure: pressure * scale });
+        let scale = self.inputs.scalar(id(Key::PressureFactor)).unwrap_or_else(|| T::of(1.0));
+        let points = positions.iter().zip(pressures).map(|(&position, &pressure)| PressureAt {
+            position: T::written(position),
+            pressure: T::written(pressure) * scale.clone(),
+        });
         let diagram = PressureDiagram::new(points.collect()).map_err(|error: InputError| {
             let key = match error.quantity {
                 Quantity::PressurePosition => along,
-                _ if scale.abs() > 1.0 => Key::PressureFactor,
+                _ if scale.value().abs() > 1.0 => Key::PressureFactor,
                 _ => Key::Pressures,
             };
             Fault::new(Problem::Impossible { key, error }, id(key))
@@ -232,8 +239,8 @@ impl Given<'_> {
     pub(super) fn combination(
         &self,
         index: usize,
-        forces: &[PointForce],
-        pressures: &[FacePressure],
+        forces: &[PointForce<impl Scalar>],
+        pressures: &[FacePressure<impl Scalar>],
     ) -> Result<Combination, Fault> {
         let id = |key| Id::new(key, index);
         let factors = self.inputs.factors(id(Key::LoadFactors));

@@ -1,7 +1,7 @@
 //! From typed inputs to the section of a body and the body itself: one block, a cylinder, or parts.
 
 use standfast::section::{Part, Section, SectionError, Vertex, WaterTable};
-use standfast::{Body, Plan};
+use standfast::{Body, Plan, Scalar};
 
 use super::given::Given;
 use crate::error::{Fault, Place, Problem};
@@ -27,7 +27,7 @@ const TRAPEZOID: [Key; 6] =
 
 impl Given<'_> {
     /// The body, and its section where it is made of parts.
-    pub(super) fn body(&self) -> Result<(Body, Option<Section>), Fault> {
+    pub(super) fn body<T: Scalar>(&self) -> Result<(Body<T>, Option<Section>), Fault> {
         if self.inputs.extent() == Extent::Whole && self.inputs.has(Table::Wave) {
             return Err(Fault::new(Problem::WavesOnObject, Table::Wave));
         }
@@ -47,15 +47,15 @@ impl Given<'_> {
         let body = section.body(self.water_table(), self.number(Key::Length).unwrap_or(1.0));
         let body =
             body.map_err(|error| Fault::new(Problem::Parts(error.into()), Place::Table(Table::Part, 0)))?;
-        Ok((body, Some(section)))
+        Ok((Body::computed(&body), Some(section)))
     }
 
     fn is_cylinder(&self) -> bool {
         self.inputs.choice(Key::Shape) == Some("cylinder")
     }
 
-    fn plan(&self) -> Plan {
-        self.number(Key::Length).map_or(Plan::PER_METRE, |length| Plan::Rectangle { length })
+    fn plan<T: Scalar>(&self) -> Plan<T> {
+        Plan::Rectangle { length: self.scalar(Key::Length).unwrap_or_else(|| T::of(1.0)) }
     }
 
     /// Refuses what a cylinder does not have.
@@ -71,17 +71,20 @@ impl Given<'_> {
     }
 
     /// A block or a cylinder, uniform but for what the file says.
-    fn block(&self) -> Result<Body, Fault> {
-        let (width, height) = (self.required(Key::Width)?, self.required(Key::Height)?);
-        let of = |mass: f64| match self.is_cylinder() {
-            true => Body::cylinder(width, height, mass),
-            false => match self.number(Key::Length) {
-                Some(length) => Body::new(width, height, mass)?.with_length(length),
-                None => Body::new(width, height, mass),
-            },
+    fn block<T: Scalar>(&self) -> Result<Body<T>, Fault> {
+        let (width, height): (T, T) = (self.needed(Key::Width)?, self.needed(Key::Height)?);
+        let of = |mass: T| {
+            let (width, height) = (width.clone(), height.clone());
+            match self.is_cylinder() {
+                true => Body::cylinder(width, height, mass),
+                false => match self.scalar(Key::Length) {
+                    Some(length) => Body::new(width, height, mass)?.with_length(length),
+                    None => Body::new(width, height, mass),
+                },
+            }
         };
-        let area = if self.is_cylinder() { Plan::Circle } else { self.plan() }.area(width);
-        let body = match (self.number(Key::Mass), self.number(Key::Density)) {
+        let area = if self.is_cylinder() { Plan::Circle } else { self.plan() }.area(width.clone());
+        let body = match (self.scalar(Key::Mass), self.scalar::<T>(Key::Density)) {
             (Some(_), Some(_)) => {
                 let problem = Problem::Both { one: Key::Mass, two: Key::Density };
                 return Err(Fault::new(problem, Key::Density));
@@ -92,16 +95,16 @@ impl Given<'_> {
             }
             (Some(mass), None) => of(mass),
             // In this order, which the one metre of a long body has always had.
-            (None, Some(density)) => of(density * area * height),
+            (None, Some(density)) => of(density * area * height.clone()),
         };
-        let half = width / 2.0;
+        let half = || width.clone() / T::of(2.0);
         let shaped = body.and_then(|body| {
-            let left = self.number(Key::BaseLeft).unwrap_or(half);
-            let right = self.number(Key::BaseRight).unwrap_or(half);
-            let offset = self.number(Key::CentroidOffset).unwrap_or(0.0);
-            let height = self.number(Key::CentroidHeight).unwrap_or(body.centroid_height());
+            let left = self.scalar(Key::BaseLeft).unwrap_or_else(half);
+            let right = self.scalar(Key::BaseRight).unwrap_or_else(half);
+            let offset = self.scalar(Key::CentroidOffset).unwrap_or_else(|| T::of(0.0));
+            let height = self.scalar(Key::CentroidHeight).unwrap_or_else(|| body.centroid_height());
             let body = body.with_base(left, right)?.with_centroid(offset, height)?;
-            match self.number(Key::MomentOfInertia) {
+            match self.scalar(Key::MomentOfInertia) {
                 Some(moment) => body.with_moment_of_inertia(moment),
                 None => Ok(body),
             }

@@ -142,8 +142,7 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Co
 
 /// What the inequalities of rest leave.
 fn margins(steps: &mut Steps, assessed: &Assessed) {
-    let situation = &assessed.situation;
-    let margins = assessed.outcome.actions.margins(situation.static_friction(), situation.body());
+    let margins = assessed.outcome.margins;
     let Margins { sliding, overturning_about_heel: heel, overturning_about_toe: toe } = margins;
     let about = "What friction leaves of the horizontal force; rest needs 0 or more, as of the next two";
     steps.add(about, "", ["Z_sliding", "μ (W' − U) − P"], sliding, KILONEWTON, "margin_sliding");

@@ -46,6 +46,11 @@ impl<T: Scalar> StillWater<T> {
         self.density.clone()
     }
 
+    /// The same in f64.
+    pub fn rounded(&self) -> StillWater {
+        StillWater { left: self.left.value(), right: self.right.value(), density: self.density.value() }
+    }
+
     /// Buoyancy, and where the levels differ the push on the sides.
     pub fn loads(&self, body: &Body<T>, gravity: T) -> Vec<Load<T>> {
         let unit_weight = self.density() * gravity;

@@ -19,6 +19,7 @@ use crate::contact::{self, Numbers, REST, Verdict, conditions};
 use crate::error::{InputError, LARGEST};
 use crate::exact::{Exact, Real};
 use crate::mode::{Corner, Mode, Modes};
+use crate::relation::Relation;
 use crate::stability::{GrossOverturning, Margins, Stability};
 use crate::wrench::Wrench;
 
@@ -184,6 +185,14 @@ fn settle(factor: &mut f64, margin: &Ball) {
         Some(Ordering::Less) => factor.min(1.0 - f64::EPSILON / 2.0),
         Some(Ordering::Greater) => factor.max(1.0),
     };
+}
+
+/// Puts both sides of an inequality that rounding parts on one number.
+pub(super) fn settle_relation(relation: &mut Relation) {
+    let size = relation.left.abs().max(relation.right.abs());
+    if (relation.left - relation.right).abs() <= NEAR * size {
+        relation.left = relation.right;
+    }
 }
 
 /// Whether a condition under the permanent or under the full load is within rounding of its boundary. What was added up may be off by
