@@ -29,11 +29,11 @@ pub struct DesignPoint {
     pub values: Vec<f64>,
     /// u/β: by how much each input's normal contributes, signed. Zeros if β is 0.
     pub alpha: Vec<f64>,
-    /// Whether the point lies where a formula changes: no one formula's gradient is α there.
+    /// True if a formula changes at the point: no one formula's gradient is α there.
     pub at_change: bool,
-    /// How many of the starts led here.
+    /// Number of starts that led here.
     pub agreeing: usize,
-    /// How many starts there were.
+    /// Number of starts.
     pub starts: usize,
 }
 
@@ -60,7 +60,7 @@ pub fn generalized(probability: f64) -> f64 {
     normal::quantile_above(probability)
 }
 
-/// How many starts are made at most, and how far out they lie.
+/// Largest number of starts, and their distance from the origin.
 const STARTS: usize = 8;
 const FAR: f64 = 8.0;
 /// Of so many points on each axis, and so many in all at most, the best are taken to start from.
@@ -251,7 +251,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
         corners.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).expect("a simplex has corners")
     }
 
-    /// Whether the pattern of the pieces changes at a point.
+    /// True if the pattern of the pieces changes at a point.
     fn at_change(&mut self, v: &[f64]) -> bool {
         let here = self.frame.evaluate(v, &mut self.scratch);
         (0..v.len()).any(|i| {
@@ -264,7 +264,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
     }
 }
 
-/// How far apart two points lie in standard normals.
+/// Distance of two points in standard normals.
 pub fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }

@@ -33,7 +33,7 @@ impl Tails {
     }
 }
 
-/// What is wrong with a law.
+/// Fault of a law.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LawError {
@@ -46,7 +46,7 @@ pub enum LawError {
         parameter: &'static str,
         /// The value given.
         value: f64,
-        /// What would be allowed.
+        /// Range of values allowed.
         expected: &'static str,
     },
     /// Nothing of the law lies between the bounds.
@@ -427,7 +427,7 @@ impl Distribution {
         self.bounds.map_or((from, to), |b| (b.lower.max(from), b.upper.min(to)))
     }
 
-    /// What truncation has cut away, of the law's probability 1.
+    /// Probability cut away by truncation, of the law's probability 1.
     pub fn cut(&self) -> f64 {
         self.bounds.map_or(0.0, |b| b.cut.below + b.cut.above)
     }
@@ -474,7 +474,7 @@ impl Distribution {
         }
     }
 
-    /// The same of each, in place.
+    /// Replaces each probability by its value, as [`value_of_chance`](Self::value_of_chance) gives it.
     pub fn values_of_chances(&self, chances: &mut [f64]) {
         if let (Kind::Normal { .. } | Kind::LogNormal { .. }, None) = (&self.law.0, self.bounds) {
             normal::quantiles(chances);

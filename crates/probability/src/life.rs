@@ -13,7 +13,7 @@ use crate::sample::{Averages, Effort, Sampled};
 
 /// The lives of one scramble that are taken first.
 const FIRST: u64 = 16;
-/// What is no dependence of the line on what is drawn yearly.
+/// Largest dependence of the line on a yearly input that counts as none.
 const NONE: f64 = 1e-12;
 
 /// The probability that each set of outcomes (a bit for each outcome) is met at least once in a life, for any number of inputs.
