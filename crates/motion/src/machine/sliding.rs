@@ -11,7 +11,7 @@ use standfast::history::Piece;
 /// A share of what is compared below which nothing is decided here.
 const TIE: f64 = 1e-9;
 
-/// What does not change, per mass.
+/// Loads and margins that do not change, per mass.
 struct Constant {
     x: f64,
     p: f64,
@@ -60,13 +60,13 @@ impl Constant {
         !(self.within[0] < x && x < self.within[1])
     }
 
-    /// Whether two sizes are too near to each other to be told apart here.
+    /// True if two sizes are too near to each other to be told apart here.
     fn tie(&self, one: f64, two: f64) -> bool {
         (one - two).abs() <= TIE * (self.p + one.abs() + two.abs())
     }
 }
 
-/// What is found on the way.
+/// Events and sums of a motion as far as it is followed.
 struct Found {
     events: Vec<Event>,
     x: f64,
@@ -325,7 +325,7 @@ mod tests {
         problem
     }
 
-    /// What is found here is what the general machine finds.
+    /// Motions by the quick way are those of the general machine.
     #[test]
     fn the_quick_way_is_the_same_motion() {
         let (mut quick, mut events, mut at_once) = (0, 0, 0);
