@@ -1,4 +1,4 @@
-//! What the base bears: its effective width, resistance and stiffness, step by step.
+//! Bearing of the base: its effective width, resistance and stiffness, step by step.
 
 mod factors;
 mod soil;

@@ -233,11 +233,11 @@ fn water_symbols(load: &Load) -> [&'static str; 2] {
     }
 }
 
-/// What a pressure is multiplied by for how far the body reaches out of the plane.
+/// Factor of a pressure for the body's extent out of the plane.
 struct Along {
     /// Behind the formula of a pressure on a side, or on a rectangular base.
     side: &'static str,
-    /// Whether the base is a circle.
+    /// True if the base is a circle.
     circle: bool,
 }
 
@@ -351,7 +351,7 @@ fn pressure(
     [sum_name, lever_name]: &[String; 2],
     (load, face, diagram): (&Load, Face, &PressureDiagram),
 ) {
-    /// How many points a sum is written out for.
+    /// Largest number of points that a sum is written out for.
     const WRITTEN: usize = 6;
     let given = &case.pressures;
     let is_it = |pressure: &FacePressure| {

@@ -1,4 +1,4 @@
-//! What ground that fails bears, at one reaction after the other.
+//! Resistance of ground that fails, at one reaction after the other.
 
 use standfast::ground::bearing::{BearingFactors, Ground, Reaction};
 use standfast_cases::Key;
@@ -16,7 +16,7 @@ pub(super) struct At<'a> {
     pub push: &'a str,
     pub width: &'a str,
     pub share: &'a str,
-    /// What is appended to the names of what is worked out; empty under the full load.
+    /// Suffix of the names of quantities at this reaction; empty under the full load.
     pub of: &'a str,
     /// The key of R.
     pub key: &'a str,
@@ -55,7 +55,7 @@ impl Sheet<'_> {
         self.inputs.number(key).unwrap_or_default()
     }
 
-    /// What is the same for all reactions.
+    /// Shows the quantities that are equal for all reactions.
     pub(super) fn of_ground(&self, steps: &mut Steps) {
         match self.soil().and_then(|ground| ground.factors()) {
             Some(factors) => self.bearing_factors(steps, factors),
