@@ -1,4 +1,4 @@
-//! What is unusual about rows, and may be a slip: counted, so that it is said once of a table.
+//! Warnings of rows that are unusual, and may be slips: counted, so that each is said once of a table.
 
 use std::fmt;
 
@@ -7,11 +7,11 @@ use std::fmt;
 pub struct RowWarning {
     /// Its name.
     pub name: &'static str,
-    /// How many rows have it.
+    /// Number of rows that have it.
     pub rows: u64,
     /// The first of them, counted from zero.
     pub first: u64,
-    /// What it says of that one.
+    /// Words of the warning on that one.
     pub words: String,
 }
 

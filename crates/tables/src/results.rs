@@ -15,7 +15,7 @@ pub(crate) struct ResultField {
     pub(crate) said: Option<Said>,
 }
 
-/// What is said of a column where a format has room for it.
+/// Unit and words of a column, where a format has room for them.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
 pub(crate) struct Said {
@@ -24,7 +24,7 @@ pub(crate) struct Said {
     pub(crate) words: &'static str,
 }
 
-/// What a column of results holds.
+/// Kind of the values of a column of results.
 #[derive(Debug, Clone)]
 pub(crate) enum FieldKind {
     /// One of these words.

@@ -23,17 +23,17 @@ pub(crate) struct Text<R> {
     name: String,
 }
 
-/// What the header says.
+/// Header of a table.
 pub(crate) struct Header {
     /// The columns' names.
     pub(crate) names: Vec<String>,
-    /// Where those of the problem are.
+    /// Places of the columns of the problem.
     pub(crate) places: Vec<usize>,
     /// The header as it is in the file, without the end of its line.
     pub(crate) bytes: Vec<u8>,
-    /// How its line ends.
+    /// End of its line.
     pub(crate) end: &'static [u8],
-    /// What is computed of the rows.
+    /// Task of the rows.
     pub(crate) task: Task,
 }
 
@@ -98,7 +98,7 @@ impl<R: Read> Text<R> {
     }
 }
 
-/// What seems to part the columns of a header that has one only.
+/// Separator that seems to part the columns of a header that has one only.
 fn separator(names: &[String]) -> Option<&'static str> {
     [(';', "semicolons"), ('\t', "tabs"), ('|', "bars")]
         .into_iter()
@@ -114,7 +114,7 @@ pub(crate) struct Rows<'a> {
     bytes: &'a [u8],
     reader: Reader<&'a [u8]>,
     pub(crate) record: ByteRecord,
-    /// Where the row is in the piece, without the end of its line.
+    /// Place of the row in the piece, without the end of its line.
     range: Range<usize>,
 }
 
@@ -150,7 +150,7 @@ pub(crate) struct Parsed {
     pub(crate) numbers: Vec<Vec<f64>>,
     /// The rows that are not to be answered; empty if there are none.
     skip: Vec<bool>,
-    /// What is wrong with them.
+    /// Faults of those rows.
     wrong: Vec<(usize, RowProblem)>,
 }
 
@@ -213,7 +213,7 @@ impl Header {
         Ok(())
     }
 
-    /// What is wrong with a row, in the table's words.
+    /// Fault of a row, in the table's words.
     fn problem(&self, record: &ByteRecord, wrong: Wrong) -> RowProblem {
         let field = |column: usize| {
             let place = self.places[column];

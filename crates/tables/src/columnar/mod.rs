@@ -54,7 +54,7 @@ pub(crate) fn answer<W: Write + Send>(
 ) -> Result<Summary, TableError> {
     let output = Remembering { output, failed: Arc::default() };
     let failed = output.failed.clone();
-    // What the library for a format makes of the system's words does not read well.
+    // Words of the system do not read well as the library for a format has them.
     let unwritten = |cause: String| {
         let failed = failed.lock().unwrap_or_else(PoisonError::into_inner).take();
         TableError::Write(failed.unwrap_or_else(|| io::Error::other(cause)))
@@ -71,7 +71,7 @@ pub(crate) fn answer<W: Write + Send>(
     Ok(Summary { varied: reading.task().varied(), ..summary })
 }
 
-/// What makes a [`Done`] of a [`Piece`], on any thread.
+/// Maker of a [`Done`] from a [`Piece`], on any thread.
 struct Worker<'a> {
     reading: &'a Reading,
     writing: &'a Writing,
@@ -214,7 +214,7 @@ fn unwritable(error: impl std::error::Error + Send + Sync + 'static) -> TableErr
     TableError::Write(io::Error::other(error))
 }
 
-/// What the batches of a piece add up to.
+/// Sums over the batches of a piece.
 #[derive(Default)]
 struct Tally {
     rows: usize,

@@ -93,7 +93,7 @@ impl ChunkReader for Shared {
     }
 }
 
-/// The same file, read in large pieces.
+/// Reader of the same file in large pieces.
 struct Bulk(Shared);
 
 impl Length for Bulk {
@@ -202,7 +202,7 @@ impl Source {
         self.reader(part).with_projection(mask).with_batch_size(part.rows.min(ROWS)).build()
     }
 
-    /// How results are to be written: as the file's own columns are.
+    /// Properties of the results to be written: those of the file's own columns.
     fn properties(&self, schema: &Schema, results: &[ResultField]) -> WriterProperties {
         let file = self.parquet().file_metadata();
         let group = self.parquet().row_groups().first();
@@ -270,7 +270,7 @@ fn properties(compression: Compression, results: &[ResultField]) -> WriterProper
     builder
 }
 
-/// What encodes columns, on any thread.
+/// Encoder of columns, on any thread.
 pub(crate) struct Encoder {
     /// For whole rows.
     rows: ArrowRowGroupWriterFactory,

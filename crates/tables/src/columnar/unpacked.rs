@@ -1,4 +1,4 @@
-//! What a workbook unpacks to, before it is read: a megabyte may hold a part of gigabytes, or say that it does.
+//! Size of a workbook unpacked, before it is read: a megabyte may hold a part of gigabytes, or say that it does.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -8,7 +8,7 @@ use zip::ZipArchive;
 
 use crate::{TableError, TableOptions};
 
-/// How much is unpacked at most, bytes.
+/// Largest sizes unpacked, bytes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     /// Of one part. A full sheet of twenty columns has so many.
@@ -21,7 +21,7 @@ pub(super) struct Limits {
 
 pub(super) const LIMITS: Limits = Limits { part: 1 << 30, all: 1 << 31, text: 1 << 24 };
 
-/// What is read at once.
+/// Bytes read at once.
 const BUFFER: usize = 1 << 16;
 
 /// Refuses a workbook that unpacks to more than `limits`, whatever sizes it claims. What is no workbook is for its reader to tell.
@@ -50,7 +50,7 @@ pub(super) fn check(file: &File, options: &TableOptions, limits: Limits) -> Resu
     Ok(())
 }
 
-/// What no workbook has.
+/// Fault that no workbook has.
 enum Wrong {
     /// More bytes than there may be: so many, or more.
     Size(u64),
@@ -143,7 +143,7 @@ mod tests {
         assert_eq!(all, "in.xlsx: its part b.xml has 80000 bytes unpacked or more; expected 70000 at most");
     }
 
-    /// What comes is counted, whatever size is claimed: a part without end is not read to its end.
+    /// Bytes that come are counted, whatever size is claimed: a part without end is not read to its end.
     #[test]
     fn sizes_are_not_believed() {
         let found = unpacked(&mut std::io::repeat(b'<'), SMALL.part, SMALL.text);

@@ -17,11 +17,11 @@ use crate::{RowProblem, TableError, TableOptions};
 /// The columns of the problem in a table of Arrow.
 #[derive(Debug)]
 pub(crate) struct Inputs {
-    /// Where they are.
+    /// Places of the columns.
     pub(crate) places: Vec<usize>,
-    /// What the table calls them.
+    /// Names of the columns in the table.
     pub(crate) names: Vec<String>,
-    /// What is computed of the rows.
+    /// Task of the rows.
     pub(crate) task: Task,
     /// The row of the header, where the table is that of a sheet.
     #[cfg(feature = "columnar")]
@@ -98,7 +98,7 @@ impl Inputs {
         Ok(Numbers { sources, columns, skip, faults })
     }
 
-    /// What is wrong with a row.
+    /// Fault of a row.
     pub(crate) fn problem(&self, numbers: &Numbers, fault: &Fault) -> RowProblem {
         let row = fault.row;
         let is_null = |place: usize| {

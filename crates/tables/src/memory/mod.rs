@@ -14,8 +14,8 @@ use crate::results::Values;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableOptions, Varied};
 use inputs::Inputs;
 
-/// How many rows of a case with one situation are worked on as one: a millisecond or two, so that a run that is stopped stops
-/// at once, and beside which the care for a piece does not count.
+/// Number of rows of a case with one situation that are worked on as one: a millisecond or two, so that a run that is
+/// stopped stops at once, and beside which the care for a piece does not count.
 const PIECE: usize = 64;
 
 /// A table in memory whose columns are known, and what is computed of its rows.
@@ -33,7 +33,7 @@ pub struct MemoryAnswer {
     pub values: Vec<Values>,
     /// The rows that have none, from zero.
     pub without: Vec<u64>,
-    /// What was done.
+    /// Summary of the run.
     pub summary: Summary,
 }
 
@@ -41,13 +41,13 @@ pub struct MemoryAnswer {
 struct Answered {
     rows: usize,
     values: Vec<Values>,
-    /// What is wrong with rows, in their order.
+    /// Faults of rows, in their order.
     problems: Vec<(usize, RowProblem)>,
     minded: Minded,
 }
 
 impl MemoryTable {
-    /// What the options ask of a table with these columns; the formats they name are of no concern.
+    /// Prepares the options for a table with these columns; the formats they name are of no concern.
     ///
     /// # Errors
     /// If the table lacks columns, or the options name a result that there is not, or one twice.
@@ -60,7 +60,7 @@ impl MemoryTable {
         &self.inputs.places
     }
 
-    /// Which columns vary a case, and what goes with them; `None` of points.
+    /// Columns that vary a case, and what goes with them; `None` of points.
     pub fn varied(&self) -> Option<Varied> {
         self.inputs.task.varied()
     }

@@ -2,12 +2,12 @@
 
 use std::io::{self, Read};
 
-/// Where a text can be cut.
+/// Place at which a text can be cut.
 #[derive(Debug, PartialEq, Eq)]
 struct Cut {
     /// The end of its last whole row.
     end: usize,
-    /// Whether a quotation mark after that is open.
+    /// True if a quotation mark after that is open.
     open: bool,
 }
 
@@ -42,7 +42,7 @@ fn cut(text: &[u8]) -> Cut {
     Cut { end, open: matches!(place, In::Quoted) }
 }
 
-/// Why there is no next piece.
+/// Reason why there is no next piece.
 #[derive(Debug)]
 pub(crate) enum CutError {
     Read(io::Error),
@@ -53,7 +53,7 @@ pub(crate) enum CutError {
 /// The pieces of a text.
 pub(crate) struct Pieces<R> {
     source: R,
-    /// How long a piece is, about.
+    /// Size of a piece, about.
     size: usize,
     /// Read, and not yet part of a piece.
     rest: Vec<u8>,
