@@ -1,5 +1,5 @@
-//! What does a chart show? A [`Sheet`] says which regions are shaded, which lines are drawn and how, and what is
-//! named; the geometry comes from the library's [`Chart`].
+//! Content of a chart. A [`Sheet`] says which regions are shaded, which lines are drawn and how, and what is named; the
+//! geometry comes from the library's [`Chart`].
 
 use standfast::Mode;
 use standfast::initiation::{Chart, ChartCase, PointName};
@@ -24,9 +24,9 @@ pub(crate) struct Sheet {
     pub formulas: &'static [Line],
     /// Areas that carry a remark of their own.
     pub notes: &'static [Note],
-    /// Whether regions carry the symbol of their mode, or the words of a picture with one region.
+    /// Names of regions: the symbol of their mode, or the words of a picture with one region.
     pub naming: Naming,
-    /// Whether the lens between A and B′ is shown magnified.
+    /// True if the lens between A and B′ is shown magnified.
     pub lens: bool,
 }
 
@@ -46,7 +46,7 @@ impl Sheet {
     };
 }
 
-/// What a region is called.
+/// Names of regions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Naming {
     Symbols,
@@ -62,7 +62,7 @@ pub(crate) enum Part {
     LeftOfE(Mode),
     /// Its part right of E.
     RightOfE(Mode),
-    /// What the conditions of a mode also cover but the report gives to another; hatched.
+    /// Part that the conditions of a mode also cover but the report gives to another; hatched.
     Unresolved(Mode),
 }
 
@@ -113,7 +113,7 @@ pub(crate) enum At {
     Far,
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Style {
     /// A boundary.
@@ -146,7 +146,7 @@ pub(crate) enum Mark {
     Asymptote,
     /// μ* at k = 0.
     Start,
-    /// Where AB of chapter IV meets the axis.
+    /// Point at which AB of chapter IV meets the axis.
     Foot,
 }
 

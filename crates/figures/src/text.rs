@@ -1,4 +1,4 @@
-//! How is a line of text and mathematics set? A small markup becomes a measured box of glyphs and rules.
+//! Lines of text and mathematics. A small markup becomes a measured box of glyphs and rules.
 //!
 //! | markup | result |
 //! |---|---|
@@ -44,13 +44,13 @@ pub(crate) struct Text {
     pub descent: f64,
     pub runs: Vec<Run>,
     pub bars: Vec<Bar>,
-    /// The same in plain characters.
+    /// Text in plain characters.
     pub plain: String,
-    /// Whether fractions take a solidus instead of a bar, to keep the lines of a paragraph apart.
+    /// True if fractions take a solidus instead of a bar, to keep the lines of a paragraph apart.
     inline: bool,
 }
 
-/// What came before, which decides the space that follows.
+/// Kind of the item before, which decides the space that follows.
 #[derive(Clone, Copy, PartialEq)]
 enum Before {
     Nothing,
