@@ -37,7 +37,7 @@ enum Column {
     Array(ArrayRef),
 }
 
-/// Why a stretch has no answer.
+/// Reason why a stretch has no answer.
 enum Failure {
     /// A value, at a row of the stretch.
     Value(usize, InputError),
@@ -251,7 +251,7 @@ fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
     Ok((found, rows))
 }
 
-/// Where a table has an operand: in a column, or nowhere because it is the same for all rows.
+/// Source of an operand: a column of the table, or a number that is the same for all rows.
 #[derive(FromPyObject)]
 pub(crate) enum Place {
     Column(String),
@@ -285,7 +285,7 @@ pub(crate) fn no_column(name: &str, column: &str, found: &[&str], names: &[&str]
     PyKeyError::new_err(format!("the table has no column {column} for {name}; it has {has}. {advice}"))
 }
 
-/// Where in a table the column of an operand is; `names` are those of all operands.
+/// Place in a table of the column of an operand; `names` are those of all operands.
 pub(crate) fn place(schema: &Schema, column: &str, name: &str, names: &[&str]) -> PyResult<usize> {
     let found: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
     let mut places = (0..found.len()).filter(|&place| found[place] == column);
@@ -408,7 +408,7 @@ pub(crate) fn classify_table(
     classify(py, batches(table, places)?, names, &run, None)
 }
 
-/// What is asked for of the onset of Arrow columns.
+/// Onset of Arrow columns: the results chosen.
 #[pyfunction]
 pub(crate) fn onset_columns(
     py: Python<'_>,
@@ -420,7 +420,7 @@ pub(crate) fn onset_columns(
     onset(py, stretches.into_iter().map(Ok), &choice, &run, Some(rows))
 }
 
-/// What is asked for of the onset of the rows of a table.
+/// Onset of the rows of a table: the results chosen.
 #[pyfunction]
 pub(crate) fn onset_table(
     py: Python<'_>,

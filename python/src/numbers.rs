@@ -108,7 +108,7 @@ pub(crate) fn make_array(
     let failed = |error: ArrowError| PyValueError::new_err(error.to_string());
     let array: ArrayRef = match (values, words) {
         (Values::Codes(codes), Some(words)) => {
-            // What stands under a null is to be a place all the same.
+            // Codes under a null are to be a place all the same.
             let place = |(row, &code)| if valid(row) { code } else { 0 };
             let codes: Vec<u8> = codes.as_array().iter().enumerate().map(place).collect();
             let codes = UInt8Array::new(codes.into(), nulls);

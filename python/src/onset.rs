@@ -4,7 +4,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::batch::{MOTION, OnsetColumns};
 
-/// What an array of codes holds where a point has no answer: the code of no mode.
+/// Code of no mode, in an array of codes where a point has no answer.
 pub(crate) const NO_MODE: u8 = u8::MAX;
 
 /// A column that is asked for, by its name.

@@ -1,4 +1,4 @@
-//! How likely each mode of a case with random numbers is, and draws of these numbers.
+//! Probability of each mode of a case with random numbers, and draws of these numbers.
 
 use std::num::NonZero;
 
@@ -14,7 +14,7 @@ use crate::assess::beside;
 use crate::onset::NO_MODE;
 use crate::watch::patiently;
 
-/// What is asked for, as `_probability.py` says it.
+/// Arguments of a call, as `_probability.py` gives them.
 #[derive(FromPyObject)]
 pub(crate) struct Asked {
     method: Option<String>,
@@ -55,7 +55,7 @@ impl ChanceAnswer {
     }
 }
 
-/// How likely each mode is; `file` is what errors call the case, and its text.
+/// Probability of each mode; `file` is the name of the case in errors, and its text.
 #[pyfunction]
 pub(crate) fn probability(py: Python<'_>, file: (String, String), asked: Asked) -> PyResult<ChanceAnswer> {
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();

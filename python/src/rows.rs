@@ -24,7 +24,7 @@ impl Answer {
     pub(crate) const NONE: Answer = Answer { mode: u8::MAX, modes: 0, numbers: [f64::NAN; NUMBERS] };
 }
 
-/// Where answers go: columns as long as a block.
+/// Columns for answers, as long as a block.
 pub(crate) struct Out<'a> {
     pub(crate) mode: Option<&'a mut [u8]>,
     pub(crate) modes: Option<&'a mut [u16]>,

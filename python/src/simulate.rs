@@ -44,7 +44,7 @@ impl MotionAnswer {
         all_json(&self.answers, &[])
     }
 
-    /// Whether quantities are in SI units; those of a block are in the units of its case.
+    /// True if quantities are in SI units; those of a block are in the units of its case.
     fn is_si(&self) -> bool {
         self.answers.iter().all(|(case, _)| case.si)
     }
@@ -96,7 +96,7 @@ impl MotionAnswer {
     }
 }
 
-/// What errors call a case and its text; where the files lie that it names, and those that have been read.
+/// Name of a case in errors and its text; the folder of the files that it names, and those that have been read.
 pub(crate) type MotionCase = (String, String, String, BTreeMap<String, String>);
 
 /// Records that are given in place of those of the base that the case names.

@@ -10,7 +10,7 @@ use standfast_cases::motion::{Progressed, SpectrumError, SpectrumRequest, Steps}
 use crate::simulate::{Given, MotionCase, cases, given_base};
 use crate::watch::{Caller, aside};
 
-/// What is asked for, as `_spectrum.py` says it.
+/// Arguments of a call, as `_spectrum.py` gives them.
 #[derive(FromPyObject)]
 pub(crate) struct Asked {
     kind: String,

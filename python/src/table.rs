@@ -23,7 +23,7 @@ use crate::arrow_out::ArrowTable;
 use crate::watch::{Caller, Watch, aside};
 use crate::{at_index, written};
 
-/// What errors call the table.
+/// Name of the table in errors.
 const NAME: &str = "the table";
 
 /// A table of cases, of which the columns are known.
@@ -109,13 +109,13 @@ impl Sweep {
         columns.map(|VariedColumn { column, key }| (column, key)).collect()
     }
 
-    /// What goes with them, in sentences.
+    /// Keys that go with them, in sentences.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.table.varied().unwrap_or_default().notes
     }
 
-    /// What may be a slip: names and words.
+    /// Warnings of possible slips: names and words.
     #[getter]
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let warnings = self.table.varied().unwrap_or_default().warnings;
@@ -280,7 +280,7 @@ impl Progress for Watch {
     }
 }
 
-/// What is wrong with a table as an exception; rows by their index in an array of this shape.
+/// Exception for a fault of a row or table; rows by their index in an array of this shape.
 fn raised(error: TableError, shape: &[usize]) -> PyErr {
     if let TableError::Row { place: Place::Row(row), problem, .. } = &error {
         let index = index(row - 1, shape);

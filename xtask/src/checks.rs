@@ -31,7 +31,7 @@ pub fn run() -> ExitCode {
     ended(&tally)
 }
 
-/// What of the gate can be run by itself.
+/// Part of the gate that can be run by itself.
 #[derive(Clone, Copy)]
 pub enum Part {
     Python,
@@ -103,9 +103,9 @@ impl Beside {
     }
 }
 
-/// What is compiled by other commands: the program as a first command compiles it, without libraries' features that nobody has
-/// asked for, and what is fuzzed, without libFuzzer itself, which wants a C++ compiler. That these compile is all there is to see;
-/// what they do is seen of the same sources where all is compiled.
+/// Checks what is compiled by other commands: the program as a first command compiles it, without libraries' features
+/// that nobody has asked for, and what is fuzzed, without libFuzzer itself, which wants a C++ compiler. That these
+/// compile is all there is to see; what they do is seen of the same sources where all is compiled.
 fn left_out(tally: &mut Tally) {
     let check = ["check", "--quiet", "--target-dir"];
     let mut small = cargo(&check);

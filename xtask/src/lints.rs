@@ -16,10 +16,10 @@ use serde_json::Value;
 use crate::tally::{Tally, line, timed};
 use crate::target;
 
-/// What this program is called where it stands for rustc.
+/// Name of this program where it stands for rustc.
 const NAME: &str = "rustc-with-lints";
 
-/// What cargo takes for the crates of the workspace in place of rustc.
+/// Variable that names the program that cargo takes in place of rustc for the crates of the workspace.
 const WRAPPER: &str = "RUSTC_WORKSPACE_WRAPPER";
 
 /// Has `command`, which is cargo or starts it, compile with lints.
@@ -99,7 +99,7 @@ fn compiled(rustc: &Path, arguments: &[OsString], folder: &Path) -> Result<bool,
     Ok(succeeds(rustdoc.args(documented(arguments, folder)))? && linted)
 }
 
-/// Whether the crate is to be documented. A library or program is compiled for its own tests and for others: the first will do.
+/// True if the crate is to be documented. A library or program is compiled for its own tests and for others: the first will do.
 /// The extension module has no tests of its own.
 fn is_documented(arguments: &[OsString]) -> bool {
     let is_test = arguments.iter().any(|argument| argument == "--test");
@@ -109,7 +109,7 @@ fn is_documented(arguments: &[OsString]) -> bool {
     !is_outside && (is_test || of_python)
 }
 
-/// What clippy is to be called with where rustc is called with `arguments`: it leaves its metadata in `folder`.
+/// Arguments of clippy where rustc is called with `arguments`: it leaves its metadata in `folder`.
 fn linted(arguments: &[OsString], folder: &Path) -> Vec<OsString> {
     let mut kept = Vec::new();
     for (flag, value) in flags(arguments) {
@@ -126,7 +126,7 @@ fn linted(arguments: &[OsString], folder: &Path) -> Vec<OsString> {
     kept
 }
 
-/// What rustdoc is to be called with where rustc is called with `arguments`: it writes to `folder`.
+/// Arguments of rustdoc where rustc is called with `arguments`: it writes to `folder`.
 fn documented(arguments: &[OsString], folder: &Path) -> Vec<OsString> {
     let mut kept = Vec::new();
     for (flag, value) in flags(arguments) {
@@ -172,7 +172,7 @@ pub fn record(tally: &mut Tally, name: &str, command: &mut Command) {
     }
 }
 
-/// How many warnings and errors clippy and rustdoc had.
+/// Number of warnings and errors of clippy and of rustdoc.
 #[derive(Debug, Default, PartialEq)]
 struct Found {
     lints: usize,
