@@ -183,20 +183,20 @@ fn onset_batch(
 }
 
 /// An operand of the form with four columns: an Arrow object or a `float`.
-pub(crate) enum Given {
+pub(crate) enum ColumnArgument {
     Number(f64),
     Chunks(Vec<ArrayRef>),
 }
 
-impl<'py> FromPyObject<'_, 'py> for Given {
+impl<'py> FromPyObject<'_, 'py> for ColumnArgument {
     type Error = PyErr;
 
-    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Given> {
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<ColumnArgument> {
         if let Ok(number) = given.cast::<PyFloat>() {
-            return Ok(Given::Number(number.value()));
+            return Ok(ColumnArgument::Number(number.value()));
         }
         let chunks: PyChunkedArray = given.extract::<AnyArray>()?.into_chunked_array()?;
-        Ok(Given::Chunks(chunks.into_inner().0))
+        Ok(ColumnArgument::Chunks(chunks.into_inner().0))
     }
 }
 
@@ -204,11 +204,11 @@ impl<'py> FromPyObject<'_, 'py> for Given {
 type Stretch = (Vec<Column>, usize);
 
 /// Cuts columns into stretches of rows; and how many rows they have together.
-fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
+fn stretches(given: Vec<ColumnArgument>) -> PyResult<(Vec<Stretch>, usize)> {
     expect_numbers(given.len())?;
-    let length = |given: &Given| match given {
-        Given::Number(_) => None,
-        Given::Chunks(chunks) => Some(chunks.iter().map(|chunk| chunk.len()).sum::<usize>()),
+    let length = |given: &ColumnArgument| match given {
+        ColumnArgument::Number(_) => None,
+        ColumnArgument::Chunks(chunks) => Some(chunks.iter().map(|chunk| chunk.len()).sum::<usize>()),
     };
     let lengths: Vec<Option<usize>> = given.iter().map(length).collect();
     let mut known = lengths.iter().flatten();
@@ -222,8 +222,8 @@ fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
         )));
     }
     let apart = |given| match given {
-        Given::Number(value) => (value, None),
-        Given::Chunks(chunks) => {
+        ColumnArgument::Number(value) => (value, None),
+        ColumnArgument::Chunks(chunks) => {
             let mut chunks: Vec<_> = chunks.into_iter().filter(|chunk| !chunk.is_empty()).collect();
             chunks.reverse();
             (0.0, Some(chunks))
@@ -388,7 +388,7 @@ fn onset(
 #[pyfunction]
 pub(crate) fn classify_columns(
     py: Python<'_>,
-    columns: Vec<Given>,
+    columns: Vec<ColumnArgument>,
     names: bool,
     run: Run,
 ) -> PyResult<ArrowArray> {
@@ -412,7 +412,7 @@ pub(crate) fn classify_table(
 #[pyfunction]
 pub(crate) fn onset_columns(
     py: Python<'_>,
-    columns: Vec<Given>,
+    columns: Vec<ColumnArgument>,
     choice: Choice,
     run: Run,
 ) -> PyResult<ArrowTable> {

@@ -14,7 +14,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3_arrow::input::AnyRecordBatch;
 
-use crate::arrow_in::{Given, no_column, numbers, place};
+use crate::arrow_in::{ColumnArgument, no_column, numbers, place};
 use crate::arrow_out::{ArrowArray, ArrowTable};
 
 /// A column's numbers, and which of them are missing if any is.
@@ -43,11 +43,11 @@ impl Numbers {
 
 /// The numbers of an Arrow column; `name` is the operand's, for errors.
 #[pyfunction]
-pub(crate) fn read_column<'py>(py: Python<'py>, column: Given, name: &str) -> PyResult<Column<'py>> {
+pub(crate) fn read_column<'py>(py: Python<'py>, column: ColumnArgument, name: &str) -> PyResult<Column<'py>> {
     let mut read = Numbers::default();
     match column {
-        Given::Number(value) => read.values.push(value),
-        Given::Chunks(chunks) => chunks.iter().try_for_each(|chunk| read.append(chunk, name))?,
+        ColumnArgument::Number(value) => read.values.push(value),
+        ColumnArgument::Chunks(chunks) => chunks.iter().try_for_each(|chunk| read.append(chunk, name))?,
     }
     Ok(read.into_numpy(py))
 }

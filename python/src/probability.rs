@@ -16,7 +16,7 @@ use crate::watch::patiently;
 
 /// Arguments of a call, as `_probability.py` gives them.
 #[derive(FromPyObject)]
-pub(crate) struct Asked {
+pub(crate) struct Arguments {
     method: Option<String>,
     seed: u64,
     precision: f64,
@@ -57,7 +57,11 @@ impl ChanceAnswer {
 
 /// Probability of each mode; `file` is the name of the case in errors, and its text.
 #[pyfunction]
-pub(crate) fn probability(py: Python<'_>, file: (String, String), asked: Asked) -> PyResult<ChanceAnswer> {
+pub(crate) fn probability(
+    py: Python<'_>,
+    file: (String, String),
+    asked: Arguments,
+) -> PyResult<ChanceAnswer> {
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| PyValueError::new_err(error))?;
     let plain = Effort::default();
@@ -93,7 +97,7 @@ pub(crate) fn plain_effort() -> (u64, f64, f64, u64) {
 
 /// Names with units and values of random numbers; k and k' of the report's plane, NaN where there is no such thing; codes of modes, and
 /// which draws are no body.
-type Drawn<'py> = (
+type DrawnValues<'py> = (
     Vec<(String, Option<&'static str>, Bound<'py, PyArray1<f64>>)>,
     [Bound<'py, PyArray1<f64>>; 2],
     Bound<'py, PyArray1<u8>>,
@@ -107,7 +111,7 @@ pub(crate) fn draws(
     situation: Option<String>,
     count: u64,
     seed: u64,
-) -> PyResult<Drawn<'_>> {
+) -> PyResult<DrawnValues<'_>> {
     let drawn = patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
         let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;

@@ -36,7 +36,7 @@ pub(crate) struct Sweep {
 
 /// The names of the columns, or a table that has them.
 #[derive(FromPyObject)]
-pub(crate) enum Given {
+pub(crate) enum Header {
     Names(Vec<String>),
     Table(AnyRecordBatch),
 }
@@ -59,7 +59,7 @@ impl Sweep {
     fn new(
         name: &str,
         text: &str,
-        given: Given,
+        given: Header,
         map: Vec<(String, String)>,
         results: Option<Vec<String>>,
         null: bool,
@@ -85,8 +85,8 @@ impl Sweep {
             ..TableOptions::new(NAME)
         };
         let (names, reader) = match given {
-            Given::Names(names) => (names, None),
-            Given::Table(table) => {
+            Header::Names(names) => (names, None),
+            Header::Table(table) => {
                 let reader = table.into_reader()?;
                 let fields = reader.schema().fields().clone();
                 (fields.iter().map(|field| field.name().clone()).collect(), Some(reader))
@@ -140,7 +140,7 @@ impl Sweep {
         columns: Vec<Column<'py>>,
         shape: Vec<usize>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Answered<'py>> {
+    ) -> PyResult<AnsweredRows<'py>> {
         let arrays: Vec<ArrayRef> = columns.into_iter().map(Column::array).collect::<PyResult<_>>()?;
         let fields = arrays.iter().enumerate();
         let fields = fields.map(|(i, array)| Field::new(i.to_string(), array.data_type().clone(), true));
@@ -164,7 +164,7 @@ impl Sweep {
         py: Python<'_>,
         progress: Option<Py<PyAny>>,
         total: Option<usize>,
-    ) -> PyResult<(ArrowTable, Vec<Minded>)> {
+    ) -> PyResult<(ArrowTable, Vec<Warning>)> {
         let reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner).take();
         let reader =
             reader.ok_or_else(|| PyTypeError::new_err("there is no table, or it has been answered"))?;
@@ -184,12 +184,12 @@ impl Sweep {
 }
 
 /// A warning that rows have: its name, how many they are, the first of them by its index, and what is said of that one.
-type Minded = (&'static str, u64, Vec<usize>, String);
+type Warning = (&'static str, u64, Vec<usize>, String);
 
 /// Columns of results, the rows that have none, and the warnings.
-type Answered<'py> = (Vec<Bound<'py, PyTuple>>, Vec<u64>, Vec<Minded>);
+type AnsweredRows<'py> = (Vec<Bound<'py, PyTuple>>, Vec<u64>, Vec<Warning>);
 
-fn minded(summary: &Summary, shape: &[usize]) -> Vec<Minded> {
+fn minded(summary: &Summary, shape: &[usize]) -> Vec<Warning> {
     let of = |warning: &RowWarning| {
         (warning.name, warning.rows, index(warning.first, shape), warning.words.clone())
     };

@@ -174,12 +174,12 @@ pub fn record(tally: &mut Tally, name: &str, command: &mut Command) {
 
 /// Number of warnings and errors of clippy and of rustdoc.
 #[derive(Debug, Default, PartialEq)]
-struct Found {
+struct Warnings {
     lints: usize,
     documentation: usize,
 }
 
-impl Found {
+impl Warnings {
     /// Counts what a line of cargo's says; the text to show.
     fn read(&mut self, line: &str) -> Option<String> {
         let said: Value = serde_json::from_str(line).ok()?;
@@ -196,9 +196,9 @@ impl Found {
 }
 
 /// Runs cargo; what was found, and whether it compiled.
-fn said(command: &mut Command) -> Result<(Found, bool), String> {
+fn said(command: &mut Command) -> Result<(Warnings, bool), String> {
     let mut child = command.stdout(Stdio::piped()).spawn().map_err(|error| error.to_string())?;
-    let mut found = Found::default();
+    let mut found = Warnings::default();
     let output = BufReader::new(child.stdout.take().expect("standard output is piped"));
     for line in output.lines().map_while(Result::ok) {
         if let Some(text) = found.read(&line) {
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn warnings_are_counted_by_who_gave_them() {
-        let mut found = Found::default();
+        let mut found = Warnings::default();
         let line = |level: &str, code: &str| {
             let message = serde_json::json!({"level": level, "code": {"code": code}, "rendered": "text"});
             serde_json::json!({"reason": "compiler-message", "message": message}).to_string()
@@ -250,6 +250,6 @@ mod tests {
         found.read(&line("note", "clippy::eq_op"));
         assert_eq!(found.read(r#"{"reason": "compiler-artifact"}"#), None);
         assert_eq!(found.read("no JSON"), None);
-        assert_eq!(found, Found { lints: 2, documentation: 1 });
+        assert_eq!(found, Warnings { lints: 2, documentation: 1 });
     }
 }

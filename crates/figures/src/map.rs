@@ -8,7 +8,7 @@ use standfast::Mode::{
 use standfast::initiation::{ChartCase, PointName};
 use standfast::region::Curve;
 
-use crate::sheet::At::{A, BPrime, D, E, Far, Zero};
+use crate::sheet::Abscissa::{A, BPrime, D, E, Far, Zero};
 use crate::sheet::Line::{
     Asymptote, Diagonal, Lower, MuStar, MuStarRising, MuStarStar, Upper, VerticalA, VerticalE,
 };

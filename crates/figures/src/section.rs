@@ -224,7 +224,7 @@ fn description(given: &Section<'_>) -> String {
 }
 
 /// The drawing under way: the scene, how far it reaches, and where the names of levels begin at the left and the right.
-struct Drawn {
+struct Painting {
     scene: Scene,
     extent: Rect,
     names: (f64, f64),

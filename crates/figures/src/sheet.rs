@@ -72,7 +72,7 @@ pub(crate) struct Note {
     pub markup: &'static str,
     pub lower: Line,
     pub upper: Line,
-    pub from: At,
+    pub from: Abscissa,
 }
 
 /// A line of the report's charts.
@@ -101,7 +101,7 @@ pub(crate) enum Line {
 
 /// An abscissa.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum At {
+pub(crate) enum Abscissa {
     Zero,
     A,
     BPrime,
@@ -128,13 +128,13 @@ pub(crate) enum Style {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Trace {
     pub line: Line,
-    pub from: At,
-    pub to: At,
+    pub from: Abscissa,
+    pub to: Abscissa,
     pub style: Style,
 }
 
 /// Short for the tables.
-pub(crate) const fn trace(line: Line, from: At, to: At, style: Style) -> Trace {
+pub(crate) const fn trace(line: Line, from: Abscissa, to: Abscissa, style: Style) -> Trace {
     Trace { line, from, to, style }
 }
 
@@ -217,18 +217,18 @@ impl Line {
     }
 }
 
-impl At {
+impl Abscissa {
     /// Its k; infinite if the chart does not have it.
     pub(crate) fn k(self, chart: &Chart) -> f64 {
         match self {
-            At::Zero => 0.0,
-            At::A => chart.k_a(),
-            At::BPrime => chart.k_b_prime(),
-            At::D => chart.k_d(),
-            At::E => chart.k_e(),
-            At::F => chart.point(PointName::F).map_or(f64::INFINITY, |point| point.k),
-            At::Pole => chart.mu_star_star().pole().filter(|&k| k > 0.0).unwrap_or(f64::INFINITY),
-            At::Far => f64::INFINITY,
+            Abscissa::Zero => 0.0,
+            Abscissa::A => chart.k_a(),
+            Abscissa::BPrime => chart.k_b_prime(),
+            Abscissa::D => chart.k_d(),
+            Abscissa::E => chart.k_e(),
+            Abscissa::F => chart.point(PointName::F).map_or(f64::INFINITY, |point| point.k),
+            Abscissa::Pole => chart.mu_star_star().pole().filter(|&k| k > 0.0).unwrap_or(f64::INFINITY),
+            Abscissa::Far => f64::INFINITY,
         }
     }
 }

@@ -317,7 +317,7 @@ impl Record {
     }
 }
 
-type Found = Result<Record, (Option<usize>, RecordProblem)>;
+type ReadRecord = Result<Record, (Option<usize>, RecordProblem)>;
 
 fn number(word: &str, line: usize) -> Result<f64, (Option<usize>, RecordProblem)> {
     let found: f64 = word.parse().map_err(|_| {
@@ -353,7 +353,7 @@ fn evenly(dt: f64, values: Vec<f64>, unit: RecordUnit) -> Record {
 }
 
 /// PEER's AT2: four lines, of which the third has the unit and the fourth count and step, in either of two forms.
-fn at2(lines: &[&str]) -> Found {
+fn at2(lines: &[&str]) -> ReadRecord {
     let third = lines[2].to_uppercase();
     let named = third.split("UNITS OF").nth(1).unwrap_or("").trim();
     let unit = match named.trim_end_matches('.').trim() {
@@ -395,7 +395,7 @@ fn at2(lines: &[&str]) -> Found {
 }
 
 /// The SMC format of the USGS: 11 lines of text, 6 of integers, 10 of reals, comments, then values of ten columns each, in cm/s².
-fn smc(lines: &[&str]) -> Found {
+fn smc(lines: &[&str]) -> ReadRecord {
     let fields = |range: std::ops::Range<usize>, width: usize| {
         let mut all = Vec::new();
         for i in range {
@@ -518,7 +518,7 @@ impl Cutter {
     }
 }
 
-fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
+fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> ReadRecord {
     // Lines that are empty or comments do not count; the first of the others is the header.
     let mut rows = lines
         .iter()
@@ -551,7 +551,7 @@ fn values<'a>(
     columns: &Columns<'_>,
     mut cutter: Cutter,
     dt: Option<f64>,
-) -> Found {
+) -> ReadRecord {
     let expected = columns.names.len();
     let (mut times, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     for (line, row) in rows {

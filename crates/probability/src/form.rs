@@ -84,7 +84,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
     let frame = Frame::new(inputs, outcomes);
     let mut search = Search { frame: &frame, which, scratch: frame.scratch() };
     let n = frame.dimensions();
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<Candidate> = Vec::new();
     let starts = if n == 0 { vec![Vec::new()] } else { search.starts(n) };
     for start in &starts {
         let Some((square, v)) = search.descend(start, &found) else { continue };
@@ -120,7 +120,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
 }
 
 /// The square of a point's distance, the point, and how many starts led there.
-type Found = (f64, Vec<f64>, usize);
+type Candidate = (f64, Vec<f64>, usize);
 
 struct Search<'f, 'a, O> {
     frame: &'f Frame<'a, O>,
@@ -167,7 +167,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
     }
 
     /// The least square that is found from a start, and where; no farther than to where another start has led.
-    fn descend(&mut self, start: &[f64], found: &[Found]) -> Option<(f64, Vec<f64>)> {
+    fn descend(&mut self, start: &[f64], found: &[Candidate]) -> Option<(f64, Vec<f64>)> {
         let mut best = (self.square(start), start.to_vec());
         let (mut size, mut agreed) = (0.5, 0);
         for round in 0..60 {
@@ -178,7 +178,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
                 best = next;
             }
             agreed = if little { agreed + 1 } else { 0 };
-            let met = |(square, v, _): &Found| {
+            let met = |(square, v, _): &Candidate| {
                 (best.0 - square).abs() <= MET * square
                     && distance(v, &best.1) <= BESIDE * (1.0 + square.sqrt())
             };

@@ -66,7 +66,7 @@ pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort
         values.begin_at(u);
         sums.year(values.all()).map_or(OfEvent::default(), |year| sums.of_event(&year))
     };
-    let about = About::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
+    let about = Centre::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
     let averages = Averages { dimensions: n + 1, first: 128, cost: 1, count: 3, precise: 1 };
     averages.take(effort, || {
         let mut values = Values::new(inputs, &yearly);
@@ -82,7 +82,7 @@ pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort
 }
 
 /// Centre and spread, in standard normals, of the function whose mean is taken.
-struct About {
+struct Centre {
     centre: Vec<f64>,
     spread: Vec<f64>,
 }
@@ -90,13 +90,13 @@ struct About {
 /// The share of points that are left about the origin.
 const AT_ORIGIN: f64 = 0.1;
 
-impl About {
+impl Centre {
     /// The moments of the function times the density, by two rounds of points: about the origin twice as wide, and then about what was
     /// found. Nothing is lost if they are rough, because every point is weighed.
-    fn found(n: usize, seed: u64, f: impl Fn(&[f64]) -> f64) -> About {
+    fn found(n: usize, seed: u64, f: impl Fn(&[f64]) -> f64) -> Centre {
         const POINTS: u64 = 2048;
         const WIDER: [f64; 2] = [2.0, 1.5];
-        let mut about = About { centre: vec![0.0; n], spread: vec![1.0; n] };
+        let mut about = Centre { centre: vec![0.0; n], spread: vec![1.0; n] };
         // No scramble of the points that follow.
         let sobol = Sobol::new(n, seed, u64::MAX);
         for wider in WIDER {

@@ -6,7 +6,7 @@ use standfast::ground::GroundVerdict;
 
 use crate::problem::{Answer, MOST};
 use crate::results::{NO_WORD, SYMBOLS, Values};
-use crate::task::{Fault, Faults, Wrong};
+use crate::task::{Fault, Faults, RowFault};
 use crate::{ResultColumn, TableProblem};
 
 /// Problem and results of rows of points.
@@ -103,7 +103,7 @@ impl Points {
         }
         let blame = |error: InputError| {
             let column = self.problem.blame(&error);
-            faults.add(Fault { row, wrong: Wrong::Value { column, expected: error.expected.words() } });
+            faults.add(Fault { row, wrong: RowFault::Value { column, expected: error.expected.words() } });
         };
         self.problem.solve(values).map_err(blame).ok()
     }

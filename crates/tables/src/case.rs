@@ -11,8 +11,8 @@ use standfast_cases::suggest::closest;
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
 use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
-use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
-use crate::task::{Fault, Faults, Wrong};
+use crate::results::{ColumnWords, FieldKind, NO_NAME, NO_WORD, ResultField, Values};
+use crate::task::{Fault, Faults, RowFault};
 use crate::{Face, Mapping, TableError, TableOptions};
 
 /// The case that the rows of a table vary, and what is computed of them.
@@ -138,7 +138,7 @@ impl ResultField {
     pub(crate) const PROBLEM: ResultField = ResultField {
         name: "problem",
         kind: FieldKind::Text,
-        said: Some(Said { unit: None, words: "what is wrong with a row that has no results" }),
+        said: Some(ColumnWords { unit: None, words: "what is wrong with a row that has no results" }),
     };
 }
 
@@ -192,7 +192,7 @@ impl CaseRows {
             ResultKind::Modes => (FieldKind::Modes, None),
             ResultKind::Names => (FieldKind::Text, None),
         };
-        ResultField { name: result.name(), kind, said: Some(Said { unit, words: result.words() }) }
+        ResultField { name: result.name(), kind, said: Some(ColumnWords { unit, words: result.words() }) }
     }
 
     /// The value that a text in a column says, or what is wrong with it.
@@ -235,7 +235,7 @@ impl CaseRows {
                         none if none.is_empty() => (0..columns.len()).collect(),
                         some => some,
                     };
-                    faults.add(Fault { row, wrong: Wrong::Case { columns, problem: fault.to_string() } });
+                    faults.add(Fault { row, wrong: RowFault::Case { columns, problem: fault.to_string() } });
                 };
                 answer.map_err(blame).ok()
             };

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::Read;
 
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, pipeline};
 
 /// Source of a table.
@@ -32,7 +32,7 @@ pub(crate) struct Done<Output> {
     /// Share of the piece in the whole, in the unit of the [`Progress`].
     pub(crate) units: u64,
     /// Warnings of its rows.
-    pub(crate) minded: Minded,
+    pub(crate) minded: RowWarnings,
     pub(crate) output: Output,
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
     work: impl Fn(Piece) -> Result<Done<Output>, TableError> + Sync,
     mut write: impl FnMut(Output) -> Result<(), TableError>,
 ) -> Result<Summary, TableError> {
-    let (mut summary, mut minded) = (Summary::default(), Minded::default());
+    let (mut summary, mut minded) = (Summary::default(), RowWarnings::default());
     let take = |done: Done<Output>| {
         let error = done.first.map(|(row, line, problem)| TableError::Row {
             name: options.name.clone(),

@@ -12,13 +12,13 @@ pub(crate) struct ResultField {
     pub(crate) kind: FieldKind,
     /// The unit of its numbers, and what it is; said where a format has room for it.
     #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
-    pub(crate) said: Option<Said>,
+    pub(crate) said: Option<ColumnWords>,
 }
 
 /// Unit and words of a column, where a format has room for them.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
-pub(crate) struct Said {
+pub(crate) struct ColumnWords {
     /// `None` for what has no unit.
     pub(crate) unit: Option<&'static str>,
     pub(crate) words: &'static str,

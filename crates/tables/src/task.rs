@@ -5,7 +5,7 @@ use standfast_cases::units::Unit;
 
 use crate::answers::Points;
 use crate::case::CaseRows;
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::results::{ResultField, Values};
 use crate::text::number;
 use crate::{OnError, RowProblem, TableError, TableOptions, Varied};
@@ -32,27 +32,27 @@ enum Rows {
 #[derive(Debug, Clone)]
 pub(crate) struct Fault {
     pub(crate) row: usize,
-    pub(crate) wrong: Wrong,
+    pub(crate) wrong: RowFault,
 }
 
 /// Fault of a row whose columns hold numbers; columns by their place among those of the problem.
 #[derive(Debug, Clone)]
-pub(crate) enum Wrong {
+pub(crate) enum RowFault {
     /// A value that no problem can have.
     Value { column: usize, expected: &'static str },
     /// Values that a case cannot have.
     Case { columns: Vec<usize>, problem: String },
 }
 
-impl Wrong {
+impl RowFault {
     /// Converts to the table's words; `field` gives the name of a column and the row's value there.
     pub(crate) fn in_table(self, field: impl Fn(usize) -> (String, String)) -> RowProblem {
         match self {
-            Wrong::Value { column, expected } => {
+            RowFault::Value { column, expected } => {
                 let (column, value) = field(column);
                 RowProblem::Value { column, value, expected }
             }
-            Wrong::Case { columns, problem } => {
+            RowFault::Case { columns, problem } => {
                 RowProblem::Case { fields: columns.into_iter().map(field).collect(), problem }
             }
         }
@@ -67,7 +67,7 @@ pub(crate) struct Faults {
     /// All of them, where it is asked for.
     pub(crate) all: Option<Vec<Fault>>,
     /// Warnings of the rows that have a result.
-    pub(crate) minded: Minded,
+    pub(crate) minded: RowWarnings,
 }
 
 impl Faults {
@@ -168,11 +168,11 @@ impl Task {
     }
 
     /// The value that a text in the column at a place of the problem's says, or what is wrong with it beside the text.
-    pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, Wrong> {
+    pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, RowFault> {
         match &self.rows {
-            Rows::Points(_) => number(text).ok_or(Wrong::Value { column: place, expected: "a number" }),
+            Rows::Points(_) => number(text).ok_or(RowFault::Value { column: place, expected: "a number" }),
             Rows::Case(rows) => {
-                rows.read(place, text).map_err(|problem| Wrong::Case { columns: vec![place], problem })
+                rows.read(place, text).map_err(|problem| RowFault::Case { columns: vec![place], problem })
             }
         }
     }

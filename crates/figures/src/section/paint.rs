@@ -2,7 +2,7 @@
 
 use standfast::loads::Face;
 
-use super::{Arrow, Drawn, LABEL, Material, Mound, Outline, Section, Side, legend, tag};
+use super::{Arrow, LABEL, Material, Mound, Outline, Painting, Section, Side, legend, tag};
 use crate::margins;
 use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, WATER};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -25,7 +25,7 @@ pub(super) const THIN: Pen = Pen::solid(FAINT, 0.7);
 /// Draws a section at an origin: the place of mid-width at the base.
 pub(super) struct Painter<'a> {
     pub given: &'a Section<'a>,
-    pub drawn: Drawn,
+    pub drawn: Painting,
     /// Units of the page for a metre.
     pub scale: f64,
     origin: (f64, f64),
@@ -50,12 +50,12 @@ impl<'a> Painter<'a> {
         let scale = (BODY.0 / (bounds.x1 - bounds.x0)).min(BODY.1 / bounds.y1);
         let bed = given.mound.map(|mound| mound.bed.max(-DEEPEST / scale));
         let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
-        let drawn = Drawn { scene: Scene::default(), extent, names: (shift.0, shift.0) };
+        let drawn = Painting { scene: Scene::default(), extent, names: (shift.0, shift.0) };
         Painter { given, drawn, scale, origin: shift, room, bounds, bed, labels: Vec::new() }
     }
 
     /// Draws everything.
-    pub(super) fn paint(mut self) -> Drawn {
+    pub(super) fn paint(mut self) -> Painting {
         self.surroundings();
         self.body();
         let left = self.columns(Side::Left);

@@ -67,7 +67,7 @@ impl Constant {
 }
 
 /// Events and sums of a motion as far as it is followed.
-struct Found {
+struct Course {
     events: Vec<Event>,
     x: f64,
     v: f64,
@@ -77,7 +77,7 @@ struct Found {
     max_slide: [f64; 2],
 }
 
-impl Found {
+impl Course {
     fn say(&mut self, t: f64, why: Why) {
         let state = self.slip.map_or(Mode::Rest, Mode::slide);
         if self.x.abs() > self.max_slide[0] {
@@ -116,7 +116,7 @@ pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
         return None;
     }
     let mut found =
-        Found { events: Vec::new(), x: 0.0, v: 0.0, slip: None, work: 0.0, way: 0.0, max_slide: [0.0; 2] };
+        Course { events: Vec::new(), x: 0.0, v: 0.0, slip: None, work: 0.0, way: 0.0, max_slide: [0.0; 2] };
     let mut before: Option<f64> = None;
     if let (0.0, Piece::Line { value, .. }) = (times[0], *pieces.first()?) {
         // A base that begins with a jump may move the body at once.
@@ -210,7 +210,7 @@ pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
 }
 
 /// A piece over which X = x₀ + x₁τ and the body slides, or may begin to.
-fn over(constant: &Constant, found: &mut Found, x: [f64; 2], t: f64, length: f64) -> Option<()> {
+fn over(constant: &Constant, found: &mut Course, x: [f64; 2], t: f64, length: f64) -> Option<()> {
     let mut at = 0.0;
     for _ in 0..8 {
         let now = x[0] + x[1] * at;

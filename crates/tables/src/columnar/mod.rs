@@ -24,7 +24,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 
 use crate::guard::guarded;
 use crate::memory::inputs::{Inputs, Numbers};
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::pieces::{Done, Input, answer_pieces};
 use crate::results::{SYMBOLS, Values};
 use crate::text::{self as rows, Header};
@@ -220,7 +220,7 @@ struct Tally {
     rows: usize,
     bad: u64,
     first: Option<(usize, RowProblem)>,
-    minded: Minded,
+    minded: RowWarnings,
 }
 
 impl Tally {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, Field, Schema};
 
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::pipeline;
 use crate::results::Values;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableOptions, Varied};
@@ -38,12 +38,12 @@ pub struct MemoryAnswer {
 }
 
 /// The results of some rows.
-struct Answered {
+struct AnsweredRows {
     rows: usize,
     values: Vec<Values>,
     /// Faults of rows, in their order.
     problems: Vec<(usize, RowProblem)>,
-    minded: Minded,
+    minded: RowWarnings,
 }
 
 impl MemoryTable {
@@ -102,10 +102,10 @@ impl MemoryTable {
         let mut values: Vec<Values> =
             self.inputs.task.fields.iter().map(|field| Values::empty(&field.kind, 0)).collect();
         let mut without = Vec::new();
-        let mut minded = Minded::default();
+        let mut minded = RowWarnings::default();
         let mut summary = Summary { varied: self.varied(), ..Summary::default() };
-        let take = |answered: Answered| {
-            let Answered { rows, values: of_rows, problems, minded: of_these } = answered;
+        let take = |answered: AnsweredRows| {
+            let AnsweredRows { rows, values: of_rows, problems, minded: of_these } = answered;
             minded.append(of_these, summary.rows);
             summary.bad += problems.len() as u64;
             without.extend(problems.iter().map(|(row, _)| summary.rows + *row as u64));
@@ -128,7 +128,7 @@ impl MemoryTable {
         Ok(MemoryAnswer { fields: self.fields(), values, without, summary })
     }
 
-    fn rows(&self, batch: &RecordBatch) -> Result<Answered, TableError> {
+    fn rows(&self, batch: &RecordBatch) -> Result<AnsweredRows, TableError> {
         let rows = batch.num_rows();
         let mut numbers =
             self.inputs.read(batch.columns().to_vec(), rows).map_err(|error| self.unread(&error))?;
@@ -140,7 +140,7 @@ impl MemoryTable {
             all.map(|fault| (fault.row, self.inputs.problem(&numbers, fault))).collect();
         problems.sort_by_key(|(row, _)| *row);
         task.say_problems(&mut values, rows, problems.iter().cloned());
-        Ok(Answered { rows, values, problems, minded: faults.minded })
+        Ok(AnsweredRows { rows, values, problems, minded: faults.minded })
     }
 
     fn unread(&self, error: &ArrowError) -> TableError {

@@ -18,28 +18,28 @@ fn cut(text: &[u8]) -> Cut {
         let feed = memchr::memrchr(b'\n', text).or_else(|| memchr::memrchr(b'\r', text));
         return Cut { end: feed.map_or(0, |feed| feed + 1), open: false };
     }
-    enum In {
+    enum Field {
         Start,
         Plain,
         Quoted,
         QuoteInQuoted,
     }
     let mut end = 0;
-    let mut place = In::Start;
+    let mut place = Field::Start;
     for (i, &byte) in text.iter().enumerate() {
         place = match (place, byte) {
-            (In::Start | In::QuoteInQuoted, b'"') => In::Quoted,
-            (In::Quoted, b'"') => In::QuoteInQuoted,
-            (In::Quoted, _) => In::Quoted,
+            (Field::Start | Field::QuoteInQuoted, b'"') => Field::Quoted,
+            (Field::Quoted, b'"') => Field::QuoteInQuoted,
+            (Field::Quoted, _) => Field::Quoted,
             (_, b'\n' | b'\r') => {
                 end = i + 1;
-                In::Start
+                Field::Start
             }
-            (_, b',') => In::Start,
-            _ => In::Plain,
+            (_, b',') => Field::Start,
+            _ => Field::Plain,
         };
     }
-    Cut { end, open: matches!(place, In::Quoted) }
+    Cut { end, open: matches!(place, Field::Quoted) }
 }
 
 /// Reason why there is no next piece.

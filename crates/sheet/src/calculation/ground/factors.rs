@@ -5,7 +5,7 @@ use standfast::ground::bearing::Reaction;
 use standfast_cases::assess::OnGround;
 
 use super::super::path::{self, Term};
-use super::soil::At;
+use super::soil::NamedReaction;
 use super::{LOST, Sheet};
 use crate::measured::{KILONEWTON, METRE, MOMENT, NONE};
 use crate::steps::Steps;
@@ -150,7 +150,7 @@ impl Sheet<'_> {
         steps.add("Its effective width", "Meyerhof", ["B'_R", "B_c − 2 |e_R|"], width, METRE, "");
         self.bears(
             steps,
-            &At {
+            &NamedReaction {
                 reaction,
                 vertical: "V_R",
                 push: "|X_R|",
@@ -195,7 +195,7 @@ impl Sheet<'_> {
                 );
                 self.bears(
                     steps,
-                    &At {
+                    &NamedReaction {
                         reaction,
                         vertical: "V",
                         push: "k_BF V",
