@@ -37,7 +37,7 @@ enum Column {
     Array(ArrayRef),
 }
 
-/// Why a stretch has no answer.
+/// Reason why a stretch has no answer.
 enum Failure {
     /// A value, at a row of the stretch.
     Value(usize, InputError),
@@ -183,20 +183,20 @@ fn onset_batch(
 }
 
 /// An operand of the form with four columns: an Arrow object or a `float`.
-pub(crate) enum Given {
+pub(crate) enum ColumnArgument {
     Number(f64),
     Chunks(Vec<ArrayRef>),
 }
 
-impl<'py> FromPyObject<'_, 'py> for Given {
+impl<'py> FromPyObject<'_, 'py> for ColumnArgument {
     type Error = PyErr;
 
-    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Given> {
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<ColumnArgument> {
         if let Ok(number) = given.cast::<PyFloat>() {
-            return Ok(Given::Number(number.value()));
+            return Ok(ColumnArgument::Number(number.value()));
         }
         let chunks: PyChunkedArray = given.extract::<AnyArray>()?.into_chunked_array()?;
-        Ok(Given::Chunks(chunks.into_inner().0))
+        Ok(ColumnArgument::Chunks(chunks.into_inner().0))
     }
 }
 
@@ -204,11 +204,11 @@ impl<'py> FromPyObject<'_, 'py> for Given {
 type Stretch = (Vec<Column>, usize);
 
 /// Cuts columns into stretches of rows; and how many rows they have together.
-fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
+fn stretches(given: Vec<ColumnArgument>) -> PyResult<(Vec<Stretch>, usize)> {
     expect_numbers(given.len())?;
-    let length = |given: &Given| match given {
-        Given::Number(_) => None,
-        Given::Chunks(chunks) => Some(chunks.iter().map(|chunk| chunk.len()).sum::<usize>()),
+    let length = |given: &ColumnArgument| match given {
+        ColumnArgument::Number(_) => None,
+        ColumnArgument::Chunks(chunks) => Some(chunks.iter().map(|chunk| chunk.len()).sum::<usize>()),
     };
     let lengths: Vec<Option<usize>> = given.iter().map(length).collect();
     let mut known = lengths.iter().flatten();
@@ -222,8 +222,8 @@ fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
         )));
     }
     let apart = |given| match given {
-        Given::Number(value) => (value, None),
-        Given::Chunks(chunks) => {
+        ColumnArgument::Number(value) => (value, None),
+        ColumnArgument::Chunks(chunks) => {
             let mut chunks: Vec<_> = chunks.into_iter().filter(|chunk| !chunk.is_empty()).collect();
             chunks.reverse();
             (0.0, Some(chunks))
@@ -251,7 +251,7 @@ fn stretches(given: Vec<Given>) -> PyResult<(Vec<Stretch>, usize)> {
     Ok((found, rows))
 }
 
-/// Where a table has an operand: in a column, or nowhere because it is the same for all rows.
+/// Source of an operand: a column of the table, or a number that is the same for all rows.
 #[derive(FromPyObject)]
 pub(crate) enum Place {
     Column(String),
@@ -285,7 +285,7 @@ pub(crate) fn no_column(name: &str, column: &str, found: &[&str], names: &[&str]
     PyKeyError::new_err(format!("the table has no column {column} for {name}; it has {has}. {advice}"))
 }
 
-/// Where in a table the column of an operand is; `names` are those of all operands.
+/// Place in a table of the column of an operand; `names` are those of all operands.
 pub(crate) fn place(schema: &Schema, column: &str, name: &str, names: &[&str]) -> PyResult<usize> {
     let found: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
     let mut places = (0..found.len()).filter(|&place| found[place] == column);
@@ -388,7 +388,7 @@ fn onset(
 #[pyfunction]
 pub(crate) fn classify_columns(
     py: Python<'_>,
-    columns: Vec<Given>,
+    columns: Vec<ColumnArgument>,
     names: bool,
     run: Run,
 ) -> PyResult<ArrowArray> {
@@ -408,11 +408,11 @@ pub(crate) fn classify_table(
     classify(py, batches(table, places)?, names, &run, None)
 }
 
-/// What is asked for of the onset of Arrow columns.
+/// Onset of Arrow columns: the results chosen.
 #[pyfunction]
 pub(crate) fn onset_columns(
     py: Python<'_>,
-    columns: Vec<Given>,
+    columns: Vec<ColumnArgument>,
     choice: Choice,
     run: Run,
 ) -> PyResult<ArrowTable> {
@@ -420,7 +420,7 @@ pub(crate) fn onset_columns(
     onset(py, stretches.into_iter().map(Ok), &choice, &run, Some(rows))
 }
 
-/// What is asked for of the onset of the rows of a table.
+/// Onset of the rows of a table: the results chosen.
 #[pyfunction]
 pub(crate) fn onset_table(
     py: Python<'_>,

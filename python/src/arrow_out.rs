@@ -37,7 +37,7 @@ impl ArrowArray {
         ArrowArray { field: Arc::new(Field::new(name, array.data_type().clone(), true)), array }
     }
 
-    /// The same with what is said of it.
+    /// Adds metadata to the array.
     pub(crate) fn with_metadata(self, metadata: HashMap<String, String>) -> ArrowArray {
         ArrowArray { field: Arc::new(self.field.as_ref().clone().with_metadata(metadata)), ..self }
     }
@@ -107,7 +107,7 @@ impl ArrowArray {
         Ok(ArrowArray { array: self.array.slice(start, length), field: self.field.clone() })
     }
 
-    /// What the array is called in a table.
+    /// Name of the array in a table.
     #[getter]
     fn name(&self) -> String {
         self.field.name().clone()
@@ -124,13 +124,13 @@ impl ArrowArray {
         }
     }
 
-    /// What is said of the values: `unit` and `description`, of results of cases.
+    /// Metadata of the values: `unit` and `description`, of results of cases.
     #[getter]
     fn metadata(&self) -> HashMap<String, String> {
         self.field.metadata().clone()
     }
 
-    /// How many values are null.
+    /// Number of values that are null.
     #[getter]
     fn null_count(&self) -> usize {
         self.array.logical_null_count()

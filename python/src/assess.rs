@@ -50,7 +50,7 @@ pub(crate) fn beside(name: &str) -> impl Fn(&str) -> Result<String, String> {
     }
 }
 
-/// How far a rising load is followed, as Python says it.
+/// Multiple of the full load to which a rising load is followed, as Python says it.
 pub(crate) fn checked_up_to(given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let words = |error: UpToError| {
         format!("up_to is {}; {error}", given.repr().map_or_else(|_| "…".into(), |text| text.to_string()))

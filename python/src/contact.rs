@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use standfast::batch::MOTION;
 use standfast::{Mode, Motion, contact};
 
-use crate::rows::{self, Answer, NUMBERS, Out, Said};
+use crate::rows::{self, Answer, NUMBERS, Out, RowFault};
 use crate::run::Run;
 
 const _: () = assert!(MOTION.len() <= NUMBERS);
@@ -27,7 +27,7 @@ pub(crate) fn contact_rows(
     mut numbers: Vec<(usize, PyReadwriteArray1<'_, f64>)>,
     mut wrong: Option<Flags<'_>>,
     run: Run,
-) -> PyResult<Said> {
+) -> PyResult<RowFault> {
     let (mut mode, mut modes) = sets;
     let inputs = rows::columns(&arrays)?;
     let numbers = rows::numbers(&mut numbers, inputs[0].len())?;

@@ -9,7 +9,7 @@ use standfast_cases::{CaseFile, report};
 use crate::assess::beside;
 use crate::watch::patiently;
 
-/// What errors call the arguments of `standfast.design`.
+/// Names of the arguments of `standfast.design` in errors.
 const SPELLING: Spelling = Spelling {
     vary: "vary",
     from: "lower",

@@ -23,7 +23,7 @@ fn error(error: InputError) -> PyErr {
     invalid(error, &[])
 }
 
-/// What the body stands on: the share ω of a base that crushes, or the law of ground that fails with its share u. Both none: rigid.
+/// Ground of the body: the share ω of a base that crushes, or the law of ground that fails with its share u. Both none: rigid.
 #[derive(FromPyObject)]
 pub(crate) struct Base {
     #[pyo3(item)]

@@ -10,7 +10,7 @@ use standfast_cases::point::{self, Crushing};
 
 use crate::invalid;
 
-/// What `standfast classify --explain` prints, and its JSON document; `right` says where the force points, and ω is 0 on a
+/// Text of `standfast classify --explain`, and its JSON document; `right` says where the force points, and ω is 0 on a
 /// rigid base.
 #[pyfunction]
 pub(crate) fn explain(

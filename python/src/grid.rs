@@ -1,4 +1,4 @@
-//! Where in memory are the four numbers of a point? Arrays of any real type, shape and strides that broadcast to one
+//! Grid of points: the four numbers of each in memory. Arrays of any real type, shape and strides that broadcast to one
 //! shape, read block by block into the columns that [`standfast::batch`] works on.
 //!
 //! An operand that already is a column of f64 is used where it lies, if its numbers are read but once; a scalar is written out
@@ -22,11 +22,11 @@ pub(crate) struct Grid {
     pub(crate) shape: Vec<usize>,
     /// γ, k', k and μ; ω where bases crush; then, where there is one, the mask, which is not zero where a point has no answer.
     pub(crate) operands: Vec<Operand>,
-    /// How many of them are numbers of points: four, or five with ω.
+    /// Number of operands that are numbers of points: four, or five with ω.
     pub(crate) numbers: usize,
 }
 
-/// Why work was not finished.
+/// Reason why work was not finished.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Halt {
     /// At a point that has no mode; see [`Grid::first_invalid`].
@@ -38,11 +38,11 @@ pub(crate) enum Halt {
 /// Is told on the caller's thread, every few thousand points, how many are done; answers whether to go on.
 pub(crate) type Watch<'a> = dyn FnMut(usize) -> bool + Send + 'a;
 
-/// How work is to be done.
+/// Terms of the work.
 pub(crate) struct Labour<'a, 'w> {
     pub(crate) threads: usize,
     pub(crate) gaps: Gaps,
-    /// Whether the force points right.
+    /// True if the force points right.
     pub(crate) right: bool,
     pub(crate) watch: &'a mut Watch<'w>,
 }
@@ -94,14 +94,14 @@ impl Grid {
         self.shape.iter().product()
     }
 
-    /// Where points without answer are to be marked: a flag for each point, none yet; empty if all have one.
+    /// Flags for points without answer: one for each point, none yet; empty if all have one.
     pub(crate) fn gaps(&self, allowed: Gaps) -> Vec<bool> {
         let some = self.has_gaps() || allowed.nan || allowed.errors;
         // Zeros that nobody writes to take no memory.
         vec![false; if some { self.len() } else { 0 }]
     }
 
-    /// Whether values may be missing, NaN apart.
+    /// True if values may be missing, NaN apart.
     fn has_gaps(&self) -> bool {
         self.operands.len() > self.numbers || self.operands.iter().any(Operand::has_nulls)
     }
@@ -300,7 +300,7 @@ fn pieces<T>(
     })
 }
 
-/// How far all threads are, as one of them sees it.
+/// Progress of all threads, as one of them sees it.
 struct Pace<'a, 'w> {
     done: &'a AtomicUsize,
     failed: &'a AtomicBool,

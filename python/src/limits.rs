@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use standfast::Point;
 use standfast::initiation::LimitState;
 
-use crate::rows::{self, Answer, NUMBERS, Out, Said};
+use crate::rows::{self, Answer, NUMBERS, Out, RowFault};
 use crate::run::Run;
 
 const _: () = assert!(LimitState::ALL.len() <= NUMBERS);
@@ -24,7 +24,7 @@ pub(crate) fn limit_states(
     mut numbers: Vec<(usize, PyReadwriteArray1<'_, f64>)>,
     mut wrong: Option<PyReadwriteArray1<'_, bool>>,
     run: Run,
-) -> PyResult<Said> {
+) -> PyResult<RowFault> {
     let inputs = rows::columns(&arrays)?;
     let numbers = rows::numbers(&mut numbers, inputs[0].len())?;
     let wrong = wrong.as_mut().map(|wrong| wrong.as_slice_mut()).transpose()?;

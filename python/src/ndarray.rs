@@ -70,7 +70,7 @@ fn broadcast(arrays: &[Bound<'_, PyUntypedArray>], mask: Option<&Mask<'_>>) -> P
     })
 }
 
-/// Why work on the grid came to an end.
+/// Error for work on the grid that came to an end.
 fn halted(py: Python<'_>, halt: Halt, grid: &Grid, run: &Run, mut monitor: Monitor<'_>) -> PyErr {
     let in_order: Vec<usize> = (0..grid.shape.len()).collect();
     let found = match halt {
@@ -115,7 +115,7 @@ fn lying(array: &Codes<'_>) -> Option<Vec<usize>> {
     gapless.then_some(axes)
 }
 
-/// Which points have no answer, if there are such; as an array that lies in the memory along `axes`.
+/// Mask of the points that have no answer, if there are such; as an array that lies in the memory along `axes`.
 fn mask_of<'py>(
     py: Python<'py>,
     missing: Vec<bool>,

@@ -14,7 +14,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3_arrow::input::AnyRecordBatch;
 
-use crate::arrow_in::{Given, no_column, numbers, place};
+use crate::arrow_in::{ColumnArgument, no_column, numbers, place};
 use crate::arrow_out::{ArrowArray, ArrowTable};
 
 /// A column's numbers, and which of them are missing if any is.
@@ -43,11 +43,11 @@ impl Numbers {
 
 /// The numbers of an Arrow column; `name` is the operand's, for errors.
 #[pyfunction]
-pub(crate) fn read_column<'py>(py: Python<'py>, column: Given, name: &str) -> PyResult<Column<'py>> {
+pub(crate) fn read_column<'py>(py: Python<'py>, column: ColumnArgument, name: &str) -> PyResult<Column<'py>> {
     let mut read = Numbers::default();
     match column {
-        Given::Number(value) => read.values.push(value),
-        Given::Chunks(chunks) => chunks.iter().try_for_each(|chunk| read.append(chunk, name))?,
+        ColumnArgument::Number(value) => read.values.push(value),
+        ColumnArgument::Chunks(chunks) => chunks.iter().try_for_each(|chunk| read.append(chunk, name))?,
     }
     Ok(read.into_numpy(py))
 }
@@ -108,7 +108,7 @@ pub(crate) fn make_array(
     let failed = |error: ArrowError| PyValueError::new_err(error.to_string());
     let array: ArrayRef = match (values, words) {
         (Values::Codes(codes), Some(words)) => {
-            // What stands under a null is to be a place all the same.
+            // Codes under a null are to be a place all the same.
             let place = |(row, &code)| if valid(row) { code } else { 0 };
             let codes: Vec<u8> = codes.as_array().iter().enumerate().map(place).collect();
             let codes = UInt8Array::new(codes.into(), nulls);

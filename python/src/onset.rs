@@ -4,12 +4,12 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast::batch::{MOTION, OnsetColumns};
 
-/// What an array of codes holds where a point has no answer: the code of no mode.
+/// Code of no mode, in an array of codes where a point has no answer.
 pub(crate) const NO_MODE: u8 = u8::MAX;
 
 /// A column that is asked for, by its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Asked {
+enum OnsetColumn {
     Mode,
     Unique,
     Others,
@@ -17,23 +17,25 @@ enum Asked {
     Motion(usize),
 }
 
-impl Asked {
-    fn all() -> impl Iterator<Item = Asked> {
-        [Asked::Mode, Asked::Unique, Asked::Others].into_iter().chain((0..MOTION.len()).map(Asked::Motion))
+impl OnsetColumn {
+    fn all() -> impl Iterator<Item = OnsetColumn> {
+        [OnsetColumn::Mode, OnsetColumn::Unique, OnsetColumn::Others]
+            .into_iter()
+            .chain((0..MOTION.len()).map(OnsetColumn::Motion))
     }
 
     fn name(self) -> &'static str {
         match self {
-            Asked::Mode => "mode",
-            Asked::Unique => "unique",
-            Asked::Others => "others",
-            Asked::Motion(place) => MOTION[place],
+            OnsetColumn::Mode => "mode",
+            OnsetColumn::Unique => "unique",
+            OnsetColumn::Others => "others",
+            OnsetColumn::Motion(place) => MOTION[place],
         }
     }
 }
 
 /// The columns asked for, in that order; each once.
-pub(crate) struct Choice(Vec<Asked>);
+pub(crate) struct Choice(Vec<OnsetColumn>);
 
 impl<'py> FromPyObject<'_, 'py> for Choice {
     type Error = PyErr;
@@ -42,8 +44,8 @@ impl<'py> FromPyObject<'_, 'py> for Choice {
         let names: Vec<String> = given.extract()?;
         let mut choice = Vec::new();
         for name in &names {
-            let found = Asked::all().find(|asked| asked.name() == name).ok_or_else(|| {
-                let all: Vec<&str> = Asked::all().map(Asked::name).collect();
+            let found = OnsetColumn::all().find(|asked| asked.name() == name).ok_or_else(|| {
+                let all: Vec<&str> = OnsetColumn::all().map(OnsetColumn::name).collect();
                 PyValueError::new_err(format!("columns has {name:?}; expected {}", all.join(", ")))
             })?;
             if choice.contains(&found) {
@@ -79,12 +81,13 @@ pub(crate) enum Column {
 
 impl Onset {
     pub(crate) fn new(Choice(asked): &Choice, length: usize) -> Onset {
-        let motion =
-            std::array::from_fn(|place| asked.contains(&Asked::Motion(place)).then(|| vec![0.0; length]));
+        let motion = std::array::from_fn(|place| {
+            asked.contains(&OnsetColumn::Motion(place)).then(|| vec![0.0; length])
+        });
         Onset {
-            mode: asked.contains(&Asked::Mode).then(|| vec![0; length]),
-            unique: asked.contains(&Asked::Unique).then(|| vec![false; length]),
-            others: asked.contains(&Asked::Others).then(|| vec![0; length]),
+            mode: asked.contains(&OnsetColumn::Mode).then(|| vec![0; length]),
+            unique: asked.contains(&OnsetColumn::Unique).then(|| vec![false; length]),
+            others: asked.contains(&OnsetColumn::Others).then(|| vec![0; length]),
             motion,
         }
     }
@@ -116,10 +119,10 @@ impl Onset {
     pub(crate) fn in_order(mut self, Choice(asked): &Choice) -> impl Iterator<Item = Column> {
         asked.iter().map(move |asked| {
             let column = match asked {
-                Asked::Mode => self.mode.take().map(Column::Mode),
-                Asked::Unique => self.unique.take().map(Column::Unique),
-                Asked::Others => self.others.take().map(Column::Others),
-                Asked::Motion(place) => self.motion[*place].take().map(Column::Motion),
+                OnsetColumn::Mode => self.mode.take().map(Column::Mode),
+                OnsetColumn::Unique => self.unique.take().map(Column::Unique),
+                OnsetColumn::Others => self.others.take().map(Column::Others),
+                OnsetColumn::Motion(place) => self.motion[*place].take().map(Column::Motion),
             };
             column.expect("a column that is asked for once")
         })

@@ -22,7 +22,7 @@ pub(crate) enum Kind {
     U32,
     U16,
     U8,
-    /// What Arrow converts: decimals, dictionaries, nulls. Of one axis; it has no pointer.
+    /// Array that Arrow converts: decimals, dictionaries, nulls. Of one axis; it has no pointer.
     Arrow(ArrayRef),
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Operand {
     pub(crate) shape: Vec<usize>,
     /// In bytes.
     pub(crate) strides: Vec<isize>,
-    /// Which values are there, of a column of Arrow that says so.
+    /// Validity of the values, of a column of Arrow that says so.
     pub(crate) nulls: Option<NullBuffer>,
 }
 
@@ -49,7 +49,7 @@ unsafe impl Sync for Operand {}
 pub(crate) const VALID: f64 = 1.0;
 
 impl Operand {
-    /// Whether the values lie as f64 one after another, in the order of the grid.
+    /// True if the values lie as f64 one after another, in the order of the grid.
     pub(crate) fn is_column(&self) -> bool {
         let mut step = size_of::<f64>() as isize;
         let lies = self.shape.iter().zip(&self.strides).rev().all(|(&length, &stride)| {
@@ -61,12 +61,12 @@ impl Operand {
         plain && lies && self.pointer.cast::<f64>().is_aligned()
     }
 
-    /// Whether the points share one value.
+    /// True if the points share one value.
     pub(crate) fn is_same(&self) -> bool {
         !self.has_nulls() && self.strides.iter().all(|&stride| stride == 0)
     }
 
-    /// Whether values may be missing.
+    /// True if values may be missing.
     pub(crate) fn has_nulls(&self) -> bool {
         self.nulls.is_some() || matches!(self.kind, Kind::Arrow(_))
     }
@@ -175,7 +175,7 @@ pub(crate) fn floats(array: &ArrayRef) -> ArrayRef {
     cast(array, &DataType::Float64).unwrap_or_else(|_| unreachable!("every number can be a Float64"))
 }
 
-/// Whether a column of this type holds real numbers, or nothing at all.
+/// True if a column of this type holds real numbers, or nothing at all.
 pub(crate) fn is_number(kind: &DataType) -> bool {
     match kind {
         DataType::Dictionary(_, values) => is_number(values),

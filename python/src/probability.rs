@@ -1,4 +1,4 @@
-//! How likely each mode of a case with random numbers is, and draws of these numbers.
+//! Probability of each mode of a case with random numbers, and draws of these numbers.
 
 use std::num::NonZero;
 
@@ -14,9 +14,9 @@ use crate::assess::beside;
 use crate::onset::NO_MODE;
 use crate::watch::patiently;
 
-/// What is asked for, as `_probability.py` says it.
+/// Arguments of a call, as `_probability.py` gives them.
 #[derive(FromPyObject)]
-pub(crate) struct Asked {
+pub(crate) struct Arguments {
     method: Option<String>,
     seed: u64,
     precision: f64,
@@ -55,9 +55,13 @@ impl ChanceAnswer {
     }
 }
 
-/// How likely each mode is; `file` is what errors call the case, and its text.
+/// Probability of each mode; `file` is the name of the case in errors, and its text.
 #[pyfunction]
-pub(crate) fn probability(py: Python<'_>, file: (String, String), asked: Asked) -> PyResult<ChanceAnswer> {
+pub(crate) fn probability(
+    py: Python<'_>,
+    file: (String, String),
+    asked: Arguments,
+) -> PyResult<ChanceAnswer> {
     let method = asked.method.as_deref().map(str::parse::<MethodAsked>).transpose();
     let method = method.map_err(|error: String| PyValueError::new_err(error))?;
     let plain = Effort::default();
@@ -93,7 +97,7 @@ pub(crate) fn plain_effort() -> (u64, f64, f64, u64) {
 
 /// Names with units and values of random numbers; k and k' of the report's plane, NaN where there is no such thing; codes of modes, and
 /// which draws are no body.
-type Drawn<'py> = (
+type DrawnValues<'py> = (
     Vec<(String, Option<&'static str>, Bound<'py, PyArray1<f64>>)>,
     [Bound<'py, PyArray1<f64>>; 2],
     Bound<'py, PyArray1<u8>>,
@@ -107,7 +111,7 @@ pub(crate) fn draws(
     situation: Option<String>,
     count: u64,
     seed: u64,
-) -> PyResult<Drawn<'_>> {
+) -> PyResult<DrawnValues<'_>> {
     let drawn = patiently(py, move || {
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0));
         let file = file.map_err(|error| PyValueError::new_err(report(&error)))?;

@@ -54,7 +54,7 @@ impl<'a> Points<'a> {
     }
 }
 
-/// What is no error, and leaves a point without answer.
+/// Values that are no error, and leave a point without answer.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Gaps {
     /// NaN, which says that a value is missing.
@@ -63,7 +63,7 @@ pub(crate) struct Gaps {
     pub(crate) errors: bool,
 }
 
-/// Where a thread gets one of its columns from.
+/// Source of one of a thread's columns.
 enum Source {
     /// The operand is one.
     Lying,

@@ -24,7 +24,7 @@ impl Answer {
     pub(crate) const NONE: Answer = Answer { mode: u8::MAX, modes: 0, numbers: [f64::NAN; NUMBERS] };
 }
 
-/// Where answers go: columns as long as a block.
+/// Columns for answers, as long as a block.
 pub(crate) struct Out<'a> {
     pub(crate) mode: Option<&'a mut [u8]>,
     pub(crate) modes: Option<&'a mut [u16]>,
@@ -55,7 +55,7 @@ impl<'a> Out<'a> {
 }
 
 /// A row that has no answer, and why.
-pub(crate) type Wrong = (usize, InputError);
+pub(crate) type RowError = (usize, InputError);
 
 /// Answers rows on threads; the first wrong row where nobody marks them.
 pub(crate) fn answer<const N: usize>(
@@ -63,7 +63,7 @@ pub(crate) fn answer<const N: usize>(
     out: Out<'_>,
     threads: usize,
     solve: &(impl Fn([f64; N]) -> Result<Answer, InputError> + Sync),
-) -> Option<Wrong> {
+) -> Option<RowError> {
     let rows = inputs[0].len();
     let part = rows.div_ceil(threads).max(1);
     thread::scope(|scope| {
@@ -88,7 +88,10 @@ pub(crate) fn answer<const N: usize>(
 }
 
 /// The first wrong row of parts in their order, the last of which is done.
-fn own_then(parts: Vec<thread::ScopedJoinHandle<'_, Option<Wrong>>>, last: Option<Wrong>) -> Option<Wrong> {
+fn own_then(
+    parts: Vec<thread::ScopedJoinHandle<'_, Option<RowError>>>,
+    last: Option<RowError>,
+) -> Option<RowError> {
     let ended = parts.into_iter().map(|part| part.join().expect("answering a row does not panic"));
     ended.chain([last]).flatten().min_by_key(|(row, _)| *row)
 }
@@ -98,7 +101,7 @@ fn run<const N: usize>(
     mut out: Out<'_>,
     start: usize,
     solve: &impl Fn([f64; N]) -> Result<Answer, InputError>,
-) -> Option<Wrong> {
+) -> Option<RowError> {
     for row in 0..inputs[0].len() {
         let answer = match (solve(inputs.map(|column| column[row])), &mut out.wrong) {
             (Ok(answer), _) => answer,
@@ -122,9 +125,9 @@ fn run<const N: usize>(
 }
 
 /// A wrong row for Python: its place, the quantity with its value, and what is expected.
-pub(crate) type Said = Option<(usize, String, String)>;
+pub(crate) type RowFault = Option<(usize, String, String)>;
 
-pub(crate) fn said(wrong: Option<Wrong>) -> Said {
+pub(crate) fn said(wrong: Option<RowError>) -> RowFault {
     wrong.map(|(row, error)| (row, error.given(), error.expected.to_string()))
 }
 

@@ -1,4 +1,4 @@
-//! How a call over many points is run: threads, what is no error, and who is told how far it is.
+//! Runs of a call over many points: threads, values that are no error, and progress.
 
 use std::num::NonZero;
 
@@ -8,20 +8,20 @@ use crate::grid::{Labour, Watch};
 use crate::reader::Gaps;
 use crate::watch::{Caller, Monitor};
 
-/// What Python says of a call; `_run.Run` is its other side.
+/// Terms of a call, as Python gives them; `_run.Run` is its other side.
 #[derive(FromPyObject)]
 pub(crate) struct Run {
-    /// How many threads; all processors for `None`.
+    /// Number of threads; all processors for `None`.
     threads: Option<NonZero<usize>>,
-    /// Whether a point with an impossible value has no answer, where it is an error otherwise.
+    /// True if a point with an impossible value has no answer, where it is an error otherwise.
     null_errors: bool,
-    /// Whether NaN says that a value is missing, where it is an impossible value otherwise.
+    /// True if NaN says that a value is missing, where it is an impossible value otherwise.
     nan_is_missing: bool,
-    /// Whether the force points right, and modes and motions are to be mirrored.
+    /// True if the force points right, and modes and motions are to be mirrored.
     pub(crate) right: bool,
     /// Called with how many points are done and how many there are.
     progress: Option<Py<PyAny>>,
-    /// How many points there are, where that is known beforehand.
+    /// Number of points, where that is known beforehand.
     total: Option<usize>,
 }
 
@@ -34,12 +34,12 @@ impl Run {
         Gaps { nan: self.nan_is_missing, errors: self.null_errors }
     }
 
-    /// How a grid is to be worked on.
+    /// Terms of the work on a grid.
     pub(crate) fn labour<'a, 'w>(&self, watch: &'a mut Watch<'w>) -> Labour<'a, 'w> {
         Labour { threads: self.threads(), gaps: self.gaps(), right: self.right, watch }
     }
 
-    /// Who looks after a call; `total` is how many points there are, if the arrays tell it.
+    /// Monitor of a call; `total` is the number of points, if the arrays tell it.
     pub(crate) fn monitor(&self, total: Option<usize>) -> Monitor<'_> {
         Monitor::of(Caller { progress: self.progress.as_ref(), total: total.or(self.total) })
     }

@@ -26,7 +26,7 @@ pub(crate) struct MotionAnswer {
 }
 
 /// A record: its times and its values.
-pub(crate) type Given<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+pub(crate) type Samples<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
 /// Numbers at even steps of time: t, slide, x, y, θ, θ̇ and codes of modes.
 type Series<'py> = ([Bound<'py, PyArray1<f64>>; 6], Bound<'py, PyArray1<u8>>);
@@ -44,7 +44,7 @@ impl MotionAnswer {
         all_json(&self.answers, &[])
     }
 
-    /// Whether quantities are in SI units; those of a block are in the units of its case.
+    /// True if quantities are in SI units; those of a block are in the units of its case.
     fn is_si(&self) -> bool {
         self.answers.iter().all(|(case, _)| case.si)
     }
@@ -96,14 +96,14 @@ impl MotionAnswer {
     }
 }
 
-/// What errors call a case and its text; where the files lie that it names, and those that have been read.
+/// Name of a case in errors and its text; the folder of the files that it names, and those that have been read.
 pub(crate) type MotionCase = (String, String, String, BTreeMap<String, String>);
 
 /// Records that are given in place of those of the base that the case names.
 pub(crate) fn given_base(
-    (horizontal, vertical): (Option<Given<'_>>, Option<Given<'_>>),
+    (horizontal, vertical): (Option<Samples<'_>>, Option<Samples<'_>>),
 ) -> PyResult<GivenBase> {
-    let record = |given: Option<Given<'_>>| -> PyResult<Option<Record>> {
+    let record = |given: Option<Samples<'_>>| -> PyResult<Option<Record>> {
         let Some((times, values)) = given else { return Ok(None) };
         let (times, values) = (times.as_slice()?.to_vec(), values.as_slice()?.to_vec());
         Ok(Some(Record { times, values, unit: RecordUnit::Unnamed }))
@@ -139,7 +139,7 @@ pub(crate) fn cases(
 pub(crate) fn simulate(
     py: Python<'_>,
     case: MotionCase,
-    base: (Option<Given<'_>>, Option<Given<'_>>),
+    base: (Option<Samples<'_>>, Option<Samples<'_>>),
     options: (bool, bool),
 ) -> PyResult<MotionAnswer> {
     let base = given_base(base)?;

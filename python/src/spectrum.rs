@@ -7,12 +7,12 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::motion::{Progressed, SpectrumError, SpectrumRequest, Steps};
 
-use crate::simulate::{Given, MotionCase, cases, given_base};
+use crate::simulate::{MotionCase, Samples, cases, given_base};
 use crate::watch::{Caller, aside};
 
-/// What is asked for, as `_spectrum.py` says it.
+/// Arguments of a call, as `_spectrum.py` gives them.
 #[derive(FromPyObject)]
-pub(crate) struct Asked {
+pub(crate) struct Arguments {
     kind: String,
     size: Option<(f64, f64, usize)>,
     slenderness: Option<(f64, f64, usize)>,
@@ -30,8 +30,8 @@ type Rendered = (String, String, String, String, bool);
 pub(crate) fn spectrum(
     py: Python<'_>,
     case: MotionCase,
-    base: (Option<Given<'_>>, Option<Given<'_>>),
-    asked: Asked,
+    base: (Option<Samples<'_>>, Option<Samples<'_>>),
+    asked: Arguments,
 ) -> PyResult<Rendered> {
     let base = given_base(base)?;
     let kind = asked.kind.parse();

@@ -23,7 +23,7 @@ use crate::arrow_out::ArrowTable;
 use crate::watch::{Caller, Watch, aside};
 use crate::{at_index, written};
 
-/// What errors call the table.
+/// Name of the table in errors.
 const NAME: &str = "the table";
 
 /// A table of cases, of which the columns are known.
@@ -36,7 +36,7 @@ pub(crate) struct Sweep {
 
 /// The names of the columns, or a table that has them.
 #[derive(FromPyObject)]
-pub(crate) enum Given {
+pub(crate) enum Header {
     Names(Vec<String>),
     Table(AnyRecordBatch),
 }
@@ -59,7 +59,7 @@ impl Sweep {
     fn new(
         name: &str,
         text: &str,
-        given: Given,
+        given: Header,
         map: Vec<(String, String)>,
         results: Option<Vec<String>>,
         null: bool,
@@ -85,8 +85,8 @@ impl Sweep {
             ..TableOptions::new(NAME)
         };
         let (names, reader) = match given {
-            Given::Names(names) => (names, None),
-            Given::Table(table) => {
+            Header::Names(names) => (names, None),
+            Header::Table(table) => {
                 let reader = table.into_reader()?;
                 let fields = reader.schema().fields().clone();
                 (fields.iter().map(|field| field.name().clone()).collect(), Some(reader))
@@ -109,13 +109,13 @@ impl Sweep {
         columns.map(|VariedColumn { column, key }| (column, key)).collect()
     }
 
-    /// What goes with them, in sentences.
+    /// Keys that go with them, in sentences.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.table.varied().unwrap_or_default().notes
     }
 
-    /// What may be a slip: names and words.
+    /// Warnings of possible slips: names and words.
     #[getter]
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let warnings = self.table.varied().unwrap_or_default().warnings;
@@ -140,7 +140,7 @@ impl Sweep {
         columns: Vec<Column<'py>>,
         shape: Vec<usize>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Answered<'py>> {
+    ) -> PyResult<AnsweredRows<'py>> {
         let arrays: Vec<ArrayRef> = columns.into_iter().map(Column::array).collect::<PyResult<_>>()?;
         let fields = arrays.iter().enumerate();
         let fields = fields.map(|(i, array)| Field::new(i.to_string(), array.data_type().clone(), true));
@@ -164,7 +164,7 @@ impl Sweep {
         py: Python<'_>,
         progress: Option<Py<PyAny>>,
         total: Option<usize>,
-    ) -> PyResult<(ArrowTable, Vec<Minded>)> {
+    ) -> PyResult<(ArrowTable, Vec<Warning>)> {
         let reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner).take();
         let reader =
             reader.ok_or_else(|| PyTypeError::new_err("there is no table, or it has been answered"))?;
@@ -184,12 +184,12 @@ impl Sweep {
 }
 
 /// A warning that rows have: its name, how many they are, the first of them by its index, and what is said of that one.
-type Minded = (&'static str, u64, Vec<usize>, String);
+type Warning = (&'static str, u64, Vec<usize>, String);
 
 /// Columns of results, the rows that have none, and the warnings.
-type Answered<'py> = (Vec<Bound<'py, PyTuple>>, Vec<u64>, Vec<Minded>);
+type AnsweredRows<'py> = (Vec<Bound<'py, PyTuple>>, Vec<u64>, Vec<Warning>);
 
-fn minded(summary: &Summary, shape: &[usize]) -> Vec<Minded> {
+fn minded(summary: &Summary, shape: &[usize]) -> Vec<Warning> {
     let of = |warning: &RowWarning| {
         (warning.name, warning.rows, index(warning.first, shape), warning.words.clone())
     };
@@ -280,7 +280,7 @@ impl Progress for Watch {
     }
 }
 
-/// What is wrong with a table as an exception; rows by their index in an array of this shape.
+/// Exception for a fault of a row or table; rows by their index in an array of this shape.
 fn raised(error: TableError, shape: &[usize]) -> PyErr {
     if let TableError::Row { place: Place::Row(row), problem, .. } = &error {
         let index = index(row - 1, shape);

@@ -37,7 +37,7 @@ impl Caller<'_> {
     }
 }
 
-/// How far work is that is done aside, and whether it is to stop.
+/// Progress of work that is done aside, and the wish to stop it.
 #[derive(Default)]
 pub(crate) struct Watch {
     done: AtomicU64,

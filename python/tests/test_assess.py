@@ -225,13 +225,19 @@ def plain(kind: Any) -> set[Any]:
     return {type(word) for word in typing.get_args(kind)} if typing.get_origin(kind) is typing.Literal else {kind}
 
 
+def hint_of(attribute: property) -> Any:
+    """The type of an attribute."""
+    names = {"Literal": typing.Literal, "Mode": standfast.Mode, "Modes": standfast.Modes, **vars(standfast.answers)}
+    return typing.get_type_hints(attribute.fget, names)["return"]
+
+
 def test_every_attribute_has_a_type_and_words() -> None:
     found = standfast.assess(ROOT / "examples/eccentric-caisson.toml")
     for kind in [getattr(standfast.answers, name) for name in standfast.answers.__all__]:
         for name, attribute in vars(kind).items():
             if isinstance(attribute, property):
                 assert attribute.__doc__ and attribute.__doc__.endswith("."), (kind, name)
-                types = plain(typing.get_type_hints(attribute.fget)["return"])
+                types = plain(hint_of(attribute))
                 assert types and Any not in types and object not in types, (kind, name)
     # As they say, over all examples.
     for path in EXAMPLES + sorted(ODD.glob("*.toml")):
@@ -242,7 +248,7 @@ def test_every_attribute_has_a_type_and_words() -> None:
                 if name.startswith("_") or not isinstance(attribute, property) or name not in dir(answer):
                     continue
                 value = getattr(answer, name)
-                hint = typing.get_type_hints(attribute.fget)["return"]
+                hint = hint_of(attribute)
                 allowed = tuple(float if part is float else part for part in plain(hint))
                 assert isinstance(value, (*allowed, *((int,) if float in allowed else ()), *((list,) if "list" in str(hint) else ()), *((dict,) if "dict" in str(hint) else ()))), (path, name, value)
                 answers += [value] if isinstance(value, Answer) else [part for part in value if isinstance(part, Answer)] if isinstance(value, list) else []

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import ast
 import copy
+import importlib
 import importlib.util
 import json
+import pydoc
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 import standfast
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
+from standfast import _schema
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "docs").glob("*.schema.json"))}
@@ -271,28 +276,44 @@ def test_schemas_are_closed_and_say_what_everything_is() -> None:
                     assert value.get("description") or "$ref" in value, (name, key)
 
 
-def generator(name: str) -> Any:
-    """A program of python/ that writes classes."""
-    place = importlib.util.spec_from_file_location(name, ROOT / f"python/{name}.py")
+def stub(module: str) -> str:
+    """The stub of a module of classes, as the build writes it."""
+    place = importlib.util.spec_from_file_location("build_backend", ROOT / "python/build_backend.py")
     assert place and place.loader
-    module = importlib.util.module_from_spec(place)
-    sys.modules[name] = module
-    place.loader.exec_module(module)
-    return module
+    backend = importlib.util.module_from_spec(place)
+    # What it builds with is not wanted here.
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(sys.modules, "maturin", SimpleNamespace(build_wheel=None, build_sdist=None, build_editable=None))
+        place.loader.exec_module(backend)
+    written: str = backend.stub(module)
+    return written
 
 
-def test_the_classes_of_motions_and_probabilities_are_those_of_the_schemas() -> None:
-    generator("make_answers")
-    make_designs = generator("make_designs")
-    for name in make_designs.FILES:
-        written = (make_designs.PACKAGE / name).read_text(encoding="utf-8")
-        assert written == make_designs.made(name), "run: python python/make_designs.py"
+def test_the_package_has_the_schemas_and_the_stubs_that_they_give() -> None:
+    package = Path(standfast.__file__).parent
+    for name in SCHEMAS:
+        assert (package / name).read_bytes() == (ROOT / "docs" / name).read_bytes()
+    for module in _schema.MODULES:
+        assert (package / f"{module}.pyi").read_text(encoding="utf-8") == stub(module)
 
 
-def test_the_classes_of_answers_are_those_of_the_schema() -> None:
-    make_answers = generator("make_answers")
-    assert make_answers.FILE.read_text(encoding="utf-8") == make_answers.made(), "run: python python/make_answers.py"
+def test_the_classes_have_the_keys_and_words_of_the_schemas() -> None:
+    for module in _schema.MODULES:
+        names = importlib.import_module(f"standfast.{module}").__all__
+        tree = ast.parse(stub(module))
+        stubs = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+        assert names == sorted(stubs.keys() - {"OnlySituation"})
+        for name, node in stubs.items():
+            kind = getattr(importlib.import_module(f"standfast.{module}"), name)
+            assert (kind.__module__, kind.__qualname__, kind.__name__) == (f"standfast.{module}", name, name)
+            keys = {one.name: one for one in node.body if isinstance(one, ast.FunctionDef) and one.decorator_list}
+            assert keys.keys() == {key for key, one in vars(kind).items() if isinstance(one, property)}
+            for key, one in keys.items():
+                assert one.returns is not None and "Any" not in ast.unparse(one.returns)
+                assert " ".join((ast.get_docstring(one) or "").split()) == getattr(kind, key).__doc__
     for name, definition in SCHEMAS["answer.schema.json"]["$defs"].items():
         if "properties" in definition:
-            known = vars(getattr(standfast.answers, make_answers.class_name(name)))
-            assert {key if key not in ("from", "lambda") else f"{key}_" for key in definition["properties"]} <= known.keys()
+            kind = getattr(standfast.answers, "CaseWarning" if name == "warning" else name.title().replace("-", ""))
+            assert {_schema.attribute(key) for key in definition["properties"]} <= vars(kind).keys()
+    assert standfast.answers.Body.mass.__doc__ == "kg/m."
+    assert "Safety factor against sliding" in pydoc.plain(pydoc.render_doc(standfast.Situation))

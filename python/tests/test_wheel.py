@@ -62,7 +62,8 @@ def test_a_source_distribution_has_all_that_a_build_needs(tmp_path: Path) -> Non
     with tarfile.open(next(tmp_path.glob("*.tar.gz"))) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
         archive.extractall(tmp_path / "source", **({"filter": "data"} if sys.version_info >= (3, 12) else {}))
-    assert {*LICENSES, "README.md", "pyproject.toml", "Cargo.lock", "python/standfast/py.typed"} <= names
+    made_by_the_build = {"build_backend.py", "python/standfast/answer.schema.json", "python/standfast/answers.pyi"}
+    assert {*LICENSES, "README.md", "pyproject.toml", "Cargo.lock", "python/standfast/py.typed", *made_by_the_build} <= names
     source = next((tmp_path / "source").iterdir())
     # Cargo finds every crate of the package in it.
     tree = subprocess.run(

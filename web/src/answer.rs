@@ -21,7 +21,7 @@ pub struct Answer {
     pub others: Modes,
     /// Accelerations in g, θ̈ in g/B, reactions in m g, ξ in B.
     pub motion: Motion,
-    /// The same in SI units, if the dimensions are within range.
+    /// Motion in SI units, if the dimensions are within range.
     pub real: Option<Motion>,
     /// Against sliding and overturning; none where the loads lift the body.
     pub factors: Option<[f64; 2]>,
@@ -39,7 +39,7 @@ impl Answer {
     /// The answer of a state.
     ///
     /// # Errors
-    /// Why there is none, as a sentence: a dimension is out of range, or water stands above the crest.
+    /// A sentence that says that a dimension is out of range, or that water stands above the crest.
     pub fn of(state: &State) -> Result<Answer, String> {
         if state.waters.are_none() { Ok(Answer::in_air(state)) } else { Answer::with_water(state) }
     }

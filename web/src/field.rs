@@ -72,7 +72,7 @@ impl Field {
         }
     }
 
-    /// How many SI units the field's unit is.
+    /// SI units that make one of the field's unit.
     fn scale(self, state: &State) -> f64 {
         let (units, chosen) = self.units(state);
         units.get(chosen).map_or(1.0, |(_, scale)| *scale)
@@ -98,7 +98,7 @@ impl Field {
         }
     }
 
-    /// What the field shows.
+    /// Text that the field shows.
     pub fn text(self, state: &State) -> String {
         unit::plain(self.value(state) / self.scale(state))
     }
@@ -106,7 +106,7 @@ impl Field {
     /// Takes what was typed.
     ///
     /// # Errors
-    /// What is wrong with it, in a sentence for the person who typed it.
+    /// A sentence on the fault for the person who typed it.
     pub fn set(self, state: &mut State, typed: &str) -> Result<(), String> {
         let (number, scale) = number::read(typed, self.units(state).0)?;
         let value = number * scale.unwrap_or_else(|| self.scale(state));
@@ -166,7 +166,7 @@ impl Field {
         Ok(())
     }
 
-    /// What a slider from 0 to 1 stands for, if the field has one.
+    /// Axis of a slider from 0 to 1, if the field has one.
     pub fn axis(self, state: &State) -> Option<Axis> {
         // Those of k and μ cover what the diagram of the force shows.
         let shown = |largest: fn(&View) -> f64| {
@@ -181,7 +181,7 @@ impl Field {
         }
     }
 
-    /// Where the slider stands, from 0 to 1.
+    /// Position of the slider, from 0 to 1.
     pub fn share(self, state: &State) -> Option<f64> {
         self.axis(state).map(|axis| axis.share(self.value(state)).clamp(0.0, 1.0))
     }

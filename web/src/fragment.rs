@@ -1,7 +1,7 @@
 //! The state as the fragment of a link: `g=0.8&kp=0.9&k=0.7&mu=0.6&…`.
 //!
-//! What is as on a new page is left out, but for the four numbers. A fragment from elsewhere may hold anything: what makes
-//! no sense is passed over.
+//! Values that are as on a new page are left out, but for the four numbers. A fragment from elsewhere may hold
+//! anything: what makes no sense is passed over.
 
 use standfast::Point;
 use standfast_figures::View;

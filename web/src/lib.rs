@@ -66,7 +66,7 @@ impl Explorer {
         self.map.as_ref().map_or(String::new(), |picture| picture.figure.svg().to_owned())
     }
 
-    /// The same picture in fixed colours with the design point, for a file.
+    /// Picture in fixed colours with the design point, for a file.
     pub fn map_on_paper(&self, width: f64, height: f64) -> String {
         if let Some(id) = self.state.figure.filter(|id| id.body().is_none()) {
             return figures::report_figure(id).svg().to_owned();
@@ -87,7 +87,7 @@ impl Explorer {
         self.with_map((600.0, 450.0), text::curves_csv).unwrap_or_default()
     }
 
-    /// Where the design point lies in the diagram last drawn, as [x, y, 1 if in the plot]; empty without one.
+    /// Place of the design point in the diagram last drawn, as [x, y, 1 if in the plot]; empty without one.
     pub fn point_in_map(&self) -> Vec<f64> {
         let shown = self.map.as_ref().zip(self.state.design_point());
         shown.map_or(Vec::new(), |(map, reduced)| {
@@ -156,7 +156,7 @@ impl Explorer {
         svg
     }
 
-    /// Where the body lies in the map of cases last drawn, as [x, y].
+    /// Place of the body in the map of cases last drawn, as [x, y].
     pub fn point_in_cases(&self) -> Vec<f64> {
         self.cases.as_ref().map_or(Vec::new(), |map| {
             let (x, y) = map.place(self.state.slenderness, self.state.elevation);
@@ -178,7 +178,7 @@ impl Explorer {
         self.body((width, height)).map_or(String::new(), |(figure, _)| figure.svg().to_owned())
     }
 
-    /// Where its motion leads, exaggerated: pivot x, y, shift and turn in degrees; empty without a drawing.
+    /// Pose to which its motion leads, exaggerated: pivot x, y, shift and turn in degrees; empty without a drawing.
     pub fn pose(&self, width: f64, height: f64) -> Vec<f64> {
         self.body((width, height))
             .map_or(Vec::new(), |(_, pose)| vec![pose.pivot.0, pose.pivot.1, pose.shift, pose.turn])
@@ -214,7 +214,7 @@ impl Explorer {
         unit::choose(&mut self.state.units, quantity, unit);
     }
 
-    /// Whether the force points right.
+    /// Sets the force to point right or left.
     pub fn set_mirrored(&mut self, mirrored: bool) {
         self.state.mirrored = mirrored;
     }

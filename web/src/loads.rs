@@ -14,7 +14,7 @@ use crate::state::{GRAVITY, State};
 use crate::text::{mathematics, symbol};
 use crate::unit::shown;
 
-/// How far the load rises in the drawing, and in the list of changes.
+/// Load factor up to which the load rises in the drawing, and in the list of changes.
 pub const UP_TO: f64 = 2.0;
 /// Of sea water, kg/m³.
 const WATER: f64 = 1030.0;
@@ -32,15 +32,15 @@ pub struct Waters {
 }
 
 impl Waters {
-    /// Whether the force acts in air, without uplift.
+    /// True if the force acts in air, without uplift.
     pub fn are_none(&self) -> bool {
         *self == Waters::default()
     }
 
-    /// Whether the state's body can stand in them, whatever the state's own are.
+    /// Checks that the state's body can stand in them, whatever the state's own are.
     ///
     /// # Errors
-    /// What is wrong, as a sentence.
+    /// A sentence on the fault.
     pub fn check(&self, state: &State) -> Result<(), String> {
         if self.uplift < 0.0 {
             return Err("The uplift pressure is negative; expected zero or more.".to_owned());
@@ -90,7 +90,7 @@ pub fn force_for(state: &State, k_eff: f64, step: f64) -> Option<(f64, f64)> {
     Some(((sign(state.mirrored) * push / weight).max(0.0), step * others.p / weight))
 }
 
-/// Where a body leaves rest as its variable loads rise: a sentence, in HTML.
+/// Load factor at which a body leaves rest as its variable loads rise: a sentence, in HTML.
 pub fn departure_words(departure: &Departure) -> String {
     let into = |mode: Option<Mode>| mode.map_or(String::new(), |mode| format!(", into {}", symbol(mode)));
     match *departure {
@@ -109,7 +109,7 @@ pub fn departure_words(departure: &Departure) -> String {
     }
 }
 
-/// What the page says of the load path.
+/// Figure and sentences on the load path.
 #[derive(Debug, Serialize)]
 pub struct LoadPath {
     /// The plane of load factor and friction; empty if there is none.

@@ -1,4 +1,4 @@
-//! What a typed text means as a number, and when it could mean two.
+//! Meaning of a typed text as a number, and texts that have two.
 //!
 //! | in the text | meaning |
 //! |---|---|
@@ -15,7 +15,7 @@ use crate::unit::Unit;
 /// The number in a text, and how many SI units its unit is where it names one of `units`.
 ///
 /// # Errors
-/// Why it is no number, or not one number only, in a sentence for the person who typed it.
+/// A sentence on the fault for the person who typed it: no number, or not one number only.
 pub fn read(typed: &str, units: &[Unit]) -> Result<(f64, Option<f64>), String> {
     let text = typed.trim();
     if text.is_empty() {
@@ -26,7 +26,7 @@ pub fn read(typed: &str, units: &[Unit]) -> Result<(f64, Option<f64>), String> {
     Ok((value, scale(unit, units)?))
 }
 
-/// Why a text is not one number.
+/// Reason why a text is not one number.
 enum Fault {
     NotANumber,
     TooLarge,
@@ -67,7 +67,7 @@ fn is_sign(letter: char) -> bool {
     matches!(letter, '+' | '-' | '−')
 }
 
-/// Where the number ends and its unit begins.
+/// Place at which the number ends and its unit begins.
 fn end_of_number(text: &str) -> usize {
     let rest = |at: usize| text[at..].chars().skip(1);
     let is_power = |at: usize| {

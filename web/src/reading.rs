@@ -26,14 +26,14 @@ pub struct Reading {
     sliders: Vec<(&'static str, f64)>,
     /// The units to choose from, and the one chosen, by kind.
     units: Vec<(&'static str, Vec<&'static str>, &'static str)>,
-    /// Whether the force points right.
+    /// True if the force points right.
     mirrored: bool,
-    /// Whether there is water or uplift beside the force.
+    /// True if there is water or uplift beside the force.
     with_water: bool,
     figure: Option<&'static str>,
-    /// Whether a chart of the plane is shown, not a sketch.
+    /// True if a chart of the plane is shown, not a sketch.
     is_map: bool,
-    /// Whether there is a diagram or a sketch at all.
+    /// True if there is a diagram or a sketch at all.
     is_drawn: bool,
     numbers: Numbers,
 }
@@ -43,7 +43,7 @@ pub struct Reading {
 struct Numbers {
     /// γ, k', k, μ of the force.
     given: [f64; 4],
-    /// The same of all loads, if these are a point of the report's plane.
+    /// γ, k', k, μ of all loads, if these are a point of the report's plane.
     all_loads: Option<[f64; 4]>,
     /// γ and k' of the diagram drawn.
     diagram: Option<[f64; 2]>,
@@ -144,7 +144,7 @@ fn map_note(state: &State) -> String {
     }
 }
 
-/// Which of the report's cases the diagram shows.
+/// Case of the report that the diagram shows.
 fn case(state: &State) -> String {
     let Some(diagram) = state.diagram() else { return String::new() };
     let view = state.view(&diagram);

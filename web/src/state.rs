@@ -1,4 +1,4 @@
-//! What the explorer shows: a body, a force, water and uplift beside it, a view, a figure.
+//! State of the explorer: a body, a force, water and uplift beside it, a view, a figure.
 
 use standfast::loads::{HorizontalForce, Reduced};
 use standfast::{Body, Diagram, Point};
@@ -21,7 +21,7 @@ pub struct State {
     pub force: f64,
     /// μ.
     pub friction: f64,
-    /// Whether the force points right.
+    /// True if the force points right.
     pub mirrored: bool,
     /// 2B, m.
     pub width: f64,

@@ -1,4 +1,4 @@
-//! What the panel says of the answer: verdict, inequalities, factors, motion, changes of mode.
+//! Panel of the answer: verdict, inequalities, factors, motion, changes of mode.
 
 use serde::Serialize;
 use standfast::contact::path::{self, Stage};
@@ -18,7 +18,7 @@ pub struct Verdict {
     /// The mode's symbol in plain characters; empty without an answer.
     pub mode: &'static str,
     symbol: String,
-    /// Which loads the verdict is of, if there are others than the force.
+    /// Loads that the verdict is of, if there are others than the force.
     scope: String,
     /// "The body slides to the left"
     sentence: String,
@@ -37,12 +37,12 @@ pub struct Verdict {
     motion: Vec<Quantity>,
 }
 
-/// Where the mode changes while one thing grows.
+/// Changes of mode while one thing grows.
 #[derive(Debug, Serialize, Default)]
 struct Changes {
     heading: &'static str,
     rows: Vec<Change>,
-    /// What is said where there are none.
+    /// Words where there are none.
     none: &'static str,
 }
 
@@ -168,7 +168,7 @@ impl Row {
     }
 }
 
-/// Which loads the verdict is of; nothing for the force alone.
+/// Loads that the verdict is of; empty for the force alone.
 fn scope(state: &State, answer: Option<&Answer>) -> String {
     let waters = &state.waters;
     if waters.are_none() {

@@ -11,7 +11,7 @@ use crate::tally::{Tally, cargo, in_ci};
 
 const ARM: &str = "aarch64-unknown-linux-gnu";
 
-/// Where the library is checked without a linker or a system to run it on.
+/// Systems for which the library is checked without a linker or a system to run it on.
 const ELSEWHERE: [&str; 3] = ["x86_64-pc-windows-msvc", "x86_64-apple-darwin", "aarch64-apple-darwin"];
 
 /// The part of the gate by itself.
@@ -24,7 +24,7 @@ pub fn run() -> ExitCode {
 /// Tests the kernel and the single call on ARM, at a share of their random points, and checks the library for other systems.
 pub fn check(tally: &mut Tally) {
     const NAME: &str = "exact signs on ARM";
-    // What a program is linked with and begins by comes in a package of its own.
+    // Objects that a program is linked with and begins by come in a package of their own.
     const PACKAGES: [&str; 3] = ["qemu-user", "gcc-aarch64-linux-gnu", "libc6-dev-arm64-cross"];
     let programs = needed("an emulator and linker for 64-bit ARM", &PACKAGES, || {
         let links = Path::new("/usr/aarch64-linux-gnu/lib/crt1.o").is_file();

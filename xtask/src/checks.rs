@@ -21,7 +21,7 @@ pub fn run() -> ExitCode {
     pdf_programs(&mut tally);
     lints::record(&mut tally, "programs and tests", &mut programs_and_tests());
     // Python's tests keep one core busy; those of a browser want both, because a page waits for nobody.
-    let python = Beside::start(Part::Python);
+    let python = ParallelPart::start(Part::Python);
     let mut tests = cargo(&["test", "--no-fail-fast"]);
     lints::beside(tests.args(EVERYTHING));
     tally.count("unit, integration and documentation tests", &mut tests, result_line);
@@ -31,7 +31,7 @@ pub fn run() -> ExitCode {
     ended(&tally)
 }
 
-/// What of the gate can be run by itself.
+/// Part of the gate that can be run by itself.
 #[derive(Clone, Copy)]
 pub enum Part {
     Python,
@@ -63,14 +63,14 @@ impl Part {
 }
 
 /// A part that runs beside the gate's own steps, and says nothing before it is asked.
-struct Beside {
+struct ParallelPart {
     part: Part,
     /// The process, and where it writes.
     running: io::Result<(Child, PathBuf)>,
 }
 
-impl Beside {
-    fn start(part: Part) -> Beside {
+impl ParallelPart {
+    fn start(part: Part) -> ParallelPart {
         let start = || {
             let path = target().join(format!("gate-{}.txt", part.name()));
             let output = File::create(&path)?;
@@ -78,7 +78,7 @@ impl Beside {
             xtask.args(["test", part.name()]).stderr(output.try_clone()?).stdout(output);
             Ok((lints::beside(&mut xtask).spawn()?, path))
         };
-        Beside { part, running: start() }
+        ParallelPart { part, running: start() }
     }
 
     /// Waits for its end, shows what it wrote and adds what it counted.
@@ -103,9 +103,9 @@ impl Beside {
     }
 }
 
-/// What is compiled by other commands: the program as a first command compiles it, without libraries' features that nobody has
-/// asked for, and what is fuzzed, without libFuzzer itself, which wants a C++ compiler. That these compile is all there is to see;
-/// what they do is seen of the same sources where all is compiled.
+/// Checks what is compiled by other commands: the program as a first command compiles it, without libraries' features
+/// that nobody has asked for, and what is fuzzed, without libFuzzer itself, which wants a C++ compiler. That these
+/// compile is all there is to see; what they do is seen of the same sources where all is compiled.
 fn left_out(tally: &mut Tally) {
     let check = ["check", "--quiet", "--target-dir"];
     let mut small = cargo(&check);

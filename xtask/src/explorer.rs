@@ -58,12 +58,12 @@ fn toolchain() -> Result<Vec<(String, OsString)>, String> {
     Ok(names.zip(values.lines().map(OsString::from)).collect())
 }
 
-/// Whether the explorer can be compiled without fetching anything.
+/// True if the explorer can be compiled without fetching anything.
 fn has_toolchain() -> bool {
     has_target() || target().join("wasm-toolchain").join("env").is_file()
 }
 
-/// Whether rustc has the standard library for wasm.
+/// True if rustc has the standard library for wasm.
 fn has_target() -> bool {
     let output = Command::new("rustc")
         .args(["--print", "target-libdir", "--target", TARGET])

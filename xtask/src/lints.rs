@@ -16,10 +16,10 @@ use serde_json::Value;
 use crate::tally::{Tally, line, timed};
 use crate::target;
 
-/// What this program is called where it stands for rustc.
+/// Name of this program where it stands for rustc.
 const NAME: &str = "rustc-with-lints";
 
-/// What cargo takes for the crates of the workspace in place of rustc.
+/// Variable that names the program that cargo takes in place of rustc for the crates of the workspace.
 const WRAPPER: &str = "RUSTC_WORKSPACE_WRAPPER";
 
 /// Has `command`, which is cargo or starts it, compile with lints.
@@ -99,7 +99,7 @@ fn compiled(rustc: &Path, arguments: &[OsString], folder: &Path) -> Result<bool,
     Ok(succeeds(rustdoc.args(documented(arguments, folder)))? && linted)
 }
 
-/// Whether the crate is to be documented. A library or program is compiled for its own tests and for others: the first will do.
+/// True if the crate is to be documented. A library or program is compiled for its own tests and for others: the first will do.
 /// The extension module has no tests of its own.
 fn is_documented(arguments: &[OsString]) -> bool {
     let is_test = arguments.iter().any(|argument| argument == "--test");
@@ -109,7 +109,7 @@ fn is_documented(arguments: &[OsString]) -> bool {
     !is_outside && (is_test || of_python)
 }
 
-/// What clippy is to be called with where rustc is called with `arguments`: it leaves its metadata in `folder`.
+/// Arguments of clippy where rustc is called with `arguments`: it leaves its metadata in `folder`.
 fn linted(arguments: &[OsString], folder: &Path) -> Vec<OsString> {
     let mut kept = Vec::new();
     for (flag, value) in flags(arguments) {
@@ -126,7 +126,7 @@ fn linted(arguments: &[OsString], folder: &Path) -> Vec<OsString> {
     kept
 }
 
-/// What rustdoc is to be called with where rustc is called with `arguments`: it writes to `folder`.
+/// Arguments of rustdoc where rustc is called with `arguments`: it writes to `folder`.
 fn documented(arguments: &[OsString], folder: &Path) -> Vec<OsString> {
     let mut kept = Vec::new();
     for (flag, value) in flags(arguments) {
@@ -172,14 +172,14 @@ pub fn record(tally: &mut Tally, name: &str, command: &mut Command) {
     }
 }
 
-/// How many warnings and errors clippy and rustdoc had.
+/// Number of warnings and errors of clippy and of rustdoc.
 #[derive(Debug, Default, PartialEq)]
-struct Found {
+struct Warnings {
     lints: usize,
     documentation: usize,
 }
 
-impl Found {
+impl Warnings {
     /// Counts what a line of cargo's says; the text to show.
     fn read(&mut self, line: &str) -> Option<String> {
         let said: Value = serde_json::from_str(line).ok()?;
@@ -196,9 +196,9 @@ impl Found {
 }
 
 /// Runs cargo; what was found, and whether it compiled.
-fn said(command: &mut Command) -> Result<(Found, bool), String> {
+fn said(command: &mut Command) -> Result<(Warnings, bool), String> {
     let mut child = command.stdout(Stdio::piped()).spawn().map_err(|error| error.to_string())?;
-    let mut found = Found::default();
+    let mut found = Warnings::default();
     let output = BufReader::new(child.stdout.take().expect("standard output is piped"));
     for line in output.lines().map_while(Result::ok) {
         if let Some(text) = found.read(&line) {
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn warnings_are_counted_by_who_gave_them() {
-        let mut found = Found::default();
+        let mut found = Warnings::default();
         let line = |level: &str, code: &str| {
             let message = serde_json::json!({"level": level, "code": {"code": code}, "rendered": "text"});
             serde_json::json!({"reason": "compiler-message", "message": message}).to_string()
@@ -250,6 +250,6 @@ mod tests {
         found.read(&line("note", "clippy::eq_op"));
         assert_eq!(found.read(r#"{"reason": "compiler-artifact"}"#), None);
         assert_eq!(found.read("no JSON"), None);
-        assert_eq!(found, Found { lints: 2, documentation: 1 });
+        assert_eq!(found, Warnings { lints: 2, documentation: 1 });
     }
 }

@@ -1,4 +1,4 @@
-//! What the manifests promise: the oldest Rust that will do, crates that can be published, dependencies that are allowed.
+//! Promises of the manifests: the oldest Rust that will do, crates that can be published, dependencies that are allowed.
 
 use std::process::Stdio;
 
@@ -39,7 +39,7 @@ pub fn deny() -> Result<(), String> {
     known.and(advisories)
 }
 
-/// What cargo knows of the workspace and all it depends on, on any platform.
+/// Metadata of cargo on the workspace and all it depends on, on any platform.
 fn metadata() -> Result<Value, String> {
     let output = cargo(&["metadata", "--format-version", "1", "--locked"]).output();
     let output = output.map_err(|error| format!("cargo metadata: {error}"))?;

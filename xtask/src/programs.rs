@@ -20,7 +20,7 @@ impl fmt::Display for Missing {
     }
 }
 
-/// What `find` finds; in CI after Debian's packages have been installed, if it is not there before.
+/// Result of `find`; in CI after Debian's packages have been installed, if it is not there before.
 pub fn needed<T>(
     what: &'static str,
     packages: &'static [&'static str],

@@ -10,7 +10,7 @@ use crate::pythons::{self, OLDEST, Python};
 use crate::tally::{Tally, cargo, line, timed};
 use crate::{built, lints, root, target};
 
-/// What of pip's output is not wanted.
+/// Options of pip, to print no more than is wanted.
 const PIP: [&str; 4] = ["-m", "pip", "--quiet", "--disable-pip-version-check"];
 
 /// Runs all steps, or says why not.
@@ -84,12 +84,12 @@ fn smoke(tally: &mut Tally, main: &Python, wheel: &Path) {
     }
 }
 
-/// Where environments and wheels lie.
+/// Folder of environments and wheels.
 fn place() -> PathBuf {
     target().join("python")
 }
 
-/// What the tests need: pinned versions, those of the oldest libraries for the oldest Python.
+/// Requirements of the tests: pinned versions, those of the oldest libraries for the oldest Python.
 fn requirements(version: (u32, u32)) -> &'static str {
     if version == OLDEST { "python/requirements-oldest.txt" } else { "python/requirements-test.txt" }
 }

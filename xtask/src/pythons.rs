@@ -1,4 +1,4 @@
-//! Which Pythons are there? The one that `PYTHON` or the path names, and those of each version that the package promises.
+//! Pythons that are there: the one that `PYTHON` or the path names, and those of each version that the package promises.
 
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;

@@ -15,7 +15,7 @@ pub fn table(count: usize) -> String {
     let mut text = HEADER.to_owned();
     for storm in 1..=count {
         let height = 3.0 + 1.6 * (-random().ln()).powf(1.0 / 1.3);
-        // What steepness leaves open.
+        // Periods scatter as far as steepness leaves them open.
         let period = 4.3 * height.sqrt() * (0.9 + 0.2 * random());
         let level = 7.1 + 0.8 * (TAU * random()).sin();
         let angle = (15.0 + 40.0 * (random() - 0.5)).abs();

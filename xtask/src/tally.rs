@@ -1,4 +1,4 @@
-//! What of the gate passed, failed and was skipped, and how commands are run and counted.
+//! Tally of the checks that passed, failed and were skipped, and the running of commands.
 
 use std::fmt::Display;
 use std::io::{BufRead, BufReader};
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use crate::root;
 
-/// How many checks passed, failed and were skipped.
+/// Numbers of checks that passed, failed and were skipped.
 #[derive(Default)]
 pub struct Tally {
     pub passed: usize,
@@ -15,7 +15,7 @@ pub struct Tally {
     pub skipped: usize,
 }
 
-/// Whether this is CI: what is missing there is installed, and nothing is skipped.
+/// True in CI: what is missing there is installed, and nothing is skipped.
 pub fn in_ci() -> bool {
     std::env::var_os("CI").is_some_and(|ci| ci == "true")
 }

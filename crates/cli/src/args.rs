@@ -281,7 +281,7 @@ pub enum Command {
     },
 }
 
-/// How many threads work: those asked for, or one for each core.
+/// Number of threads: those asked for, or one for each core.
 pub(crate) fn threads(asked: Option<NonZeroUsize>) -> usize {
     asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
 }
@@ -313,7 +313,7 @@ pub struct AssessArgs {
     pub format: Format,
 }
 
-/// What becomes of waves that begin a rotation.
+/// Treatment of waves that begin a rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum RotationsArg {
     /// They are counted apart, and slide the body nowhere

@@ -12,7 +12,7 @@ use crate::figures::{self, Drawn, FigureError, Figures};
 use crate::files_read::FilesRead;
 use crate::format::Format;
 
-/// Why a case was not assessed.
+/// Reason why a case was not assessed.
 #[derive(Debug, Error, Diagnostic)]
 pub enum AssessError {
     /// The case file cannot be read, or is no case file.
@@ -44,9 +44,9 @@ pub enum AssessError {
 pub struct Answered {
     /// The answer to print.
     pub answer: String,
-    /// What prevented a diagram.
+    /// Error that prevented a diagram.
     pub undrawn: Option<AssessError>,
-    /// Whether all criteria are met; `None` where the case has none.
+    /// True if all criteria are met; `None` where the case has none.
     pub met: Option<bool>,
 }
 

@@ -23,7 +23,7 @@ use crate::files_read::{FilesRead, ReadAs};
 use crate::progress::Bar;
 use crate::write::{Pending, WriteError};
 
-/// Why a table was not answered.
+/// Reason why a table was not answered.
 #[derive(Debug, Error, Diagnostic)]
 pub enum BatchCommandError {
     /// The table is wrong.
@@ -75,7 +75,7 @@ fn no_result(name: &str, all: impl Iterator<Item = &'static str>) -> TableError 
     TableError::NoSuchResult { option, column: name.to_owned(), results: all.collect() }
 }
 
-/// What is said of a table that was answered: nothing, unless there is something.
+/// Remarks on a table that was answered; empty if there are none.
 pub fn said(summary: &Summary) -> String {
     let mut text = String::new();
     if let Some(Varied { columns, notes, warnings }) = &summary.varied {

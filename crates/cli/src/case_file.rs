@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use crate::files_read::{FilesRead, ReadAs};
 
-/// Why a case file was not read.
+/// Reason why a case file was not read.
 #[derive(Debug, Error, Diagnostic)]
 pub enum CaseFileError {
     /// The case file cannot be read.
@@ -17,7 +17,7 @@ pub enum CaseFileError {
     System {
         /// The case file.
         name: String,
-        /// What the system says.
+        /// Error of the system.
         cause: io::Error,
     },
     /// The case file is not text.
@@ -35,17 +35,17 @@ pub enum CaseFileError {
     Case(#[from] CaseError),
 }
 
-/// Whether a case is read from standard input.
+/// True if a case is read from standard input.
 fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// What a case file is called.
+/// Name of a case file.
 pub(crate) fn name(path: &Path) -> String {
     if is_standard_input(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
 
-/// What the names of files that are written beside a case file begin with.
+/// Beginning of the names of files that are written beside a case file.
 pub fn stem(path: &Path) -> String {
     if is_standard_input(path) {
         return "case".to_owned();

@@ -56,7 +56,7 @@ impl fmt::Display for BoundaryFile {
     }
 }
 
-/// Why there is no design, or a file of it was not written.
+/// Reason why there is no design, or a file of it was not written.
 #[derive(Debug, Error, Diagnostic)]
 pub enum DesignCommandError {
     /// The case file cannot be read, or is no case file.

@@ -21,7 +21,7 @@ use crate::features::{Feature, LeftOut};
 use crate::files_read::FilesRead;
 use crate::write::{self, ExtensionError, WriteError};
 
-/// How a picture is written.
+/// Format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Picture {
     /// Scalable vector graphics.
@@ -78,7 +78,7 @@ impl PictureFile {
         Picture::from_str(extension, false).ok()
     }
 
-    /// Where it is.
+    /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -101,7 +101,7 @@ pub struct KMu {
     pub mu: f64,
 }
 
-/// Why a picture was not made.
+/// Reason why a picture was not made.
 #[derive(Debug, Error, Diagnostic)]
 pub enum DrawError {
     /// This build does not have the format.
@@ -114,7 +114,7 @@ pub enum DrawError {
     Render {
         /// The picture's file.
         path: PathBuf,
-        /// What the renderer says.
+        /// Error of the renderer.
         cause: RenderError,
     },
     /// The picture cannot be written.

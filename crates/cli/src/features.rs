@@ -1,4 +1,4 @@
-//! What a build of the program may leave out, and the command that adds it.
+//! Parts that a build of the program may leave out, and the command that adds them.
 
 use miette::Diagnostic;
 use thiserror::Error;
@@ -15,7 +15,7 @@ pub enum Feature {
 }
 
 impl Feature {
-    /// Whether this build has it.
+    /// True if this build has it.
     pub fn is_built_in(self) -> bool {
         match self {
             Feature::Tables => cfg!(feature = "tables"),

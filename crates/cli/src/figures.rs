@@ -10,7 +10,7 @@ use crate::case_file;
 use crate::files_read::FilesRead;
 use crate::write::{self, WriteError};
 
-/// Why a figure was not written.
+/// Reason why a figure was not written.
 #[derive(Debug, Error, Diagnostic)]
 pub enum FigureError {
     /// It cannot be written.
@@ -19,7 +19,7 @@ pub enum FigureError {
     Write(#[from] WriteError),
 }
 
-/// Where the figures of a case go.
+/// Place of the figures of a case.
 #[derive(Debug, Clone, Copy)]
 pub enum Figures<'a> {
     /// Beside the case file; those of a case from standard input, `-`, into the current directory.
@@ -31,7 +31,7 @@ pub enum Figures<'a> {
 }
 
 impl<'a> Figures<'a> {
-    /// What the options `--output` and `--no-figures` ask for.
+    /// Place that the options `--output` and `--no-figures` ask for.
     pub fn asked(output: Option<&'a Path>, none: bool) -> Figures<'a> {
         match output {
             _ if none => Figures::None,
@@ -40,7 +40,7 @@ impl<'a> Figures<'a> {
         }
     }
 
-    /// Whether any are drawn.
+    /// True if any are drawn.
     pub fn are_drawn(self) -> bool {
         !matches!(self, Figures::None)
     }
@@ -77,7 +77,7 @@ impl<'a> Figures<'a> {
 /// A figure in its file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Drawn {
-    /// What it is.
+    /// Words for the figure.
     pub words: String,
     /// The file.
     pub file: String,

@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// What a file was read as.
+/// Purpose for which a file was read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ReadAs {
     /// The case.
@@ -38,12 +38,12 @@ pub struct WouldReplace {
     pub output: PathBuf,
     /// The file that was read, as it was named.
     pub read: PathBuf,
-    /// What it was read as.
+    /// Purpose for which it was read.
     pub read_as: ReadAs,
 }
 
 impl WouldReplace {
-    /// What the output is called, where that is another name.
+    /// Remark on the output's name, where it is another one.
     fn other_name(&self) -> String {
         if self.output == self.read {
             String::new()
@@ -64,10 +64,10 @@ struct FileRead {
     same: Identity,
 }
 
-/// What two names of one file have in common.
+/// Identity of a file, which all its names share.
 #[derive(Debug)]
 struct Identity {
-    /// Where it is, links followed.
+    /// Path of the file, links followed.
     place: Option<PathBuf>,
     /// Device and number: those of a hard link too.
     #[cfg(unix)]
@@ -171,7 +171,7 @@ impl FilesRead {
     }
 
     fn refuse_if(&self, output: &Path, kept: impl Fn(ReadAs) -> bool) -> Result<(), WouldReplace> {
-        // What is not there yet replaces nothing.
+        // Outputs that are not there yet replace nothing.
         let Ok(found) = fs::metadata(output) else { return Ok(()) };
         let same = Identity::of(output, &found);
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);

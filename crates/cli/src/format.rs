@@ -1,8 +1,8 @@
-//! How an answer is printed.
+//! Formats of an answer.
 
 use clap::ValueEnum;
 
-/// How an answer is printed.
+/// Format of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Format {
     /// For reading, with four significant digits

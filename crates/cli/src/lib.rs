@@ -51,7 +51,7 @@ use figures::Figures;
 use files_read::FilesRead;
 use format::Format;
 
-/// How a command ended that did what it was asked.
+/// End of a command that did what it was asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ended {
     /// It is done.
@@ -134,7 +134,7 @@ fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
     ended(answered.undrawn.map(Into::into), args.check, answered.met)
 }
 
-/// How a command ended that printed its answer, which may have figures that could not be written and criteria that are not met.
+/// End of a command that printed its answer, which may have figures that could not be written and criteria that are not met.
 fn ended(undrawn: Option<miette::Report>, check: bool, met: Option<bool>) -> Result<Ended> {
     match undrawn {
         Some(error) => Err(error),

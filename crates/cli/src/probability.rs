@@ -41,7 +41,7 @@ impl FromStr for DrawsFile {
     }
 }
 
-/// Why there are no probabilities.
+/// Reason why there are no probabilities.
 #[derive(Debug, Error, Diagnostic)]
 pub enum ProbabilityCommandError {
     /// The case file cannot be read.
@@ -71,7 +71,7 @@ pub enum ProbabilityCommandError {
 pub struct Answered {
     /// The answer to print.
     pub answer: String,
-    /// What prevented a figure.
+    /// Error that prevented a figure.
     pub undrawn: Option<ProbabilityCommandError>,
 }
 

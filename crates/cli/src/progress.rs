@@ -1,4 +1,4 @@
-//! How far a run is, on a terminal and for who interrupts it.
+//! Progress of a run, on a terminal and for who interrupts it.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -7,7 +7,7 @@ use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use standfast_cases::motion::Progressed;
 use standfast_tables::Progress;
 
-/// What is done of a table.
+/// Progress of a table.
 pub struct Bar {
     rows: AtomicU64,
     start: Instant,
@@ -57,7 +57,7 @@ fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
-/// How many motions are followed.
+/// Progress of motions: the number followed.
 pub struct Motions {
     done: AtomicU64,
     start: Instant,

@@ -12,7 +12,7 @@ use crate::case_file::{self, CaseFileError};
 use crate::files_read::FilesRead;
 use crate::write::{self, ExtensionError, WriteError};
 
-/// How a sheet is written.
+/// Format of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Html,
@@ -45,7 +45,7 @@ impl fmt::Display for SheetFile {
     }
 }
 
-/// Why a sheet was not made.
+/// Reason why a sheet was not made.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SheetCommandError {
     /// The case file cannot be read, or is no case file.

@@ -17,7 +17,7 @@ use crate::files_read::FilesRead;
 use crate::format::Format;
 use crate::write::{self, WriteError};
 
-/// Why a motion was not followed.
+/// Reason why a motion was not followed.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SimulateError {
     /// The case file cannot be read.
@@ -66,9 +66,9 @@ pub enum SimulateError {
 pub struct Simulated {
     /// The answer to print.
     pub answer: String,
-    /// What prevented a figure.
+    /// Error that prevented a figure.
     pub undrawn: Option<FigureError>,
-    /// Whether all criteria of the motion are met; `None` where the case has none.
+    /// True if all criteria of the motion are met; `None` where the case has none.
     pub met: Option<bool>,
 }
 

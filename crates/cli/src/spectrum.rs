@@ -16,7 +16,7 @@ use crate::format::Format;
 use crate::progress::Motions;
 use crate::write::{self, WriteError};
 
-/// Why there is no spectrum.
+/// Reason why there is no spectrum.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SpectrumCommandError {
     /// The case file cannot be read.

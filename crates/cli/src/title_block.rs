@@ -5,7 +5,7 @@ use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
 use standfast_cases::Key;
 use standfast_cases::key::TITLE_BLOCK;
 
-/// What the command line puts into the title block.
+/// Entries of the title block from the command line.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TitleBlock(pub Vec<(Key, String)>);
 

@@ -12,7 +12,7 @@ use thiserror::Error;
 use crate::files_read::{FilesRead, WouldReplace};
 use unfinished::Unfinished;
 
-/// Why a file was not written.
+/// Reason why a file was not written.
 #[derive(Debug, Error, Diagnostic)]
 pub enum WriteError {
     /// The system does not write it.
@@ -20,7 +20,7 @@ pub enum WriteError {
     System {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         cause: io::Error,
     },
     /// It is a file that was read.
@@ -109,7 +109,7 @@ impl Pending {
         Ok(Pending { path: path.to_owned(), target })
     }
 
-    /// Whether nothing of the file can be seen before it is finished; a device gets what is written at once.
+    /// True if nothing of the file can be seen before it is finished; a device gets what is written at once.
     pub fn is_unseen(&self) -> bool {
         matches!(self.target, Target::Place(..))
     }

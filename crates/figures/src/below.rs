@@ -1,4 +1,4 @@
-//! What stands below a plot: the key of modes, title and caption.
+//! Parts below a plot: the key of modes, title and caption.
 
 use standfast::Mode;
 

@@ -44,7 +44,7 @@ impl Canvas {
         self.board.letters.extend(found);
     }
 
-    /// What a design point is called, as [`letter`](Canvas::letter), but never on a line.
+    /// Places the name of a design point as [`letter`](Canvas::letter) does, but never on a line.
     pub(crate) fn design_label(&mut self, text: &Text, at: (f64, f64)) -> bool {
         let found = self.beside(at, text, 8.0);
         // Two numbers side by side would read as one.
@@ -144,13 +144,13 @@ impl Canvas {
         numbered
     }
 
-    /// What a line is called, in one of its arcs' places that is clear; false if there is none.
+    /// Places the name of a line in a clear place along one of its arcs; false if there is none.
     pub(crate) fn beside_line(&mut self, arcs: &[Arc], text: &Text) -> bool {
         let place = arcs.iter().find_map(|arc| self.board.along(arc, text));
         self.place(text, place, INK)
     }
 
-    /// What a line is called, near one of some places on it and joined by a leader; false if there is no room.
+    /// Places the name of a line near one of some places on it, joined by a leader; false if there is no room.
     pub(crate) fn joined(&mut self, places: impl IntoIterator<Item = (f64, f64)>, text: &Text) -> bool {
         let size = (text.width, text.height());
         let found = places.into_iter().find_map(|to| self.board.near(to, 0.0, size, 6, Lines::Avoid));

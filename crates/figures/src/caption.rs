@@ -1,4 +1,4 @@
-//! What is said below a chart, and to readers who do not see it.
+//! Words below a chart, and for readers who do not see it.
 
 use standfast::diagram::Unresolved;
 use standfast::ground::GroundVerdict;
@@ -16,7 +16,7 @@ use crate::{DesignPoint, is_drawable};
 /// Type sizes of the caption and of the details below it.
 pub(crate) const SIZE: f64 = 13.0;
 pub(crate) const SMALL: f64 = 11.7;
-/// How many design points are listed.
+/// Largest number of design points listed.
 const LISTED: usize = 12;
 
 /// Heading and caption in plain characters.
@@ -43,10 +43,10 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
     words
 }
 
-/// What is said of a point whose force points left.
+/// Verdict on a point whose force points left.
 pub(crate) struct Said {
     pub verdict: GroundVerdict,
-    /// What is consistent beside it.
+    /// Modes that are consistent beside it.
     pub others: Modes,
 }
 
@@ -94,7 +94,7 @@ pub(crate) fn pair(k: f64, mu: f64) -> String {
     format!("$({},{})$", digits(k), digits(mu))
 }
 
-/// How many points without names there are, in and out of the window.
+/// Number of points without names, in and out of the window.
 fn of_cloud(cloud: &[(f64, f64)], window: &View) -> String {
     let points = || cloud.iter().filter(|point| is_drawable(point));
     let outside = points().filter(|&&(k, mu)| !window.shows(k, mu)).count();
@@ -115,7 +115,7 @@ pub(crate) fn symbols(modes: Modes) -> String {
     modes.iter().map(symbol).collect::<Vec<_>>().join(", ")
 }
 
-/// What hatching means: the parts of the indeterminate set, and the modes consistent in each.
+/// Words for the hatching: the parts of the indeterminate set, and the modes consistent in each.
 pub(crate) fn hatching(parts: &[Unresolved]) -> Option<String> {
     let modes = parts.iter().map(|part| format!("one of {}", symbols(part.modes)));
     let parts = modes.collect::<Vec<_>>().join(" or ");

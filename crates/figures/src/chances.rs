@@ -1,7 +1,7 @@
-//! How likely each mode is: bars, what matters, lines with their intervals, and clouds of draws.
+//! Figures of probabilities: bars, what matters, lines with their intervals, and clouds of draws.
 //!
-//! What is drawn is given by numbers and words. Everything that has a name has it beside the plot or in a key below, so that no label
-//! lies on another, whatever the numbers are.
+//! Figures are given by numbers and words. Everything that has a name has it beside the plot or in a key below, so that
+//! no label lies on another, whatever the numbers are.
 
 mod bars;
 mod cloud;

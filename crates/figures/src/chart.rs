@@ -28,7 +28,7 @@ struct Area {
     mode: Mode,
     pieces: Vec<Piece>,
     name: String,
-    /// Which of the unresolved parts it is, counted from zero.
+    /// Number of the unresolved part, counted from zero.
     unresolved: Option<usize>,
 }
 
@@ -39,7 +39,7 @@ pub(crate) struct Draft<'a> {
     areas: Vec<Area>,
     pub right: Vec<Tab>,
     pub above: Vec<Tab>,
-    /// What goes to the caption for want of room.
+    /// Names and formulas that go to the caption for want of room.
     legend: Vec<String>,
     /// Design points that carry a number in place of their name.
     numbered: Vec<usize>,
@@ -212,7 +212,8 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// What stands over the lines: letters, points, the lens, names, notes and formulas, the later where the earlier leave room.
+    /// Draws the marks over the lines: letters, points, the lens, names, notes and formulas, the later where the
+    /// earlier leave room.
     pub(crate) fn marks(&mut self) {
         self.canvas.cloud(self.given.cloud);
         self.letters();
@@ -260,7 +261,7 @@ impl<'a> Draft<'a> {
         None
     }
 
-    /// Where a drawn line ends on the page.
+    /// End of a drawn line on the page.
     fn exit(&self, line: Line) -> Option<(f64, f64)> {
         let frame = self.canvas.board.frame;
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
@@ -322,7 +323,7 @@ impl<'a> Draft<'a> {
             return;
         }
         let Some(short) = line.short() else {
-            // Where the line ends its letter stands, and the caption may speak of the line by its letters.
+            // Letters stand at the ends of lines, and the caption may speak of the line by its letters.
             let is_lettered = self.given.sheet.ends.iter().any(|&(_, lettered)| lettered == line);
             if is_lettered || self.at_edge(line, text).is_some() {
                 self.legend.push(format!("{}: {markup}", line.name(chart)));

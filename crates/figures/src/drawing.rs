@@ -1,4 +1,4 @@
-//! What a chart is drawn from, for the chart itself and for the words about it.
+//! Content of a chart, for the chart itself and for the words about it.
 
 use standfast::Diagram;
 use standfast::diagram::Unresolved;
@@ -7,7 +7,7 @@ use crate::DesignPoint;
 use crate::plot::View;
 use crate::sheet::Sheet;
 
-/// What one chart is drawn from.
+/// Content of one chart.
 pub(crate) struct Drawing<'a> {
     pub diagram: &'a Diagram,
     pub sheet: &'a Sheet,
@@ -23,6 +23,6 @@ pub(crate) struct Drawing<'a> {
     pub cloud: &'a [(f64, f64)],
     /// Parts of the indeterminate set to be hatched lightly over the modes they are resolved to.
     pub hatched: &'a [Unresolved],
-    /// Whether the axes carry round numbers; if not, the sheet's named values.
+    /// True if the axes carry round numbers; if not, the sheet's named values.
     pub numbered: bool,
 }

@@ -26,9 +26,9 @@ const NUMBERS: f64 = 8.0;
 /// The values of two quantities for which a target is met.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FeasibleSet<'a> {
-    /// What is designed, in a line; not markup.
+    /// Title, the quantities designed, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The quantity to the right; its columns rise.
     pub across: SetAxis<'a>,
@@ -41,7 +41,7 @@ pub struct FeasibleSet<'a> {
 /// A quantity along an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SetAxis<'a> {
-    /// What it is; not markup.
+    /// Name of the quantity; not markup.
     pub words: &'a str,
     /// Its symbol as it stands in mathematics.
     pub symbol: &'a str,
@@ -76,7 +76,7 @@ pub struct SetStretch {
 pub struct SetEnd {
     /// The value.
     pub value: f64,
-    /// What binds there, in a word; `None` where only the search ended.
+    /// Limit that binds there, in a word; `None` where only the search ended.
     pub by: Option<&'static str>,
 }
 
@@ -283,7 +283,7 @@ impl Shifted<'_> {
         strips.into_iter().map(|(_, strip)| strip).collect()
     }
 
-    /// Where the set ends between columns that differ: the stretches of the boundary there.
+    /// Steps of the boundary between columns that differ.
     fn steps(&self, window: &View) -> Vec<Step> {
         let mut steps = Vec::new();
         for (left, right) in

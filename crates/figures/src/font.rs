@@ -1,4 +1,4 @@
-//! Which outline does a character have? Two faces, upright and italic, parsed once from the embedded subsets.
+//! Outlines of characters. Two faces, upright and italic, parsed once from the embedded subsets.
 //!
 //! Units are thousandths of the type size, y up.
 
@@ -21,7 +21,7 @@ pub(crate) struct Glyph {
     pub advance: f64,
     /// SVG path data; empty for a space.
     pub outline: String,
-    /// The same relative to the origin of the glyph, so that the glyphs of a line can be one path.
+    /// Path data relative to the origin of the glyph, so that the glyphs of a line can be one path.
     pub relative: String,
     /// Lowest and highest y of the ink.
     pub bottom: f64,

@@ -17,17 +17,17 @@ use crate::text::Text;
 pub struct FreeBody {
     /// The body and the force, which points left.
     pub point: Point,
-    /// Whether the force points right, so that all of it is to be drawn in a mirror.
+    /// True if the force points right, so that all of it is to be drawn in a mirror.
     pub mirrored: bool,
     /// ω of a base that crushes, P/(2B q_u); 0 of a rigid one. Not negative.
     pub omega: f64,
 }
 
-/// Where the motion that begins takes the body, exaggerated: it slides by `shift` and turns by `turn` about `pivot`, which
-/// slides with it. Accelerations are constant at first, so at a share s of the time it is there by s².
+/// Pose to which the motion that begins takes the body, exaggerated: it slides by `shift` and turns by `turn` about
+/// `pivot`, which slides with it. Accelerations are constant at first, so at a share s of the time it is there by s².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
-    /// What it turns about: a corner, on a base that crushes the neutral point; or the middle of the base.
+    /// Point about which it turns: a corner, on a base that crushes the neutral point; or the middle of the base.
     pub pivot: (f64, f64),
     /// To the right, in units of the drawing.
     pub shift: f64,
@@ -39,7 +39,7 @@ const LABEL: f64 = 14.5;
 const SIDE: f64 = 84.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 78.0;
-/// How far k' is drawn: a force farther off is drawn there.
+/// Range in which k' is drawn: a force farther off is drawn at its ends.
 const LOWEST: f64 = -1.3;
 const HIGHEST: f64 = 1.9;
 
@@ -92,7 +92,8 @@ struct Sketch {
     verdict: GroundVerdict,
     /// Nothing where the base cannot carry the body.
     motion: Motion,
-    /// Where a base that crushes bears with its strength, and the neutral point of a body that turns; in B, right of the centre.
+    /// Part of the base that bears with its strength as it crushes, and the neutral point of a body that turns; in B,
+    /// right of the centre.
     pressed: Option<Span>,
     neutral: Option<f64>,
     k: f64,
@@ -155,7 +156,7 @@ impl Sketch {
     }
 
     fn pose(&self) -> Pose {
-        /// How far a corner slides and the body turns, at most; and how far its crest goes sideways.
+        /// Largest slide of a corner and rotation of the body; and largest way of its crest to the side.
         const SLIDE: f64 = 26.0;
         const TURN: f64 = 0.16;
         const SWAY: f64 = 40.0;
@@ -246,7 +247,7 @@ impl Sketch {
         label(scene, "$F$", (tail.0 - self.towards * 11.0, tip.1), MARK);
     }
 
-    /// Where a base that crushes bears, and the neutral point.
+    /// Draws the part of a crushing base that bears, and the neutral point.
     fn bearing(&self, scene: &mut Scene) {
         const BAND: f64 = 6.0;
         if let Some(Span { from, to }) = self.pressed {

@@ -1,4 +1,4 @@
-//! Where does a label go? On free paper, near what it names, never on another label.
+//! Places of labels: on free paper, near what they name, never on another label.
 //!
 //! A [`Board`] knows what is drawn: arcs, straight lines and boxes. Curves are monotone, so whether a box touches one
 //! takes two evaluations; a few thousand candidate places cost well under a millisecond.
@@ -26,7 +26,7 @@ impl Leader {
     }
 }
 
-/// Whether a leader may cross lines: to a region's inside it must.
+/// Treatment of lines by a leader: to a region's inside it must cross them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Lines {
     Cross,
@@ -72,7 +72,7 @@ impl Board {
         self.boxes.push(rect);
     }
 
-    /// Whether a rectangle lies in the plot, `margin` away from all boxes.
+    /// True if a rectangle lies in the plot, `margin` away from all boxes.
     fn off_boxes(&self, rect: &Rect, margin: f64) -> bool {
         let grown = rect.grown(margin);
         let Rect { x0, .. } = self.frame.area;
@@ -82,7 +82,7 @@ impl Board {
             && !self.boxes.iter().any(|other| other.overlaps(&grown))
     }
 
-    /// Whether a rectangle is `margin` away from all lines.
+    /// True if a rectangle is `margin` away from all lines.
     pub(crate) fn off_lines(&self, rect: &Rect, margin: f64) -> bool {
         let Rect { x0, y0, x1, y1 } = rect.grown(margin);
         let (k0, k1, high, low) = (self.frame.k(x0), self.frame.k(x1), self.frame.mu(y0), self.frame.mu(y1));
@@ -92,12 +92,12 @@ impl Board {
         !self.arcs.iter().any(on_arc) && !self.verticals.iter().any(on_vertical)
     }
 
-    /// Whether a rectangle lies in the plot, `margin` away from all boxes and lines.
+    /// True if a rectangle lies in the plot, `margin` away from all boxes and lines.
     pub(crate) fn clear(&self, rect: &Rect, margin: f64) -> bool {
         self.off_boxes(rect, margin) && self.off_lines(rect, margin)
     }
 
-    /// Whether a region's name in a rectangle reads apart from the letters of points.
+    /// True if a region's name in a rectangle reads apart from the letters of points.
     fn off_letters(&self, rect: &Rect) -> bool {
         const APART: (f64, f64) = (22.0, 9.0);
         let wide = Rect {
@@ -178,7 +178,7 @@ impl Board {
         (x_moment / area, y_moment / area)
     }
 
-    /// Whether a rectangle on the page lies in a region.
+    /// True if a rectangle on the page lies in a region.
     fn holds(&self, pieces: &[Piece], rect: &Rect) -> bool {
         /// A gap between pieces that is none, as a share of the window.
         const SEAM: f64 = 1e-6;
@@ -202,7 +202,7 @@ impl Board {
         reached + SEAM * self.frame.window.width() >= k1
     }
 
-    /// Whether a corner, the middle of an edge, or the centre of a rectangle on the page lies in a region.
+    /// True if a corner, the middle of an edge, or the centre of a rectangle on the page lies in a region.
     pub(crate) fn touches(&self, pieces: &[Piece], rect: &Rect) -> bool {
         let (x, y) = rect.centre();
         let points = [rect.x0, x, rect.x1].into_iter().flat_map(|x| [rect.y0, y, rect.y1].map(|y| (x, y)));

@@ -118,7 +118,7 @@ impl Figure {
         &self.svg
     }
 
-    /// What the figure shows, in a line of plain characters: `Fig. 3.11 All modes, case 3, …`.
+    /// Title of the figure, in a line of plain characters: `Fig. 3.11 All modes, case 3, …`.
     pub fn title(&self) -> &str {
         &self.title
     }
@@ -149,7 +149,7 @@ pub struct DesignPoint {
     pub mu: f64,
     /// Its name; may be empty.
     pub label: String,
-    /// Whether its force points right: the diagram is that of the mirror image, and the caption names the mode of the
+    /// True if its force points right: the diagram is that of the mirror image, and the caption names the mode of the
     /// real body.
     pub mirrored: bool,
 }
@@ -164,7 +164,7 @@ fn is_drawable(&(k, mu): &(f64, f64)) -> bool {
     (0.0..f64::INFINITY).contains(&k) && (0.0..f64::INFINITY).contains(&mu)
 }
 
-/// What a diagram shows beside the regions of the modes.
+/// Content of a diagram beside the regions of the modes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DiagramContent<'a> {
     /// The largest k and μ; see [`DiagramContent::window_of`].
@@ -227,7 +227,7 @@ pub fn diagram_with(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
 /// [`Situation::path`](standfast::Situation::path), which are cut there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadPlane<'a> {
-    /// Which mode holds where.
+    /// Regions of the modes.
     pub regions: &'a [Region],
     /// The largest load factor; above zero.
     pub up_to: f64,
@@ -235,7 +235,7 @@ pub struct LoadPlane<'a> {
     pub friction: f64,
     /// The modes along the load path.
     pub stages: &'a [Stage],
-    /// What is loaded, in a line; not markup.
+    /// Title, the body under load, in a line; not markup.
     pub title: &'a str,
 }
 
@@ -266,15 +266,15 @@ pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
 /// The plane of load factor and friction where the base gives way, and the way of a rising load through it.
 #[derive(Debug, Clone, Copy)]
 pub struct GroundLoadMap<'a> {
-    /// What begins where.
+    /// Plane of the verdicts.
     pub plane: &'a GroundLoadPlane,
     /// The regions on rigid ground up to the same load factor, whose boundaries are drawn in grey behind.
     pub rigid: &'a [Region],
     /// The body's friction to stick: the load path runs along it.
     pub friction: f64,
-    /// What begins along the load path; cut where the plane ends.
+    /// Stages of the load path; cut where the plane ends.
     pub stages: &'a [GroundStage],
-    /// What is loaded, in a line; not markup.
+    /// Title, the body under load, in a line; not markup.
     pub title: &'a str,
 }
 
@@ -309,7 +309,7 @@ pub fn ground_load_lines(map: &GroundLoadMap<'_>) -> Vec<(LoadEdge, outlines::Po
     plane::ground_lines(map)
 }
 
-/// The same as [`load_plane`] for a screen, with a plot `across` units wide and colours as custom properties of CSS.
+/// Figure of [`load_plane`] for a screen, with a plot `across` units wide and colours as custom properties of CSS.
 pub fn load_plane_on_screen(plane: &LoadPlane<'_>, across: f64) -> Figure {
     plane::figure_on_screen(plane, across)
 }

@@ -8,7 +8,7 @@ use standfast::Mode::{
 use standfast::initiation::{ChartCase, PointName};
 use standfast::region::Curve;
 
-use crate::sheet::At::{A, BPrime, D, E, Far, Zero};
+use crate::sheet::Abscissa::{A, BPrime, D, E, Far, Zero};
 use crate::sheet::Line::{
     Asymptote, Diagonal, Lower, MuStar, MuStarRising, MuStarStar, Upper, VerticalA, VerticalE,
 };
@@ -190,7 +190,7 @@ pub(crate) fn window(diagram: &Diagram, points: &[(f64, f64)]) -> View {
     {
         mu = mu.max(1.15 * limit);
     }
-    // Where rising lines bound the regions, see them rise across the picture, but not A squeezed into a corner.
+    // See rising lines that bound the regions rise across the picture, but not A squeezed into a corner.
     let rises = |curve: Curve| curve.at(k).min(3.0 * base);
     match chart.case() {
         ChartCase::DeltaPositive | ChartCase::DeltaNotPositive => {

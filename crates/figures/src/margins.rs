@@ -68,7 +68,7 @@ pub(crate) fn under_k_axis(scene: &mut Scene, frame: &Frame, full: Vec<Tab>, sho
     (bottom, is_full)
 }
 
-/// Whether labels beside the μ axis would stand so close that fractions among them read as one.
+/// True if labels beside the μ axis would stand so close that fractions among them read as one.
 pub(crate) fn is_crowded(tabs: &[Tab]) -> bool {
     const APART: f64 = 9.0;
     let overlap = |one: &Tab, other: &Tab| {
@@ -136,7 +136,7 @@ pub(crate) fn above(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<
     Some(())
 }
 
-/// What is written at the arrowheads and at the origin, in markup; nothing where empty.
+/// Labels at the arrowheads and at the origin, in markup; nothing where empty.
 pub(crate) struct Axes {
     pub right: &'static str,
     pub up: &'static str,
@@ -145,7 +145,7 @@ pub(crate) struct Axes {
 
 /// The axes of the k–μ plane, as the report names them.
 pub(crate) const PLANE: Axes = Axes { right: "$k$", up: "$μ$", origin: "$O$" };
-/// The same with numbers, from the origin or from elsewhere.
+/// Axes with numbers, from the origin or from elsewhere.
 pub(crate) const NUMBERED: Axes = Axes { origin: "$0$", ..PLANE };
 pub(crate) const AWAY_FROM_ORIGIN: Axes = Axes { origin: "", ..PLANE };
 
@@ -166,7 +166,7 @@ pub(crate) fn axes(scene: &mut Scene, frame: &Frame, names: &Axes) {
     scene.text_in(&origin, &rect, INK);
 }
 
-/// What stands along an axis that is drawn by another tool.
+/// Numbers along an axis that is drawn by another tool.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisNumbers {
     /// Round numbers, rising, each with its text as markup.

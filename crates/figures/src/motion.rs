@@ -1,7 +1,7 @@
-//! What became of a body in time: histories under the band of its states, its positions side by side, and the motion itself as a
+//! Figures of a motion: histories under the band of its states, its positions side by side, and the motion itself as a
 //! picture that moves.
 //!
-//! What is drawn is given by numbers, at as many moments as the caller finds fit; the figures leave out what the page cannot show.
+//! Motions are given by numbers, at as many moments as the caller finds fit; the figures leave out what is not seen.
 
 mod animation;
 mod histories;
@@ -24,9 +24,9 @@ pub use spectra::{SpectrumAxis, SpectrumLines, SpectrumMap, spectrum_lines, spec
 /// A motion to be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionPicture<'a> {
-    /// What moves, in a line; not markup.
+    /// Title, the moving body, in a line; not markup.
     pub title: &'a str,
-    /// What became of it, in sentences; not markup.
+    /// Caption, its response, in sentences; not markup.
     pub caption: &'a str,
     /// The body.
     pub outline: MotionOutline,
@@ -36,9 +36,9 @@ pub struct MotionPicture<'a> {
     pub time_unit: &'a str,
     /// The unit of lengths: `m`, or nothing.
     pub length_unit: &'a str,
-    /// When each state begins, in order.
+    /// Beginning of each state, in order.
     pub states: &'a [(f64, Mode)],
-    /// What acts, each over the time.
+    /// Loads, each over the time.
     pub loads: &'a [MotionLoad<'a>],
     /// Slide over the time.
     pub slide: &'a [(f64, f64)],
@@ -51,7 +51,7 @@ pub struct MotionPicture<'a> {
 /// A load over the time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionLoad<'a> {
-    /// What it is, in markup.
+    /// Name of the load, in markup.
     pub name: &'a str,
     /// Its values; two at one moment where it jumps.
     pub points: &'a [(f64, f64)],
@@ -70,7 +70,7 @@ pub struct MotionOutline {
     pub height: f64,
 }
 
-/// Where the body is at a moment.
+/// Pose of the body at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionPose {
     /// The moment.
@@ -96,7 +96,7 @@ impl MotionOutline {
             .map(|(x, y)| (pose.x + x * cos - y * sin, pose.y + x * sin + y * cos))
     }
 
-    /// Where it stands if nothing has happened to it.
+    /// Pose of the body standing where nothing has happened to it.
     fn standing(&self) -> MotionPose {
         MotionPose { t: 0.0, x: 0.0, y: self.d, theta: 0.0, slide: 0.0, mode: Mode::Rest }
     }
@@ -112,7 +112,7 @@ fn extent<'a>(outline: &MotionOutline, poses: impl Iterator<Item = &'a MotionPos
     all
 }
 
-/// Which state takes most of each of `count` equal parts of the time, as stretches (first part, part after the last, state).
+/// State that takes most of each of `count` equal parts of the time, as stretches (first part, part after last, state).
 fn bands(states: &[(f64, Mode)], end: f64, count: usize) -> Vec<(usize, usize, Mode)> {
     let mut found: Vec<(usize, usize, Mode)> = Vec::new();
     let mut first = 0;

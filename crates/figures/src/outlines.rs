@@ -1,4 +1,4 @@
-//! What does a diagram show, as coordinates of the k–μ plane? For those who draw it with a tool of their own.
+//! Content of a diagram as coordinates of the k–μ plane, for those who draw it with a tool of their own.
 //!
 //! The content, the window and the colours are those of [`diagram_with`](crate::diagram_with); curves become polylines that
 //! stay within a two-thousandth of the window's height of the exact ones.
@@ -42,7 +42,7 @@ pub struct Outlines {
 /// The region of a mode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
-    /// What the body does there: a mode, or BF on ground that fails.
+    /// Verdict there: a mode, or BF on ground that fails.
     pub verdict: GroundVerdict,
     /// Its symbol as markup.
     pub symbol: &'static str,
@@ -75,7 +75,7 @@ pub struct OutlinedLine {
     pub formula: &'static str,
     /// A shorter name as markup, for where the equation does not fit; empty if it has none.
     pub short: &'static str,
-    /// Whether it bounds nothing and is drawn dashed.
+    /// True if it bounds nothing and is drawn dashed.
     pub dashed: bool,
     /// Its parts in the window.
     pub parts: Vec<Polyline>,
@@ -183,7 +183,7 @@ pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
     }
 }
 
-/// What a line is called in plain characters.
+/// Name of a line in plain characters.
 fn name(line: Line, elevation: f64) -> &'static str {
     match line {
         Line::Diagonal => "OA",

@@ -10,7 +10,7 @@ use standfast::ground::GroundVerdict;
 pub(crate) const INK: &str = "#16202b";
 /// Drop lines, leaders and hatching.
 pub(crate) const FAINT: &str = "#5d6873";
-/// What stands behind for comparison.
+/// Colour of lines behind, for comparison.
 pub(crate) const BEHIND: &str = "#7d8791";
 /// Design points.
 pub(crate) const MARK: &str = "#a3123f";

@@ -1,4 +1,4 @@
-//! How does a figure become a PDF whose text can be searched and copied?
+//! Figures as PDFs whose text can be searched and copied.
 //!
 //! Its letters are outlines, as in the SVG, so that it looks the same. Over them each label is written once more in
 //! characters, stretched to the label's box and invisible (text rendering mode 3), as scanned pages carry their words.

@@ -1,4 +1,4 @@
-//! Where on the page does a point of the k–μ plane lie, and which part of a region or curve is seen?
+//! Places of the k–μ plane on the page, and the parts of regions and curves that are seen.
 //!
 //! Regions and curves are clipped by their own formulas: a curve is monotone between its poles, so it leaves the
 //! window where it takes the smallest or the largest μ, and nothing is sampled. Hyperbolas become cubic Béziers
@@ -31,7 +31,7 @@ impl View {
         self.k_min == 0.0 && self.mu_min == 0.0
     }
 
-    /// Whether a point of the plane is in it.
+    /// True if a point of the plane is in it.
     pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
         (self.k_min..=self.k_max).contains(&k) && (self.mu_min..=self.mu_max).contains(&mu)
     }
@@ -74,7 +74,7 @@ impl Frame {
         self.window.mu_min + (self.area.y1 - y) / (self.area.y1 - self.area.y0) * self.window.height()
     }
 
-    /// Whether a point of the plane is in the window.
+    /// True if a point of the plane is in the window.
     pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
         self.window.shows(k, mu)
     }

@@ -4,7 +4,7 @@ use resvg::{tiny_skia, usvg};
 
 use crate::Figure;
 
-/// Why a figure could not be rendered.
+/// Reason why a figure could not be rendered.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
     /// The scale is not above zero, or the picture would have more than 20 000 pixels along a side.

@@ -34,11 +34,11 @@ const HIDDEN: f64 = 0.22;
 pub struct RotationCurve<'a> {
     /// The base and the weight on it.
     pub base: ElasticBase,
-    /// Where the weight acts, above the base, m.
+    /// Height of the weight above the base, m.
     pub height: f64,
     /// The moment of the full load about the middle of the base, N·m per metre run; its sign is not drawn.
     pub moment: f64,
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
 }
 
@@ -179,7 +179,7 @@ impl Draft<'_> {
         Ok(Numbers::of(&frame.window, PLOT.0, PLOT.1).draw(&mut canvas.scene, &frame))
     }
 
-    /// What a base that does not give, and one of its strength alone, bear.
+    /// Moments that a base bears that does not give, and one of its strength alone, as multiples of P B.
     fn limits(&self) -> Vec<f64> {
         let omega = self.given.base.omega();
         if omega > 0.0 { vec![1.0, 1.0 - omega] } else { vec![1.0] }
@@ -213,7 +213,7 @@ impl Draft<'_> {
         self.names(canvas, panel)
     }
 
-    /// What the pieces and the lines are called.
+    /// Places the names of the pieces and the lines.
     fn names(&self, canvas: &mut Canvas, panel: &Panel) -> Result<(), InputError> {
         let base = &self.given.base;
         let frame = canvas.board.frame;

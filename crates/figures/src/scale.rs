@@ -1,4 +1,4 @@
-//! Which round numbers stand along an axis, and how are they written?
+//! Round numbers along an axis, and their decimals.
 //!
 //! Steps are 1, 2 or 5 times a power of ten. All numbers of an axis have the same decimals, so that they tell apart
 //! what the step tells apart; zero is `0`.
@@ -47,7 +47,7 @@ impl Scale {
         ticks.filter(|(count, _)| count % i64::from(parts) != 0).map(|(_, place)| place).collect()
     }
 
-    /// How many parts of a step, and the value, of all multiples of that part on the axis.
+    /// Multiples of a part of a step on the axis: the number of parts, and the value.
     fn multiples(&self, parts: u8) -> Vec<(i64, f64)> {
         let part = self.step() / f64::from(parts);
         let (first, last) = ((self.from / part - 1e-9).ceil(), (self.to / part + 1e-9).floor());

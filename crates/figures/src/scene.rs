@@ -1,4 +1,4 @@
-//! How does a drawing become SVG? Paths, rules and glyphs in drawing order, coordinates in pixels, y down.
+//! Drawings as SVG: paths, rules and glyphs in drawing order, coordinates in pixels, y down.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -26,12 +26,12 @@ impl Rect {
         Rect { x0: x - width / 2.0, y0: y - height / 2.0, x1: x + width / 2.0, y1: y + height / 2.0 }
     }
 
-    /// Whether the two share inner points.
+    /// True if the two share inner points.
     pub fn overlaps(&self, other: &Rect) -> bool {
         self.x0 < other.x1 && other.x0 < self.x1 && self.y0 < other.y1 && other.y0 < self.y1
     }
 
-    /// Whether `other` lies inside.
+    /// True if `other` lies inside.
     pub fn contains(&self, other: &Rect) -> bool {
         self.x0 <= other.x0 && other.x1 <= self.x1 && self.y0 <= other.y0 && other.y1 <= self.y1
     }
@@ -56,7 +56,7 @@ pub struct Label {
     pub rect: Rect,
 }
 
-/// How a line is drawn.
+/// Stroke of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pen {
     pub colour: &'static str,
@@ -130,7 +130,7 @@ impl Path {
 /// A drawing: the body of an SVG, the outlines it uses and the labels it carries.
 #[derive(Debug, Default)]
 pub(crate) struct Scene {
-    /// Whether colours are custom properties, for a page to set, or fixed.
+    /// True if colours are custom properties, for a page to set; false if they are fixed.
     themed: bool,
     body: String,
     used: BTreeSet<(Face, char)>,

@@ -26,12 +26,12 @@ pub struct Axis {
     pub from: f64,
     /// At the right or upper end.
     pub to: f64,
-    /// Whether equal steps are equal factors.
+    /// True if equal steps are equal factors.
     pub logarithmic: bool,
 }
 
 impl Axis {
-    /// How far along the axis a value lies: 0 at its beginning, 1 at its end.
+    /// Position of a value along the axis: 0 at its beginning, 1 at its end.
     pub fn share(&self, value: f64) -> f64 {
         let Axis { from, to, logarithmic } = *self;
         if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
@@ -58,7 +58,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Where a pair of values lies in the drawing.
+    /// Place of a pair of values in the drawing.
     pub fn place(&self, across: f64, up: f64) -> (f64, f64) {
         let Rect { x0, y0, x1, y1 } = self.plot;
         (x0 + self.across.share(across) * (x1 - x0), y1 - self.up.share(up) * (y1 - y0))
@@ -123,7 +123,7 @@ impl View {
         })
     }
 
-    /// Whether the view is neither empty nor so small or far out that its ticks could not be told apart.
+    /// True if the view is neither empty nor so small or far out that its ticks could not be told apart.
     pub fn is_drawable(&self) -> bool {
         let sensible = |least: f64, greatest: f64| {
             least >= 0.0 && greatest < 1e9 && greatest - least > 1e-9 && greatest - least > 1e-3 * greatest
@@ -146,7 +146,7 @@ const BOTTOM: f64 = 44.0;
 /// The map of all modes, or a chart of the report, in a window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Map<'a> {
-    /// What is shown; the indeterminate set N is hatched.
+    /// Diagram that is shown; the indeterminate set N is hatched.
     pub diagram: &'a Diagram,
     /// A chart of the report to be shown instead, if the body is that of its drawing.
     pub figure: Option<FigureId>,
@@ -156,7 +156,7 @@ pub struct Map<'a> {
     pub size: (f64, f64),
 }
 
-/// What a map is drawn with.
+/// Content of a map.
 struct Content {
     sheet: &'static Sheet,
     heading: String,
@@ -170,7 +170,7 @@ impl Map<'_> {
         self.draw(Scene::themed(), None)
     }
 
-    /// The same picture for paper: colours are fixed, and the design point is marked.
+    /// Picture for paper: colours are fixed, and the design point is marked.
     pub fn on_paper(&self, point: &DesignPoint) -> Figure {
         self.draw(Scene::default(), Some(point)).figure
     }

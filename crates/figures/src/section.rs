@@ -1,4 +1,4 @@
-//! What stands where, and what presses on it: a section of the case to scale, for a checker who holds it against the drawing.
+//! Section of the case to scale, with all that presses on it, for a checker who holds it against the drawing.
 //!
 //! ```text
 //!   levels │ height │ pressures, forces │ ┌────────┐ │ forces, pressures │ levels
@@ -28,18 +28,18 @@ use paint::Painter;
 pub struct Outline {
     /// Its corners, in order.
     pub vertices: Vec<(f64, f64)>,
-    /// What it is of.
+    /// Material of the part.
     pub material: Material,
-    /// What it is called; may be empty.
+    /// Name of the part; may be empty.
     pub label: String,
 }
 
-/// What a part of the body is of.
+/// Material of a part of the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Material {
-    /// What holds itself.
+    /// Solid that holds itself.
     Solid,
-    /// What is held, or takes up water: sand, stone.
+    /// Fill that is held, or takes up water: sand, stone.
     Fill,
     /// Nothing: an empty space.
     Cavity,
@@ -63,33 +63,33 @@ pub struct Level {
     pub elevation: f64,
     /// Name and value.
     pub label: String,
-    /// Whether water stands up to it on that side.
+    /// True if water stands up to it on that side.
     pub is_water: bool,
 }
 
 /// A pressure along a face, linear from point to point and nothing outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pressed {
-    /// Where: positions on the sides are heights above the base, on base and top distances to the right of O.
+    /// Face; positions on the sides are heights above the base, on base and top distances to the right of O.
     pub face: Face,
     /// Position (m), pressure (Pa, above zero where it pushes), and how the pressure is written.
     pub points: Vec<(f64, f64, String)>,
-    /// What it is and amounts to, for the legend.
+    /// Name and amount, for the legend.
     pub words: String,
 }
 
 /// A force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrow {
-    /// Where it acts, m from mid-width and above the base.
+    /// Point of application, m from mid-width and above the base.
     pub at: (f64, f64),
-    /// Where it points: a unit vector along an axis, to the right and upwards.
+    /// Direction: a unit vector along an axis, to the right and upwards.
     pub towards: (f64, f64),
-    /// Whether it acts on the mass and is drawn within the body, rather than on a face.
+    /// True if it acts on the mass and is drawn within the body, rather than on a face.
     pub is_inside: bool,
     /// Its size as it is written.
     pub label: String,
-    /// What it is and amounts to, for the legend.
+    /// Name and amount, for the legend.
     pub words: String,
 }
 
@@ -109,14 +109,14 @@ pub struct Mound {
     pub bed: f64,
     /// The top of the berm's armour.
     pub berm: f64,
-    /// How far the berm reaches from the wall, m.
+    /// Width of the berm from the wall, m.
     pub berm_width: f64,
 }
 
 /// The reaction of the base, and what of the base bears it; m from mid-width.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BaseReaction {
-    /// Where it acts.
+    /// Point of application.
     pub at: f64,
     /// The ends of what bears it; the same twice where that is an edge.
     pub pressed: (f64, f64),
@@ -126,10 +126,10 @@ pub struct BaseReaction {
     pub label: String,
 }
 
-/// What is drawn.
+/// Content of a section.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
     /// The body.
     pub parts: &'a [Outline],
@@ -147,9 +147,9 @@ pub struct Section<'a> {
     pub widths: Vec<Vec<Measure>>,
     /// Heights, column by column.
     pub heights: Vec<Vec<Measure>>,
-    /// What the body stands on; a floor if none.
+    /// Mound that the body stands on; a floor if none.
     pub mound: Option<Mound>,
-    /// Where the base bears.
+    /// Reaction of the base.
     pub reaction: Option<BaseReaction>,
     /// Sentences below the legend; not markup.
     pub notes: Vec<String>,
@@ -182,7 +182,7 @@ pub struct Section<'a> {
 /// assert_eq!(figure.title(), "Section: Block");
 /// ```
 pub fn section(given: &Section<'_>) -> Figure {
-    // What reaches across the page is drawn when it is known how large the page is.
+    // Items that reach across the page are drawn when it is known how large the page is.
     let measured = Painter::new(given, (0.0, 0.0), None).paint();
     let page = measured.extent.grown(MARGIN);
     let size = ((page.x1 - page.x0).ceil(), (page.y1 - page.y0).ceil());
@@ -224,7 +224,7 @@ fn description(given: &Section<'_>) -> String {
 }
 
 /// The drawing under way: the scene, how far it reaches, and where the names of levels begin at the left and the right.
-struct Drawn {
+struct Painting {
     scene: Scene,
     extent: Rect,
     names: (f64, f64),

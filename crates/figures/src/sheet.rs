@@ -1,5 +1,5 @@
-//! What does a chart show? A [`Sheet`] says which regions are shaded, which lines are drawn and how, and what is
-//! named; the geometry comes from the library's [`Chart`].
+//! Content of a chart. A [`Sheet`] says which regions are shaded, which lines are drawn and how, and what is named; the
+//! geometry comes from the library's [`Chart`].
 
 use standfast::Mode;
 use standfast::initiation::{Chart, ChartCase, PointName};
@@ -24,9 +24,9 @@ pub(crate) struct Sheet {
     pub formulas: &'static [Line],
     /// Areas that carry a remark of their own.
     pub notes: &'static [Note],
-    /// Whether regions carry the symbol of their mode, or the words of a picture with one region.
+    /// Names of regions: the symbol of their mode, or the words of a picture with one region.
     pub naming: Naming,
-    /// Whether the lens between A and B′ is shown magnified.
+    /// True if the lens between A and B′ is shown magnified.
     pub lens: bool,
 }
 
@@ -46,7 +46,7 @@ impl Sheet {
     };
 }
 
-/// What a region is called.
+/// Names of regions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Naming {
     Symbols,
@@ -62,7 +62,7 @@ pub(crate) enum Part {
     LeftOfE(Mode),
     /// Its part right of E.
     RightOfE(Mode),
-    /// What the conditions of a mode also cover but the report gives to another; hatched.
+    /// Part that the conditions of a mode also cover but the report gives to another; hatched.
     Unresolved(Mode),
 }
 
@@ -72,7 +72,7 @@ pub(crate) struct Note {
     pub markup: &'static str,
     pub lower: Line,
     pub upper: Line,
-    pub from: At,
+    pub from: Abscissa,
 }
 
 /// A line of the report's charts.
@@ -101,7 +101,7 @@ pub(crate) enum Line {
 
 /// An abscissa.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum At {
+pub(crate) enum Abscissa {
     Zero,
     A,
     BPrime,
@@ -113,7 +113,7 @@ pub(crate) enum At {
     Far,
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Style {
     /// A boundary.
@@ -128,13 +128,13 @@ pub(crate) enum Style {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Trace {
     pub line: Line,
-    pub from: At,
-    pub to: At,
+    pub from: Abscissa,
+    pub to: Abscissa,
     pub style: Style,
 }
 
 /// Short for the tables.
-pub(crate) const fn trace(line: Line, from: At, to: At, style: Style) -> Trace {
+pub(crate) const fn trace(line: Line, from: Abscissa, to: Abscissa, style: Style) -> Trace {
     Trace { line, from, to, style }
 }
 
@@ -146,7 +146,7 @@ pub(crate) enum Mark {
     Asymptote,
     /// μ* at k = 0.
     Start,
-    /// Where AB of chapter IV meets the axis.
+    /// Point at which AB of chapter IV meets the axis.
     Foot,
 }
 
@@ -217,18 +217,18 @@ impl Line {
     }
 }
 
-impl At {
+impl Abscissa {
     /// Its k; infinite if the chart does not have it.
     pub(crate) fn k(self, chart: &Chart) -> f64 {
         match self {
-            At::Zero => 0.0,
-            At::A => chart.k_a(),
-            At::BPrime => chart.k_b_prime(),
-            At::D => chart.k_d(),
-            At::E => chart.k_e(),
-            At::F => chart.point(PointName::F).map_or(f64::INFINITY, |point| point.k),
-            At::Pole => chart.mu_star_star().pole().filter(|&k| k > 0.0).unwrap_or(f64::INFINITY),
-            At::Far => f64::INFINITY,
+            Abscissa::Zero => 0.0,
+            Abscissa::A => chart.k_a(),
+            Abscissa::BPrime => chart.k_b_prime(),
+            Abscissa::D => chart.k_d(),
+            Abscissa::E => chart.k_e(),
+            Abscissa::F => chart.point(PointName::F).map_or(f64::INFINITY, |point| point.k),
+            Abscissa::Pole => chart.mu_star_star().pole().filter(|&k| k > 0.0).unwrap_or(f64::INFINITY),
+            Abscissa::Far => f64::INFINITY,
         }
     }
 }

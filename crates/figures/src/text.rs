@@ -1,4 +1,4 @@
-//! How is a line of text and mathematics set? A small markup becomes a measured box of glyphs and rules.
+//! Lines of text and mathematics. A small markup becomes a measured box of glyphs and rules.
 //!
 //! | markup | result |
 //! |---|---|
@@ -44,15 +44,15 @@ pub(crate) struct Text {
     pub descent: f64,
     pub runs: Vec<Run>,
     pub bars: Vec<Bar>,
-    /// The same in plain characters.
+    /// Text in plain characters.
     pub plain: String,
-    /// Whether fractions take a solidus instead of a bar, to keep the lines of a paragraph apart.
+    /// True if fractions take a solidus instead of a bar, to keep the lines of a paragraph apart.
     inline: bool,
 }
 
-/// What came before, which decides the space that follows.
+/// Kind of the item before, which decides the space that follows.
 #[derive(Clone, Copy, PartialEq)]
-enum Before {
+enum Neighbour {
     Nothing,
     Ordinary,
     Operator,
@@ -130,7 +130,7 @@ impl Text {
 
     /// Appends mathematics; `spaced` is false in sub- and superscripts.
     fn mathematics(&mut self, source: &str, size: f64, drop: f64, spaced: bool) {
-        let mut before = Before::Nothing;
+        let mut before = Neighbour::Nothing;
         let mut previous = None;
         let mut in_bars = false;
         let mut rest = source;
@@ -154,11 +154,11 @@ impl Text {
                     self.mathematics(argument, 0.72 * size, drop + shift * size, false);
                     self.plain.truncate(plain);
                     rest = after;
-                    before = Before::Ordinary;
+                    before = Neighbour::Ordinary;
                 }
                 '\\' => {
                     rest = self.command(tail, size, drop);
-                    before = Before::Ordinary;
+                    before = Neighbour::Ordinary;
                 }
                 ' ' => rest = tail,
                 '|' => {
@@ -176,23 +176,30 @@ impl Text {
     }
 
     /// A bar of an absolute value, kept off its neighbours by thin spaces, or |k′| would read as letters.
-    fn bar(&mut self, opens: bool, before: Before, size: f64, drop: f64) -> Before {
+    fn bar(&mut self, opens: bool, before: Neighbour, size: f64, drop: f64) -> Neighbour {
         const THIN: f64 = 0.07;
-        let behind_letter = !opens || before == Before::Ordinary;
+        let behind_letter = !opens || before == Neighbour::Ordinary;
         self.width += if behind_letter { THIN * size } else { 0.0 };
         self.plain.push('|');
         self.glyph(Face::Upright, '|', size, drop);
         self.width += THIN * size;
-        if opens { Before::Nothing } else { Before::Ordinary }
+        if opens { Neighbour::Nothing } else { Neighbour::Ordinary }
     }
 
-    fn character(&mut self, character: char, before: Before, size: f64, drop: f64, spaced: bool) -> Before {
+    fn character(
+        &mut self,
+        character: char,
+        before: Neighbour,
+        size: f64,
+        drop: f64,
+        spaced: bool,
+    ) -> Neighbour {
         let face = if character.is_alphabetic() && character != 'Δ' { Face::Italic } else { Face::Upright };
         let (space, after) = match character {
-            '=' | '<' | '>' | '≤' | '≥' => (0.26, Before::Operator),
-            '+' | '−' | '×' if before == Before::Ordinary => (0.16, Before::Operator),
-            '(' | '/' | ',' | '+' | '−' => (0.0, Before::Nothing),
-            _ => (0.0, Before::Ordinary),
+            '=' | '<' | '>' | '≤' | '≥' => (0.26, Neighbour::Operator),
+            '+' | '−' | '×' if before == Neighbour::Ordinary => (0.16, Neighbour::Operator),
+            '(' | '/' | ',' | '+' | '−' => (0.0, Neighbour::Nothing),
+            _ => (0.0, Neighbour::Ordinary),
         };
         let space = if spaced { space * size } else { 0.0 };
         self.width += space;

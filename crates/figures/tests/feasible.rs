@@ -37,7 +37,7 @@ fn texts(figure: &Figure) -> Vec<&str> {
     figure.labels().iter().map(|label| label.text.as_str()).collect()
 }
 
-/// Where on the page the boundary's lines run: the numbers of the strokes of their width.
+/// Lines of the boundary on the page: the numbers of the strokes of their width.
 fn strokes(figure: &Figure) -> Vec<Vec<f64>> {
     let lines = figure.svg().lines().filter(|line| line.contains("stroke-width=\"1.5\""));
     let numbers = |line: &str| {

@@ -1,4 +1,4 @@
-//! What a figure is beside its drawing: words, names, colours.
+//! Words, names and colours of figures.
 
 use standfast::Diagram;
 use standfast::diagram::Window;
@@ -41,8 +41,8 @@ fn the_regions_of_a_picture_have_the_colours_of_their_modes() {
     }
 }
 
-/// What the specification of the figures wants to read in each chart: letters of points and line ends, values on the
-/// axes, formulas and names. What finds no room in the chart stands in its caption.
+/// Text that the specification of the figures wants to read in each chart: letters of points and line ends, values on
+/// the axes, formulas and names. What finds no room in the chart stands in its caption.
 const WANTED: [(&str, &[&str]); 26] = [
     ("2.1", &["C", "O", "O′", "F", "h = k′H", "2B", "2H", "x", "y", "θ", "ξ", "f_x", "f_y"]),
     ("3.1", &["A", "B", "O", "Rest", "μ = k", "k_A", "μ_A"]),

@@ -96,7 +96,7 @@ fn assert_filled(shown: &Outlines, of: &str) {
     assert!((filled / window - 1.0).abs() < 1e-6, "{of}: {filled} of {window}");
 }
 
-/// Whether a point lies in a polygon, by counting what a ray crosses.
+/// True if a point lies in a polygon, by counting what a ray crosses.
 fn is_inside(polygon: &Polyline, (k, mu): (f64, f64)) -> bool {
     let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
     let crossed = edges

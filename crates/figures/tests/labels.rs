@@ -184,7 +184,7 @@ fn number(text: &str) -> f64 {
     text.parse().expect("a number")
 }
 
-/// Where the axes meet: the k axis is the longest level line of their weight.
+/// Origin of the axes: the k axis is the longest level line of their weight.
 fn origin(figure: &Figure) -> (f64, f64) {
     let axis = figure.svg().lines().find(|line| line.contains("stroke-width=\"1.1\"")).expect("an axis");
     let start = axis.split_once("d=\"M").expect("a path").1.split_once('L').expect("a line").0;

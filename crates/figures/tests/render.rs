@@ -1,4 +1,4 @@
-//! What a figure is beside its drawing: well-formed SVG, PNG, PDF, and the same bytes every time.
+//! Files of figures: well-formed SVG, PNG, PDF, and the same bytes every time.
 
 use std::process::Command;
 

@@ -141,7 +141,7 @@ fn no_label_lies_on_another_whatever_is_drawn() {
     assert!(labels > 30_000, "{labels}");
 }
 
-/// What the figure writes of widths and heights are the lengths on the page.
+/// Widths and heights that the figure writes are the lengths on the page.
 #[test]
 fn lengths_are_to_one_scale() {
     let parts = [block(4.0, 8.0)];
@@ -183,7 +183,7 @@ fn parts_are_named_where_there_is_room() {
     assert_tidy(&figure, "parts");
 }
 
-/// What lies beyond the page is not silently drawn elsewhere, and does not make the page grow.
+/// Items beyond the page are not silently drawn elsewhere, and do not make the page grow.
 #[test]
 fn what_is_drawn_nearer_is_said_to_be() {
     let parts = [block(10.0, 8.0)];

@@ -1,5 +1,5 @@
-//! How long motions under a record of 4000 points take, as ratios in one run: to the time that reading the record takes, and to the
-//! time stepping of the tests.
+//! Time of motions under a record of 4000 points, as ratios in one run: to the time that reading the record takes, and
+//! to the time stepping of the tests.
 //!
 //! `cargo bench -p standfast-motion --bench ratios`
 

@@ -1,4 +1,4 @@
-//! Which states can go on from a moment: those whose conditions hold just after it.
+//! States that can go on from a moment: those whose conditions hold just after it.
 //!
 //! A condition that holds with equality at the moment is decided by the first of its derivatives that is not zero, along the motion of
 //! the state in question.
@@ -15,10 +15,10 @@ use crate::series::{Motion, Pose, Series, flat, flying, gap_along, rocking, slip
 /// The order of the series that decide: derivatives up to the third of a force.
 pub(crate) const DECIDING: usize = 5;
 
-/// What is exactly zero at the moment because a condition has just failed, whatever rounding makes of it.
+/// Quantity that is exactly zero at the moment because a condition has just failed, whatever rounding makes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Zero {
-    /// What friction leaves against slip in this direction.
+    /// Friction's margin against slip in this direction.
     Friction(Slip),
     /// The reaction's distance from this corner.
     Reach(Corner),
@@ -27,12 +27,12 @@ pub(crate) enum Zero {
 }
 
 impl Zero {
-    /// Whether the slip of a state begins with no acceleration.
+    /// True if the slip of a state begins with no acceleration.
     pub(crate) fn of_slip(zero: Option<Zero>, block: &Block, slip: Option<Slip>) -> bool {
         block.mu_s == block.mu_k && slip.is_some_and(|slip| zero == Some(Zero::Friction(slip)))
     }
 
-    /// Whether the rotation of a state begins with no acceleration: it went on without one before.
+    /// True if the rotation of a state begins with no acceleration: it went on without one before.
     pub(crate) fn of_turn(zero: Option<Zero>, mode: Mode, failed: Option<Mode>) -> bool {
         let same = match failed {
             Some(Mode::Rest) => mode.slip().is_none(),
@@ -43,17 +43,17 @@ impl Zero {
     }
 }
 
-/// What is known of the contact at the moment.
+/// State of the contact at the moment.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Contact {
-    /// Which corners touch and do not move up: O, O'. Both: θ = θ̇ = 0.
+    /// Corners that touch and do not move up: O, O'. Both: θ = θ̇ = 0.
     pub closed: [bool; 2],
     /// The direction in which they slip; `None` if u_x = 0.
     pub slip: Option<Slip>,
     /// The state that has just failed, and what is zero for that.
     pub failed: Option<Mode>,
     pub zero: Option<Zero>,
-    /// Whether a load jumps: then a body at rest begins as the contact problem says.
+    /// True if a load jumps: then a body at rest begins as the contact problem says.
     pub jump: bool,
 }
 
@@ -210,7 +210,7 @@ impl Decider<'_> {
         modes.iter().min_by_key(rank)
     }
 
-    /// Whether a state satisfies its conditions just after the moment.
+    /// True if a state satisfies its conditions just after the moment.
     fn holds(&self, mode: Mode) -> bool {
         let (block, scales, n) = (self.block, &self.scales, DECIDING);
         let mut motion = Motion::EMPTY;

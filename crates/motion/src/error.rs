@@ -1,11 +1,11 @@
-//! What is wrong with a problem.
+//! Faults of a problem.
 
 use standfast::loads::LoadId;
 use standfast::number::exact;
 use standfast::{HistoryError, InputError};
 use thiserror::Error;
 
-/// Why a motion cannot be followed.
+/// Reason why a motion cannot be followed.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MotionError {
@@ -22,7 +22,7 @@ pub enum MotionError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What it has to be.
+        /// Range of values allowed.
         expected: &'static str,
     },
     /// A base that no ground shakes like.

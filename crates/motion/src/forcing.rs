@@ -4,7 +4,7 @@ use crate::problem::Problem;
 use crate::series::{LEN, Series};
 use standfast::history::{History, Piece};
 
-/// Where a share of a history goes: X, P or M; fixed, times cosθ or times sinθ.
+/// Share of a history in X, P or M; fixed, times cosθ or times sinθ.
 #[derive(Debug, Clone, Copy)]
 struct Share {
     history: usize,
@@ -17,7 +17,7 @@ struct Share {
 pub(crate) struct Forcing {
     /// Moments after 0 at which a piece ends and another begins.
     pub breaks: Vec<f64>,
-    /// Whether something jumps there.
+    /// True at the breaks where something jumps.
     pub jumps: Vec<bool>,
     /// Of each history, the pieces between the breaks, one more than there are breaks.
     pieces: Vec<Vec<Local>>,
@@ -40,7 +40,7 @@ enum Local {
 pub(crate) struct Channels {
     pub series: [[Series; 3]; 3],
     pub turn: bool,
-    /// Whether nothing is a sine.
+    /// True if nothing is a sine.
     linear: bool,
     /// The fastest sine.
     pub fastest: f64,
@@ -56,7 +56,7 @@ impl Channels {
         if self.turn { n } else { self.degree_flat(n) }
     }
 
-    /// The same for a body that does not turn.
+    /// Highest power of a wrench that acts on a body that does not turn.
     #[inline]
     pub(crate) fn degree_flat(&self, n: usize) -> usize {
         if self.linear { 1 } else { n }
@@ -134,13 +134,13 @@ impl Forcing {
         self.breaks.last().copied().unwrap_or(0.0)
     }
 
-    /// Where a piece between breaks begins.
+    /// Beginning of a piece between breaks.
     #[inline]
     pub(crate) fn start(&self, segment: usize) -> f64 {
         if segment == 0 { 0.0 } else { self.breaks[segment - 1] }
     }
 
-    /// Where it ends; infinite for the last.
+    /// End of a piece between breaks; infinite for the last.
     #[inline]
     pub(crate) fn stop(&self, segment: usize) -> f64 {
         self.breaks.get(segment).copied().unwrap_or(f64::INFINITY)

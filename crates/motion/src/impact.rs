@@ -10,15 +10,15 @@ use crate::series::{Pose, lever, velocity};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct After {
     pub pose: Pose,
-    /// Which corners stay on the base: O, O'.
+    /// Corners that stay on the base: O, O'.
     pub closed: [bool; 2],
     /// The direction of slip of those; `None` if they stick.
     pub slip: Option<Slip>,
-    /// Whether another solution satisfied all conditions too.
+    /// True if another solution satisfied all conditions too.
     pub others: bool,
-    /// Whether the impulse acts within the base.
+    /// True if the impulse acts within the base.
     pub on_base: bool,
-    /// Whether a measured ratio was more than the energy allows.
+    /// True if a measured ratio was more than the energy allows.
     pub reduced: bool,
 }
 
@@ -200,7 +200,7 @@ impl Law {
         let u = vx + h * ω;
         let slip = if sticks { None } else { Some(if u < 0.0 { Slip::Left } else { Slip::Right }) };
         let closed = if ω == 0.0 { [true, true] } else { CORNERS.map(|other| other == corner) };
-        // Where the impulse acts: its moment about C is that of Λ_n at ξ and Λ_t at the base.
+        // Λ_n acts at ξ and Λ_t at the base: their moment about C gives ξ.
         let at = rho2 * (ω - pose.ω) - h * tangential;
         let slack = 1e-12 * normal * block.b1.max(block.b2);
         let on_base = (-block.b1 * normal - slack..=block.b2 * normal + slack).contains(&at);

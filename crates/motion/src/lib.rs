@@ -51,8 +51,8 @@ pub use problem::{Acting, Base, Impact, Initial, Load, Problem};
 pub use situated::{is_own_weight, shaken_water};
 pub use standfast::history::{History, HistoryError, Piece};
 
-/// How much slide, in B, and the largest |θ| change with friction and the height of C: the larger of their changes over a relative change
-/// of 1e-7 of μ_s, μ_k and d.
+/// Sensitivity of the slide, in B, and of the largest |θ| to friction and the height of C: the larger of their changes
+/// over a relative change of 1e-7 of μ_s, μ_k and d.
 ///
 /// # Errors
 /// As [`simulate`].

@@ -30,7 +30,7 @@ const EDGE: f64 = 1e-6;
 /// The share of a radian, of B, that a step may leave.
 const TOLERANCE: f64 = 1e-16;
 
-/// What ends a step before its time.
+/// Event that ends a step before its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Failure {
     Rest(Option<Zero>),
@@ -43,7 +43,7 @@ enum Failure {
     Overturned,
 }
 
-/// What to keep beside the result.
+/// Parts of a motion kept beside the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Keep {
     /// The steps, from which the position at any moment follows.
@@ -64,7 +64,7 @@ pub fn simulate(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
     }
 }
 
-/// The same by the machine that knows all states.
+/// Follows the motion by the machine that knows all states.
 fn in_general(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
     let forcing = Forcing::new(problem);
     let mut machine = Machine::new(problem, &forcing, keep);
@@ -80,23 +80,23 @@ struct Machine<'a> {
     scales: Scales,
     t_max: f64,
     keep: Keep,
-    /// Whether D can vanish at any pose.
+    /// True if D can vanish at any pose.
     singular: bool,
 
     t: f64,
     segment: usize,
     mode: Mode,
     pose: Pose,
-    /// Whether the corner's slip is zero at this moment, up to rounding: a state of slip begins.
+    /// True if the corner's slip is zero at this moment, up to rounding: a state of slip begins.
     slip_begins: bool,
-    /// What else is zero at this moment, and the state that failed.
+    /// Condition that is zero at this moment beside it, and the state that failed.
     begins: (Option<Zero>, Option<Mode>),
     channels: Channels,
     motion: Motion,
 
     events: Vec<Event>,
     steps: Vec<Step>,
-    /// Where C and each corner right of it were at the beginning, apart, so that a small slide keeps its digits.
+    /// Places of C and of each corner right of it at the beginning, apart, so that a small slide keeps its digits.
     feet: [[f64; 2]; 2],
     max_slide: [f64; 2],
     max_theta: [f64; 2],
@@ -414,7 +414,7 @@ impl<'a> Machine<'a> {
         })
     }
 
-    /// How far the corner that touches, O if none or both do, is along the base from where it was.
+    /// Displacement along the base of the corner that touches, of O if none or both do.
     fn slide(&self) -> f64 {
         let corner = self.mode.corner().unwrap_or(Corner::O);
         let [x, c] = self.feet[corner as usize];
@@ -429,7 +429,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// Which way, if at all.
+/// Direction of a slip, `None` if it is within rounding of zero.
 fn direction(along: f64, tiny: f64) -> Option<Slip> {
     match along {
         u if u > tiny => Some(Slip::Right),

@@ -1,4 +1,4 @@
-//! What became of the body.
+//! Outcome of a motion.
 
 use standfast::contact::Block;
 use standfast::{Corner, Mode, Modes};
@@ -7,7 +7,7 @@ use crate::problem::Initial;
 use crate::roots::value;
 use crate::series::{Series, lever};
 
-/// Why a state of motion ended and another began.
+/// Reason why a state of motion ended and another began.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Why {
     /// The motion begins.
@@ -85,9 +85,9 @@ impl Why {
 /// A moment at which the state changes, or the motion ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// When.
+    /// Time.
     pub t: f64,
-    /// Why.
+    /// Reason for the change of state.
     pub why: Why,
     /// The state that goes on.
     pub state: Mode,
@@ -95,7 +95,7 @@ pub struct Event {
     pub consistent: Modes,
 }
 
-/// How the motion ended.
+/// End of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum End {
     /// At rest, and nothing later moves it.
@@ -110,35 +110,35 @@ pub enum End {
     TooManyEvents,
 }
 
-/// What became of the body, in the units of the problem.
+/// Outcome of a motion, in the units of the problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Outcome {
-    /// How it ended.
+    /// End of the motion.
     pub end: End,
-    /// What happened, in its order.
+    /// Changes of state, in the order of time.
     pub events: Vec<Event>,
     /// Displacement along the base of the corner that touches at the end, of O if none does.
     pub slide: f64,
     /// The largest |displacement| on the way of the corner that touches, of O where none does.
     pub max_slide: f64,
-    /// When.
+    /// Time of the largest |displacement|.
     pub t_max_slide: f64,
     /// The largest |θ|.
     pub max_theta: f64,
-    /// When.
+    /// Time of the largest |θ|.
     pub t_max_theta: f64,
     /// θ at the end.
     pub theta: f64,
-    /// Where the body is at the end, and how it moves.
+    /// Pose and rates of the body at the end.
     pub last: Initial,
-    /// Whether the centre of mass went beyond the corner it turned about, whatever became of it.
+    /// True if the centre of mass went beyond the corner it turned about, even if the body came back.
     pub past_balance: bool,
-    /// How many times a corner met the base; of an infinite sequence those that were followed one by one.
+    /// Number of times that a corner met the base; of an infinite sequence those that were followed one by one.
     pub impacts: usize,
     /// Since when it rests for good.
     pub t_rest: Option<f64>,
-    /// Whether `t_rest` is a lower bound only: slower motion than can be followed was left.
+    /// True if `t_rest` is a lower bound only: slower motion than can be followed was left.
     pub t_rest_is_bound: bool,
     /// The last event, or the end of the loads if that is later.
     pub t_final: f64,
@@ -152,9 +152,9 @@ pub struct Outcome {
     pub kinetic: f64,
     /// g times what the centre of mass rose.
     pub potential: f64,
-    /// Whether at every event one state only satisfied all conditions, and one impact.
+    /// True if at every event one state only satisfied all conditions, and one impact.
     pub unique: bool,
-    /// Whether the impulse of a measured `ratio` acted outside the base.
+    /// True if the impulse of a measured `ratio` acted outside the base.
     pub impulse_left_base: bool,
     /// Impacts at which a measured `ratio` would have given energy to a body that slips; there it is the largest that does not.
     pub reduced_impacts: usize,
@@ -165,17 +165,17 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether it overturned.
+    /// True if the body overturned.
     pub fn overturned(&self) -> bool {
         self.end == End::Overturned
     }
 
-    /// Whether it rests at the end.
+    /// True if the body rests at the end.
     pub fn at_rest(&self) -> bool {
         self.events.last().is_some_and(|event| event.state == Mode::Rest)
     }
 
-    /// What the balance of energy lacks: kinetic + potential + losses − work.
+    /// Residual of the balance of energy: kinetic + potential + losses − work.
     pub fn energy_residual(&self) -> f64 {
         self.kinetic + self.potential + self.friction_loss + self.impact_loss - self.work
     }
@@ -204,7 +204,7 @@ impl Outcome {
     }
 }
 
-/// Where the body is at a moment.
+/// Pose and rates of the body at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Position {
     /// The moment.
@@ -226,9 +226,9 @@ pub struct Position {
 /// A stretch of time over which the motion is a power series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
-    /// When it begins.
+    /// Beginning of the step.
     pub t: f64,
-    /// How long it is.
+    /// Duration of the step.
     pub duration: f64,
     /// The state.
     pub state: Mode,

@@ -5,7 +5,7 @@ use standfast::contact::Block;
 use crate::error::MotionError;
 use standfast::history::History;
 
-/// What happens when a corner meets the base.
+/// Law of the impact of a corner on the base.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Impact {
     /// No rebound at any closed corner, Coulomb friction on the impulses.
@@ -20,11 +20,11 @@ pub enum Impact {
 /// A force with a history, at a point of the body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
-    /// Where it acts from C, at θ = 0, fixed in the body.
+    /// Point of application from C, at θ = 0, fixed in the body.
     pub at: [f64; 2],
     /// Its direction; its length is a factor.
     pub direction: [f64; 2],
-    /// Whether its direction turns with the body.
+    /// True if its direction turns with the body.
     pub follows: bool,
     /// Force in units of mass times acceleration.
     pub history: History,
@@ -54,7 +54,7 @@ impl Base {
     }
 }
 
-/// How the motion begins.
+/// Pose and rates at the beginning of the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Initial {
     /// θ, counter-clockwise, rad.
@@ -84,9 +84,9 @@ pub struct Problem {
     pub base: Base,
     /// The law of impacts.
     pub impact: Impact,
-    /// How it begins.
+    /// Pose and rates at the beginning.
     pub initial: Initial,
-    /// When to stop; `None`: 200 √(R/g) after the end of the loads.
+    /// Time to stop at; `None`: 200 √(R/g) after the end of the loads.
     pub t_max: Option<f64>,
 }
 
@@ -167,7 +167,7 @@ impl Problem {
     }
 }
 
-/// What acts on the body while it stands upright, at a moment.
+/// Loads on the body while it stands upright, at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Acting {
     /// The moment; twice where something jumps.
@@ -179,7 +179,8 @@ pub struct Acting {
 }
 
 impl Problem {
-    /// What acts from 0 to `end`: at every moment at which something changes its law, before and after it, and at `count` even steps.
+    /// Loads from 0 to `end`: at every moment at which something changes its law, before and after it, and at `count`
+    /// even steps.
     pub fn acting(&self, end: f64, count: usize) -> Vec<Acting> {
         let base = [&self.base.horizontal, &self.base.vertical];
         let histories = self.loads.iter().map(|load| &load.history).chain(base.into_iter().flatten());

@@ -63,7 +63,7 @@ impl RecordUnit {
         }
     }
 
-    /// Whether it is one of a force per metre run.
+    /// True if the unit is one of a force per metre run.
     pub fn is_per_metre(self) -> bool {
         matches!(
             self,
@@ -71,7 +71,7 @@ impl RecordUnit {
         )
     }
 
-    /// Whether it is one of acceleration.
+    /// True if the unit is one of acceleration.
     pub fn is_acceleration(self) -> bool {
         matches!(
             self,
@@ -83,7 +83,7 @@ impl RecordUnit {
 /// A recorded history.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// When, s.
+    /// Times, s.
     pub times: Vec<f64>,
     /// Values in their unit.
     pub values: Vec<f64>,
@@ -91,7 +91,7 @@ pub struct Record {
     pub unit: RecordUnit,
 }
 
-/// What is wrong with a record file.
+/// Fault of a record file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{file}{}: {problem}", Line(*line))]
 pub struct RecordError {
@@ -99,7 +99,7 @@ pub struct RecordError {
     pub file: String,
     /// The line, from 1; `None` for the whole.
     pub line: Option<usize>,
-    /// What.
+    /// Fault found there.
     pub problem: RecordProblem,
 }
 
@@ -111,7 +111,7 @@ impl fmt::Display for Line {
     }
 }
 
-/// What is wrong in a line of a record, or with all of it.
+/// Fault of a line of a record, or of all of it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordProblem {
@@ -140,9 +140,9 @@ pub enum RecordProblem {
     /// A header that is not understood.
     #[error("\"{found}\" is not understood; expected {expected}")]
     Header {
-        /// What stands there.
+        /// Text found.
         found: String,
-        /// What should.
+        /// Text expected.
         expected: &'static str,
     },
     /// A unit that is missing or unknown.
@@ -225,7 +225,7 @@ fn too_many(are: bool) -> &'static str {
     if are { ", as the header has, and numbers with a decimal point, not a comma" } else { "" }
 }
 
-/// What to subtract from a record of acceleration.
+/// Function subtracted from a record of acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Baseline {
     /// Its mean.
@@ -317,7 +317,7 @@ impl Record {
     }
 }
 
-type Found = Result<Record, (Option<usize>, RecordProblem)>;
+type ReadRecord = Result<Record, (Option<usize>, RecordProblem)>;
 
 fn number(word: &str, line: usize) -> Result<f64, (Option<usize>, RecordProblem)> {
     let found: f64 = word.parse().map_err(|_| {
@@ -353,7 +353,7 @@ fn evenly(dt: f64, values: Vec<f64>, unit: RecordUnit) -> Record {
 }
 
 /// PEER's AT2: four lines, of which the third has the unit and the fourth count and step, in either of two forms.
-fn at2(lines: &[&str]) -> Found {
+fn at2(lines: &[&str]) -> ReadRecord {
     let third = lines[2].to_uppercase();
     let named = third.split("UNITS OF").nth(1).unwrap_or("").trim();
     let unit = match named.trim_end_matches('.').trim() {
@@ -395,7 +395,7 @@ fn at2(lines: &[&str]) -> Found {
 }
 
 /// The SMC format of the USGS: 11 lines of text, 6 of integers, 10 of reals, comments, then values of ten columns each, in cm/s².
-fn smc(lines: &[&str]) -> Found {
+fn smc(lines: &[&str]) -> ReadRecord {
     let fields = |range: std::ops::Range<usize>, width: usize| {
         let mut all = Vec::new();
         for i in range {
@@ -439,7 +439,7 @@ fn cells(line: &str, width: usize) -> impl Iterator<Item = &str> {
     ends.filter_map(move |start| line.get(start..(start + width).min(line.len())))
 }
 
-/// What stands in the cells of a CSV.
+/// Columns of a CSV: their names, and the places of the times and the values.
 struct Columns<'a> {
     names: Vec<&'a str>,
     time: Option<usize>,
@@ -518,7 +518,7 @@ impl Cutter {
     }
 }
 
-fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> Found {
+fn csv(lines: &[&str], column: Option<&str>, dt: Option<f64>) -> ReadRecord {
     // Lines that are empty or comments do not count; the first of the others is the header.
     let mut rows = lines
         .iter()
@@ -551,7 +551,7 @@ fn values<'a>(
     columns: &Columns<'_>,
     mut cutter: Cutter,
     dt: Option<f64>,
-) -> Found {
+) -> ReadRecord {
     let expected = columns.names.len();
     let (mut times, mut values): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     for (line, row) in rows {

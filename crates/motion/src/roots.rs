@@ -57,7 +57,7 @@ pub(crate) fn first_root(powers: &[f64], h: f64) -> Option<f64> {
     if least > 0.0 { None } else { search(powers, h) }
 }
 
-/// The same, where the cheap bound could not tell.
+/// Searches for the first root, where the cheap bound could not tell.
 #[cold]
 fn search(powers: &[f64], h: f64) -> Option<f64> {
     let last = powers.iter().rposition(|a| *a != 0.0)?;
@@ -99,7 +99,7 @@ fn isolate(powers: &[f64], bernstein: &[f64], from: f64, to: f64, depth: u32) ->
             right[i] = 0.5 * (right[i] + right[i + 1]);
         }
     }
-    // What is left in `right` are the right half's coefficients, in their order.
+    // Coefficients left in `right` are the right half's, in their order.
     let middle = 0.5 * (from + to);
     isolate(powers, &left[..=last], from, middle, depth + 1)
         .or_else(|| isolate(powers, &right[..=last], middle, to, depth + 1))

@@ -1,4 +1,4 @@
-//! What is the problem in time of a [`Situation`]? In SI units, lengths in metres, everything per mass of the body.
+//! The problem in time of a [`Situation`]: in SI units, lengths in metres, everything per mass of the body.
 //!
 //! Each load acts where it stands on the body: weight, forces and inertia keep their direction while the body turns, a pressure turns
 //! with its wall ([`Action::forces`](standfast::loads::Action::forces)). A permanent load is there all the time; a variable one goes
@@ -84,7 +84,7 @@ impl Problem {
     }
 }
 
-/// Whether a load is the weight that a problem has of itself.
+/// True if a load is the weight that a problem has of itself.
 pub fn is_own_weight(load: &StaticLoad) -> bool {
     load.source == LoadSource::Weight && load.factor == 1.0
 }

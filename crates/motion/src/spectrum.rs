@@ -9,20 +9,20 @@ use crate::outcome::{End, Outcome};
 use crate::problem::{Base, Impact, Load, Problem};
 use standfast::history::History;
 
-/// What became of a block of a rocking spectrum, or at a scale of the shaking.
+/// Response of a block of a rocking spectrum, or at a scale of the shaking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rocked {
     /// Largest |θ|.
     pub max_theta: f64,
-    /// The same over the angle of balance, of the side to which it is less.
+    /// Largest |θ| over the angle of balance, of the side to which that is less.
     pub of_balance: f64,
     /// Largest |displacement| of a touching corner.
     pub max_slide: f64,
-    /// Whether it overturned.
+    /// True if the body overturned.
     pub overturned: bool,
-    /// How many times a corner met the base.
+    /// Number of times that a corner met the base.
     pub impacts: usize,
-    /// How the motion ended.
+    /// End of the motion.
     pub end: End,
 }
 
@@ -69,7 +69,7 @@ impl RockingSpectrum {
         }
     }
 
-    /// What becomes of that block.
+    /// Response of the block of this radius and slenderness.
     ///
     /// # Errors
     /// If a number makes no block, or a measured ratio would give it energy.
@@ -81,7 +81,7 @@ impl RockingSpectrum {
     }
 }
 
-/// How far a block slides that can do nothing else, by what it takes to move it.
+/// Displacement of a block that can only slide, by the side to which it can.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slid {
     /// The way of a block that can slide to the left only, as on a slope that falls to the left.
@@ -116,7 +116,7 @@ impl NewmarkSpectrum {
         self.peak
     }
 
-    /// How far blocks slide that yield at this share of the peak.
+    /// Displacement of blocks that yield at this share of the peak.
     ///
     /// # Errors
     /// If the ratio is not above zero, or the shaking has no peak.
@@ -174,7 +174,7 @@ impl<'a> OverturningCurve<'a> {
         OverturningCurve { problem }
     }
 
-    /// What becomes of the body if the base's acceleration is multiplied by `scale`.
+    /// Response of the body if the base's acceleration is multiplied by `scale`.
     ///
     /// # Errors
     /// As [`simulate`].

@@ -7,7 +7,7 @@ use standfast::Mode;
 use standfast::contact::Block;
 use standfast_motion::{End, History, Initial, Keep, Load, Outcome, Position, Problem, simulate};
 
-/// What rounding and the end of a series may take from a length or an angle near one.
+/// Largest loss by rounding and the end of a series, of a length or an angle near one.
 const NOTHING: f64 = 1e-11;
 
 fn followed(problem: &Problem) -> Outcome {
@@ -21,7 +21,7 @@ fn moments(outcome: &Outcome) -> Vec<f64> {
     even.chain(outcome.events.iter().flat_map(|event| [event.t - 1e-13, event.t])).collect()
 }
 
-/// Where the corner is that touches, O in flight and on both, worked out from the pose.
+/// Displacement of the corner that touches, of O in flight and on both, worked out from the pose.
 fn foot(block: &Block, at: &Position) -> f64 {
     let r = if at.state.corner() == Some(standfast::Corner::OPrime) { block.b2 } else { -block.b1 };
     at.x + r * at.theta.cos() + block.d * at.theta.sin() - r

@@ -1,4 +1,4 @@
-//! What must hold for every motion, on random ones.
+//! Properties of every motion, on random ones.
 
 mod common;
 

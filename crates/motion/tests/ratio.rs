@@ -70,9 +70,9 @@ fn a_ratio_that_would_gain_is_the_root_of_the_energy() {
     assert!(reduced > 50 && kept > 300, "{reduced} {kept}");
 }
 
-/// Where the impulse acts right of C at the first impact of a body that rocked about a corner b_old to its other side without slip, with
-/// θ̇ = −1 before it, towards the corner b_new: Λ_n = m_y(b_new r + b_old), and Λ_t = −m_x d(1 − r) where friction suffices, −μΛ_n where it
-/// does not; about C ξΛ_n = ρ²(1 − r) − dΛ_t.
+/// Place of the impulse right of C at the first impact of a body that rocked about a corner b_old to its other side
+/// without slip, with θ̇ = −1 before it, towards the corner b_new: Λ_n = m_y(b_new r + b_old), and Λ_t = −m_x d(1 − r)
+/// where friction suffices, −μΛ_n where it does not; about C ξΛ_n = ρ²(1 − r) − dΛ_t.
 fn place_of_impulse(block: &Block, [old, new]: [f64; 2], ratio: f64, friction: f64) -> f64 {
     let normal = block.m_y * (new * ratio + old);
     let along = (block.m_x * block.d * (1.0 - ratio)).min(friction * normal);
@@ -127,7 +127,7 @@ fn an_impulse_beside_the_base_is_told() {
             *(if expected { &mut beside } else { &mut within }) += 1;
             slipped += usize::from(place(ratio) < place_of_impulse(&block, corners, ratio, 20.0));
         }
-        // What the laws find themselves the base can give.
+        // The base can give whatever the laws find themselves.
         for law in [Impact::Inelastic, Impact::Housner] {
             assert!(!first_impact(block, law, friction, theta).impulse_left_base);
         }

@@ -11,7 +11,7 @@ use standfast_motion::{Base, History, Impact, Keep, Problem, simulate};
 /// driven by what the acceleration exceeds `yields` by.
 fn newmark(times: &[f64], values: &[f64], yields: f64) -> f64 {
     let (mut v, mut s) = (0.0_f64, 0.0_f64);
-    // What drives it over a stretch in which it has one sign.
+    // Driving acceleration over a stretch in which it has one sign.
     let mut over = |length: f64, a: f64, slope: f64| {
         let at = |x: f64| v + a * x + 0.5 * slope * x * x;
         let way = |x: f64| v * x + 0.5 * a * x * x + slope * x * x * x / 6.0;

@@ -1,4 +1,5 @@
-//! How long plain Monte Carlo takes beside drawing its numbers alone, and an integral beside as many digits of points: ratios of one run.
+//! Time of plain Monte Carlo beside drawing its numbers alone, and of an integral beside as many digits of points:
+//! ratios of one run.
 //!
 //!     cargo bench -p standfast-probability
 

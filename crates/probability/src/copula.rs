@@ -1,6 +1,6 @@
 //! Correlation of inputs by a normal copula: each input is a function of a standard normal z, and the z are correlated.
 //!
-//! What is known of two inputs may be the correlation of their z, of their ranks (Spearman), or of their values (Nataf, as
+//! Correlation of two inputs may be given of their z, of their ranks (Spearman), or of their values (Nataf, as
 //! described by Liu and Der Kiureghian, Probabilistic Engineering Mechanics 1, 1986):
 //!
 //! ```text
@@ -15,7 +15,7 @@ use crate::law::Distribution;
 use crate::legendre;
 use crate::normal;
 
-/// How a correlation is measured.
+/// Correlation of two inputs, by one of its measures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Measure {
     /// Of the standard normals behind the values.
@@ -34,7 +34,7 @@ impl Measure {
         }
     }
 
-    /// What it is a correlation of, in words.
+    /// Words for the quantities that are correlated.
     pub fn name(self) -> &'static str {
         match self {
             Measure::Normal(_) => "of the normals behind the values",
@@ -51,11 +51,11 @@ pub struct Correlation {
     pub first: usize,
     /// The other.
     pub second: usize,
-    /// How much.
+    /// Correlation and its measure.
     pub measure: Measure,
 }
 
-/// What is wrong with correlations.
+/// Fault of a set of correlations.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CopulaError {
@@ -66,7 +66,7 @@ pub enum CopulaError {
         first: usize,
         /// The other.
         second: usize,
-        /// How many inputs there are.
+        /// Number of inputs.
         inputs: usize,
     },
     /// A pair that is named twice.
@@ -92,7 +92,7 @@ pub enum CopulaError {
         from: f64,
         /// The largest that can be approached.
         to: f64,
-        /// Whether it is the other correlations that do not admit it, rather than the two laws.
+        /// True if the other correlations do not admit it, false if the two laws do not.
         beside_others: bool,
     },
     /// Correlations that contradict each other, and not by one of them alone.
@@ -161,7 +161,7 @@ impl Copula {
         self.matrix[first][second]
     }
 
-    /// How many inputs there are.
+    /// Number of inputs.
     #[allow(clippy::len_without_is_empty, reason = "a problem without inputs has no copula to ask")]
     pub fn len(&self) -> usize {
         self.matrix.len()
@@ -183,7 +183,7 @@ impl Copula {
         u
     }
 
-    /// Whether no input depends on another.
+    /// True if no input depends on another.
     pub fn is_independent(&self) -> bool {
         self.matrix
             .iter()
@@ -295,7 +295,7 @@ impl<'a> Pair<'a> {
         (self.measured(-1.0), self.measured(1.0))
     }
 
-    /// What is measured where the normals have this correlation.
+    /// Measured correlation of two inputs whose normals have the correlation `rho`.
     fn measured(&self, rho: f64) -> f64 {
         match self.measure {
             Measure::Normal(_) => rho,

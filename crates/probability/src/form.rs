@@ -29,11 +29,11 @@ pub struct DesignPoint {
     pub values: Vec<f64>,
     /// u/β: by how much each input's normal contributes, signed. Zeros if β is 0.
     pub alpha: Vec<f64>,
-    /// Whether the point lies where a formula changes: no one formula's gradient is α there.
+    /// True if a formula changes at the point: no one formula's gradient is α there.
     pub at_change: bool,
-    /// How many of the starts led here.
+    /// Number of starts that led here.
     pub agreeing: usize,
-    /// How many starts there were.
+    /// Number of starts.
     pub starts: usize,
 }
 
@@ -60,7 +60,7 @@ pub fn generalized(probability: f64) -> f64 {
     normal::quantile_above(probability)
 }
 
-/// How many starts are made at most, and how far out they lie.
+/// Largest number of starts, and their distance from the origin.
 const STARTS: usize = 8;
 const FAR: f64 = 8.0;
 /// Of so many points on each axis, and so many in all at most, the best are taken to start from.
@@ -84,7 +84,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
     let frame = Frame::new(inputs, outcomes);
     let mut search = Search { frame: &frame, which, scratch: frame.scratch() };
     let n = frame.dimensions();
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<Candidate> = Vec::new();
     let starts = if n == 0 { vec![Vec::new()] } else { search.starts(n) };
     for start in &starts {
         let Some((square, v)) = search.descend(start, &found) else { continue };
@@ -120,7 +120,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
 }
 
 /// The square of a point's distance, the point, and how many starts led there.
-type Found = (f64, Vec<f64>, usize);
+type Candidate = (f64, Vec<f64>, usize);
 
 struct Search<'f, 'a, O> {
     frame: &'f Frame<'a, O>,
@@ -167,7 +167,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
     }
 
     /// The least square that is found from a start, and where; no farther than to where another start has led.
-    fn descend(&mut self, start: &[f64], found: &[Found]) -> Option<(f64, Vec<f64>)> {
+    fn descend(&mut self, start: &[f64], found: &[Candidate]) -> Option<(f64, Vec<f64>)> {
         let mut best = (self.square(start), start.to_vec());
         let (mut size, mut agreed) = (0.5, 0);
         for round in 0..60 {
@@ -178,7 +178,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
                 best = next;
             }
             agreed = if little { agreed + 1 } else { 0 };
-            let met = |(square, v, _): &Found| {
+            let met = |(square, v, _): &Candidate| {
                 (best.0 - square).abs() <= MET * square
                     && distance(v, &best.1) <= BESIDE * (1.0 + square.sqrt())
             };
@@ -251,7 +251,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
         corners.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).expect("a simplex has corners")
     }
 
-    /// Whether the pattern of the pieces changes at a point.
+    /// True if the pattern of the pieces changes at a point.
     fn at_change(&mut self, v: &[f64]) -> bool {
         let here = self.frame.evaluate(v, &mut self.scratch);
         (0..v.len()).any(|i| {
@@ -264,7 +264,7 @@ impl<O: Outcomes> Search<'_, '_, O> {
     }
 }
 
-/// How far apart two points lie in standard normals.
+/// Distance of two points in standard normals.
 pub fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }

@@ -19,7 +19,7 @@ pub struct Integrated {
     pub probabilities: Vec<f64>,
     /// The error of each: by what the two rules of all panels differ.
     pub errors: Vec<f64>,
-    /// How often the pieces of a line were asked for.
+    /// Number of times that the pieces of a line were asked for.
     pub evaluations: u64,
 }
 
@@ -31,7 +31,7 @@ pub fn integrate<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64]) -> In
     Nest::of(&Frame::new(inputs, outcomes), sets, None)
 }
 
-/// The same if the input of this number is known to have its median.
+/// Probability of each set, as [`integrate`] has it, with the input of this number known to have its median.
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line and the known one.
@@ -42,7 +42,7 @@ pub fn integrate_known<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64],
 /// Inputs of which some are drawn anew each year, and the others once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Life {
-    /// How many years; they need be no whole number.
+    /// Length of the life in years, not necessarily a whole number.
     pub years: f64,
     /// Of each input, whether it is drawn yearly.
     pub yearly: Vec<bool>,
@@ -66,7 +66,7 @@ struct Nest<'f, 'a, O> {
     sets: &'f [u64],
     /// From which depth on a year is integrated, and how many years follow each other.
     life: Option<(usize, f64)>,
-    /// What is too little to look at, whatever the integral.
+    /// Probability below which a contribution is negligible, whatever the integral.
     negligible: f64,
     scratch: Scratch,
     point: Vec<f64>,
@@ -86,7 +86,7 @@ struct Panel {
     differs: Vec<f64>,
 }
 
-/// The same where probabilities below `floor` need not be precise.
+/// Probability of each set, as [`integrate`] has it, where those below `floor` need not be precise.
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line.
@@ -96,29 +96,30 @@ pub fn integrate_above<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64],
 
 /// Relative to an integral, by what the rules of one panel may differ. What the finer leaves is far less.
 const PRECISION: f64 = 1e-9;
-/// What is too little to look at, whatever the integral.
+/// Probability below which a contribution is negligible, whatever the integral.
 const NEGLIGIBLE: f64 = 1e-18;
 /// The share of it that may be left out beyond the ends of one integral, so that an answer of 1e-16 has its digits.
 const LEFT_OUT: f64 = 1e-10;
-/// How far the search for kinks goes from one u to the next, and where only their list is asked for.
+/// Steps in u of the search for kinks: of the outermost integral, and of those inside.
 const SCAN: f64 = 0.1875;
 const INNER_SCAN: f64 = 0.375;
 /// So many kinks within one step are none: rounding makes the pattern change from one value to the next, in the tails, where a boundary is the
 /// small difference of large terms. Halving has to do there, and has nothing to do.
 const CROWDED: usize = 8;
-/// How far out the list of kinks counts: beyond lies 2e-21.
+/// Distance in u up to which kinks are listed: beyond lies 2e-21.
 const LISTED: f64 = 9.375;
-/// How near a kink is found, and how near to tell what comes after it.
+/// Width to which a kink is found: to the last bit, and coarsely.
 const LAST_BIT: f64 = 2e-16;
 const COARSE: f64 = 1e-7;
-/// How much a probability may change over a kink found coarsely: beyond this it is a step, and found to the last bit.
+/// Largest change of a probability over a kink found coarsely: beyond this it is a step, and found to the last bit.
 const STEP: f64 = 1e-5;
-/// The same of a rare outcome, relative to its probability, and the share of the negligible that may be lost at it.
+/// Largest such change for a rare outcome, relative to its probability, and the share of the negligible that may be
+/// lost at it.
 const RARE_STEP: f64 = 1e-2;
 const UNSEEN: f64 = 1e-3;
 /// The widest panel to begin with.
 const WIDEST: f64 = 3.0;
-/// How often a panel may be halved.
+/// Largest number of halvings of a panel.
 const HALVINGS: u32 = 14;
 
 impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
@@ -167,7 +168,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         Sum { errors: vec![0.0; values.len()], values }
     }
 
-    /// How far out an integral has to go where the density is already this: what lies beyond is seen in no answer.
+    /// Distance to which an integral has to go where the density is already `weight`: the rest is seen in no answer.
     fn reach(&self, weight: f64) -> f64 {
         let beyond = LEFT_OUT * self.negligible / weight;
         if beyond >= 0.5 { 0.0 } else { normal::quantile_above(beyond).min(REACH) }
@@ -237,8 +238,8 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         Panel { sum, differs }
     }
 
-    /// Where the pattern changes along the normal with number `depth`, with the ends of its range. At a kink that is not quite met
-    /// nothing is lost but the square of what it is missed by; a step is found to the last bit.
+    /// Values at which the pattern changes along the normal with number `depth`, with the ends of its range. At a kink
+    /// that is not quite met nothing is lost but the square of what it is missed by; a step is found to the last bit.
     fn kinks(&mut self, depth: usize, weight: f64, reach: f64) -> Vec<f64> {
         let (mut ends, mut last) = (vec![-reach], self.pattern(depth, -reach));
         for (a, b) in steps(reach, SCAN) {
@@ -269,7 +270,7 @@ impl<'f, 'a, O: Outcomes> Nest<'f, 'a, O> {
         ends
     }
 
-    /// Whether probabilities differ between two values that are next to each other.
+    /// True if probabilities differ between two values that are next to each other.
     fn is_step(&mut self, depth: usize, weight: f64, a: f64, b: f64) -> bool {
         let [one, other] = [a, b].map(|u| {
             self.point[depth] = u;

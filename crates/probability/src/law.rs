@@ -33,7 +33,7 @@ impl Tails {
     }
 }
 
-/// What is wrong with a law.
+/// Fault of a law.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LawError {
@@ -46,7 +46,7 @@ pub enum LawError {
         parameter: &'static str,
         /// The value given.
         value: f64,
-        /// What would be allowed.
+        /// Range of values allowed.
         expected: &'static str,
     },
     /// Nothing of the law lies between the bounds.
@@ -80,9 +80,9 @@ const EULER: f64 = 0.577_215_664_901_532_9;
 type Checked = Result<Law, LawError>;
 
 /// A parameter that has to be a number, or a number above zero.
-struct Of(&'static str);
+struct LawName(&'static str);
 
-impl Of {
+impl LawName {
     fn number(&self, parameter: &'static str, value: f64) -> Result<(), LawError> {
         self.hold(parameter, value, value.is_finite(), "a number")
     }
@@ -108,7 +108,7 @@ impl Law {
     /// # Errors
     /// Unless `mean` is a number and `sd` one above zero.
     pub fn normal(mean: f64, sd: f64) -> Checked {
-        let of = Of("normal");
+        let of = LawName("normal");
         of.number("mean", mean)?;
         of.positive("sd", sd)?;
         Ok(Law(Kind::Normal { mean, sd }))
@@ -119,7 +119,7 @@ impl Law {
     /// # Errors
     /// Unless both are numbers above zero.
     pub fn lognormal(mean: f64, sd: f64) -> Checked {
-        let of = Of("lognormal");
+        let of = LawName("lognormal");
         of.positive("mean", mean)?;
         of.positive("sd", sd)?;
         let cov = sd / mean;
@@ -132,7 +132,7 @@ impl Law {
     /// # Errors
     /// Unless `mode` is a number and `scale` one above zero.
     pub fn gumbel(mode: f64, scale: f64) -> Checked {
-        let of = Of("gumbel");
+        let of = LawName("gumbel");
         of.number("mode", mode)?;
         of.positive("scale", scale)?;
         Ok(Law(Kind::Gumbel { mode, scale }))
@@ -143,7 +143,7 @@ impl Law {
     /// # Errors
     /// Unless `mean` is a number and `sd` one above zero.
     pub fn gumbel_of_mean(mean: f64, sd: f64) -> Checked {
-        let of = Of("gumbel");
+        let of = LawName("gumbel");
         of.number("mean", mean)?;
         of.positive("sd", sd)?;
         let scale = sd * 6f64.sqrt() / PI;
@@ -155,7 +155,7 @@ impl Law {
     /// # Errors
     /// Unless both periods are above one year, and the longer has the larger value.
     pub fn gumbel_of_returns(first: (f64, f64), second: (f64, f64)) -> Checked {
-        let of = Of("gumbel");
+        let of = LawName("gumbel");
         let reduced = |(years, value): (f64, f64)| {
             of.hold("years", years, years.is_finite() && years > 1.0, "a return period above 1 year")?;
             of.number("value", value)?;
@@ -173,7 +173,7 @@ impl Law {
     /// # Errors
     /// Unless `location` is a number, `scale` and `shape` are numbers above zero.
     pub fn weibull(scale: f64, shape: f64, location: f64) -> Checked {
-        let of = Of("weibull");
+        let of = LawName("weibull");
         of.positive("scale", scale)?;
         of.positive("shape", shape)?;
         of.number("location", location)?;
@@ -186,7 +186,7 @@ impl Law {
     /// # Errors
     /// Unless `location` and `shape` are numbers and `scale` one above zero.
     pub fn gev(location: f64, scale: f64, shape: f64) -> Checked {
-        let of = Of("gev");
+        let of = LawName("gev");
         of.number("location", location)?;
         of.positive("scale", scale)?;
         of.number("shape", shape)?;
@@ -202,7 +202,7 @@ impl Law {
     /// # Errors
     /// Unless `from` is below `to`.
     pub fn uniform(from: f64, to: f64) -> Checked {
-        let of = Of("uniform");
+        let of = LawName("uniform");
         of.number("from", from)?;
         of.number("to", to)?;
         of.hold("to", to, from < to, "a number above from")?;
@@ -214,7 +214,7 @@ impl Law {
     /// # Errors
     /// Unless `from` is below `to`, and `peak` is one of them or lies between.
     pub fn triangular(from: f64, peak: f64, to: f64) -> Checked {
-        let of = Of("triangular");
+        let of = LawName("triangular");
         of.number("from", from)?;
         of.number("to", to)?;
         of.hold("to", to, from < to, "a number above from")?;
@@ -227,7 +227,7 @@ impl Law {
     /// # Errors
     /// Unless `count` is at least 1.
     pub fn max_of(of: Distribution, count: f64) -> Checked {
-        Of("max_of").hold("count", count, count.is_finite() && count >= 1.0, "1 or more")?;
+        LawName("max_of").hold("count", count, count.is_finite() && count >= 1.0, "1 or more")?;
         Ok(Law(Kind::MaxOf { of: Box::new(of), count }))
     }
 
@@ -427,7 +427,7 @@ impl Distribution {
         self.bounds.map_or((from, to), |b| (b.lower.max(from), b.upper.min(to)))
     }
 
-    /// What truncation has cut away, of the law's probability 1.
+    /// Probability cut away by truncation, of the law's probability 1.
     pub fn cut(&self) -> f64 {
         self.bounds.map_or(0.0, |b| b.cut.below + b.cut.above)
     }
@@ -474,7 +474,7 @@ impl Distribution {
         }
     }
 
-    /// The same of each, in place.
+    /// Replaces each probability by its value, as [`value_of_chance`](Self::value_of_chance) gives it.
     pub fn values_of_chances(&self, chances: &mut [f64]) {
         if let (Kind::Normal { .. } | Kind::LogNormal { .. }, None) = (&self.law.0, self.bounds) {
             normal::quantiles(chances);

@@ -58,5 +58,5 @@ pub mod problem;
 pub mod sample;
 pub mod sums;
 
-/// How far out in standard normals is looked: beyond ±12 lies 4e-33.
+/// Largest distance looked at in standard normals: beyond ±12 lies 4e-33.
 pub(crate) const REACH: f64 = 12.0;

@@ -13,7 +13,7 @@ use crate::sample::{Averages, Effort, Sampled};
 
 /// The lives of one scramble that are taken first.
 const FIRST: u64 = 16;
-/// What is no dependence of the line on what is drawn yearly.
+/// Largest dependence of the line on a yearly input that counts as none.
 const NONE: f64 = 1e-12;
 
 /// The probability that each set of outcomes (a bit for each outcome) is met at least once in a life, for any number of inputs.
@@ -37,7 +37,7 @@ pub fn lives<O: Outcomes>(
     // What is drawn yearly depends on what is drawn once. If that is the line, it has to be drawn before.
     let line_first = !life.yearly[line] && frame.line_on()[once..others].iter().any(|on| on.abs() > NONE);
     let years = life.years as u64;
-    let drawn = Drawn { inputs, outcomes, sets, life, years };
+    let drawn = DrawnLives { inputs, outcomes, sets, life, years };
     // One coordinate at least: a life is no fixed number, even if nothing is drawn once.
     let dimensions = (once + usize::from(line_first)).max(1);
     let averages = Averages { dimensions, first: FIRST, cost: years, count: sets.len(), precise: sets.len() };
@@ -100,7 +100,7 @@ fn measure(intervals: &mut [(f64, f64)]) -> f64 {
 }
 
 /// Lives of which everything is drawn.
-struct Drawn<'a, O> {
+struct DrawnLives<'a, O> {
     inputs: &'a Inputs,
     outcomes: &'a O,
     sets: &'a [u64],
@@ -108,7 +108,7 @@ struct Drawn<'a, O> {
     years: u64,
 }
 
-impl<O: Outcomes> Drawn<'_, O> {
+impl<O: Outcomes> DrawnLives<'_, O> {
     fn worker(&self, seed: u64) -> impl FnMut(usize, u64, &[f64], &mut [f64]) {
         let mut values = Values::new(self.inputs, &self.life.yearly);
         move |scramble: usize, index: u64, coordinates: &[f64], sums: &mut [f64]| {

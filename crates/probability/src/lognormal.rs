@@ -1,12 +1,12 @@
-//! Which lognormal curve is nearest to probabilities at values?
+//! Fit of the lognormal curve nearest to probabilities at values.
 //!
 //! ```text
 //! P(x) = Φ(ln(x/median)/dispersion)
 //! ```
 //!
-//! Of counts, that which makes them likeliest: maximum likelihood, as J. W. Baker has it for analyses at several levels of a shaking
-//! (Efficient analytical fragility function fitting using dynamic structural analysis, Earthquake Spectra 31, 2015, 579–599, equation
-//! 11). A probability that is known is the share of hits in a count without end, and the same sum
+//! For counts, the curve that makes them likeliest: maximum likelihood, as J. W. Baker has it for analyses at several
+//! levels of a shaking (Efficient analytical fragility function fitting using dynamic structural analysis, Earthquake
+//! Spectra 31, 2015, 579–599, equation 11). A probability that is known is the share of hits in a count without end, and the same sum
 //!
 //! ```text
 //! Σ p ln P(x) + (1 − p) ln(1 − P(x))
@@ -21,7 +21,7 @@ use crate::normal;
 /// A lognormal curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lognormal {
-    /// Where it is a half.
+    /// Value of probability one half.
     pub median: f64,
     /// Its logarithmic standard deviation.
     pub dispersion: f64,

@@ -78,8 +78,8 @@ fn directions(coordinate: usize) -> [u64; 64] {
     v
 }
 
-/// How many bits are turned one by one. Points that agree in all of these come after 2³² others; what follows in them is turned
-/// at once.
+/// Number of bits turned one by one. Points that agree in all of these come after 2³² others; what follows in them is
+/// turned at once.
 const NESTED: u32 = 32;
 
 fn scrambled(bits: u64, key: u64) -> u64 {

@@ -1,4 +1,4 @@
-//! What a problem is: random inputs, and outcomes that are known along one of them.
+//! Problems: random inputs, and outcomes that are known along one of them.
 //!
 //! For given values of all inputs but one, each outcome holds on intervals of that one, its *line*. Then no sample of the line
 //! is needed, and no indicator is averaged: given the others, an outcome's probability is that of its intervals, a continuous
@@ -36,7 +36,7 @@ impl Inputs {
         &self.laws
     }
 
-    /// How the inputs are correlated.
+    /// Correlation of the inputs.
     pub fn copula(&self) -> &Copula {
         &self.copula
     }
@@ -133,9 +133,9 @@ pub(crate) fn mixed(a: u64, b: u64) -> u64 {
     (a.rotate_left(5) ^ b.wrapping_add(1)).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 
-/// What may come of random inputs.
+/// Outcomes of random inputs, known along one of them.
 pub trait Outcomes: Sync {
-    /// How many outcomes there are, at most 64.
+    /// Number of outcomes, at most 64.
     fn count(&self) -> usize;
 
     /// The number of the input along which the outcomes' boundaries are known.
@@ -144,7 +144,7 @@ pub trait Outcomes: Sync {
     /// The intervals of the line for these values of the inputs; that of the line itself is not to be read.
     fn along(&self, values: &[f64], pieces: &mut Pieces);
 
-    /// Whether the outcomes are quicker to find again for another value of this input alone.
+    /// True if the outcomes are quicker to find again for another value of this input alone.
     fn is_quick(&self, input: usize) -> bool {
         let _ = input;
         false
@@ -194,7 +194,7 @@ enum Held {
     Line,
 }
 
-/// What an evaluation works on.
+/// Working memory of an evaluation.
 pub(crate) struct Scratch {
     u: Vec<f64>,
     values: Vec<f64>,
@@ -221,12 +221,12 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         Frame::ordered(inputs, outcomes, None, |_| false)
     }
 
-    /// The same with inputs of which this holds after those of which it does not.
+    /// Orders the inputs for which `last` is true behind the others, the line last.
     pub(crate) fn last(inputs: &'a Inputs, outcomes: &'a O, last: impl Fn(usize) -> bool) -> Frame<'a, O> {
         Frame::ordered(inputs, outcomes, None, last)
     }
 
-    /// The same with one input at its median.
+    /// Holds one input at its median.
     pub(crate) fn holding(inputs: &'a Inputs, outcomes: &'a O, held: usize) -> Frame<'a, O> {
         Frame::ordered(inputs, outcomes, Some(held), |_| false)
     }

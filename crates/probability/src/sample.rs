@@ -15,12 +15,12 @@ use crate::normal;
 use crate::points::{Sobol, Stream};
 use crate::problem::{Frame, Inputs, Outcomes};
 
-/// When to stop, and what to begin from.
+/// Seed, precision and limits of a sampling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effort {
     /// The seed of all random numbers.
     pub seed: u64,
-    /// How wide half of an interval may be, relative to the probability.
+    /// Largest half-width of an interval, relative to the probability.
     pub precision: f64,
     /// Probabilities below this need not be precise.
     pub floor: f64,
@@ -42,9 +42,9 @@ impl Default for Effort {
 pub struct Sampled {
     /// Of each set of outcomes asked for.
     pub estimates: Vec<Estimate>,
-    /// How many points were taken.
+    /// Number of points taken.
     pub points: u64,
-    /// Whether every probability above the floor is as precise as asked.
+    /// True if every probability above the floor is as precise as asked.
     pub precise: bool,
     /// The estimates each time the points were doubled, the last those above, with their number of points.
     pub course: Vec<(u64, Vec<Estimate>)>,
@@ -58,7 +58,7 @@ impl Sampled {
     }
 }
 
-/// How many scrambles of the same sequence are taken: the spread of their means is the interval.
+/// Number of scrambles of one sequence: the spread of their means is the interval.
 pub const SCRAMBLES: usize = 32;
 /// The points of one scramble that are taken first.
 const FIRST: u64 = 256;
@@ -74,7 +74,8 @@ pub fn sobol<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &
     scrambles(&Frame::new(inputs, outcomes), sets, &[], effort)
 }
 
-/// The same with the input of this number held at its median; about the points given, as [`importance`] has them, if there are any.
+/// Probabilities with the input of this number held at its median; about the points given, as [`importance`] has them,
+/// if there are any.
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
@@ -91,9 +92,9 @@ pub fn sampled_known<O: Outcomes>(
     scrambles(&frame, sets, &about, effort)
 }
 
-/// The same points drawn where the outcomes are: nineteen twentieths as standard normals about the points given, the others about the
-/// origin, each weighed by what it is drawn too often. The points are independent normals in the order of the inputs, as
-/// [`DesignPoint::u`](crate::form::DesignPoint::u) has them.
+/// Probabilities from points drawn where the outcomes are: nineteen twentieths as standard normals about the points
+/// given, the others about the origin, each weighed by what it is drawn too often. The points are independent normals
+/// in the order of the inputs, as [`DesignPoint::u`](crate::form::DesignPoint::u) has them.
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
@@ -154,11 +155,11 @@ pub(crate) struct Averages {
     pub(crate) dimensions: usize,
     /// The points of one scramble that are taken first.
     pub(crate) first: u64,
-    /// How many points of an [`Effort`] each of these counts for.
+    /// Number of points of an [`Effort`] that each of these counts for.
     pub(crate) cost: u64,
-    /// How many numbers are averaged.
+    /// Number of quantities averaged.
     pub(crate) count: usize,
-    /// How many of them, the first, have to be precise.
+    /// Number of them, the first, that have to be precise.
     pub(crate) precise: usize,
 }
 
@@ -285,7 +286,7 @@ pub fn draws(inputs: &Inputs, seed: u64, count: u64, mut each: impl FnMut(&[f64]
     }
 }
 
-/// How many draws are made at once.
+/// Number of draws made at once.
 const AT_ONCE: usize = 128;
 
 fn draw_block(inputs: &Inputs, seed: u64, block: u64, mut each: impl FnMut(&[f64])) {

@@ -14,9 +14,9 @@ use crate::points::{Sobol, Stream};
 use crate::problem::Inputs;
 use crate::sample::{Averages, Effort, Estimate, SCRAMBLES, Sampled, shared_out};
 
-/// What each event of one year may add.
+/// Amounts that each event of one year may add.
 pub trait Sums: Sync {
-    /// What a year's values make of its events.
+    /// Values of a year, prepared for its events.
     type Year;
 
     /// The year with these values; none if no event of it can add anything or be of the other kind.
@@ -25,27 +25,27 @@ pub trait Sums: Sync {
     /// The chances of one event.
     fn of_event(&self, year: &Self::Year) -> OfEvent;
 
-    /// What an event adds of which this share in (0, 1) of those that add anything is rarer.
+    /// Amount of an event than which this share in (0, 1) of those that add anything is rarer.
     fn amount(&self, year: &Self::Year, share: f64) -> f64;
 
-    /// What comes of an event of the other kind of which this share in (0, 1) of those is rarer; none where they are only counted,
-    /// and nothing is drawn for them.
+    /// Function of a share in (0, 1) that gives the event of the other kind at that rarity; `None` where they are only
+    /// counted, and nothing is drawn for them.
     fn other(&self, year: &Self::Year) -> Option<impl Fn(f64) -> Other> {
         let _ = year;
         None::<fn(f64) -> Other>
     }
 }
 
-/// What comes of an event of the other kind.
+/// Result of an event of the other kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Other {
-    /// What it adds.
+    /// Amount added.
     pub amount: f64,
-    /// Whether it ends the life.
+    /// True if it ends the life.
     pub ends: bool,
 }
 
-/// What one event is likely to add.
+/// Mean and chances of what one event adds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OfEvent {
     /// The mean of what it adds.
@@ -66,7 +66,7 @@ pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort
         values.begin_at(u);
         sums.year(values.all()).map_or(OfEvent::default(), |year| sums.of_event(&year))
     };
-    let about = About::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
+    let about = Centre::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
     let averages = Averages { dimensions: n + 1, first: 128, cost: 1, count: 3, precise: 1 };
     averages.take(effort, || {
         let mut values = Values::new(inputs, &yearly);
@@ -81,8 +81,8 @@ pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort
     })
 }
 
-/// Where in standard normals a mean comes from: about a centre, so far to each side.
-struct About {
+/// Centre and spread, in standard normals, of the function whose mean is taken.
+struct Centre {
     centre: Vec<f64>,
     spread: Vec<f64>,
 }
@@ -90,13 +90,13 @@ struct About {
 /// The share of points that are left about the origin.
 const AT_ORIGIN: f64 = 0.1;
 
-impl About {
+impl Centre {
     /// The moments of the function times the density, by two rounds of points: about the origin twice as wide, and then about what was
     /// found. Nothing is lost if they are rough, because every point is weighed.
-    fn found(n: usize, seed: u64, f: impl Fn(&[f64]) -> f64) -> About {
+    fn found(n: usize, seed: u64, f: impl Fn(&[f64]) -> f64) -> Centre {
         const POINTS: u64 = 2048;
         const WIDER: [f64; 2] = [2.0, 1.5];
-        let mut about = About { centre: vec![0.0; n], spread: vec![1.0; n] };
+        let mut about = Centre { centre: vec![0.0; n], spread: vec![1.0; n] };
         // No scramble of the points that follow.
         let sobol = Sobol::new(n, seed, u64::MAX);
         for wider in WIDER {
@@ -141,15 +141,15 @@ impl About {
 /// One life.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OfLife {
-    /// What all its events have added.
+    /// Sum of all amounts that its events have added.
     pub sum: f64,
-    /// How many added anything.
+    /// Number of events that added anything.
     pub adding: u64,
-    /// How many were of the other kind.
+    /// Number of events of the other kind.
     pub others: u64,
-    /// What those have added, where they are more than counted.
+    /// Sum added by events of the other kind, where they are more than counted.
     pub other_sum: f64,
-    /// Whether one of them ended it: nothing adds anything thereafter.
+    /// True if an event ended it: nothing adds anything thereafter.
     pub ended: bool,
 }
 
@@ -230,7 +230,7 @@ fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, lif
     }
 }
 
-/// How many of so many events happen that have this chance each: by the gaps between them, which are geometric.
+/// Number of so many events that happen with this chance each: by the gaps between them, which are geometric.
 fn binomial(events: u64, chance: f64, stream: &mut Stream) -> u64 {
     if chance.is_nan() || chance <= 0.0 {
         return 0;
@@ -250,7 +250,7 @@ fn binomial(events: u64, chance: f64, stream: &mut Stream) -> u64 {
 }
 
 impl Lives {
-    /// How many there are.
+    /// Number of lives.
     pub fn count(&self) -> usize {
         self.groups.iter().map(Vec::len).sum()
     }
@@ -282,7 +282,7 @@ impl Lives {
         Estimate::about(value, &each)
     }
 
-    /// Which share of all sums comes of the worst lives, of which these are a share.
+    /// Share of all sums that comes of the worst lives, of which these are a share.
     pub fn of_worst(&self, share: f64) -> f64 {
         let mut all: Vec<f64> = self.groups.iter().flatten().map(|life| life.sum + life.other_sum).collect();
         all.sort_by(|a, b| b.total_cmp(a));

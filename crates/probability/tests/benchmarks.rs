@@ -345,7 +345,7 @@ fn intervals_hold_what_they_promise() {
     assert!(inside.iter().all(|n| *n >= 52), "{inside:?} of {asked}");
 }
 
-/// The same bytes on one, two and three threads.
+/// Threads, one, two or three, give equal bytes.
 #[test]
 fn threads_change_nothing() {
     let inputs = standard(3);

@@ -9,7 +9,7 @@ fn mean(f: impl Fn(f64) -> f64) -> f64 {
     mean_by(256, f)
 }
 
-/// The same by so many steps a unit: 16 have all digits of what is smooth.
+/// Integral by so many steps a unit: 16 have all digits of what is smooth.
 fn mean_by(steps: i32, f: impl Fn(f64) -> f64) -> f64 {
     let h = 1.0 / f64::from(steps);
     (-12 * steps..=12 * steps)

@@ -56,8 +56,8 @@ fn effort(points: u64) -> Effort {
     Effort { precision: 0.01, points, threads: 2, ..Effort::default() }
 }
 
-/// Whether the line is the resistance, whose intervals are united over the years, or a load, of which years are multiplied: it is
-/// E[1 − Φ((R − 2.2)/0.5)ⁿ].
+/// Line in a life, be it the resistance, whose intervals are united over the years, or a load, of which years are
+/// multiplied: it is E[1 − Φ((R − 2.2)/0.5)ⁿ].
 #[test]
 fn a_life_is_as_weak_as_its_worst_year() {
     let life = Life { years: YEARS, yearly: vec![false, true, true] };

@@ -73,10 +73,10 @@ const PLACES: [&str; 4] = [
     r"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
 ];
 
-/// How long a browser may take.
+/// Longest time that a browser may take.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Why a page was not printed.
+/// Reason why a page was not printed.
 #[derive(Debug, Error, Diagnostic)]
 pub enum PrintError {
     /// There is no browser.
@@ -92,7 +92,7 @@ pub enum PrintError {
     #[error("{VARIABLE} is {}, which is no program", path.display())]
     #[diagnostic(help("set it to the path of Chromium or Chrome, or unset it"))]
     NoProgram {
-        /// What the variable says.
+        /// Path that the variable names.
         path: PathBuf,
     },
     /// The browser cannot be started.
@@ -100,7 +100,7 @@ pub enum PrintError {
     Start {
         /// The browser.
         program: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         cause: io::Error,
     },
     /// The browser printed nothing.

@@ -23,12 +23,12 @@ pub struct Source<'a> {
     /// SHA-256 of the text.
     pub hash: String,
     pub date: Option<Date>,
-    /// What goes before the file in the title block.
+    /// Entries of the title block that go before the file's.
     pub title_block: &'a [(Key, String)],
 }
 
 impl Source<'_> {
-    /// What the title block has under a key, in a line; the command line's before the file's.
+    /// Entry of the title block under a key, in a line; the command line's before the file's.
     fn told(&self, key: Key) -> Option<String> {
         let first =
             self.title_block.iter().rev().find(|(other, _)| *other == key).map(|(_, text)| text.as_str());
@@ -63,7 +63,7 @@ pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Resu
     };
     let in_time = assessment.in_time.as_ref().filter(|in_time| !in_time.motions.is_empty());
     let in_time = in_time.map(|in_time| (in_time, in_time::figures(in_time)));
-    // What stands behind the motion, where there is one.
+    // Sections after the motion move on by one, if there is a motion.
     let later = |number: usize| number + usize::from(in_time.is_some());
     let last = later(7) + usize::from(probability.is_some());
     let moving = in_time.as_ref().map_or(0, |(_, figures)| figures.len());
@@ -163,7 +163,7 @@ fn spaced(hash: &str) -> String {
     hash.as_bytes().chunks(8).map(String::from_utf8_lossy).collect::<Vec<_>>().join(" ")
 }
 
-/// What a field of the title block is called: its key, with a capital.
+/// Heading of a field of the title block: its key, with a capital.
 fn heading(key: Key) -> String {
     calculation::capital(key.name())
 }

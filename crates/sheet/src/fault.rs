@@ -1,5 +1,5 @@
-//! What keeps a sheet from being drawn whole: a fault of the program's own formulas and words. It is an error, because a sheet
-//! with a gap could be signed.
+//! Faults of the program's own formulas and words, which keep a sheet from being drawn whole. They are errors, because
+//! a sheet with a gap could be signed.
 
 use thiserror::Error;
 
@@ -9,12 +9,12 @@ use crate::formula::FormulaError;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Fault {
-    /// What should be a formula is none.
+    /// Text that should be a formula and is none.
     #[error("{place}: {source}")]
     Formula {
-        /// Where it should stand: a step, an inequality, a sentence.
+        /// Place where it should stand: a step, an inequality, a sentence.
         place: String,
-        /// What is wrong with it.
+        /// Fault of the formula.
         source: FormulaError,
     },
     /// A name has no number that could be put in.

@@ -15,7 +15,7 @@ use thiserror::Error;
 
 use crate::measured::Measured;
 
-/// What names stand for.
+/// Numbers and units of the names in formulas.
 pub type Scope = BTreeMap<String, Measured>;
 
 /// A formula.
@@ -27,7 +27,7 @@ pub enum Formula {
     Name(String),
     /// A quantity's number, put in for its name.
     Value(Measured),
-    /// What follows a minus sign.
+    /// Operand of a minus sign.
     Negative(Box<Formula>),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Formula)>),
@@ -35,13 +35,13 @@ pub enum Formula {
     Product(Vec<Formula>),
     /// Numerator and denominator.
     Fraction(Box<Formula>, Box<Formula>),
-    /// The same on one line, with a slash.
+    /// Numerator and denominator on one line, with a slash.
     Ratio(Box<Formula>, Box<Formula>),
     /// Base and exponent.
     Power(Box<Formula>, Box<Formula>),
     /// A function and its arguments.
     Call(String, Vec<Formula>),
-    /// What stands in parentheses.
+    /// Expression in parentheses.
     Group(Box<Formula>),
     /// An absolute value.
     Absolute(Box<Formula>),
@@ -55,7 +55,7 @@ pub struct FormulaError {
     pub text: String,
     /// The byte at which it goes wrong.
     pub at: usize,
-    /// What could stand there.
+    /// Symbols that could stand there.
     pub expected: &'static str,
 }
 
@@ -162,7 +162,7 @@ type Read = Result<Formula, &'static str>;
 struct Reader<'a> {
     tokens: &'a [(usize, Token)],
     next: usize,
-    /// How many absolute values are open.
+    /// Number of absolute values that are open.
     bars: usize,
 }
 
@@ -219,7 +219,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a factor begins here.
+    /// True if a factor begins here.
     fn begins(&self) -> bool {
         match self.token() {
             Some(Token::Number(_) | Token::Name(_) | Token::Sign('(')) => true,
@@ -264,7 +264,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What follows the name of a function.
+    /// Reads the arguments that follow the name of a function.
     fn call(&mut self, name: String) -> Read {
         self.need('(', "`(` behind the name of a function")?;
         let mut arguments = vec![self.sum()?];

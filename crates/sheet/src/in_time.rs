@@ -19,7 +19,7 @@ pub fn inputs(file: &CaseFile, first: &FirstInstant) -> Markup {
     }
 }
 
-/// What becomes of the body, in each situation.
+/// Motions of the body, in each situation.
 pub fn motions(in_time: &InTime, case: &Case) -> Markup {
     let all = &in_time.motions;
     html! {
@@ -104,7 +104,7 @@ pub fn figures(in_time: &InTime) -> Vec<MotionFigure> {
     figures.into_iter().filter(|figure| figure.suffix != "-animation").collect()
 }
 
-/// What the motion in time leaves out.
+/// Limits of the motion in time.
 pub fn limits() -> Markup {
     html! {
         p { "Of the motion in time, moreover:" }

@@ -49,7 +49,7 @@ pub fn tables(case: &Case, file: &CaseFile) -> Markup {
     }
 }
 
-/// What is taken for a key that is not in the file, in words; what would stand beside them again is left out.
+/// Words for the value taken for a key that is not in the file, without a number that would stand beside them again.
 fn taken(key: Key) -> &'static str {
     let words = key.info().silent.unwrap_or(key.info().words);
     let number =
@@ -121,7 +121,7 @@ fn row(file: &CaseFile, entry: &Entry) -> Markup {
     }
 }
 
-/// What is taken where the file is silent: as a word, or in numbers and their unit.
+/// Values taken where the file is silent: as a word, or in numbers and their unit.
 fn defaults(case: &Case, file: &CaseFile) -> Vec<(Key, Markup)> {
     let BaseEdges { left, right } = case.body.base_edges();
     let mut taken = vec![

@@ -56,15 +56,15 @@ pub use date::{Date, DateError};
 pub use fault::Fault;
 pub use formula::FormulaError;
 
-/// What the case does not say, or says otherwise.
+/// Options of a sheet, beside its case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetOptions {
-    /// What goes before the case file in the title block, under keys of
+    /// Entries that go before the case file's in the title block, under keys of
     /// [`TITLE_BLOCK`](standfast_cases::key::TITLE_BLOCK).
     pub title_block: Vec<(Key, String)>,
     /// The day the sheet bears; without it the sheet says that it is undated.
     pub date: Option<Date>,
-    /// How far a rising load is followed, as a multiple of the full load.
+    /// Multiple of the full load to which a rising load is followed.
     pub up_to: f64,
 }
 
@@ -75,7 +75,7 @@ impl Default for SheetOptions {
     }
 }
 
-/// Why there is no sheet.
+/// Reason why there is no sheet.
 #[derive(Debug, Error, Diagnostic)]
 #[non_exhaustive]
 pub enum SheetError {

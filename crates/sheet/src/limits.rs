@@ -1,9 +1,9 @@
-//! What the calculation does not cover, and what leaves the range of its formulas.
+//! Limits of the calculation: what it does not cover, and what leaves the range of its formulas.
 
 use maud::{Markup, html};
 use standfast_cases::Case;
 
-/// What a body stands in, which says what else could happen to it.
+/// Surroundings of a body, which say what else could happen to it.
 pub struct Setting {
     /// Waves come.
     pub waves: bool,
@@ -44,7 +44,7 @@ pub fn words(case: &Case) -> Markup {
     }
 }
 
-/// What could matter and is not computed, of what the case could meet with.
+/// Failures that the case could meet with and that are not computed.
 fn not_covered(case: &Case, setting: &Setting) -> Vec<String> {
     let given =
         if case.pressures.is_empty() { "" } else { ", but for the pressures given under [[pressure]]" };

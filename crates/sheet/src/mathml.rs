@@ -8,7 +8,7 @@ use crate::fault::Fault;
 use crate::formula::Formula;
 use crate::measured::NONE;
 
-/// What a formula is drawn of, which says how a product is.
+/// Content of a formula, symbols or numbers, which says how a product is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drawn {
     /// Symbols: the sign between factors is seen only where a digit follows.

@@ -14,7 +14,7 @@ pub struct Unit {
     pub text: &'static str,
     /// In SI units.
     pub si: f64,
-    /// What it is of, where that is a quantity of case files.
+    /// Dimension, where the unit is that of a quantity of case files.
     dimension: Option<Dimension>,
 }
 
@@ -68,7 +68,7 @@ units! {
 pub struct Measured {
     /// In `unit`.
     pub value: f64,
-    /// What it is shown in.
+    /// Unit that the number is shown in.
     pub unit: Unit,
 }
 
@@ -79,7 +79,7 @@ impl Measured {
         Measured { value: si / unit.si + 0.0, unit }
     }
 
-    /// The same of a case of this extent, where forces and masses are per metre run or of the whole.
+    /// Converts to the unit of a case of this extent, where forces and masses are per metre run or of the whole.
     pub fn in_extent(self, extent: Extent) -> Measured {
         let Some(dimension) = self.unit.dimension else { return self };
         let unit = Unit::of(extent.of(dimension));

@@ -81,7 +81,7 @@ pub fn words(assessment: &Assessment) -> Markup {
     }
 }
 
-/// What body and base are taken for.
+/// Sentence on the idealization of body and base.
 fn base(case: &Case) -> &'static str {
     match case.ground {
         None => "Body and base are rigid.",
@@ -98,7 +98,7 @@ fn base(case: &Case) -> &'static str {
     }
 }
 
-/// Which loads of the case vary, in parentheses; nothing where none does.
+/// Loads of the case that vary, in parentheses; nothing where none does.
 fn variable(case: &Case) -> String {
     let forces = case.forces.iter().any(|force| !force.permanent);
     let pressures = case.pressures.iter().any(|pressure| !pressure.permanent);

@@ -1,4 +1,4 @@
-//! How likely each mode is where some numbers are random: laws, method, probabilities, what matters, what is asked.
+//! Probability of each mode where some numbers are random: laws, method, probabilities, what matters, what is asked.
 
 use maud::{Markup, html};
 use standfast::Mode;

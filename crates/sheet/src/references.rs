@@ -1,11 +1,11 @@
-//! Which writings stand behind a sheet, as a checker orders them. What is known of one only from memory, or from those who cite
+//! References behind a sheet, as a checker orders them. What is known of one only from memory, or from those who cite
 //! it, says so; `docs/theory` says the same.
 
 use maud::{Markup, html};
 use standfast::ground::bearing::GroundLaw;
 use standfast_cases::Case;
 
-/// How far a source was at hand.
+/// Access to a source: read, or known from others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Known {
     /// It was read.
@@ -33,10 +33,10 @@ struct Source {
     title: &'static str,
     /// Journal or publisher, number, pages.
     place: &'static str,
-    /// What of it is used.
+    /// Parts of it that are used.
     used: &'static str,
     known: Known,
-    /// Whether it stands behind the sheet of a case.
+    /// True if it stands behind the sheet of a case.
     applies: fn(&Case) -> bool,
 }
 

@@ -1,4 +1,4 @@
-//! What a small change of every number does to the safety.
+//! Effect on the safety of a small change of every number.
 
 use maud::{Markup, html};
 use standfast_cases::couple::STAYS;

@@ -11,8 +11,8 @@ use crate::measured::{Measured, NONE, Unit, number};
 
 /// The calculation as far as it is written, and the quantities that later steps may use.
 ///
-/// What cannot be drawn is no gap: the first fault is kept, and [`finish`](Steps::finish), the only way to what is written,
-/// gives it instead.
+/// Faults leave no gap: the first is kept, and [`finish`](Steps::finish), the only way to what is written, gives it
+/// instead.
 pub struct Steps {
     extent: Extent,
     scope: Scope,
@@ -49,15 +49,15 @@ impl Part {
 pub struct Step<'a> {
     /// In words.
     pub about: &'a str,
-    /// Where the formula comes from: an equation number, or an author.
+    /// Source of the formula: an equation number, or an author.
     pub reference: &'a str,
-    /// What the result is called in later formulas.
+    /// Name of the result in later formulas.
     pub name: &'a str,
     /// The formula.
     pub formula: &'a str,
     /// The result, from the library.
     pub result: Measured,
-    /// What the program's JSON calls the result; empty if it does not.
+    /// Key of the result in the program's JSON; empty if it has none.
     pub key: &'a str,
 }
 
@@ -244,7 +244,7 @@ fn line_sign(sign: &str) -> String {
     format!("<math><mo form=\"infix\">{}</mo></math>", sign.replace('<', "&lt;").replace('>', "&gt;"))
 }
 
-/// What a step is about, and where its formula comes from.
+/// Heading of a step: its subject, and the source of its formula.
 fn head(about: &str, reference: &str) -> Result<Markup, Fault> {
     let words = prose(about)?;
     Ok(html! {

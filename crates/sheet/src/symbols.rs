@@ -1,5 +1,5 @@
-//! What is a quantity called that the case file may give more than once? The symbol of its key, with the number of its table where
-//! there are several: each symbol of a sheet stands for one thing.
+//! Symbol of a quantity that the case file may give more than once: that of its key, with the number of its table where
+//! there are several, so that each symbol of a sheet stands for one thing.
 
 /// The symbol of the table at `index`, from zero, of `count` tables of one kind: `F`, or `F_2`; `x_F`, or `x_F2`.
 pub fn numbered(symbol: &str, index: usize, count: usize) -> String {

@@ -54,7 +54,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
     }
 }
 
-/// Whether situations are told by name: several, or the only one of a combination.
+/// True if situations are told by name: several, or the only one of a combination.
 fn is_named(assessment: &Assessment) -> bool {
     assessment.all.len() > 1 || !assessment.case.combinations.is_empty()
 }
@@ -107,7 +107,7 @@ const COLUMNS: [&str; 6] = [
     "Into",
     "Unique",
 ];
-/// Which of them are numbers.
+/// Columns that hold numbers.
 const NUMBERS: std::ops::RangeInclusive<usize> = 1..=3;
 
 fn table(assessment: &Assessment) -> Markup {

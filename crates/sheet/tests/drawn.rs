@@ -9,7 +9,7 @@ use scraper::{ElementRef, Html};
 
 const INVISIBLE_TIMES: &str = "\u{2062}";
 
-/// What is read one after another in a line of formulas: the elements' names and texts.
+/// Reading order of a line of formulas: the elements' names and texts.
 type Line = Vec<(String, String)>;
 
 /// Every line of formulas of a sheet. A long one consists of several `math` elements.

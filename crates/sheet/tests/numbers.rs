@@ -51,7 +51,7 @@ fn attribute(element: ElementRef<'_>) -> f64 {
 }
 
 fn same(shown: f64, json: f64) -> bool {
-    // What is shown in kN went through a division and a multiplication.
+    // Numbers shown in kN went through a division and a multiplication.
     shown == json || (shown - json).abs() <= 4.0 * f64::EPSILON * json.abs()
 }
 

@@ -80,7 +80,7 @@ fn a_hostile_title_is_only_text() {
         "title = '{title}'\nnote = '{title}'\n[body]\nwidth = 6\nheight = 7\nmass = 1e5\nfriction = 0.6 # {title}\n[[load]]\n\
          name = '{title}'\nforce = 1e5\nelevation = 3\n"
     );
-    // Where loads act together their names stand at the steps, too.
+    // Loads that act together have their names at the steps, too.
     let together = format!("{text}[water]\nlevel = 1\ndensity = 1000\n");
     for text in [text, together] {
         let document = document("<b>.toml", &text);

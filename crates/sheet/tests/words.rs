@@ -1,4 +1,4 @@
-//! What a sheet says of its case, and what it does not.
+//! Words of a sheet on its case, and those that it leaves out.
 
 mod common;
 
@@ -93,7 +93,7 @@ fn every_symbol_stands_for_one_thing() {
     assert!(symbols > 2000, "{symbols}");
 }
 
-/// Where a rising load moves the body, a formula gives the load factor; where it slides, friction is a step.
+/// Departures from rest have a formula that gives the load factor; slides have friction as a step.
 #[test]
 fn departure_and_friction_are_steps_with_formulas() {
     let (mut departures, mut slides) = (0, 0);
@@ -121,7 +121,8 @@ fn departure_and_friction_are_steps_with_formulas() {
     assert!(departures > 20 && slides > 3, "{departures} {slides}");
 }
 
-/// What the base bears is told by formulas: the quadratic of one that crushes, R/V = 1 put in where ground fails, both modes of loads in time.
+/// Bearing of the base is told by formulas: the quadratic of one that crushes, R/V = 1 put in where ground fails, both
+/// modes of loads in time.
 #[test]
 fn what_the_base_bears_has_formulas() {
     let mut counts = [0; 4];

@@ -1,4 +1,5 @@
-//! What a table of cases costs beside the mechanics it asks for, in one run: `cargo bench -p standfast-tables --bench cases`.
+//! Cost of a table of cases beside the mechanics it asks for, in one run: `cargo bench -p standfast-tables --bench
+//! cases`.
 //!
 //! Goda's caisson under random waves and with random friction. Each round answers the same rows in turn: by Goda's formulas and the
 //! contact problem called from a loop, which is the limit; by [`Sweep`] with all results; by [`Assessment`] of varied inputs, row by
@@ -41,7 +42,7 @@ fn rows(count: usize) -> Vec<[f64; 4]> {
     (0..count).map(row).collect()
 }
 
-/// The same caisson, its formulas called as one would from a program.
+/// Answers the caisson by its formulas, called as one would from a program.
 fn direct([h_13, h_max, period, friction]: [f64; 4]) -> Outcome {
     let body = Body::new(15.0, 10.5, 346_050.0).expect("a body");
     let sea = Sea {
@@ -125,7 +126,7 @@ fn main() {
         run(table.as_bytes(), &mut answers, &options).expect("answers");
         black_box(answers);
     };
-    // The same outcomes, or the comparison is none.
+    // Rows by all ways have equal outcomes, or the comparison is none.
     for row in &rows[..count.min(1000)] {
         let answer = sweep.answer(&mut sweep.scratch(), row).expect("an answer");
         assert_eq!(answer.governing().outcome, direct(*row));

@@ -1,4 +1,5 @@
-//! What computing adds to reading and writing a table, in one run: `cargo bench -p standfast-tables --features columnar --bench files`.
+//! Cost of computing beside reading and writing a table, in one run: `cargo bench -p standfast-tables --features
+//! columnar --bench files`.
 //!
 //! Ten million random points in Parquet, as pandas writes it (Snappy, row groups of 2²⁰ rows). Each round runs, in turn,
 //! what `standfast batch --columns mode` runs; the same with the modes given, so that the same bytes are read and written and
@@ -120,7 +121,7 @@ fn main() {
             ("the same without computing", &|| run(&without)),
             ("the library reads and writes all", &|| rewrite(&input, &output)),
         ];
-        // The same bytes, or the comparison is none.
+        // Both ways write equal bytes, or the comparison is none.
         let written = [0, 1].map(|i| {
             work[i].1();
             fs::read(&output).expect("a file")

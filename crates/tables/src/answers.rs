@@ -6,15 +6,15 @@ use standfast::ground::GroundVerdict;
 
 use crate::problem::{Answer, MOST};
 use crate::results::{NO_WORD, SYMBOLS, Values};
-use crate::task::{Fault, Faults, Wrong};
+use crate::task::{Fault, Faults, RowFault};
 use crate::{ResultColumn, TableProblem};
 
-/// What is computed of every row of points.
+/// Problem and results of rows of points.
 #[derive(Debug, Clone)]
 pub(crate) struct Points {
     pub(crate) problem: TableProblem,
     pub(crate) results: Vec<ResultColumn>,
-    /// Whether a column is taken for ω because of its name alone; then how one says that it is.
+    /// Advice on how to say that a column is ω, if one is taken for it because of its name alone.
     pub(crate) omega_by_name: Option<String>,
 }
 
@@ -103,7 +103,7 @@ impl Points {
         }
         let blame = |error: InputError| {
             let column = self.problem.blame(&error);
-            faults.add(Fault { row, wrong: Wrong::Value { column, expected: error.expected.words() } });
+            faults.add(Fault { row, wrong: RowFault::Value { column, expected: error.expected.words() } });
         };
         self.problem.solve(values).map_err(blame).ok()
     }

@@ -11,8 +11,8 @@ use standfast_cases::suggest::closest;
 use standfast_cases::sweep::{Factor, NoFactor, Sweep, SweepResult, heading};
 use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
-use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
-use crate::task::{Fault, Faults, Wrong};
+use crate::results::{ColumnWords, FieldKind, NO_NAME, NO_WORD, ResultField, Values};
+use crate::task::{Fault, Faults, RowFault};
 use crate::{Face, Mapping, TableError, TableOptions};
 
 /// The case that the rows of a table vary, and what is computed of them.
@@ -32,21 +32,21 @@ impl CaseTable {
         Ok(CaseTable { file, results: Vec::new() })
     }
 
-    /// The same with these results only, in this order; with all if there are none.
+    /// Keeps these results only, in this order; all if there are none.
     #[must_use]
     pub fn with_results(self, results: Vec<SweepResult>) -> CaseTable {
         CaseTable { results, ..self }
     }
 }
 
-/// What was varied in a table of cases.
+/// Columns of a table that varied a case, and what went with them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Varied {
     /// The columns and the keys that they vary.
     pub columns: Vec<VariedColumn>,
-    /// What went with them, in sentences.
+    /// Keys that went with them, in sentences.
     pub notes: Vec<String>,
-    /// What is surely a slip, or almost.
+    /// Warnings of columns that are likely to be slips.
     pub warnings: Vec<TableWarning>,
 }
 
@@ -59,7 +59,7 @@ pub struct VariedColumn {
     pub key: String,
 }
 
-/// What in a table is possible, but may be a slip.
+/// Warning of something possible in a table that may be a slip.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TableWarning {
@@ -91,7 +91,7 @@ impl TableWarning {
         }
     }
 
-    /// What it says to who called by this face.
+    /// Words of the warning for a caller of this face.
     pub fn words(&self, face: Face) -> String {
         match self {
             TableWarning::ColumnLikeKey { column, key, unit } => {
@@ -108,7 +108,7 @@ impl TableWarning {
     }
 }
 
-/// What makes a column vary a key: its name there, with the unit, or that it is said.
+/// Advice on how to make a column vary a key: by its name, with the unit, or by an option.
 fn how(column: &str, key: &str, unit: Option<&str>, face: Face) -> String {
     match unit {
         Some(unit) => format!("call it `{key} [{unit}]`"),
@@ -122,23 +122,23 @@ impl fmt::Display for TableWarning {
     }
 }
 
-/// What is computed of every row of a table of cases.
+/// Sweep and results of rows of a table of cases.
 #[derive(Debug)]
 pub(crate) struct CaseRows {
     sweep: Sweep,
     results: Vec<SweepResult>,
     situations: Arc<[String]>,
     varied: Varied,
-    /// Whether a text may be a plain number.
+    /// True if a text may be a plain number.
     plain_texts: bool,
 }
 
 impl ResultField {
-    /// What is wrong with a row.
+    /// Column of the faults of rows.
     pub(crate) const PROBLEM: ResultField = ResultField {
         name: "problem",
         kind: FieldKind::Text,
-        said: Some(Said { unit: None, words: "what is wrong with a row that has no results" }),
+        said: Some(ColumnWords { unit: None, words: "what is wrong with a row that has no results" }),
     };
 }
 
@@ -169,7 +169,7 @@ impl CaseRows {
         self.varied.clone()
     }
 
-    /// How many situations a row has.
+    /// Number of situations of a row.
     #[cfg(feature = "memory")]
     pub(crate) fn situations(&self) -> usize {
         self.situations.len()
@@ -192,7 +192,7 @@ impl CaseRows {
             ResultKind::Modes => (FieldKind::Modes, None),
             ResultKind::Names => (FieldKind::Text, None),
         };
-        ResultField { name: result.name(), kind, said: Some(Said { unit, words: result.words() }) }
+        ResultField { name: result.name(), kind, said: Some(ColumnWords { unit, words: result.words() }) }
     }
 
     /// The value that a text in a column says, or what is wrong with it.
@@ -235,7 +235,7 @@ impl CaseRows {
                         none if none.is_empty() => (0..columns.len()).collect(),
                         some => some,
                     };
-                    faults.add(Fault { row, wrong: Wrong::Case { columns, problem: fault.to_string() } });
+                    faults.add(Fault { row, wrong: RowFault::Case { columns, problem: fault.to_string() } });
                 };
                 answer.map_err(blame).ok()
             };
@@ -279,7 +279,7 @@ fn push(values: &mut Values, value: ResultValue) {
             codes.push(place.and_then(|place| u8::try_from(place).ok()).unwrap_or(NO_WORD));
         }
         (Values::Word(_, codes), _) => codes.push(NO_WORD),
-        // Which situation it is, by its place.
+        // Situations are told by their place.
         (Values::Name(_, places), ResultValue::Number(place)) => places.push(place as u32),
         (Values::Name(_, places), _) => places.push(NO_NAME),
         (Values::Flag(flags), ResultValue::Truth(truth)) => flags.push(Some(truth)),
@@ -345,7 +345,7 @@ impl Search<'_> {
         Ok(columns)
     }
 
-    /// What to do where no column varies the case.
+    /// Advice where no column varies the case.
     fn help(&self) -> String {
         let near = column_warnings(&self.case.file, self.found, &[]).into_iter().next();
         let keys = Factor::names(self.case.file.inputs()).join(", ");
@@ -366,12 +366,12 @@ impl Search<'_> {
         format!("{meant}; the numbers of the case that can vary are {keys}")
     }
 
-    /// What a column varies, if anything.
+    /// Factor that a column varies, if any.
     fn factor(&self, column: &str) -> Result<Option<Factor>, TableError> {
         let (bare, unit) = heading(column);
         let mapped =
             self.options.map.iter().find(|mapping| mapping.theirs == column || mapping.theirs == bare);
-        // What is called ours is another column.
+        // Columns that have our name are others where one is mapped to it.
         let taken = self.options.map.iter().any(|mapping| mapping.ours == bare);
         let ours = match mapped {
             Some(mapping) => &mapping.ours,
@@ -439,13 +439,13 @@ impl Search<'_> {
     }
 }
 
-/// Whether a name begins as the keys of a table of case files do.
+/// True if a name begins as the keys of a table of case files do.
 fn begins_like_key(column: &str) -> bool {
     let table = column.split_once(['.', '[']).map(|(table, _)| table);
     let of_top = |known: &Table| known.parent() == Some(Table::Top);
     let known =
         |table: &str| Table::ALL.iter().filter(|table| of_top(table)).any(|known| known.name() == table);
-    // What loads are multiplied by, which [random] has and a table has not.
+    // Biases multiply loads in [random], which is no table here.
     table.is_some_and(|table| table == "bias" || known(table))
 }
 
@@ -472,7 +472,7 @@ pub fn column_warnings(file: &CaseFile, found: &[String], places: &[usize]) -> V
             };
             let exact = same(&lasts).or_else(|| same(&keys));
             if exact.is_none() {
-                // What a case file has no value of, and of which one is taken, varies all the same.
+                // Keys that have no value in the case file, and a silent one, vary all the same.
                 let silent = ids.len()..all.len();
                 if let Some(place) =
                     silent.into_iter().find(|place| all[*place].to_lowercase() == bare.to_lowercase())

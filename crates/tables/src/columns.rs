@@ -28,7 +28,7 @@ impl std::str::FromStr for Mapping {
 }
 
 impl TableOptions {
-    /// What a table has to have, in words.
+    /// Words for the columns that a table has to have.
     pub(crate) fn needed(&self) -> String {
         match &self.case {
             Some(_) => "one that varies the case".to_owned(),
@@ -36,8 +36,8 @@ impl TableOptions {
         }
     }
 
-    /// Where in a table with the columns `found` those of the problem are, in the problem's order; behind them those that it has
-    /// of the optional ones.
+    /// Places of the problem's columns in a table with the columns `found`, in the problem's order; behind them those
+    /// of the optional ones that it has.
     pub(crate) fn places(&self, found: &[String]) -> Result<Vec<usize>, TableError> {
         let name = || self.name.clone();
         let columns = self.problem.columns();
@@ -85,7 +85,7 @@ impl TableOptions {
         columns.iter().chain(optional.iter().filter(is_there)).map(place).collect()
     }
 
-    /// Whether one of the optional columns of points was taken because of its name, with nothing said of it; then how one says so.
+    /// Advice on how to say that an optional column of points is meant, if one was taken because of its name alone.
     pub(crate) fn omega_by_name(&self, places: &[usize]) -> Option<String> {
         let optional =
             self.problem.optional().first().filter(|_| places.len() > self.problem.columns().len())?;
@@ -93,7 +93,7 @@ impl TableOptions {
         (!is_said).then(|| self.face.map(optional.name, optional.name))
     }
 
-    /// What is computed: the columns asked for, or all of the problem.
+    /// Results to compute: the columns asked for, or all of the problem.
     pub(crate) fn results(&self) -> Result<Vec<ResultColumn>, TableError> {
         let all = self.problem.results();
         for (i, column) in self.columns.iter().enumerate() {

@@ -7,7 +7,7 @@ use crate::pieces::{Input, answer_pieces};
 use crate::text::Text;
 use crate::{Progress, Summary, TableError, TableFormat, TableOptions};
 
-/// How much text is read at once: as little as stays in the caches.
+/// Bytes of text read at once: as little as stays in the caches.
 const TEXT: usize = 1 << 17;
 
 /// Answers every row of a table, and tells `progress` how far it is.

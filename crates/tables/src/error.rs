@@ -1,4 +1,4 @@
-//! What can be wrong with a table.
+//! Faults of a table.
 
 use std::fmt;
 use std::io;
@@ -9,7 +9,7 @@ use standfast_cases::suggest::closest;
 use standfast_cases::sweep::NoFactor;
 use thiserror::Error;
 
-/// Why a table was not processed.
+/// Reason why a table was not processed.
 #[derive(Debug, Error, Diagnostic)]
 #[non_exhaustive]
 pub enum TableError {
@@ -30,7 +30,7 @@ pub enum TableError {
     Separator {
         /// The table.
         name: String,
-        /// What stands between its columns.
+        /// Separator that seems to stand between its columns.
         separator: &'static str,
         /// Its first line.
         header: String,
@@ -45,7 +45,7 @@ pub enum TableError {
         column: String,
         /// The columns there are.
         found: String,
-        /// What may be meant, or is needed.
+        /// Column that may be meant, or is needed.
         help: String,
     },
     /// One of the columns needed is there twice.
@@ -106,7 +106,7 @@ pub enum TableError {
         name: String,
         /// The columns there are.
         found: String,
-        /// What may be meant, and the keys of the case.
+        /// Key that may be meant, and the keys of the case.
         help: String,
     },
     /// A column whose name begins like a key, and is none that can vary.
@@ -117,7 +117,7 @@ pub enum TableError {
         name: String,
         /// The column, as the table calls it.
         column: String,
-        /// What is wrong with it.
+        /// Reason why it varies nothing.
         error: Box<NoFactor>,
     },
     /// Two columns for one number of the case.
@@ -180,7 +180,7 @@ pub enum TableError {
         name: String,
         /// The column.
         column: String,
-        /// What it holds.
+        /// Type of its values.
         found: String,
     },
     /// A sheet that the workbook does not have.
@@ -219,11 +219,11 @@ pub enum TableError {
     #[error("{found} {what} do not fit into a sheet of an Excel workbook, which has room for {room}")]
     #[diagnostic(help("write Parquet or CSV"))]
     SheetFull {
-        /// How many are to be written.
+        /// Number to be written.
         found: u64,
         /// Rows or columns.
         what: &'static str,
-        /// How many there can be, the header apart.
+        /// Largest number that can be, the header apart.
         room: u64,
     },
     /// A workbook that holds more than is read.
@@ -232,13 +232,13 @@ pub enum TableError {
     TooLarge {
         /// The workbook.
         name: String,
-        /// Where in it.
+        /// Part of it.
         part: String,
-        /// How many were counted.
+        /// Number counted.
         found: u64,
-        /// What is counted.
+        /// Thing counted.
         what: &'static str,
-        /// How many there may be.
+        /// Largest number that may be.
         most: u64,
     },
     /// A column that has no place in a text or a sheet.
@@ -249,7 +249,7 @@ pub enum TableError {
         name: String,
         /// The column.
         column: String,
-        /// What it holds.
+        /// Type of its values.
         found: String,
         /// The format to be written.
         format: &'static str,
@@ -260,9 +260,9 @@ pub enum TableError {
     Row {
         /// The table.
         name: String,
-        /// Where the row is.
+        /// Place of the row.
         place: Place,
-        /// What is wrong with it.
+        /// Fault of the row.
         problem: RowProblem,
     },
     /// A quotation mark that swallows the rest of the table.
@@ -271,7 +271,7 @@ pub enum TableError {
     Quote {
         /// The table.
         name: String,
-        /// Where the row begins, counted from one.
+        /// Line on which the row begins, counted from one.
         line: u64,
     },
     /// The table cannot be opened or read on.
@@ -279,7 +279,7 @@ pub enum TableError {
     Read {
         /// The table.
         name: String,
-        /// What the system says, or the library for the format.
+        /// Words of the system, or of the library for the format.
         cause: String,
     },
     /// The file is not what its format asks for.
@@ -289,7 +289,7 @@ pub enum TableError {
         name: String,
         /// The format it was taken for.
         format: &'static str,
-        /// What the library for the format says.
+        /// Words of the library for the format.
         cause: String,
     },
     /// Whoever is told of the progress asked for it.
@@ -300,7 +300,7 @@ pub enum TableError {
     Write(io::Error),
 }
 
-/// Where a row is, counted from one.
+/// Place of a row, counted from one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// The line of a text on which it begins.
@@ -321,7 +321,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// What is wrong with a row.
+/// Fault of a row.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum RowProblem {
     /// Too few or too many fields.
@@ -339,7 +339,7 @@ pub enum RowProblem {
         column: String,
         /// The field as it is.
         value: String,
-        /// What it has to be.
+        /// Range of values allowed.
         expected: &'static str,
     },
     /// Values that the case cannot have: the columns blamed, and what each says.
@@ -347,7 +347,7 @@ pub enum RowProblem {
     Case {
         /// The columns, as the table calls them, and their fields as they are.
         fields: Vec<(String, String)>,
-        /// What is wrong.
+        /// Fault, in words.
         problem: String,
     },
     /// No value.
@@ -355,7 +355,7 @@ pub enum RowProblem {
     Null {
         /// The column, as the table calls it.
         column: String,
-        /// What it has to be.
+        /// Range of values allowed.
         expected: &'static str,
     },
     /// Bytes that are no text.

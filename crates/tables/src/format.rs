@@ -37,7 +37,8 @@ impl TableFormat {
         }
     }
 
-    /// Whether this build can read and write it: CSV always, workbooks with the feature `xlsx`, the others with `columnar`.
+    /// True if this build can read and write it: CSV always, workbooks with the feature `xlsx`, the others with
+    /// `columnar`.
     pub fn is_built_in(self) -> bool {
         match self {
             TableFormat::Csv => true,
@@ -46,7 +47,7 @@ impl TableFormat {
         }
     }
 
-    /// What errors call it.
+    /// Name of the format in errors.
     pub fn name(self) -> &'static str {
         match self {
             TableFormat::Csv => "CSV",

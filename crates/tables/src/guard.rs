@@ -8,7 +8,7 @@ thread_local! {
     static GUARDED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What `work` gives, or what `panicked` makes of the words of its panic.
+/// Result of `work`, or that of `panicked` on the words of its panic.
 pub(crate) fn guarded<T, E>(
     panicked: impl FnOnce(String) -> E,
     work: impl FnOnce() -> Result<T, E>,

@@ -71,7 +71,7 @@ pub use written::{WrittenColumn, written};
 use std::io::{Read, Write};
 use std::sync::Arc;
 
-/// Who is told how far a run is; `()` is not interested.
+/// Listener that is told how far a run is; `()` is not interested.
 pub trait Progress: Sync {
     /// The units to be counted are not bytes of the input: there are `length` of them.
     fn expect(&self, length: u64) {
@@ -83,7 +83,7 @@ pub trait Progress: Sync {
         let _ = (rows, units);
     }
 
-    /// Whether a run in memory is to stop.
+    /// True if a run in memory is to stop.
     fn is_stopped(&self) -> bool {
         false
     }
@@ -91,7 +91,7 @@ pub trait Progress: Sync {
 
 impl Progress for () {}
 
-/// What to do with a row that makes no sense.
+/// Treatment of a row that makes no sense.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum OnError {
@@ -102,10 +102,10 @@ pub enum OnError {
     Null,
 }
 
-/// How to process a table.
+/// Options of processing a table.
 #[derive(Debug, Clone)]
 pub struct TableOptions {
-    /// What errors call the input.
+    /// Name of the input in errors.
     pub name: String,
     /// The format of the input.
     pub from: TableFormat,
@@ -113,21 +113,22 @@ pub struct TableOptions {
     pub to: TableFormat,
     /// The sheet of a workbook that is read; the first if it is not said.
     pub sheet: Option<String>,
-    /// Which problem the rows are, unless they vary a case.
+    /// Problem that the rows are, unless they vary a case.
     pub problem: TableProblem,
     /// The case that the rows vary, and what is computed of it.
     pub case: Option<Arc<CaseTable>>,
     /// The names the problem's columns have in the table, where they are not ours.
     pub map: Vec<Mapping>,
-    /// What is computed of points, in this order; all results of the problem if empty.
+    /// Results computed of points, in this order; all of the problem if empty.
     pub columns: Vec<ResultColumn>,
-    /// What to do with a row that makes no sense.
+    /// Treatment of a row that makes no sense.
     pub on_error: OnError,
-    /// Where the options come from, and so what errors call them.
+    /// Origin of the options, and so their names in errors.
     pub face: Face,
-    /// Whether a text may be a plain number, as every number of a text is; otherwise it has its unit, as in a case file.
+    /// True if a text may be a plain number, as every number of a text is; otherwise it has its unit, as in a case
+    /// file.
     pub plain_texts: bool,
-    /// How many threads work; the result is the same for any number.
+    /// Number of threads; the result does not depend on it.
     pub threads: usize,
     /// The modes of all rows, known beforehand: for the benchmark, which measures what computing them adds to reading
     /// and writing. Only from Parquet to Parquet.
@@ -157,18 +158,18 @@ impl TableOptions {
     }
 }
 
-/// What was done.
+/// Summary of a run.
 #[derive(Debug, Default)]
 pub struct Summary {
     /// Rows written.
     pub rows: u64,
     /// Rows among them whose results are empty.
     pub bad: u64,
-    /// What was wrong with the first of those.
+    /// Fault of the first of those.
     pub first: Option<TableError>,
-    /// Which columns varied a case, and what went with them.
+    /// Columns that varied a case, and what went with them.
     pub varied: Option<Varied>,
-    /// What is unusual about cases of rows, and may be a slip.
+    /// Warnings of rows whose cases are unusual.
     pub minded: Vec<RowWarning>,
 }
 

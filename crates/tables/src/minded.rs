@@ -1,4 +1,4 @@
-//! What is unusual about rows, and may be a slip: counted, so that it is said once of a table.
+//! Warnings of rows that are unusual, and may be slips: counted, so that each is said once of a table.
 
 use std::fmt;
 
@@ -7,11 +7,11 @@ use std::fmt;
 pub struct RowWarning {
     /// Its name.
     pub name: &'static str,
-    /// How many rows have it.
+    /// Number of rows that have it.
     pub rows: u64,
     /// The first of them, counted from zero.
     pub first: u64,
-    /// What it says of that one.
+    /// Words of the warning on that one.
     pub words: String,
 }
 
@@ -34,9 +34,9 @@ impl fmt::Display for RowWarning {
 
 /// The warnings of some rows, in the order in which they were first met.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Minded(Vec<RowWarning>);
+pub(crate) struct RowWarnings(Vec<RowWarning>);
 
-impl Minded {
+impl RowWarnings {
     /// A warning of a row.
     pub(crate) fn add(&mut self, name: &'static str, row: usize, words: impl FnOnce() -> String) {
         match self.0.iter_mut().find(|known| known.name == name) {
@@ -46,7 +46,7 @@ impl Minded {
     }
 
     /// Those of further rows, before which there are `before` others.
-    pub(crate) fn append(&mut self, more: Minded, before: u64) {
+    pub(crate) fn append(&mut self, more: RowWarnings, before: u64) {
         for warning in more.0 {
             match self.0.iter_mut().find(|known| known.name == warning.name) {
                 Some(known) => known.rows += warning.rows,
@@ -62,14 +62,14 @@ impl Minded {
 
 #[cfg(test)]
 mod tests {
-    use super::Minded;
+    use super::RowWarnings;
 
     /// Whatever the pieces, the counts are those of all rows, and the first is the first.
     #[test]
     fn pieces_add_up() {
         let rows: [&[&'static str]; 6] = [&[], &["b"], &["a", "b"], &[], &["a"], &["c"]];
         let of = |range: std::ops::Range<usize>| {
-            let mut minded = Minded::default();
+            let mut minded = RowWarnings::default();
             for (row, names) in rows[range].iter().enumerate() {
                 names.iter().for_each(|name| minded.add(name, row, || (*name).to_owned()));
             }

@@ -3,10 +3,10 @@
 use std::fs::File;
 use std::io::Read;
 
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, pipeline};
 
-/// Where a table comes from.
+/// Source of a table.
 pub enum Input<'a> {
     /// Something that is read from its beginning to its end.
     Stream(Box<dyn Read + Send + 'a>),
@@ -29,10 +29,10 @@ pub(crate) struct Done<Output> {
     pub(crate) bad: u64,
     /// The first row without result, counted from zero, and its line in a text.
     pub(crate) first: Option<(usize, Option<u64>, RowProblem)>,
-    /// What the piece is of the whole, in the unit of the [`Progress`].
+    /// Share of the piece in the whole, in the unit of the [`Progress`].
     pub(crate) units: u64,
-    /// What is unusual about its rows.
-    pub(crate) minded: Minded,
+    /// Warnings of its rows.
+    pub(crate) minded: RowWarnings,
     pub(crate) output: Output,
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
     work: impl Fn(Piece) -> Result<Done<Output>, TableError> + Sync,
     mut write: impl FnMut(Output) -> Result<(), TableError>,
 ) -> Result<Summary, TableError> {
-    let (mut summary, mut minded) = (Summary::default(), Minded::default());
+    let (mut summary, mut minded) = (Summary::default(), RowWarnings::default());
     let take = |done: Done<Output>| {
         let error = done.first.map(|(row, line, problem)| TableError::Row {
             name: options.name.clone(),
@@ -78,12 +78,12 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
 }
 
 impl TableOptions {
-    /// How many of some rows are written as text, the `first` of which has no result: none from one that stops everything.
+    /// Number of rows to be written as text, the `first` of which has no result: none from one that stops everything.
     pub(crate) fn rows_to_write(&self, rows: usize, first: Option<usize>) -> usize {
         first.filter(|_| self.on_error == OnError::Stop).unwrap_or(rows)
     }
 
-    /// What the library for the input's format says of a file that is not whole.
+    /// Error for an input that is not whole, from the words of the library for its format.
     pub(crate) fn damaged(&self, cause: String) -> TableError {
         TableError::Damaged { name: self.name.clone(), format: self.from.name(), cause }
     }

@@ -76,13 +76,13 @@ pub(crate) fn run<Piece: Send, Done: Send, E: Send>(
     })
 }
 
-/// What the threads have in common.
+/// State that the threads share.
 struct Shared<Done, E> {
     /// Finished and not yet taken, by turn.
     done: BTreeMap<usize, Result<Done, E>>,
     /// The turn whose result is to be taken next.
     next: usize,
-    /// How many turns there are, once that is known; no more pieces are taken from then on.
+    /// Number of turns, once that is known; no more pieces are taken from then on.
     end: Option<usize>,
 }
 
@@ -112,7 +112,8 @@ mod tests {
     use std::sync::Mutex;
     use std::time::Duration;
 
-    /// What the sink gets of `0..pieces`, and the error; `work` fails for those in `bad`, the source at `broken`.
+    /// Pieces of `0..pieces` that the sink gets, and the error; `work` fails for those in `bad`, the source at
+    /// `broken`.
     fn outcome(threads: usize, pieces: u32, bad: &[u32], broken: u32) -> (Vec<u32>, Result<(), String>) {
         let mut next = 0;
         let source = || {

@@ -1,4 +1,4 @@
-//! What a table asks: the report's problem, or the general contact problem.
+//! Problems that a table asks: the report's problem, or the general contact problem.
 
 use standfast::contact::{self, INPUTS};
 use standfast::ground::GroundVerdict;
@@ -10,7 +10,7 @@ use ResultColumn::{
     Also, FX, FY, Mode as ModeColumn, Modes as ModesColumn, ThetaDdot, Unique, XDdot, Xi, YDdot,
 };
 
-/// Which problem the rows are.
+/// Problem that the rows are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum TableProblem {
@@ -24,7 +24,7 @@ pub enum TableProblem {
 /// A column that a table has to have.
 pub(crate) struct Column {
     pub(crate) name: &'static str,
-    /// Which quantity of the library it is.
+    /// Quantity of the library.
     quantity: Quantity,
 }
 
@@ -39,7 +39,7 @@ const FORCE: [Column; 4] = [
     column("mu", Quantity::Friction),
 ];
 
-/// What a table may have: the share of a base that crushes, which is rigid without.
+/// Optional column of a table: the share of a base that crushes, which is rigid without.
 const FORCE_OPTIONAL: [Column; 1] = [column("omega", Quantity::Omega)];
 
 const WRENCH: [Column; INPUTS.len()] = {
@@ -105,7 +105,7 @@ impl ResultColumn {
         }
     }
 
-    /// What the column holds.
+    /// Kind of the column's values.
     pub(crate) fn kind(self) -> FieldKind {
         match self {
             // One byte a row in memory, and three or four bits in Parquet.
@@ -191,7 +191,7 @@ impl TableProblem {
 }
 
 impl Answer {
-    /// What begins, if anything is known to.
+    /// Mode that begins, if any is known to.
     pub(crate) fn verdict(&self) -> Option<GroundVerdict> {
         match self {
             Answer::Force(point) => Some(GroundVerdict::Begins(point.mode())),

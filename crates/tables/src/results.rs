@@ -12,19 +12,19 @@ pub(crate) struct ResultField {
     pub(crate) kind: FieldKind,
     /// The unit of its numbers, and what it is; said where a format has room for it.
     #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
-    pub(crate) said: Option<Said>,
+    pub(crate) said: Option<ColumnWords>,
 }
 
-/// What is said of a column where a format has room for it.
+/// Unit and words of a column, where a format has room for them.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(not(feature = "memory"), expect(dead_code, reason = "CSV has no room for it"))]
-pub(crate) struct Said {
+pub(crate) struct ColumnWords {
     /// `None` for what has no unit.
     pub(crate) unit: Option<&'static str>,
     pub(crate) words: &'static str,
 }
 
-/// What a column of results holds.
+/// Kind of the values of a column of results.
 #[derive(Debug, Clone)]
 pub(crate) enum FieldKind {
     /// One of these words.

@@ -1,24 +1,24 @@
-//! What is computed of every row of a table, once its columns are known.
+//! Results of every row of a table, once its columns are known.
 
 #[cfg(feature = "columnar")]
 use standfast_cases::units::Unit;
 
 use crate::answers::Points;
 use crate::case::CaseRows;
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::results::{ResultField, Values};
 use crate::text::number;
 use crate::{OnError, RowProblem, TableError, TableOptions, Varied};
 
-/// What is computed of every row.
+/// Results to compute of every row.
 #[derive(Debug)]
 pub(crate) struct Task {
     rows: Rows,
     /// The columns appended.
     pub(crate) fields: Vec<ResultField>,
-    /// Whether the last of them says what is wrong with rows.
+    /// True if the last of them tells the faults of rows.
     says_problems: bool,
-    /// Whether everything that is wrong with rows is kept.
+    /// True if all faults of rows are kept.
     keeps_faults: bool,
 }
 
@@ -32,27 +32,27 @@ enum Rows {
 #[derive(Debug, Clone)]
 pub(crate) struct Fault {
     pub(crate) row: usize,
-    pub(crate) wrong: Wrong,
+    pub(crate) wrong: RowFault,
 }
 
-/// What is wrong with a row whose columns hold numbers; columns by their place among those of the problem.
+/// Fault of a row whose columns hold numbers; columns by their place among those of the problem.
 #[derive(Debug, Clone)]
-pub(crate) enum Wrong {
+pub(crate) enum RowFault {
     /// A value that no problem can have.
     Value { column: usize, expected: &'static str },
     /// Values that a case cannot have.
     Case { columns: Vec<usize>, problem: String },
 }
 
-impl Wrong {
-    /// The same in the table's words; `field` gives the name of a column and what the row has there.
+impl RowFault {
+    /// Converts to the table's words; `field` gives the name of a column and the row's value there.
     pub(crate) fn in_table(self, field: impl Fn(usize) -> (String, String)) -> RowProblem {
         match self {
-            Wrong::Value { column, expected } => {
+            RowFault::Value { column, expected } => {
                 let (column, value) = field(column);
                 RowProblem::Value { column, value, expected }
             }
-            Wrong::Case { columns, problem } => {
+            RowFault::Case { columns, problem } => {
                 RowProblem::Case { fields: columns.into_iter().map(field).collect(), problem }
             }
         }
@@ -66,8 +66,8 @@ pub(crate) struct Faults {
     pub(crate) first: Option<Fault>,
     /// All of them, where it is asked for.
     pub(crate) all: Option<Vec<Fault>>,
-    /// What is unusual about the rows that have a result.
-    pub(crate) minded: Minded,
+    /// Warnings of the rows that have a result.
+    pub(crate) minded: RowWarnings,
 }
 
 impl Faults {
@@ -83,7 +83,7 @@ impl Faults {
 }
 
 impl Task {
-    /// What the options ask of a table with the columns `found`, and the places of those that hold it.
+    /// Task of a table with the columns `found`, and the places of those that hold the problem.
     ///
     /// # Errors
     /// If the table lacks columns or has a result already, or the options name a result that there is not, or one twice.
@@ -96,7 +96,7 @@ impl Task {
         Ok((task, places))
     }
 
-    /// The same for results that stand apart from the table.
+    /// Task whose results stand apart from the table.
     ///
     /// # Errors
     /// As [`of`](Task::of), but for a result that the table has.
@@ -128,13 +128,13 @@ impl Task {
         Ok((Task { rows, fields, says_problems, keeps_faults: says_problems }, places))
     }
 
-    /// The same, keeping everything that is wrong with rows.
+    /// Keeps all faults of rows.
     #[cfg(feature = "memory")]
     pub(crate) fn keeping_faults(self) -> Task {
         Task { keeps_faults: true, ..self }
     }
 
-    /// How many situations a row has.
+    /// Number of situations of a row.
     #[cfg(feature = "memory")]
     pub(crate) fn situations(&self) -> usize {
         match &self.rows {
@@ -143,7 +143,7 @@ impl Task {
         }
     }
 
-    /// What is said of the columns of a case.
+    /// Columns of a case that vary, with notes and warnings.
     pub(crate) fn varied(&self) -> Option<Varied> {
         match &self.rows {
             Rows::Points(_) => None,
@@ -162,17 +162,17 @@ impl Task {
         line
     }
 
-    /// What is wrong with rows, none yet.
+    /// Empty list of the faults of rows.
     pub(crate) fn faults(&self) -> Faults {
         Faults { all: self.keeps_faults.then(Vec::new), ..Faults::default() }
     }
 
     /// The value that a text in the column at a place of the problem's says, or what is wrong with it beside the text.
-    pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, Wrong> {
+    pub(crate) fn read(&self, place: usize, text: &str) -> Result<f64, RowFault> {
         match &self.rows {
-            Rows::Points(_) => number(text).ok_or(Wrong::Value { column: place, expected: "a number" }),
+            Rows::Points(_) => number(text).ok_or(RowFault::Value { column: place, expected: "a number" }),
             Rows::Case(rows) => {
-                rows.read(place, text).map_err(|problem| Wrong::Case { columns: vec![place], problem })
+                rows.read(place, text).map_err(|problem| RowFault::Case { columns: vec![place], problem })
             }
         }
     }
@@ -221,8 +221,8 @@ impl Task {
         results.push(Values::Text(column));
     }
 
-    /// Whether row groups whose columns can be copied are worked on as one, however long: the rows of a case take so long that
-    /// shorter pieces are to share the cores.
+    /// True if row groups whose columns can be copied are worked on as one, however long: the rows of a case take so
+    /// long that shorter pieces are to share the cores.
     #[cfg(feature = "columnar")]
     pub(crate) fn copies(&self) -> bool {
         matches!(self.rows, Rows::Points(_))
@@ -230,7 +230,7 @@ impl Task {
 }
 
 impl TableOptions {
-    /// How many rows are worked on as one at most, where a piece can have any number.
+    /// Largest number of rows worked on as one, where a piece can have any number.
     #[cfg(feature = "columnar")]
     pub(crate) fn piece(&self) -> usize {
         // A row of a case takes a thousand times as long as that of a point.

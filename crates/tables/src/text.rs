@@ -7,10 +7,10 @@ use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::pieces::Done;
 use crate::results::Values;
-use crate::task::{Fault, Faults, Task, Wrong};
+use crate::task::{Fault, Faults, RowFault, Task};
 use crate::{RowProblem, TableError, TableOptions};
 use cut::{CutError, Pieces};
 
@@ -23,17 +23,17 @@ pub(crate) struct Text<R> {
     name: String,
 }
 
-/// What the header says.
+/// Header of a table.
 pub(crate) struct Header {
     /// The columns' names.
     pub(crate) names: Vec<String>,
-    /// Where those of the problem are.
+    /// Places of the columns of the problem.
     pub(crate) places: Vec<usize>,
     /// The header as it is in the file, without the end of its line.
     pub(crate) bytes: Vec<u8>,
-    /// How its line ends.
+    /// End of its line.
     pub(crate) end: &'static [u8],
-    /// What is computed of the rows.
+    /// Task of the rows.
     pub(crate) task: Task,
 }
 
@@ -98,7 +98,7 @@ impl<R: Read> Text<R> {
     }
 }
 
-/// What seems to part the columns of a header that has one only.
+/// Separator that seems to part the columns of a header that has one only.
 fn separator(names: &[String]) -> Option<&'static str> {
     [(';', "semicolons"), ('\t', "tabs"), ('|', "bars")]
         .into_iter()
@@ -114,7 +114,7 @@ pub(crate) struct Rows<'a> {
     bytes: &'a [u8],
     reader: Reader<&'a [u8]>,
     pub(crate) record: ByteRecord,
-    /// Where the row is in the piece, without the end of its line.
+    /// Place of the row in the piece, without the end of its line.
     range: Range<usize>,
 }
 
@@ -150,7 +150,7 @@ pub(crate) struct Parsed {
     pub(crate) numbers: Vec<Vec<f64>>,
     /// The rows that are not to be answered; empty if there are none.
     skip: Vec<bool>,
-    /// What is wrong with them.
+    /// Faults of those rows.
     wrong: Vec<(usize, RowProblem)>,
 }
 
@@ -180,7 +180,7 @@ impl Header {
     }
 
     /// The rows of a piece with their results.
-    pub(crate) fn answer(&self, piece: Piece) -> Answered {
+    pub(crate) fn answer(&self, piece: Piece) -> AnsweredRows {
         let mut parsed = self.parse(piece);
         let mut faults = self.task.faults();
         let mut results = self.task.answer(&parsed.columns(), &parsed.skip, &mut faults);
@@ -190,7 +190,7 @@ impl Header {
         let found: Vec<_> = found.iter().map(|fault| (fault.row, parsed.problem(self, fault))).collect();
         let problems = std::mem::take(&mut parsed.wrong).into_iter().chain(found);
         self.task.say_problems(&mut results, parsed.len(), problems);
-        Answered { parsed, results, bad, first, minded: faults.minded }
+        AnsweredRows { parsed, results, bad, first, minded: faults.minded }
     }
 
     /// Appends the numbers of a row to the columns.
@@ -213,8 +213,8 @@ impl Header {
         Ok(())
     }
 
-    /// What is wrong with a row, in the table's words.
-    fn problem(&self, record: &ByteRecord, wrong: Wrong) -> RowProblem {
+    /// Fault of a row, in the table's words.
+    fn problem(&self, record: &ByteRecord, wrong: RowFault) -> RowProblem {
         let field = |column: usize| {
             let place = self.places[column];
             (self.names[place].clone(), record.get(place).map(lossy).unwrap_or_default())
@@ -224,22 +224,22 @@ impl Header {
 }
 
 /// Rows with their results.
-pub(crate) struct Answered {
+pub(crate) struct AnsweredRows {
     pub(crate) parsed: Parsed,
     pub(crate) results: Vec<Values>,
     bad: u64,
     /// The first row without result, its line, and what is wrong with it.
     first: Option<(usize, u64, RowProblem)>,
-    minded: Minded,
+    minded: RowWarnings,
 }
 
-impl Answered {
+impl AnsweredRows {
     pub(crate) fn first_row(&self) -> Option<usize> {
         self.first.as_ref().map(|(row, ..)| *row)
     }
 
     pub(crate) fn done<Output>(self, output: Output) -> Done<Output> {
-        let Answered { parsed, bad, first, minded, .. } = self;
+        let AnsweredRows { parsed, bad, first, minded, .. } = self;
         let first = first.map(|(row, line, problem)| (row, Some(line), problem));
         Done { rows: parsed.len(), bad, first, units: parsed.bytes.len() as u64, minded, output }
     }

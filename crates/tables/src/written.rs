@@ -11,7 +11,7 @@ pub enum WrittenColumn {
     Numbers(Vec<Option<f64>>),
     /// Whole numbers, where there are some.
     Counts(Vec<Option<i64>>),
-    /// What is true or false, where that is known.
+    /// Truth values, where they are known.
     Truths(Vec<Option<bool>>),
     /// Texts.
     Texts(Vec<String>),

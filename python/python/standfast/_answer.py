@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import functools
 import json
-import keyword
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from . import _standfast
+from . import _schema, _standfast
 from ._modes import BY_SYMBOL, Mode, Modes
+from ._schema import Key, attribute
 
 #: The keys of what a user wrote, which may be any word.
 _WRITTEN = ("title", "note", "name")
 #: How many characters a representation takes.
 _LINE = 100
-
-
-def attribute(key: str) -> str:
-    """The attribute for a key: the key itself, or with an underscore where it is a word of Python's."""
-    return f"{key}_" if keyword.iskeyword(key) else key
 
 
 def with_infinity(part: dict[str, Any]) -> dict[str, Any]:
@@ -162,11 +157,6 @@ class ByMode(dict[str, _A]):
         raise KeyError(f"there is no {key!r}; there are {', '.join(self)}")
 
 
-def by_mode(kind: type[_A], documents: Any) -> ByMode[_A]:
-    """A list of objects as a class, under their modes."""
-    return ByMode((document["mode"], kind(document)) for document in documents)
-
-
 def mode(symbol: str) -> Mode:
     """A mode by its symbol."""
     return BY_SYMBOL[symbol]
@@ -177,6 +167,43 @@ def modes(symbols: list[str]) -> Modes:
     return Modes.of(*map(mode, symbols))
 
 
-def modes_or(value: Any) -> Any:
-    """A set of modes, where it is one."""
-    return modes(value) if isinstance(value, list) else value
+def value_of(key: Key, given: Any, kind: Any) -> Any:
+    """The attribute of a key that is `given` in the document; `kind` is the class of the parts in it."""
+    if isinstance(given, list):
+        if "Modes" in key.type:
+            return modes(given)
+        if key.type.startswith("ByMode["):
+            return ByMode((part["mode"], kind(part)) for part in given)
+        return copied(given) if kind is None else parts(kind, given)
+    if isinstance(given, str) and key.type.startswith("Mode"):
+        return mode(given)
+    return copied(given) if kind is None or given is None else part(kind, given)
+
+
+def make_classes(module: str, namespace: dict[str, Any]) -> list[str]:
+    """Puts the classes of a module into its namespace: a property for each key. Gives their names."""
+    for name, base, words, keys in _schema.classes(module):
+
+        def reader(key: Key) -> Callable[[Answer], Any]:
+            return lambda answer: value_of(key, answer._document[key.key], namespace.get(key.part))
+
+        made = {key.name: _property(key, reader(key)) for key in keys}
+        bases = (namespace.get(base, Answer),)
+        namespace[name] = type(name, bases, {"__module__": namespace["__name__"], "__doc__": words, **made})
+    return sorted(name for name, *_ in _schema.classes(module))
+
+
+def make_only_situation() -> type:
+    """The class of an answer that has the properties of its only situation: those of what its `_only` gives."""
+
+    def reader(key: Key) -> Callable[[Any], Any]:
+        return lambda answer: getattr(answer._only(), key.name)
+
+    made = {key.name: _property(key, reader(key)) for key in _schema.only_situation()}
+    words = "What a case with one situation says of it: the properties of that :class:`Situation`."
+    return type("OnlySituation", (), {"__module__": "standfast.answers", "__doc__": words, **made})
+
+
+def _property(key: Key, read: Callable[[Any], Any]) -> property:
+    read.__name__, read.__annotations__ = key.name, {"return": key.type}
+    return property(read, doc=key.words)

@@ -13,7 +13,8 @@ import numpy as np
 
 from . import _standfast
 from ._advice import short
-from ._answer import Lazy, attribute, copied, parts, with_infinity
+from ._answer import Lazy, copied, parts, with_infinity
+from ._schema import attribute
 from .answers import Document, OnlySituation, Situation
 
 #: How many modes a representation lists.

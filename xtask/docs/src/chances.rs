@@ -16,7 +16,7 @@ use standfast_probability::form::design_point;
 use standfast_probability::law::Law;
 use standfast_probability::problem::{Inputs, Outcomes, Pieces};
 
-/// What is shown of an example: its path in `examples`, without extension, and the number along which it is asked.
+/// Examples shown: the path in `examples`, without extension, the number along which it is asked, and the number of points.
 const EXAMPLES: [(&str, Option<&str>, u64); 4] = [
     ("goda-2000-storm", None, POINTS),
     ("statue-random", Some("earthquake.horizontal=1.5 m/s2..2.75 m/s2:11"), POINTS),
@@ -103,7 +103,7 @@ impl Slides {
     }
 }
 
-/// How far sliding is from the medians if the wave in deep water has one height or another: the least lies at a change of formula.
+/// Distance of sliding from the medians for each height of the wave in deep water: the least lies at a change of formula.
 fn kink(root: &Path) -> io::Result<Figure> {
     let text = fs::read_to_string(root.join("examples/goda-2000.toml"))?;
     let lognormal = |mean: f64, cov: f64| Law::lognormal(mean, cov * mean).map_err(io::Error::other);
@@ -119,7 +119,7 @@ fn kink(root: &Path) -> io::Result<Figure> {
         Ok(case.wave.ok_or_else(|| io::Error::other("a case with waves"))?.goda)
     };
     let mut heights: Vec<f64> = (0..=60).map(|i| 4.2 + 1.2 * f64::from(i) / 60.0).collect();
-    // Where other formulas begin to apply, on both sides of it to the last bit.
+    // Changes of formula, on both sides to the last bit.
     for pair in heights.clone().windows(2) {
         let (mut low, mut high) = (pair[0], pair[1]);
         let first = goda_at(low)?.formulas;

@@ -14,7 +14,7 @@ pub fn page() -> String {
          program itself reads, and a test fails when it is stale. A key is named in `design` by its table and name: `body.width`,\n\
          `load[2].force`.\n",
     );
-    // What stands in another table beside it alone is said there.
+    // Tables that stand in another one beside it alone are told there.
     for table in Table::ALL.into_iter().filter(|table| !table.is_history() && *table != Table::Base) {
         let header = match table {
             Table::Top => "Above all tables".to_owned(),
@@ -51,7 +51,7 @@ pub fn page() -> String {
     page
 }
 
-/// How the base moves, which is a history for each direction.
+/// Row of the base's motion, which is a history for each direction.
 const BASE: &str = "| `base` |  | how the base moves: a history for `horizontal`, to the right, and one for `vertical`, upwards; of a body \
     accelerations with a unit, or in m/s² | [histories](#a-history) | `base = { horizontal = { shape = \"half-sine\", peak = \"4 m/s2\", duration = \"0.5 s\" } }` | it does not move |\n";
 
@@ -86,7 +86,7 @@ In place of a body, `[point]` with `gamma`, `k_prime`, `k` and `mu` is a point o
 A `[storm]` without a body has its own numbers; `[random]` names these and `bias.P`, `bias.U`.
 "#;
 
-/// Whether the key is the second or third number of a list, whose first one stands for it.
+/// True if the key is the second or third number of a list, whose first one stands for it.
 fn is_further(key: Key) -> bool {
     key.name() != key.entry() && Key::find(key.info().table, key.entry()) != Some(key)
 }

@@ -18,7 +18,7 @@ use crate::files_read::{FilesRead, ReadAs};
 use crate::progress::Motions;
 use crate::write::{Pending, WriteError};
 
-/// Why a table of motions was not answered.
+/// Reason why a table of motions was not answered.
 #[derive(Debug, Error, Diagnostic)]
 pub enum MotionTableError {
     /// The table cannot be read.
@@ -26,7 +26,7 @@ pub enum MotionTableError {
     Read {
         /// The table.
         name: String,
-        /// Why.
+        /// Cause, in words.
         cause: String,
     },
     /// A format that tables of motions do not have.
@@ -74,7 +74,7 @@ pub enum MotionTableError {
         name: String,
         /// Counted from one, the header apart.
         row: usize,
-        /// Why.
+        /// Fault of the row, in words.
         words: String,
     },
     /// The file cannot be written.
@@ -113,7 +113,7 @@ pub fn motions(
         // Before many motions are followed for nothing.
         files.refuse_but_table(&args.output).map_err(WriteError::from)?;
     }
-    // What a column names, the case need not have beside it.
+    // Files that a column names need not lie beside the case.
     let named = |path: &str| header.iter().any(|column| heading(column).0 == path);
     let read = case_file::beside(case, files);
     let file = file.with_some_files(&read, &|id| !named(&id.to_string())).map_err(ColumnError::from)?;

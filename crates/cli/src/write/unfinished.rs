@@ -112,7 +112,7 @@ mod unnamed {
             // Without /proc it could not be given a name.
             Ok(file) => Ok(Path::new(&path(&file)).exists().then_some(file)),
             Err(error) => match Errno::from_io_error(&error) {
-                // What an old system and a file system say that do not know it.
+                // Errors of an old system, and of a file system, that do not know it.
                 Some(Errno::OPNOTSUPP | Errno::ISDIR | Errno::NOENT | Errno::INVAL) => Ok(None),
                 _ => Err(error),
             },

@@ -1,4 +1,4 @@
-//! What `standfast batch` leaves behind when something goes wrong, and what it does with files.
+//! Files that `standfast batch` leaves behind when something goes wrong, and its use of files.
 
 use std::fs;
 use std::path::Path;
@@ -145,7 +145,7 @@ fn an_interrupted_run_leaves_nothing_behind() {
     assert!(files(&here).is_empty());
 }
 
-/// Where the system has files without a name.
+/// Runs that are killed leave nothing behind if the system has files without a name.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_killed_run_leaves_nothing_behind() {

@@ -1,4 +1,4 @@
-//! Where a case comes from, and what is said of one that cannot be read or shown.
+//! Sources of a case, and the errors of one that cannot be read or shown.
 
 use std::fs;
 use std::io::Write;

@@ -1,4 +1,4 @@
-//! What a run has read is not written over, under whatever name.
+//! Files that a run has read are not written over, under whatever name.
 
 use std::fs;
 use std::path::Path;
@@ -119,7 +119,7 @@ fn no_command_writes_over_the_case_it_read() {
     );
 }
 
-/// What is promised: a table may be replaced by its own answer, one of motions too.
+/// Tables may be replaced by their own answer, as promised; those of motions too.
 #[test]
 fn a_table_may_be_replaced_by_its_answer() {
     let folder = tempfile::tempdir().expect("a folder");

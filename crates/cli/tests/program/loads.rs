@@ -183,7 +183,7 @@ fn explicit_pressures_and_buoyant_weight_agree() {
     assert_ne!(one["weight_counted_as"], two["weight_counted_as"]);
 }
 
-/// What does not exist is null.
+/// Numbers that do not exist are null.
 #[test]
 fn a_floating_body_has_no_factors_and_no_numbers_that_are_none() {
     let document = assess(

@@ -5,7 +5,7 @@ use standfast_cases::{Acting, Assessment, CaseFile, View, point};
 
 use crate::mutated::{mutated, number};
 
-/// What may stand where it should not.
+/// Text that may stand where it should not.
 const ODD: &[&str] = &["-1e999 m", "[[load]]"];
 
 const CASE: &str = include_str!("../../../../examples/caisson-in-air.toml");

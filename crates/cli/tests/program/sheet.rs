@@ -19,7 +19,7 @@ fn ended(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// Whether PDFs can be printed and read here; in CI they have to be.
+/// True if PDFs can be printed and read here; in CI they have to be.
 fn prints() -> bool {
     let there = browser::find().is_ok() && Command::new("pdftotext").arg("-v").output().is_ok();
     assert!(

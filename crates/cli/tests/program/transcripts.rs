@@ -1,4 +1,4 @@
-//! What a user sees, word for word: `cmd/*` are transcripts, those in its folders of what a build may leave out.
+//! Transcripts of what a user sees, word for word: those of `cmd`, and in its folders those of what a build may leave out.
 
 use standfast_cli::features::Feature;
 

@@ -26,7 +26,7 @@ const LEAST: f64 = 1e-12;
 pub struct ChanceBar<'a> {
     /// The mode, which gives symbol, words and colour.
     pub mode: Option<Mode>,
-    /// What it is of where it is no mode; not markup.
+    /// Words for the event where it is no mode; not markup.
     pub words: &'a str,
     /// The probability; 0 with an interval says that it was never met.
     pub chance: Chance,
@@ -44,9 +44,9 @@ pub struct ChanceGroup<'a> {
 /// Bars of probabilities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChanceBars<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The groups, from above.
     pub groups: &'a [ChanceGroup<'a>],

@@ -26,7 +26,7 @@ pub struct CloudPanel<'a> {
     pub across: SpectrumAxis<'a>,
     /// The quantity upwards.
     pub up: SpectrumAxis<'a>,
-    /// Which mode holds where, behind the draws: polygons in the quantities of the axes.
+    /// Areas of the modes, behind the draws: polygons in the quantities of the axes.
     pub areas: Vec<(Mode, Vec<(f64, f64)>)>,
     /// Each draw's place, in the order of the modes.
     pub points: Vec<(f64, f64)>,
@@ -35,9 +35,9 @@ pub struct CloudPanel<'a> {
 /// Draws in one view or more.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChanceCloud<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The views, side by side.
     pub panels: &'a [CloudPanel<'a>],

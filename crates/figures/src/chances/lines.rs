@@ -20,7 +20,7 @@ const MARKS: f64 = 22.0;
 const BAND: &str = "#dfe3e8";
 const BAND_OF_MODE: &str = "#f1f2f4";
 
-/// How a line is drawn.
+/// Look of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LineLook {
     /// In ink, with its band and, if there are few, its points.
@@ -34,9 +34,9 @@ pub enum LineLook {
 /// A line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChanceLine<'a> {
-    /// What it is, in markup, for the key.
+    /// Name of the line, in markup, for the key.
     pub name: &'a str,
-    /// How it is drawn.
+    /// Look of the line.
     pub look: LineLook,
     /// Its points, rising to the right.
     pub points: Vec<(f64, Chance)>,
@@ -47,16 +47,16 @@ pub struct ChanceLine<'a> {
 pub struct ChanceMark<'a> {
     /// The value.
     pub at: f64,
-    /// What it is, in markup.
+    /// Quantity, in markup.
     pub words: &'a str,
 }
 
 /// Lines of probabilities along a quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChanceLines<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The quantity to the right.
     pub across: SpectrumAxis<'a>,
@@ -107,7 +107,7 @@ fn pens(look: LineLook) -> Vec<Pen> {
     }
 }
 
-/// What is seen of a line: it stops at the edges of the plot.
+/// Points of a line within the plot: it stops at the edges.
 fn seen(plot: &Plot, points: &[(f64, Chance)]) -> Vec<(f64, f64)> {
     let within = points.iter().filter(|(x, p)| plot.across.shows(*x) && plot.up.shows(p.value));
     within.map(|(x, p)| (plot.x(*x), plot.y(p.value))).collect()

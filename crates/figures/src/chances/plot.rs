@@ -27,7 +27,7 @@ impl Edge {
         Edge { axis: Axis { from, to, logarithmic } }
     }
 
-    /// How far along the axis, 0 to 1; what lies beyond is put at its end.
+    /// Position of a value along the axis, 0 to 1; one beyond is put at its end.
     pub(super) fn share(&self, value: f64) -> f64 {
         if self.axis.logarithmic && value <= 0.0 {
             return 0.0;
@@ -35,7 +35,7 @@ impl Edge {
         self.axis.share(value).clamp(0.0, 1.0)
     }
 
-    /// Whether a value lies on the axis.
+    /// True if a value lies on the axis.
     pub(super) fn shows(&self, value: f64) -> bool {
         (!self.axis.logarithmic || value > 0.0) && (-1e-9..=1.0 + 1e-9).contains(&self.axis.share(value))
     }
@@ -171,7 +171,7 @@ mod tests {
         assert_eq!((far[0].as_str(), far[6].as_str()), ("10^−12", "1"));
     }
 
-    /// What lies beyond an axis is at its end, and no logarithm of zero is taken.
+    /// Values beyond an axis are at its end, and no logarithm of zero is taken.
     #[test]
     fn values_beyond_an_axis_are_at_its_end() {
         let axis = SpectrumAxis { name: "", from: 1e-3, to: 1.0, logarithmic: true };

@@ -1,4 +1,4 @@
-//! Which number matters: its share α² in the direction of the design point, and the probability if it were known.
+//! Importance of each number: its share α² in the direction of the design point, and the probability if it were known.
 
 use super::plot::{Edge, across_ticks, below};
 use super::{LEFT, finished};
@@ -32,12 +32,12 @@ pub struct Importance<'a> {
     pub known: f64,
 }
 
-/// What matters of several random numbers.
+/// Importance of several random numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tornado<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The probability as it is.
     pub probability: f64,

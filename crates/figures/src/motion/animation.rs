@@ -16,7 +16,7 @@ use crate::text::Text;
 const WIDTH: f64 = 560.0;
 const LEFT: f64 = 24.0;
 const TALLEST: f64 = 300.0;
-/// How long the end is shown before it begins again, s.
+/// Time for which the end is shown before it begins again, s.
 const PAUSE: f64 = 1.5;
 
 /// The body as it moves, by its poses at moments that rise from 0; between them it is drawn on straight ways.
@@ -51,7 +51,7 @@ pub fn motion_animation(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     Figure { svg, title, caption: picture.caption.to_owned(), labels, size }
 }
 
-/// When things happen, as shares of the time from one beginning to the next.
+/// Clock that turns moments into shares of the time from one beginning to the next.
 struct Clock {
     end: f64,
     duration: f64,
@@ -110,7 +110,7 @@ fn moving(
     let corners = outline.corners(&upright).map(|(x, y)| (scale * x, -scale * y));
     let mut states: Vec<(f64, Mode)> = Vec::new();
     for &(t, mode) in picture.states.iter().filter(|(t, _)| *t <= clock.end) {
-        // What is over before it can be seen is left out.
+        // States that are over before they can be seen are left out.
         match states.last_mut() {
             Some(last) if t - last.0 < 0.02 => *last = (last.0, mode),
             Some(last) if last.1 == mode => {}

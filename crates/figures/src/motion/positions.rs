@@ -93,7 +93,7 @@ pub(super) fn ground(scene: &mut Scene, (from, to): (f64, f64), y: f64) {
     }
 }
 
-/// When, which state; slide and rotation.
+/// Words below a position: time, state; slide and rotation.
 fn words_of(picture: &MotionPicture<'_>, pose: &MotionPose) -> Vec<Text> {
     let of = |unit: &str| if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let number = |value: f64| significant(value, 3);

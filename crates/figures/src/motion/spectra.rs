@@ -22,13 +22,13 @@ const SHADED: &str = "#f3d5dc";
 /// A quantity along an axis of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectrumAxis<'a> {
-    /// What it is, in markup, with its unit.
+    /// Name of the quantity, in markup, with its unit.
     pub name: &'a str,
     /// At the axis's beginning.
     pub from: f64,
     /// At its end, greater.
     pub to: f64,
-    /// Whether equal steps are equal factors; then both are above zero.
+    /// True if equal steps are equal factors; then both are above zero.
     pub logarithmic: bool,
 }
 
@@ -62,9 +62,9 @@ impl SpectrumAxis<'_> {
 /// A map of classes over two quantities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumMap<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The quantity to the right.
     pub across: SpectrumAxis<'a>,
@@ -126,9 +126,9 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
 /// Lines over a quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumLines<'a> {
-    /// What it is of, in a line; not markup.
+    /// Title, in a line; not markup.
     pub title: &'a str,
-    /// What is shown, in sentences; not markup.
+    /// Caption, in sentences; not markup.
     pub caption: &'a str,
     /// The quantity to the right.
     pub across: SpectrumAxis<'a>,

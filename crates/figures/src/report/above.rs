@@ -5,7 +5,7 @@ use standfast::initiation::PointName;
 
 use super::{Content, Entry, Sample, entry};
 use crate::map::{CASE_1, CASE_2, CASE_2_3};
-use crate::sheet::At::{A, D, E, Far, Zero};
+use crate::sheet::Abscissa::{A, D, E, Far, Zero};
 use crate::sheet::Line::{Asymptote, Diagonal, Mirror, MuStar, MuStarRising, Upper, VerticalA, VerticalE};
 use crate::sheet::Style::{Dashed, Dotted, Solid, Thin};
 use crate::sheet::{Mark, Naming, Part, Sheet, Trace, trace};

@@ -5,7 +5,7 @@ use standfast::initiation::PointName;
 
 use super::{Content, Entry, Sample, entry};
 use crate::map::{DELTA_NOT_POSITIVE, DELTA_POSITIVE};
-use crate::sheet::At::{A, BPrime, D, F, Far, Pole, Zero};
+use crate::sheet::Abscissa::{A, BPrime, D, F, Far, Pole, Zero};
 use crate::sheet::Line::{Diagonal, Lower, Middle, MuStar, MuStarStar, Upper, VerticalA};
 use crate::sheet::Style::{Dashed, Dotted, Solid, Thin};
 use crate::sheet::{Mark, Naming, Note, Part, Sheet, Trace, trace};

@@ -34,7 +34,7 @@ pub struct FigureId(u8);
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the report has no figure {text:?}; it has {}", FigureId::list())]
 pub struct UnknownFigure {
-    /// What was asked for.
+    /// Name that was asked for.
     pub text: String,
 }
 
@@ -45,7 +45,7 @@ struct Sample {
     elevation: f64,
 }
 
-/// What a figure of the report is made of.
+/// Content of a figure of the report.
 enum Content {
     /// A sketch of the block; whether the force is above the centre.
     Sketch {

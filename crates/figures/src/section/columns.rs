@@ -1,4 +1,4 @@
-//! What stands beside the body, column by column outwards: forces, pressures, heights, levels.
+//! Columns beside the body, outwards: forces, pressures, heights, levels.
 
 use super::paint::{Painter, THIN, side_of};
 use super::{Arrow, LABEL, Level, Measure, Pressed, Side, tag};
@@ -16,7 +16,7 @@ pub(super) const LONGEST: f64 = 56.0;
 pub(super) const FORCE: f64 = 46.0;
 /// Room between a thing and its label.
 const NEAR: f64 = 6.0;
-/// How far the middle of a number is above or below the end of a diagram.
+/// Distance of the middle of a number above or below the end of a diagram.
 const LETTER: f64 = 11.0;
 /// A label that is moved farther than this has a line to its place.
 pub(super) const MOVED: f64 = 3.0;
@@ -65,7 +65,7 @@ impl Painter<'_> {
         reach
     }
 
-    /// How far the forces within the body reach beyond a side of it.
+    /// Length by which the forces within the body reach beyond a side of it.
     fn overhang(&self, out: f64) -> f64 {
         let edge = if out < 0.0 { self.bounds.x0 } else { self.bounds.x1 };
         let inside = self.given.arrows.iter().filter(|arrow| arrow.is_inside);
@@ -147,7 +147,7 @@ impl Painter<'_> {
         };
     }
 
-    /// How long a pascal is drawn.
+    /// Length to which a pascal is drawn.
     pub(super) fn pressure_scale(&self) -> f64 {
         let all = self.given.pressures.iter().flat_map(|pressed| &pressed.points);
         let largest = all.map(|(_, pressure, _)| pressure.abs()).fold(0.0, f64::max);
@@ -292,7 +292,7 @@ impl Column {
     }
 }
 
-/// Which points of a pressure are written out: not those without pressure, nor a number twice running.
+/// Points of a pressure that are written out: not those without pressure, nor a number twice running.
 pub(super) fn numbers(pressed: &Pressed) -> impl Iterator<Item = usize> {
     let points = &pressed.points;
     let written = |i: &usize| {

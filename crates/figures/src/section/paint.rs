@@ -2,7 +2,7 @@
 
 use standfast::loads::Face;
 
-use super::{Arrow, Drawn, LABEL, Material, Mound, Outline, Section, Side, legend, tag};
+use super::{Arrow, LABEL, Material, Mound, Outline, Painting, Section, Side, legend, tag};
 use crate::margins;
 use crate::palette::{CONCRETE, FAINT, FILL, INK, MARK, MOUND, PAPER, WATER};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -10,9 +10,9 @@ use crate::text::Text;
 
 /// The body is about as large as this on the page.
 const BODY: (f64, f64) = (210.0, 210.0);
-/// How far below the base the bed is drawn at most; a deeper one is drawn there.
+/// Largest depth below the base at which the bed is drawn; a deeper one is drawn there.
 const DEEPEST: f64 = 120.0;
-/// How far from the wall the berm is drawn at most.
+/// Largest distance from the wall to which the berm is drawn.
 const FARTHEST: f64 = 190.0;
 /// The ratio of slopes of the mound, which no case gives.
 const SLOPE: f64 = 1.5;
@@ -25,7 +25,7 @@ pub(super) const THIN: Pen = Pen::solid(FAINT, 0.7);
 /// Draws a section at an origin: the place of mid-width at the base.
 pub(super) struct Painter<'a> {
     pub given: &'a Section<'a>,
-    pub drawn: Drawn,
+    pub drawn: Painting,
     /// Units of the page for a metre.
     pub scale: f64,
     origin: (f64, f64),
@@ -50,12 +50,12 @@ impl<'a> Painter<'a> {
         let scale = (BODY.0 / (bounds.x1 - bounds.x0)).min(BODY.1 / bounds.y1);
         let bed = given.mound.map(|mound| mound.bed.max(-DEEPEST / scale));
         let extent = Rect { x0: shift.0, y0: shift.1, x1: shift.0, y1: shift.1 };
-        let drawn = Drawn { scene: Scene::default(), extent, names: (shift.0, shift.0) };
+        let drawn = Painting { scene: Scene::default(), extent, names: (shift.0, shift.0) };
         Painter { given, drawn, scale, origin: shift, room, bounds, bed, labels: Vec::new() }
     }
 
     /// Draws everything.
-    pub(super) fn paint(mut self) -> Drawn {
+    pub(super) fn paint(mut self) -> Painting {
         self.surroundings();
         self.body();
         let left = self.columns(Side::Left);
@@ -69,7 +69,7 @@ impl<'a> Painter<'a> {
         self.drawn
     }
 
-    /// Where a place of the section lies on the page.
+    /// Place on the page of a place of the section.
     pub(super) fn place(&self, x: f64, y: f64) -> (f64, f64) {
         (self.origin.0 + x * self.scale, self.origin.1 - y * self.scale)
     }
@@ -177,7 +177,7 @@ impl<'a> Painter<'a> {
         self.ground(bed, (west, east));
     }
 
-    /// Whether the bed, the end of the berm or a force lies farther off than it is drawn.
+    /// True if the bed, the end of the berm or a force lies farther off than it is drawn.
     fn is_cut(&self) -> bool {
         let mound = self.given.mound.is_some_and(|mound| {
             self.bed.is_some_and(|bed| bed > mound.bed) || self.berm_reach(&mound) < mound.berm_width
@@ -185,14 +185,14 @@ impl<'a> Painter<'a> {
         mound || self.given.arrows.iter().any(|arrow| self.near_body(arrow.at) != arrow.at)
     }
 
-    /// Where a force is drawn that may act far off: no farther from the body than half its size.
+    /// Place at which a force is drawn that may act far off: no farther from the body than half its size.
     pub(super) fn near_body(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let Rect { x0, y0, x1, y1 } = self.bounds;
         let (across, up) = ((x1 - x0) / 2.0, (y1 - y0) / 2.0);
         (x.clamp(x0 - across, x1 + across), y.clamp(y0 - up, y1 + up))
     }
 
-    /// How far the berm is drawn, m.
+    /// Width to which the berm is drawn, m.
     pub(super) fn berm_reach(&self, mound: &Mound) -> f64 {
         mound.berm_width.min(FARTHEST / self.scale)
     }
@@ -214,7 +214,7 @@ impl<'a> Painter<'a> {
     /// The parts, fill first, the corners and the centre of mass.
     fn body(&mut self) {
         let parts = || self.given.parts.iter();
-        // What holds is drawn over what is held.
+        // Solids are drawn over the fill that they hold.
         let ordered = [Material::Cavity, Material::Fill, Material::Solid]
             .into_iter()
             .flat_map(|material| parts().filter(move |part| part.material == material));
@@ -352,11 +352,11 @@ impl<'a> Painter<'a> {
 }
 
 const CUT: &str = "What lies far off is drawn nearer than to scale; its numbers hold.";
-/// How far the letters of the corners are from them, along each axis.
+/// Distance of the letters of the corners from them, along each axis.
 const CORNER: f64 = 12.0;
 /// The distance of forces within the body that act along one line.
 const BESIDE: f64 = 24.0;
-/// How far the words of the legend stand behind their letters.
+/// Distance of the words of the legend behind their letters.
 const INDENT: f64 = 18.0;
 
 /// The words of a sentence that is no markup; one that is wider than the page is cut.
@@ -364,7 +364,7 @@ fn words(sentence: &str) -> Vec<Text> {
     sentence.split_whitespace().map(|word| Text::verbatim(&crate::caption::shortened(word), SMALL)).collect()
 }
 
-/// Whether a point lies in a polygon.
+/// True if a point lies in a polygon.
 fn is_inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     let crossed = edges

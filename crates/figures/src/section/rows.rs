@@ -1,4 +1,4 @@
-//! What stands above and below the body, row by row: forces and pressures on the top, pressures under the base, widths.
+//! Rows above and below the body: forces and pressures on the top, pressures under the base, widths.
 
 use standfast::loads::Face;
 
@@ -15,7 +15,7 @@ const WORDS: f64 = 10.0;
 /// Room between a thing and the row of its labels.
 const NEAR: f64 = 4.0;
 
-/// Which way rows follow each other on the page, y down.
+/// Direction in which rows follow each other on the page, y down.
 const UP: f64 = -1.0;
 const DOWN: f64 = 1.0;
 

@@ -190,7 +190,7 @@ fn every_vertex_on_ground_that_fails_solves_its_law() {
     assert!(count > 200, "{count}");
 }
 
-/// What the bands say at a point, and how near the point is to a boundary or an end.
+/// Verdict of the bands at a point, and the point's distance from a boundary or an end.
 fn said(plane: &GroundLoadPlane, factor: f64, mu: f64) -> Option<(Option<GroundVerdict>, f64)> {
     let band = plane.bands().iter().find(|band| band.from <= factor && factor < band.to)?;
     let ends = (factor - band.from).min(band.to - factor);

@@ -118,7 +118,7 @@ impl Machine<'_> {
             }
         }
         (self.pose.ω, self.pose.vy) = (0.0, 0.0);
-        // What is left of the energy goes into the impacts; the work of friction and loads on the way is booked above.
+        // The rest of the energy goes into the impacts; the work of friction and loads on the way is booked above.
         self.impact_loss += before - kinetic(self.block, &self.pose);
         self.t += τ;
         while self.t >= self.forcing.stop(self.segment) {
@@ -149,7 +149,7 @@ impl Machine<'_> {
         true
     }
 
-    /// Whether so little rotation is left that it is rounding.
+    /// True if so little rotation is left that it is rounding.
     fn is_over(&self) -> bool {
         let Block { rho2, m_y, .. } = *self.block;
         let energy = m_y * self.pose.vy * self.pose.vy + rho2 * self.pose.ω * self.pose.ω;

@@ -11,7 +11,7 @@ use standfast::history::Piece;
 /// A share of what is compared below which nothing is decided here.
 const TIE: f64 = 1e-9;
 
-/// What does not change, per mass.
+/// Loads and margins that do not change, per mass.
 struct Constant {
     x: f64,
     p: f64,
@@ -60,14 +60,14 @@ impl Constant {
         !(self.within[0] < x && x < self.within[1])
     }
 
-    /// Whether two sizes are too near to each other to be told apart here.
+    /// True if two sizes are too near to each other to be told apart here.
     fn tie(&self, one: f64, two: f64) -> bool {
         (one - two).abs() <= TIE * (self.p + one.abs() + two.abs())
     }
 }
 
-/// What is found on the way.
-struct Found {
+/// Events and sums of a motion as far as it is followed.
+struct Course {
     events: Vec<Event>,
     x: f64,
     v: f64,
@@ -77,7 +77,7 @@ struct Found {
     max_slide: [f64; 2],
 }
 
-impl Found {
+impl Course {
     fn say(&mut self, t: f64, why: Why) {
         let state = self.slip.map_or(Mode::Rest, Mode::slide);
         if self.x.abs() > self.max_slide[0] {
@@ -116,7 +116,7 @@ pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
         return None;
     }
     let mut found =
-        Found { events: Vec::new(), x: 0.0, v: 0.0, slip: None, work: 0.0, way: 0.0, max_slide: [0.0; 2] };
+        Course { events: Vec::new(), x: 0.0, v: 0.0, slip: None, work: 0.0, way: 0.0, max_slide: [0.0; 2] };
     let mut before: Option<f64> = None;
     if let (0.0, Piece::Line { value, .. }) = (times[0], *pieces.first()?) {
         // A base that begins with a jump may move the body at once.
@@ -210,7 +210,7 @@ pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
 }
 
 /// A piece over which X = x₀ + x₁τ and the body slides, or may begin to.
-fn over(constant: &Constant, found: &mut Found, x: [f64; 2], t: f64, length: f64) -> Option<()> {
+fn over(constant: &Constant, found: &mut Course, x: [f64; 2], t: f64, length: f64) -> Option<()> {
     let mut at = 0.0;
     for _ in 0..8 {
         let now = x[0] + x[1] * at;
@@ -325,7 +325,7 @@ mod tests {
         problem
     }
 
-    /// What is found here is what the general machine finds.
+    /// Motions by the quick way are those of the general machine.
     #[test]
     fn the_quick_way_is_the_same_motion() {
         let (mut quick, mut events, mut at_once) = (0, 0, 0);

@@ -66,7 +66,7 @@ impl Machine<'_> {
         }
     }
 
-    /// How far the series reach.
+    /// Time over which the series may be used.
     fn length(&self, room: f64) -> f64 {
         if self.mode.corner().is_none() && self.mode != Mode::Flight {
             // Polynomials, but for sines.
@@ -82,7 +82,7 @@ impl Machine<'_> {
         within(motion.θ[ORDER].abs(), ORDER);
         within(motion.θ[ORDER + 1].abs(), ORDER + 1);
         if let Some(slip) = self.mode.slip().filter(|_| self.singular && self.mode.corner().is_some()) {
-            // Where D is about to vanish, accelerations grow without bound, and angles say little of rates.
+            // Accelerations grow without bound as D vanishes, and angles say little of rates.
             let inertia = inertia_along(self.block, slip.sign(), 0, motion)[0];
             if inertia.abs() < NEAR * self.block.rho2 {
                 within(motion.ω[ORDER].abs() * self.scales.time, ORDER);
@@ -105,7 +105,7 @@ impl Machine<'_> {
         let (block, motion, scales) = (self.block, &self.motion, &self.scales);
         let mut first: Option<(f64, Failure)> = None;
         let mut reach = h;
-        // What is exactly zero at the beginning, so many times, is divided out.
+        // Zeros at the beginning that are exact, so many, are divided out.
         let mut exact = |powers: &[f64], zeros: usize, failure: Failure| {
             if let Some(τ) = first_root(&powers[zeros..], reach) {
                 (first, reach) = (Some((τ, failure)), τ);
@@ -444,7 +444,7 @@ fn quarter_left(θ: &Series, side: f64) -> Series {
     left
 }
 
-/// How many first coefficients are zero up to rounding.
+/// Number of first coefficients that are zero up to rounding.
 fn leading(scales: &Scales, powers: &[f64], size: f64) -> usize {
     let mut factor = 1.0;
     for (k, a) in powers.iter().enumerate() {
@@ -456,7 +456,7 @@ fn leading(scales: &Scales, powers: &[f64], size: f64) -> usize {
     powers.len()
 }
 
-/// Where a margin that may begin at zero becomes a number: the power from which its roots are to be sought, `None` if it is zero throughout.
+/// Power from which the roots of a margin that may begin at zero are to be sought, `None` if it is zero throughout.
 fn after_zeros(scales: &Scales, powers: &[f64], size: f64) -> Option<usize> {
     if powers[0] > crate::decide::ROUNDING * size {
         return Some(0);

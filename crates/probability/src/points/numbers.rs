@@ -1,6 +1,7 @@
-//! Where each coordinate of the Sobol' sequence comes from: the inner coefficients of a primitive polynomial modulo 2, read as a binary
-//! number, and the first odd numbers of its recurrence, as many as its degree. Of Joe and Kuo, *Constructing Sobol sequences with
-//! better two-dimensional projections*, SIAM Journal on Scientific Computing 30 (2008) 2635–2654, set D6, coordinates 2 to 32.
+//! Constants of each coordinate of the Sobol' sequence: the inner coefficients of a primitive polynomial modulo 2, read
+//! as a binary number, and the first odd numbers of its recurrence, as many as its degree. Of Joe and Kuo,
+//! *Constructing Sobol sequences with better two-dimensional projections*, SIAM Journal on Scientific Computing 30
+//! (2008) 2635–2654, set D6, coordinates 2 to 32.
 
 pub(super) const DIRECTIONS: [(u64, &[u64]); 31] = [
     (0, &[1]),

@@ -61,13 +61,13 @@ impl Estimate {
         Estimate { value: k / n, low, high }
     }
 
-    /// Whether half of the interval is within `precision` of the estimate, or the estimate not above the floor.
+    /// True if half of the interval is within `precision` of the estimate, or the estimate not above the floor.
     pub(super) fn is_precise(&self, precision: f64, floor: f64) -> bool {
         self.value <= floor || 0.5 * (self.high - self.low) <= precision * self.value
     }
 }
 
-/// Where a function that rises from 0 to 1 on (0, 1) has a value.
+/// Argument at which a function that rises from 0 to 1 on (0, 1) has a value.
 pub(super) fn where_reached(f: impl Fn(f64) -> f64, value: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     loop {

@@ -1,4 +1,4 @@
-//! Which loads act, and which accelerations of the base were tried.
+//! Loads that act, and accelerations of the base that were tried.
 
 use maud::{Markup, html};
 use standfast::ground::GroundVerdict;

@@ -61,7 +61,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
     }
 }
 
-/// What follows from parts: of each its mass and centre, then those of all.
+/// Shows mass and centre of each part, then those of all.
 fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
     let body = &case.body;
     let masses = section.masses(case.water_table);

@@ -10,7 +10,7 @@ use super::loads::{grouped, parts, sum};
 use crate::measured::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
 use crate::steps::Steps;
 
-/// What common practice asks of both safety factors.
+/// Value that common practice asks of both safety factors.
 pub const TARGET: f64 = 1.2;
 
 pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
@@ -140,7 +140,7 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Co
     ));
 }
 
-/// What the inequalities of rest leave.
+/// Shows the margins of the inequalities of rest.
 fn margins(steps: &mut Steps, assessed: &Assessed) {
     let margins = assessed.outcome.margins;
     let Margins { sliding, overturning_about_heel: heel, overturning_about_toe: toe } = margins;
@@ -246,9 +246,9 @@ fn pressure(steps: &mut Steps, assessed: &Assessed) {
     steps.add("Share of the base that is pressed", "", ["ψ", of_share], share, NONE, "contact_share");
 }
 
-/// How the pressure on the base and its contact follow from the resultant.
+/// Formulas of the pressure on the base and its contact from the resultant.
 struct BearingFormulas {
-    /// Which of them holds.
+    /// Words for the case that holds.
     about: &'static str,
     heel: String,
     toe: String,

@@ -1,4 +1,4 @@
-//! What is asked of the results, step by step.
+//! Criteria on the results, step by step.
 
 use standfast_cases::criteria::Bound;
 use standfast_cases::{Assessed, Case, CaseCheck, Key};
@@ -65,7 +65,7 @@ fn quantity(key: Key) -> (&'static str, Unit) {
     }
 }
 
-/// What tells the criteria apart in an index.
+/// Letter that tells a criterion from others in an index.
 fn letters(key: Key) -> &'static str {
     match key {
         Key::LeastSliding => "s",

@@ -1,4 +1,4 @@
-//! What the base bears: its effective width, resistance and stiffness, step by step.
+//! Bearing of the base: its effective width, resistance and stiffness, step by step.
 
 mod factors;
 mod soil;
@@ -14,7 +14,7 @@ use standfast_cases::case::{Foundation, Limit};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case, Inputs, Key};
 
-use self::soil::At;
+use self::soil::NamedReaction;
 use crate::measured::{KILONEWTON, KILOPASCAL, METRE, NONE};
 use crate::steps::Steps;
 
@@ -56,7 +56,7 @@ pub(super) fn steps(
             sheet.of_ground(steps);
             sheet.bears(
                 steps,
-                &At {
+                &NamedReaction {
                     reaction: *reaction,
                     vertical: "V",
                     push: "|X|",

@@ -233,19 +233,19 @@ fn water_symbols(load: &Load) -> [&'static str; 2] {
     }
 }
 
-/// What a pressure is multiplied by for how far the body reaches out of the plane.
-struct Along {
+/// Factor of a pressure for the body's extent out of the plane.
+struct PlanFactor {
     /// Behind the formula of a pressure on a side, or on a rectangular base.
     side: &'static str,
-    /// Whether the base is a circle.
+    /// True if the base is a circle.
     circle: bool,
 }
 
-fn along(body: &Body, extent: Extent) -> Along {
+fn along(body: &Body, extent: Extent) -> PlanFactor {
     match (body.plan(), extent) {
-        (Plan::Circle, _) => Along { side: " w", circle: true },
-        (_, Extent::Whole) => Along { side: " L_b", circle: false },
-        (_, Extent::PerMetre) => Along { side: "", circle: false },
+        (Plan::Circle, _) => PlanFactor { side: " w", circle: true },
+        (_, Extent::Whole) => PlanFactor { side: " L_b", circle: false },
+        (_, Extent::PerMetre) => PlanFactor { side: "", circle: false },
     }
 }
 
@@ -269,12 +269,12 @@ fn formulas(
     [x, v]: [&str; 2],
     [sum, lever]: &[String; 2],
     factor: &str,
-    long: &Along,
+    long: &PlanFactor,
 ) -> [Option<String>; 3] {
     // The elevation of a force turns it into a moment, its distance from O as well.
     let moment_of_x = |arm: &str| format!("−{x} ({arm} − y_C)");
     let moment_of_v = |arm: &str| format!("−{v} ({arm} − b_1)");
-    let Along { side, circle } = *long;
+    let PlanFactor { side, circle } = *long;
     let pressure = |left: &str, right: &str, of: &str| match circle {
         false => {
             let force = format!("−{factor}{of}({left} + {right})/2 B_c{side}");
@@ -351,7 +351,7 @@ fn pressure(
     [sum_name, lever_name]: &[String; 2],
     (load, face, diagram): (&Load, Face, &PressureDiagram),
 ) {
-    /// How many points a sum is written out for.
+    /// Largest number of points that a sum is written out for.
     const WRITTEN: usize = 6;
     let given = &case.pressures;
     let is_it = |pressure: &FacePressure| {
@@ -361,7 +361,7 @@ fn pressure(
     let scale = given.get(index).map_or(1.0, |pressure| pressure.scale);
     let points = diagram.points();
     let (force, moment) = diagram.resultant_on(&case.body, face);
-    let Along { side, circle } = along(&case.body, case.extent);
+    let PlanFactor { side, circle } = along(&case.body, case.extent);
     let on_circle = circle && matches!(face, Face::Base | Face::Top);
     let sum = &format!("{name}: sum of the pressure along the face");
     let lever = match face {

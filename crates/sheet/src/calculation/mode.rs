@@ -97,7 +97,7 @@ pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
     steps.note(&describe::uniqueness(reduced));
 }
 
-/// Where the mode changes as the friction varies and, of a lone force in air, as the force does; `weight` is then m g.
+/// Shows the changes of mode over the friction and, of a lone force in air, over the force; `weight` is then m g.
 pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, weight: Option<f64>) {
     let margins = reduced.point.margins();
     steps.heading("Changes of mode");

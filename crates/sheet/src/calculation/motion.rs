@@ -66,7 +66,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     rotation(steps, assessed, motion);
 }
 
-/// What gives the reaction along the base: friction where the body slips, balance where it does not accelerate.
+/// Shows the reaction along the base: from friction if the body slips, from balance if it does not accelerate.
 fn horizontal(steps: &mut Steps, case: &Case, assessed: &Assessed, motion: &Motion) {
     let Motion { x_ddot, f_x, .. } = *motion;
     let about = "Along the base";

@@ -49,7 +49,7 @@ struct Condition {
     variable: [Term; 3],
 }
 
-/// Where the body leaves rest: the condition of rest that the rising load crosses there.
+/// Shows the departure from rest: the condition of rest that the rising load crosses there.
 fn departure(steps: &mut Steps, assessed: &Assessed, components: &[Component], factor: f64) {
     const ABOUT: &str = "Load factor at which the body leaves rest";
     const NAME: &str = "λ_d";

@@ -75,7 +75,7 @@ fn pressures(steps: &mut Steps, goda: &Goda, uplift: bool) {
     steps.heading("Pressures");
     let formula = ["p1", "1/2 (1 + cos(β)) (λ1 α1 + λ2 α* cos(β)^2) ρ g H_max"];
     steps.add("At still water", "Goda", formula, goda.p1, KILOPASCAL, "p1");
-    // Where α₃ is negative no pressure is taken at the base.
+    // No pressure is taken at the base if α₃ is negative.
     let positive = if goda.alpha_3 > 0.0 { "α3" } else { "max(α3, 0)" };
     steps.add("At the base", "Goda", ["p3", &format!("{positive} p1")], goda.p3, KILOPASCAL, "p3");
     steps.add("At the top of the loaded wall", "Goda", ["p4", "α4 p1"], goda.p4, KILOPASCAL, "p4");

@@ -214,11 +214,11 @@ pub fn select<'a>(html: &'a Html, selector: &str) -> Vec<ElementRef<'a>> {
 /// A step of the calculation as a reader finds it.
 pub struct Step {
     pub name: String,
-    /// Whether there is a formula in symbols.
+    /// True if there is a formula in symbols.
     pub symbols: bool,
-    /// What the numbers come to, and the size of what they are summed of; SI.
+    /// Result of the numbers, and the size of what they are summed of; SI.
     pub numbers: Option<(f64, f64)>,
-    /// What the sheet says, SI.
+    /// Result that the sheet shows, SI.
     pub result: Option<f64>,
 }
 
@@ -238,7 +238,7 @@ pub fn steps(html: &Html) -> Vec<Step> {
     steps.into_iter().filter_map(one).collect()
 }
 
-/// What a unit is in SI units.
+/// SI units that make one of this unit.
 fn unit(text: &str) -> f64 {
     match text.replace(['\u{a0}', '\u{202f}', ' '], " ").trim() {
         "" | "m" | "s" | "m²" | "m/s²" | "rad/s²" | "kg/m³" | "kg/m" | "N/m" | "Pa" | "kg m²/m" => 1.0,
@@ -268,7 +268,7 @@ pub fn si(element: ElementRef<'_>, attribute: &str) -> Option<f64> {
     Some(value * scale * column)
 }
 
-/// Whether the number is a force of the table of motions, whose unit stands in the next column.
+/// True if the number is a force of the table of motions, whose unit stands in the next column.
 fn common_column(element: ElementRef<'_>) -> bool {
     let name = element.attr("data-quantity").unwrap_or_default();
     matches!(name, "motion.f_x" | "motion.f_y")
@@ -308,7 +308,7 @@ pub fn shown(element: ElementRef<'_>) -> f64 {
     }
 }
 
-/// Whether a number is another one rounded to four digits or more, or to five places.
+/// True if a number is another one rounded to four digits or more, or to five places.
 pub fn close(shown: f64, meant: f64) -> bool {
     shown == meant || (shown - meant).abs() <= 5.001e-4 * meant.abs() || (shown - meant).abs() <= 5.001e-6
 }
@@ -322,7 +322,7 @@ enum Token {
     Operator(char),
 }
 
-/// What the numbers of a step come to. `None` if there are none.
+/// Result of the numbers of a step, and their size. `None` if there are none.
 pub fn evaluate(numbers: ElementRef<'_>) -> Option<(f64, f64)> {
     let mut tokens = Vec::new();
     for math in numbers.select(&Selector::parse("math").unwrap()) {

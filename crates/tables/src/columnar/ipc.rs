@@ -20,7 +20,7 @@ pub(crate) struct ArrowFile {
     pub(crate) schema: SchemaRef,
 }
 
-/// What a file begins and ends with.
+/// Bytes at the beginning and end of a file.
 const MAGIC: &[u8] = b"ARROW1";
 
 impl ArrowFile {
@@ -47,7 +47,7 @@ impl ArrowFile {
         Ok(ArrowFile { file, length, decoder, blocks: blocks.into_iter(), schema })
     }
 
-    /// How many batches are left.
+    /// Number of batches left.
     pub(crate) fn left(&self) -> u64 {
         self.blocks.len() as u64
     }

@@ -24,7 +24,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 
 use crate::guard::guarded;
 use crate::memory::inputs::{Inputs, Numbers};
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::pieces::{Done, Input, answer_pieces};
 use crate::results::{SYMBOLS, Values};
 use crate::text::{self as rows, Header};
@@ -54,7 +54,7 @@ pub(crate) fn answer<W: Write + Send>(
 ) -> Result<Summary, TableError> {
     let output = Remembering { output, failed: Arc::default() };
     let failed = output.failed.clone();
-    // What the library for a format makes of the system's words does not read well.
+    // Words of the system do not read well as the library for a format has them.
     let unwritten = |cause: String| {
         let failed = failed.lock().unwrap_or_else(PoisonError::into_inner).take();
         TableError::Write(failed.unwrap_or_else(|| io::Error::other(cause)))
@@ -71,7 +71,7 @@ pub(crate) fn answer<W: Write + Send>(
     Ok(Summary { varied: reading.task().varied(), ..summary })
 }
 
-/// What makes a [`Done`] of a [`Piece`], on any thread.
+/// Maker of a [`Done`] from a [`Piece`], on any thread.
 struct Worker<'a> {
     reading: &'a Reading,
     writing: &'a Writing,
@@ -214,13 +214,13 @@ fn unwritable(error: impl std::error::Error + Send + Sync + 'static) -> TableErr
     TableError::Write(io::Error::other(error))
 }
 
-/// What the batches of a piece add up to.
+/// Sums over the batches of a piece.
 #[derive(Default)]
 struct Tally {
     rows: usize,
     bad: u64,
     first: Option<(usize, RowProblem)>,
-    minded: Minded,
+    minded: RowWarnings,
 }
 
 impl Tally {

@@ -45,7 +45,7 @@ pub(crate) struct Shared {
 }
 
 /// A file from some place on.
-pub(crate) struct From {
+pub(crate) struct Suffix {
     file: Shared,
     offset: u64,
 }
@@ -59,7 +59,7 @@ impl Shared {
     }
 }
 
-impl Read for From {
+impl Read for Suffix {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         let read = self.file.read_at(bytes, self.offset)?;
         self.offset += read as u64;
@@ -74,10 +74,10 @@ impl Length for Shared {
 }
 
 impl ChunkReader for Shared {
-    type T = BufReader<From>;
+    type T = BufReader<Suffix>;
 
-    fn get_read(&self, start: u64) -> Result<BufReader<From>> {
-        Ok(BufReader::new(From { file: self.clone(), offset: start }))
+    fn get_read(&self, start: u64) -> Result<BufReader<Suffix>> {
+        Ok(BufReader::new(Suffix { file: self.clone(), offset: start }))
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
@@ -85,7 +85,7 @@ impl ChunkReader for Shared {
             return Err(io::Error::from(io::ErrorKind::UnexpectedEof).into());
         }
         let mut bytes = Vec::with_capacity(length);
-        From { file: self.clone(), offset: start }.take(length as u64).read_to_end(&mut bytes)?;
+        Suffix { file: self.clone(), offset: start }.take(length as u64).read_to_end(&mut bytes)?;
         if bytes.len() < length {
             return Err(io::Error::from(io::ErrorKind::UnexpectedEof).into());
         }
@@ -93,7 +93,7 @@ impl ChunkReader for Shared {
     }
 }
 
-/// The same file, read in large pieces.
+/// Reader of the same file in large pieces.
 struct Bulk(Shared);
 
 impl Length for Bulk {
@@ -103,10 +103,10 @@ impl Length for Bulk {
 }
 
 impl ChunkReader for Bulk {
-    type T = BufReader<From>;
+    type T = BufReader<Suffix>;
 
-    fn get_read(&self, start: u64) -> Result<BufReader<From>> {
-        Ok(BufReader::with_capacity(1 << 20, From { file: self.0.clone(), offset: start }))
+    fn get_read(&self, start: u64) -> Result<BufReader<Suffix>> {
+        Ok(BufReader::with_capacity(1 << 20, Suffix { file: self.0.clone(), offset: start }))
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
@@ -202,7 +202,7 @@ impl Source {
         self.reader(part).with_projection(mask).with_batch_size(part.rows.min(ROWS)).build()
     }
 
-    /// How results are to be written: as the file's own columns are.
+    /// Properties of the results to be written: those of the file's own columns.
     fn properties(&self, schema: &Schema, results: &[ResultField]) -> WriterProperties {
         let file = self.parquet().file_metadata();
         let group = self.parquet().row_groups().first();
@@ -270,7 +270,7 @@ fn properties(compression: Compression, results: &[ResultField]) -> WriterProper
     builder
 }
 
-/// What encodes columns, on any thread.
+/// Encoder of columns, on any thread.
 pub(crate) struct Encoder {
     /// For whole rows.
     rows: ArrowRowGroupWriterFactory,

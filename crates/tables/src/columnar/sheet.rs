@@ -15,7 +15,7 @@ use super::unpacked;
 use super::workbook::ROWS;
 use crate::{TableError, TableOptions};
 
-/// What a cell holds.
+/// Value of a cell.
 enum Cell {
     Empty,
     Number(f64),
@@ -98,7 +98,7 @@ pub(super) fn read(file: File, options: &TableOptions) -> Result<(RecordBatch, u
     Ok((batch.map_err(|error| options.damaged(error.to_string()))?, u64::from(header) + 1))
 }
 
-/// How much of a sheet is kept.
+/// Room left for the texts of a sheet.
 struct Room<'a> {
     options: &'a TableOptions,
     sheet: &'a str,
@@ -224,7 +224,7 @@ fn days_since_1970(year: i64, month: i64, day: i64) -> i64 {
     period * 146_097 + in_period * 365 + in_period / 4 - in_period / 100 + in_year - 719_468
 }
 
-/// Whether a number is whole, and known to its last digit.
+/// True if a number is whole, and known to its last digit.
 fn is_whole(number: f64) -> bool {
     number.fract() == 0.0 && number.abs() < (1_u64 << 53) as f64
 }

@@ -1,4 +1,4 @@
-//! Where the pieces of a table go.
+//! Writers of the pieces of a table.
 
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -12,21 +12,21 @@ use super::source::Reading;
 use super::table;
 use crate::{TableError, TableFormat, TableOptions};
 
-/// How pieces are written.
+/// Format in which pieces are written.
 pub(super) enum Writing {
     Text,
     Arrow(SchemaRef),
     Parquet(SchemaRef, Encoder),
 }
 
-/// What is written of a piece.
+/// Output of a piece.
 pub(super) enum Output {
     Text(Vec<u8>),
     Batches(Vec<RecordBatch>),
     Group(Group),
 }
 
-/// Where the pieces go.
+/// Writer of the pieces.
 pub(super) enum Sink<W: Write + Send> {
     Text(W),
     Arrow(Box<FileWriter<W>>),
@@ -36,9 +36,9 @@ pub(super) enum Sink<W: Write + Send> {
     Sheet(Box<super::workbook::Sheet<W>>),
 }
 
-/// Why something was not written.
+/// Reason why something was not written.
 pub(super) enum Unwritten {
-    /// What a library says.
+    /// Words of a library.
     Words(String),
     /// The table does not fit.
     #[cfg(feature = "xlsx")]
@@ -46,7 +46,7 @@ pub(super) enum Unwritten {
 }
 
 impl Unwritten {
-    /// The same as an error of the table; `words` makes one of what a library says.
+    /// Converts to an error of the table; `words` makes one of what a library says.
     pub(super) fn into_table(self, words: impl Fn(String) -> TableError) -> TableError {
         match self {
             Unwritten::Words(cause) => words(cause),

@@ -1,4 +1,4 @@
-//! Where the pieces of a table come from.
+//! Readers of the pieces of a table.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -15,7 +15,7 @@ use crate::task::Task;
 use crate::text::{self as rows, Header, Text};
 use crate::{Progress, TableError, TableFormat, TableOptions};
 
-/// How much text of a row is reckoned with: pieces of text are to be about a row group for Parquet.
+/// Bytes of text reckoned for a row: pieces of text are to be about a row group for Parquet.
 const TEXT_OF_ROW: usize = 1 << 6;
 
 /// A file that can be read from any place: a stream is copied into a temporary one.
@@ -30,7 +30,7 @@ fn seekable(input: Input<'_>) -> io::Result<File> {
     }
 }
 
-/// Where the pieces come from.
+/// Source of the pieces.
 pub(super) struct Source<'a> {
     options: &'a TableOptions,
     kind: SourceKind<'a>,
@@ -40,9 +40,9 @@ enum SourceKind<'a> {
     Text(Text<Box<dyn Read + Send + 'a>>),
     Batches {
         batches: Batches<'a>,
-        /// What is left of a batch that was too long.
+        /// Rest of a batch that was too long.
         rest: Option<RecordBatch>,
-        /// Whether short batches are to be gathered.
+        /// True if short batches are to be gathered.
         gather: bool,
         /// The most rows of a piece.
         rows: usize,
@@ -58,7 +58,7 @@ pub(super) enum Piece {
     Part(Part),
 }
 
-/// How a piece is read.
+/// Way in which a piece is read.
 pub(super) enum Reading {
     Text(Header),
     Batches(Inputs, SchemaRef),
@@ -74,7 +74,7 @@ impl Reading {
         }
     }
 
-    /// What is computed of the rows.
+    /// Task of the rows.
     pub(super) fn task(&self) -> &Task {
         match self {
             Reading::Text(header) => &header.task,

@@ -1,4 +1,4 @@
-//! What a workbook unpacks to, before it is read: a megabyte may hold a part of gigabytes, or say that it does.
+//! Size of a workbook unpacked, before it is read: a megabyte may hold a part of gigabytes, or say that it does.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -8,7 +8,7 @@ use zip::ZipArchive;
 
 use crate::{TableError, TableOptions};
 
-/// How much is unpacked at most, bytes.
+/// Largest sizes unpacked, bytes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     /// Of one part. A full sheet of twenty columns has so many.
@@ -21,7 +21,7 @@ pub(super) struct Limits {
 
 pub(super) const LIMITS: Limits = Limits { part: 1 << 30, all: 1 << 31, text: 1 << 24 };
 
-/// What is read at once.
+/// Bytes read at once.
 const BUFFER: usize = 1 << 16;
 
 /// Refuses a workbook that unpacks to more than `limits`, whatever sizes it claims. What is no workbook is for its reader to tell.
@@ -33,25 +33,25 @@ pub(super) fn check(file: &File, options: &TableOptions, limits: Limits) -> Resu
         let most = left.min(limits.part);
         let name = part.name().map(|name| name.into_owned()).unwrap_or_default();
         let unpacked = match part.size() {
-            claimed if claimed > most => Err(Wrong::Size(claimed)),
+            claimed if claimed > most => Err(Excess::Size(claimed)),
             _ => unpacked(&mut part, most, limits.text),
         };
         left -= unpacked.map_err(|wrong| match wrong {
-            Wrong::Size(found) => {
+            Excess::Size(found) => {
                 let (name, part) = (options.name.clone(), format!("its part {name}"));
                 TableError::TooLarge { name, part, found, what: "bytes unpacked", most }
             }
-            Wrong::Text => {
+            Excess::Text => {
                 options.damaged(format!("its part {name} has a text of more than {} bytes", limits.text))
             }
-            Wrong::Count(count) => options.damaged(format!("its part {name} claims {count} texts")),
+            Excess::Count(count) => options.damaged(format!("its part {name} claims {count} texts")),
         })?;
     }
     Ok(())
 }
 
-/// What no workbook has.
-enum Wrong {
+/// Fault that no workbook has.
+enum Excess {
     /// More bytes than there may be: so many, or more.
     Size(u64),
     /// More of them without a mark of XML.
@@ -61,7 +61,7 @@ enum Wrong {
 }
 
 /// The bytes of a part, counted as they come.
-fn unpacked(part: &mut impl Read, most: u64, text: u64) -> Result<u64, Wrong> {
+fn unpacked(part: &mut impl Read, most: u64, text: u64) -> Result<u64, Excess> {
     // The end of what was read before is kept, for words that lie across.
     let mut buffer = vec![0; KEPT + BUFFER];
     let (mut size, mut run, mut claimed) = (0, 0, 0);
@@ -69,24 +69,24 @@ fn unpacked(part: &mut impl Read, most: u64, text: u64) -> Result<u64, Wrong> {
     while let Ok(count @ 1..) = part.read(&mut buffer[KEPT..]) {
         size += count as u64;
         if size > most {
-            return Err(Wrong::Size(size));
+            return Err(Excess::Size(size));
         }
         let (bytes, mut from) = (&buffer[KEPT..KEPT + count], 0);
         for at in memchr_iter(b'<', bytes) {
             if run + (at - from) as u64 > text {
-                return Err(Wrong::Text);
+                return Err(Excess::Text);
             }
             (run, from) = (0, at + 1);
         }
         run += (count - from) as u64;
         if run > text {
-            return Err(Wrong::Text);
+            return Err(Excess::Text);
         }
         claimed = count_claimed(&buffer[..KEPT + count]).max(claimed);
         buffer.copy_within(count..count + KEPT, 0);
     }
     // Each text has a mark of five bytes at least, <si/>.
-    if claimed > size / 5 { Err(Wrong::Count(claimed)) } else { Ok(size) }
+    if claimed > size / 5 { Err(Excess::Count(claimed)) } else { Ok(size) }
 }
 
 const KEPT: usize = 64;
@@ -143,11 +143,11 @@ mod tests {
         assert_eq!(all, "in.xlsx: its part b.xml has 80000 bytes unpacked or more; expected 70000 at most");
     }
 
-    /// What comes is counted, whatever size is claimed: a part without end is not read to its end.
+    /// Bytes that come are counted, whatever size is claimed: a part without end is not read to its end.
     #[test]
     fn sizes_are_not_believed() {
         let found = unpacked(&mut std::io::repeat(b'<'), SMALL.part, SMALL.text);
-        assert!(matches!(found, Err(Wrong::Size(131_072))));
+        assert!(matches!(found, Err(Excess::Size(131_072))));
         let (mut lying, mut file) = (Vec::new(), packed(&[("a.xml", b"<a/>", 50_000)]));
         file.read_to_end(&mut lying).unwrap();
         let places: Vec<_> = memmem::find_iter(&lying, &200_000_u32.to_le_bytes()).collect();

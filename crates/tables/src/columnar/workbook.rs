@@ -44,7 +44,7 @@ impl<W: Write> Sheet<W> {
     ) -> Result<Sheet<W>, Unwritten> {
         check_room(rows.unwrap_or_default(), schema.fields().len())?;
         let mut workbook = Workbook::new();
-        // The same table gives the same bytes.
+        // Equal tables give equal bytes.
         let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
         workbook.set_properties(&DocProperties::new().set_creation_datetime(&created));
         let sheet = workbook.add_worksheet_with_constant_memory()?;
@@ -195,7 +195,7 @@ impl Column {
     }
 }
 
-/// Whether all numbers of a column are known to their last digit as 64-bit floating-point numbers.
+/// True if all numbers of a column are known to their last digit as 64-bit floating-point numbers.
 fn fits(column: &ArrayRef) -> Result<bool, Unwritten> {
     let numbers = cast(column, &DataType::Float64).map_err(|error| Unwritten::Words(error.to_string()))?;
     let largest = (1_u64 << 53) as f64;

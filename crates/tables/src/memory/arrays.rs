@@ -8,7 +8,7 @@ use arrow_array::{
 };
 use arrow_schema::{DataType, Field};
 
-use crate::results::{FieldKind, NO_NAME, NO_WORD, ResultField, Said, Values};
+use crate::results::{ColumnWords, FieldKind, NO_NAME, NO_WORD, ResultField, Values};
 use crate::task::Task;
 
 impl Task {
@@ -21,7 +21,7 @@ impl Task {
 impl ResultField {
     fn in_arrow(&self) -> Field {
         let field = Field::new(self.name, self.kind.data_type(), true);
-        let Some(Said { unit, words }) = self.said else { return field };
+        let Some(ColumnWords { unit, words }) = self.said else { return field };
         let unit = unit.map(|unit| ("unit", unit));
         let said = unit.into_iter().chain([("description", words)]);
         field.with_metadata(said.map(|(key, words)| (key.to_owned(), words.to_owned())).collect())

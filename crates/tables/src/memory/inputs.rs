@@ -11,17 +11,17 @@ use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_schema::Schema;
 use arrow_schema::{ArrowError, DataType, Field};
 
-use crate::task::{Fault, Faults, Task, Wrong};
+use crate::task::{Fault, Faults, RowFault, Task};
 use crate::{RowProblem, TableError, TableOptions};
 
 /// The columns of the problem in a table of Arrow.
 #[derive(Debug)]
 pub(crate) struct Inputs {
-    /// Where they are.
+    /// Places of the columns.
     pub(crate) places: Vec<usize>,
-    /// What the table calls them.
+    /// Names of the columns in the table.
     pub(crate) names: Vec<String>,
-    /// What is computed of the rows.
+    /// Task of the rows.
     pub(crate) task: Task,
     /// The row of the header, where the table is that of a sheet.
     #[cfg(feature = "columnar")]
@@ -98,14 +98,14 @@ impl Inputs {
         Ok(Numbers { sources, columns, skip, faults })
     }
 
-    /// What is wrong with a row.
+    /// Fault of a row.
     pub(crate) fn problem(&self, numbers: &Numbers, fault: &Fault) -> RowProblem {
         let row = fault.row;
         let is_null = |place: usize| {
             let source = &numbers.sources[place];
             source.is_null(row) || source.data_type().is_null()
         };
-        if let Wrong::Value { column, expected } = fault.wrong
+        if let RowFault::Value { column, expected } = fault.wrong
             && is_null(column)
         {
             return RowProblem::Null { column: self.names[column].clone(), expected };
@@ -166,7 +166,7 @@ fn floats(
         DataType::Dictionary(_, values) => values.is_string(),
         other => other.is_string(),
     };
-    let null = |row| Fault { row, wrong: Wrong::Value { column: place, expected: "a number" } };
+    let null = |row| Fault { row, wrong: RowFault::Value { column: place, expected: "a number" } };
     if !is_text {
         let numbers = cast(column, &DataType::Float64)?.as_primitive::<Float64Type>().clone();
         wrong.extend((0..numbers.len()).filter(|row| numbers.is_null(*row)).map(null));

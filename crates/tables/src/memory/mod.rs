@@ -8,14 +8,14 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, Field, Schema};
 
-use crate::minded::Minded;
+use crate::minded::RowWarnings;
 use crate::pipeline;
 use crate::results::Values;
 use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableOptions, Varied};
 use inputs::Inputs;
 
-/// How many rows of a case with one situation are worked on as one: a millisecond or two, so that a run that is stopped stops
-/// at once, and beside which the care for a piece does not count.
+/// Number of rows of a case with one situation that are worked on as one: a millisecond or two, so that a run that is
+/// stopped stops at once, and beside which the care for a piece does not count.
 const PIECE: usize = 64;
 
 /// A table in memory whose columns are known, and what is computed of its rows.
@@ -33,21 +33,21 @@ pub struct MemoryAnswer {
     pub values: Vec<Values>,
     /// The rows that have none, from zero.
     pub without: Vec<u64>,
-    /// What was done.
+    /// Summary of the run.
     pub summary: Summary,
 }
 
 /// The results of some rows.
-struct Answered {
+struct AnsweredRows {
     rows: usize,
     values: Vec<Values>,
-    /// What is wrong with rows, in their order.
+    /// Faults of rows, in their order.
     problems: Vec<(usize, RowProblem)>,
-    minded: Minded,
+    minded: RowWarnings,
 }
 
 impl MemoryTable {
-    /// What the options ask of a table with these columns; the formats they name are of no concern.
+    /// Prepares the options for a table with these columns; the formats they name are of no concern.
     ///
     /// # Errors
     /// If the table lacks columns, or the options name a result that there is not, or one twice.
@@ -60,7 +60,7 @@ impl MemoryTable {
         &self.inputs.places
     }
 
-    /// Which columns vary a case, and what goes with them; `None` of points.
+    /// Columns that vary a case, and what goes with them; `None` of points.
     pub fn varied(&self) -> Option<Varied> {
         self.inputs.task.varied()
     }
@@ -102,10 +102,10 @@ impl MemoryTable {
         let mut values: Vec<Values> =
             self.inputs.task.fields.iter().map(|field| Values::empty(&field.kind, 0)).collect();
         let mut without = Vec::new();
-        let mut minded = Minded::default();
+        let mut minded = RowWarnings::default();
         let mut summary = Summary { varied: self.varied(), ..Summary::default() };
-        let take = |answered: Answered| {
-            let Answered { rows, values: of_rows, problems, minded: of_these } = answered;
+        let take = |answered: AnsweredRows| {
+            let AnsweredRows { rows, values: of_rows, problems, minded: of_these } = answered;
             minded.append(of_these, summary.rows);
             summary.bad += problems.len() as u64;
             without.extend(problems.iter().map(|(row, _)| summary.rows + *row as u64));
@@ -128,7 +128,7 @@ impl MemoryTable {
         Ok(MemoryAnswer { fields: self.fields(), values, without, summary })
     }
 
-    fn rows(&self, batch: &RecordBatch) -> Result<Answered, TableError> {
+    fn rows(&self, batch: &RecordBatch) -> Result<AnsweredRows, TableError> {
         let rows = batch.num_rows();
         let mut numbers =
             self.inputs.read(batch.columns().to_vec(), rows).map_err(|error| self.unread(&error))?;
@@ -140,7 +140,7 @@ impl MemoryTable {
             all.map(|fault| (fault.row, self.inputs.problem(&numbers, fault))).collect();
         problems.sort_by_key(|(row, _)| *row);
         task.say_problems(&mut values, rows, problems.iter().cloned());
-        Ok(Answered { rows, values, problems, minded: faults.minded })
+        Ok(AnsweredRows { rows, values, problems, minded: faults.minded })
     }
 
     fn unread(&self, error: &ArrowError) -> TableError {

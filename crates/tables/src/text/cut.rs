@@ -2,12 +2,12 @@
 
 use std::io::{self, Read};
 
-/// Where a text can be cut.
+/// Place at which a text can be cut.
 #[derive(Debug, PartialEq, Eq)]
 struct Cut {
     /// The end of its last whole row.
     end: usize,
-    /// Whether a quotation mark after that is open.
+    /// True if a quotation mark after that is open.
     open: bool,
 }
 
@@ -18,31 +18,31 @@ fn cut(text: &[u8]) -> Cut {
         let feed = memchr::memrchr(b'\n', text).or_else(|| memchr::memrchr(b'\r', text));
         return Cut { end: feed.map_or(0, |feed| feed + 1), open: false };
     }
-    enum In {
+    enum Field {
         Start,
         Plain,
         Quoted,
         QuoteInQuoted,
     }
     let mut end = 0;
-    let mut place = In::Start;
+    let mut place = Field::Start;
     for (i, &byte) in text.iter().enumerate() {
         place = match (place, byte) {
-            (In::Start | In::QuoteInQuoted, b'"') => In::Quoted,
-            (In::Quoted, b'"') => In::QuoteInQuoted,
-            (In::Quoted, _) => In::Quoted,
+            (Field::Start | Field::QuoteInQuoted, b'"') => Field::Quoted,
+            (Field::Quoted, b'"') => Field::QuoteInQuoted,
+            (Field::Quoted, _) => Field::Quoted,
             (_, b'\n' | b'\r') => {
                 end = i + 1;
-                In::Start
+                Field::Start
             }
-            (_, b',') => In::Start,
-            _ => In::Plain,
+            (_, b',') => Field::Start,
+            _ => Field::Plain,
         };
     }
-    Cut { end, open: matches!(place, In::Quoted) }
+    Cut { end, open: matches!(place, Field::Quoted) }
 }
 
-/// Why there is no next piece.
+/// Reason why there is no next piece.
 #[derive(Debug)]
 pub(crate) enum CutError {
     Read(io::Error),
@@ -53,7 +53,7 @@ pub(crate) enum CutError {
 /// The pieces of a text.
 pub(crate) struct Pieces<R> {
     source: R,
-    /// How long a piece is, about.
+    /// Size of a piece, about.
     size: usize,
     /// Read, and not yet part of a piece.
     rest: Vec<u8>,

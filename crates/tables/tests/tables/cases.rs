@@ -243,7 +243,7 @@ fn every_row_is_the_assessment_of_its_case() {
                     let shaken = shaken.map(|earthquake| number(earthquake.horizontal()));
                     assert_eq!(read("earthquake_horizontal"), shaken.collect::<Vec<_>>(), "{output}");
                 }
-                // What varies is carried over as it is.
+                // Varied columns are carried over as they are.
                 for (place, column) in table.columns.iter().enumerate() {
                     let values = read(column).iter().map(|text| text.parse().unwrap()).collect::<Vec<f64>>();
                     assert_eq!(values, table.values.iter().map(|row| row[place]).collect::<Vec<_>>());

@@ -464,7 +464,7 @@ fn damaged_files_are_refused() {
     }
 }
 
-/// Where the memory test says where its tables are, to the process that answers one.
+/// Variable by which the memory test tells the process that answers a table where it lies.
 const TABLES: &str = "STANDFAST_TEST_TABLES";
 
 /// Three times the rows need no more memory.

@@ -9,7 +9,7 @@ use standfast_tables::{OnError, Place, ResultColumn, TableError, TableOptions, T
 
 use crate::mutated::{mutated, number};
 
-/// What may stand where it should not.
+/// Text that may stand where it should not.
 const ODD: &[&str] = &["-1e999", ",,,"];
 
 const TABLE: &str = include_str!("../../../../examples/points.csv");

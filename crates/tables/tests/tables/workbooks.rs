@@ -36,7 +36,7 @@ fn workbook(folder: &TempDir) {
     for row in 0..3_u32 {
         let at = 3 + row;
         sheet.write_row(at, 1, [1.0, 1.0]).unwrap();
-        // What the workbook keeps of a formula.
+        // Results of formulas are what the workbook keeps.
         sheet.write_formula(at, 3, Formula::new("=1+1").set_result("2")).unwrap();
         sheet.write_number(at, 4, 5.0).unwrap();
         let date = ExcelDateTime::from_ymd(2026, 2, 27 + u8::try_from(row).unwrap() % 2).unwrap();
@@ -162,7 +162,8 @@ fn more_rows_than_a_sheet_has_are_refused() {
     );
 }
 
-/// What a spreadsheet would take for a formula in CSV is a text in a workbook, and nothing is put before it in either.
+/// Formulas of CSV, as a spreadsheet would take them, are texts in a workbook, and nothing is put before them in
+/// either.
 #[test]
 fn a_text_is_no_formula() {
     let folder = tempfile::tempdir().unwrap();

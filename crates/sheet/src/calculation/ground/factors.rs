@@ -5,7 +5,7 @@ use standfast::ground::bearing::Reaction;
 use standfast_cases::assess::OnGround;
 
 use super::super::path::{self, Term};
-use super::soil::At;
+use super::soil::NamedReaction;
 use super::{LOST, Sheet};
 use crate::measured::{KILONEWTON, METRE, MOMENT, NONE};
 use crate::steps::Steps;
@@ -71,7 +71,7 @@ impl Sheet<'_> {
         both
     }
 
-    /// Where a base that crushes ceases to bear: the least root of a quadratic.
+    /// Shows the load factor at which a base that crushes ceases to bear: the least root of a quadratic.
     fn crushed_at(&self, steps: &mut Steps, strength: f64, factor: f64) {
         const KEY: &str = "load_factor_ground";
         let told = |steps: &mut Steps, words: &str| steps.told(ABOUT, "λ_R", factor, NONE, words, KEY);
@@ -150,7 +150,7 @@ impl Sheet<'_> {
         steps.add("Its effective width", "Meyerhof", ["B'_R", "B_c − 2 |e_R|"], width, METRE, "");
         self.bears(
             steps,
-            &At {
+            &NamedReaction {
                 reaction,
                 vertical: "V_R",
                 push: "|X_R|",
@@ -195,7 +195,7 @@ impl Sheet<'_> {
                 );
                 self.bears(
                     steps,
-                    &At {
+                    &NamedReaction {
                         reaction,
                         vertical: "V",
                         push: "k_BF V",
@@ -211,7 +211,7 @@ impl Sheet<'_> {
     }
 }
 
-/// Where R/V falls to 1 along the load, in words.
+/// Tells the load factor at which R/V falls to 1.
 pub(super) fn load_factors(steps: &mut Steps, ground: &OnGround, words: &str) {
     let Some(factors) = ground.load_factors else { return };
     steps.told(ABOUT, "λ_R", factors.given, NONE, words, "load_factor_ground");
@@ -225,7 +225,7 @@ pub(super) fn load_factors(steps: &mut Steps, ground: &OnGround, words: &str) {
     }
 }
 
-/// The same where nothing presses on the base.
+/// Tells these load factors where nothing presses on the base.
 pub(super) fn of_lifted(steps: &mut Steps, ground: &OnGround) {
     load_factors(steps, ground, LOST);
 }

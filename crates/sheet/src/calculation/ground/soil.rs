@@ -1,4 +1,4 @@
-//! What ground that fails bears, at one reaction after the other.
+//! Resistance of ground that fails, at one reaction after the other.
 
 use standfast::ground::bearing::{BearingFactors, Ground, Reaction};
 use standfast_cases::Key;
@@ -9,20 +9,20 @@ use crate::measured::{DEGREE, KILONEWTON, KILOPASCAL, NONE, UNIT_WEIGHT};
 use crate::steps::Steps;
 
 /// A reaction at which R is worked out, under the names that its quantities have.
-pub(super) struct At<'a> {
+pub(super) struct NamedReaction<'a> {
     pub reaction: Reaction,
     /// Vertical force, inclination without cohesion, effective width, and eccentricity over half the base.
     pub vertical: &'a str,
     pub push: &'a str,
     pub width: &'a str,
     pub share: &'a str,
-    /// What is appended to the names of what is worked out; empty under the full load.
+    /// Suffix of the names of quantities at this reaction; empty under the full load.
     pub of: &'a str,
     /// The key of R.
     pub key: &'a str,
 }
 
-impl At<'_> {
+impl NamedReaction<'_> {
     /// A name that belongs to this reaction.
     fn name(&self, letter: &str) -> String {
         match (self.of, letter.contains('_')) {
@@ -55,7 +55,7 @@ impl Sheet<'_> {
         self.inputs.number(key).unwrap_or_default()
     }
 
-    /// What is the same for all reactions.
+    /// Shows the quantities that are equal for all reactions.
     pub(super) fn of_ground(&self, steps: &mut Steps) {
         match self.soil().and_then(|ground| ground.factors()) {
             Some(factors) => self.bearing_factors(steps, factors),
@@ -85,7 +85,7 @@ impl Sheet<'_> {
     }
 
     /// R at a reaction.
-    pub(super) fn bears(&self, steps: &mut Steps, at: &At<'_>) {
+    pub(super) fn bears(&self, steps: &mut Steps, at: &NamedReaction<'_>) {
         let Some(ground) = self.soil() else { return };
         let resistance = self.whole(ground.resistance(&at.reaction));
         let name = at.name("R");
@@ -99,11 +99,17 @@ impl Sheet<'_> {
         }
     }
 
-    fn by_factors(&self, steps: &mut Steps, at: &At<'_>, factors: BearingFactors, resistance: f64) {
+    fn by_factors(
+        &self,
+        steps: &mut Steps,
+        at: &NamedReaction<'_>,
+        factors: BearingFactors,
+        resistance: f64,
+    ) {
         let law = self.law();
         let (surcharge, cohesion) = (self.given(Key::Surcharge), self.given(Key::Cohesion));
         let tan = self.given(Key::GroundAngle).to_radians().tan();
-        let At { reaction, vertical, push, width, .. } = at;
+        let NamedReaction { reaction, vertical, push, width, .. } = at;
         let inclination = reaction.x().abs() / (reaction.p() + reaction.effective_width() * cohesion / tan);
         let formula = match cohesion {
             0.0 => format!("{push}/{vertical}"),
@@ -142,14 +148,14 @@ impl Sheet<'_> {
         steps.add(about, law, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
     }
 
-    fn by_envelope(&self, steps: &mut Steps, at: &At<'_>, resistance: f64) {
+    fn by_envelope(&self, steps: &mut Steps, at: &NamedReaction<'_>, resistance: f64) {
         let or = |key, otherwise| self.inputs.number(key).unwrap_or(otherwise);
         let (t_h, t_m, coupling) = (
             or(Key::EnvelopeHorizontal, T_H),
             or(Key::EnvelopeMoment, T_M),
             or(Key::EnvelopeCoupling, COUPLING),
         );
-        let At { reaction, vertical, push, share, .. } = at;
+        let NamedReaction { reaction, vertical, push, share, .. } = at;
         let (η, against) = (reaction.inclination(), reaction.x() * reaction.e() < 0.0);
         let ε = if against { -reaction.eccentricity_share() } else { reaction.eccentricity_share() };
         let names = ["η", "ε_b", "r_b"].map(|letter| at.name(letter));
