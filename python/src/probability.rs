@@ -5,7 +5,7 @@ use std::num::NonZero;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast::ground::GroundVerdict;
+use standfast::Verdict;
 use standfast_cases::CaseFile;
 use standfast_cases::random::{Draws, Effort, Happening, MethodAsked, Over, Probability, Request};
 use standfast_cases::report;
@@ -118,7 +118,7 @@ pub(crate) fn draws(
     let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));
     let code = |happens: Happening| match happens {
         Happening::Mode(mode) => mode.code(),
-        Happening::BearingFailure => GroundVerdict::BEARING_FAILURE_CODE,
+        Happening::BearingFailure => Verdict::BEARING_FAILURE_CODE,
         _ => NO_MODE,
     };
     let modes = drawn.drawn.iter().map(|d| code(d.happens));

@@ -7,10 +7,9 @@ pub(crate) mod shape;
 mod soil;
 
 use standfast::diagram::Window;
-use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::BearingPlane;
 use standfast::ground::strength::{CrushMap, CrushPoint};
-use standfast::{Diagram, Modes};
+use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
 use crate::canvas::{Canvas, FORMULA};
@@ -170,7 +169,7 @@ struct Draft {
     canvas: Canvas,
     shape: Shape,
     window: Window,
-    areas: Vec<(GroundVerdict, Vec<Piece>)>,
+    areas: Vec<(Verdict, Vec<Piece>)>,
     numbers: Numbers,
     /// What is said below of lines and hatching, in markup.
     legend: Vec<String>,

@@ -4,10 +4,9 @@
 //! stay within a two-thousandth of the window's height of the exact ones.
 
 use standfast::diagram::Window;
-use standfast::ground::GroundVerdict;
 use standfast::initiation::PointName;
 use standfast::region::{Curve, Strip};
-use standfast::{Diagram, Mode, Modes};
+use standfast::{Diagram, Mode, Modes, Verdict};
 
 use crate::DiagramContent;
 use crate::map;
@@ -43,7 +42,7 @@ pub struct Outlines {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
     /// What the body does there: a mode, or BF on ground that fails.
-    pub verdict: GroundVerdict,
+    pub verdict: Verdict,
     /// Its symbol as markup.
     pub symbol: &'static str,
     /// Its colour, as `#rrggbb`.
@@ -124,7 +123,7 @@ pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
     let shows = |k: f64, mu: f64| (0.0..=window.k).contains(&k) && (0.0..=window.mu).contains(&mu);
 
     let areas = diagram.regions().iter().map(|region| Area {
-        verdict: GroundVerdict::Begins(region.mode),
+        verdict: Verdict::Begins(region.mode),
         symbol: symbol(region.mode),
         tint: tint(region.mode),
         polygons: polygons(&region.strips, &view),

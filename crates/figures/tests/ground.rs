@@ -3,8 +3,8 @@
 #[path = "base/load.rs"]
 mod load;
 
+use standfast::Verdict;
 use standfast::diagram::Window;
-use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::{CrushMap, CrushPoint};
 use standfast_figures::outlines::{Outlines, Polyline};
@@ -106,7 +106,7 @@ fn is_inside(polygon: &Polyline, (k, mu): (f64, f64)) -> bool {
 
 /// The areas fill the window, and each is of the verdict that the decision has at points all over it. A point nearer to a boundary
 /// than the drawing's tolerance may be on its other side.
-fn assert_decided(shown: &Outlines, of: &str, verdict: impl Fn(f64, f64) -> GroundVerdict) {
+fn assert_decided(shown: &Outlines, of: &str, verdict: impl Fn(f64, f64) -> Verdict) {
     assert_filled(shown, of);
     for i in 0..25 {
         for j in 0..25 {

@@ -1,9 +1,8 @@
 //! What a table asks: the report's problem, or the general contact problem.
 
 use standfast::contact::{self, INPUTS};
-use standfast::ground::GroundVerdict;
 use standfast::ground::strength::CrushPoint;
-use standfast::{InputError, Modes, Motion, Point, Quantity};
+use standfast::{InputError, Modes, Motion, Point, Quantity, Verdict};
 
 use crate::results::{FieldKind, SYMBOLS};
 use ResultColumn::{
@@ -192,11 +191,11 @@ impl TableProblem {
 
 impl Answer {
     /// What begins, if anything is known to.
-    pub(crate) fn verdict(&self) -> Option<GroundVerdict> {
+    pub(crate) fn verdict(&self) -> Option<Verdict> {
         match self {
-            Answer::Force(point) => Some(GroundVerdict::Begins(point.mode())),
+            Answer::Force(point) => Some(Verdict::Begins(point.mode())),
             Answer::Crushing(point) => Some(point.verdict()),
-            Answer::Wrench(answer) => answer.mode().map(GroundVerdict::Begins),
+            Answer::Wrench(answer) => answer.mode().map(Verdict::Begins),
         }
     }
 

@@ -25,7 +25,7 @@ impl Assessed {
         if self.is_on_ground() {
             return self.because_of_ground();
         }
-        match (&full.effective, full.mode) {
+        match (&full.effective, full.mode()) {
             (Some(reduced), _) => reduced.point.explain().deciding().to_vec(),
             (None, Some(mode)) => {
                 let solution = self.situation.solve(&full.wrench);

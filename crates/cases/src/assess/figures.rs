@@ -5,8 +5,8 @@ use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundLoadMap, GroundPlane, LoadPlane, RotationCurve, diagram,
-    ground_diagram, ground_load_plane, load_plane, rotation_curve,
+    DesignPoint, DiagramContent, Figure, GroundPlane, LoadPlane, RotationCurve, diagram, ground_diagram,
+    load_plane, rotation_curve,
 };
 
 use super::{Assessed, Assessment, View, section};
@@ -207,20 +207,14 @@ fn path(
         Some(Limit::Ground(soil)) => Some(GroundLoadPlane::failing(situation, soil, up_to)?),
         None => None,
     };
-    let onset = assessed.ground.as_ref().and_then(|ground| ground.onset.as_ref());
-    let figure = match plane.as_ref().zip(onset) {
-        Some((plane, onset)) => ground_load_plane(&GroundLoadMap {
-            plane,
-            rigid: &regions,
-            friction,
-            stages: &onset.path,
-            title: &title,
-        }),
-        None => {
-            let stages = &assessed.outcome.path;
-            load_plane(&LoadPlane { regions: &regions, up_to, friction, stages, title: &title })
-        }
-    };
+    let figure = load_plane(&LoadPlane {
+        regions: &regions,
+        base: plane.as_ref(),
+        up_to,
+        friction,
+        stages: &assessed.outcome.path,
+        title: &title,
+    });
     let words = named("Load path", assessment, assessed, suffix);
     let suffix = format!("{suffix}-path");
     Ok(CaseFigure { suffix, words, drawn: Drawn::LoadPath, figure })

@@ -3,10 +3,9 @@
 use std::fmt::Write;
 
 use serde::Serialize;
-use standfast::ground::GroundVerdict;
 use standfast::ground::strength::{CrushMotion, CrushPoint};
 use standfast::initiation::{Crossing, Step, Trace};
-use standfast::{Corner, Mode, Modes, Motion};
+use standfast::{Corner, Mode, Modes, Motion, Verdict};
 
 use super::{Change, RelationDocument, TraceStep};
 use crate::assess::SCHEMA;
@@ -24,7 +23,7 @@ pub struct Crushing {
 }
 
 impl Crushing {
-    fn verdict(&self) -> GroundVerdict {
+    fn verdict(&self) -> Verdict {
         let verdict = self.point.verdict();
         if self.mirrored { verdict.mirrored() } else { verdict }
     }
@@ -77,7 +76,7 @@ fn one_line(given: &Crushing) -> String {
     let verdict = given.verdict();
     let others = given.others();
     let unique = match verdict {
-        GroundVerdict::BearingFailure => "no motion is given".to_owned(),
+        Verdict::BearingFailure => "no motion is given".to_owned(),
         _ if others.is_empty() => "unique".to_owned(),
         _ => format!("not unique, also {others}"),
     };
@@ -199,7 +198,7 @@ pub fn json(given: &Crushing) -> String {
         k: f64,
         mu: f64,
         mirrored: bool,
-        mode: GroundVerdict,
+        mode: Verdict,
         mode_words: &'static str,
         unique: bool,
         also: Modes,

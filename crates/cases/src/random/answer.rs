@@ -3,8 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
+use standfast::{Mode, Verdict};
 use standfast_probability::form::{DesignPoint, generalized};
 use standfast_probability::sample::{Effort, Estimate};
 
@@ -187,7 +186,7 @@ impl Happening {
     pub fn words(self) -> Option<&'static str> {
         match self {
             Happening::Mode(mode) => Some(mode.words()),
-            Happening::BearingFailure => Some(GroundVerdict::BearingFailure.words()),
+            Happening::BearingFailure => Some(Verdict::BearingFailure.words()),
             Happening::NoMode | Happening::NotABody => None,
         }
     }
@@ -196,16 +195,16 @@ impl Happening {
     pub fn name(self) -> String {
         match self {
             Happening::Mode(mode) => mode.to_string(),
-            Happening::BearingFailure => GroundVerdict::BearingFailure.to_string(),
+            Happening::BearingFailure => Verdict::BearingFailure.to_string(),
             Happening::NoMode => "no mode".to_owned(),
             Happening::NotABody => "not a body".to_owned(),
         }
     }
 
     pub(super) fn of(outcome: usize) -> Happening {
-        match GroundVerdict::from_code(outcome as u8) {
-            Some(GroundVerdict::Begins(mode)) => Happening::Mode(mode),
-            Some(GroundVerdict::BearingFailure) => Happening::BearingFailure,
+        match Verdict::from_code(outcome as u8) {
+            Some(Verdict::Begins(mode)) => Happening::Mode(mode),
+            Some(Verdict::BearingFailure) => Happening::BearingFailure,
             None if outcome == NOT_A_BODY => Happening::NotABody,
             None => Happening::NoMode,
         }
