@@ -67,9 +67,13 @@ mod sheet;
 mod text;
 
 use standfast::diagram::Window;
+use standfast::ground::bearing::BearingPlane;
 use standfast::ground::load_plane::{GroundLoadPlane, LoadEdge};
+use standfast::ground::strength::CrushMap;
 use standfast::region::Region;
 use standfast::{Diagram, Stage};
+
+use ground::GroundPlane;
 
 pub use cases::cases_on_screen;
 pub use chances::{
@@ -79,7 +83,6 @@ pub use chances::{
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
-pub use ground::{GroundPlane, ground_diagram, ground_outlines};
 pub use margins::{AxisNumbers, axis_numbers};
 pub use motion::{
     MotionLoad, MotionOutline, MotionPicture, MotionPose, SpectrumAxis, SpectrumLines, SpectrumMap,
@@ -192,13 +195,50 @@ impl DiagramContent<'_> {
 
 /// The map of all modes of one body and one elevation of the force, with design points, in a window that holds them.
 pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
-    diagram_with(diagram, &DiagramContent { points, ..DiagramContent::default() })
+    rigid_diagram(diagram, &DiagramContent { points, ..DiagramContent::default() })
 }
 
-/// The map of all modes of one body and one elevation of the force.
+/// The k–μ plane of a body on a base.
+#[derive(Debug, Clone, PartialEq)]
+pub enum KMuPlane {
+    /// On a rigid base.
+    Rigid(Diagram),
+    /// On a base that crushes.
+    Crushing(CrushMap),
+    /// On ground that fails.
+    Failing(BearingPlane),
+}
+
+impl From<Diagram> for KMuPlane {
+    fn from(diagram: Diagram) -> KMuPlane {
+        KMuPlane::Rigid(diagram)
+    }
+}
+
+/// The k–μ plane of one body, one elevation of the force and one base. Where the base gives way, lines of the rigid plane lie behind in grey.
 ///
 /// The indeterminate set N, where several modes are consistent, is hatched if a point lies in it.
-pub fn diagram_with(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
+///
+/// ```
+/// use standfast::ground::strength::CrushMap;
+/// use standfast_figures::{DesignPoint, DiagramContent, KMuPlane, diagram_with};
+///
+/// let plane = KMuPlane::Crushing(CrushMap::new(0.8, 0.9167, 0.08)?);
+/// let storm = [DesignPoint { k: 0.61, mu: 0.6, label: "storm".into(), mirrored: false }];
+/// let content = DiagramContent { points: &storm, ..DiagramContent::default() };
+/// let figure = diagram_with(&plane, &content);
+/// assert!(figure.caption().contains("storm (0.61, 0.6): RO."));
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+pub fn diagram_with(plane: &KMuPlane, content: &DiagramContent<'_>) -> Figure {
+    match plane {
+        KMuPlane::Rigid(diagram) => rigid_diagram(diagram, content),
+        KMuPlane::Crushing(map) => ground::diagram(GroundPlane::Crushing(map), content),
+        KMuPlane::Failing(plane) => ground::diagram(GroundPlane::Failing(plane), content),
+    }
+}
+
+fn rigid_diagram(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
     let (sheet, condition) = map::sheet(diagram.chart().case());
     let unresolved = diagram.unresolved();
     let within = |&(k, mu): &(f64, f64)| unresolved.iter().any(|part| part.contains(k, mu));

@@ -5,8 +5,8 @@ use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundPlane, LoadPlane, RotationCurve, diagram, ground_diagram,
-    load_plane, rotation_curve,
+    DesignPoint, DiagramContent, Figure, KMuPlane, LoadPlane, RotationCurve, diagram_with, load_plane,
+    rotation_curve,
 };
 
 use super::{Assessed, Assessment, View, section};
@@ -129,15 +129,13 @@ impl Plane {
     fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<Option<CaseFigure>, InputError> {
         let gamma = assessment.case.body.slenderness();
         let content = DiagramContent { points: &self.points, ..DiagramContent::default() };
-        let figure = match &self.base {
-            None => diagram(&Diagram::new(gamma, self.k_prime)?, &self.points),
-            Some(Base::Crushing(omega)) if *omega >= 1.0 => return Ok(None),
-            Some(Base::Crushing(omega)) => {
-                let map = CrushMap::new(gamma, self.k_prime, *omega)?;
-                ground_diagram(GroundPlane::Crushing(&map), &content)
-            }
-            Some(Base::Failing(plane)) => ground_diagram(GroundPlane::Failing(plane), &content),
+        let plane = match self.base {
+            None => KMuPlane::Rigid(Diagram::new(gamma, self.k_prime)?),
+            Some(Base::Crushing(omega)) if omega >= 1.0 => return Ok(None),
+            Some(Base::Crushing(omega)) => KMuPlane::Crushing(CrushMap::new(gamma, self.k_prime, omega)?),
+            Some(Base::Failing(plane)) => KMuPlane::Failing(plane),
         };
+        let figure = diagram_with(&plane, &content);
         let words = match (self.in_air, suffix.is_empty()) {
             (false, true) => "k–μ diagram in effective coordinates".to_owned(),
             (false, false) => {

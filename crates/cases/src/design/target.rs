@@ -461,21 +461,19 @@ fn moves(assessed: &Assessed, verdict: Option<Verdict>) -> String {
         Some(_) => return format!("{}: R ≥ P fails", predicate(verdict)),
         None => return predicate(None),
     };
+    let (ends, edges) = match assessed.is_on_ground() {
+        true => ("the base crushes under an edge", "−b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q"),
+        false => ("the resultant leaves the base", "−b₁ P ≤ X d − M ≤ b₂ P"),
+    };
+    let condition = match (mode.corner(), mode.slip()) {
+        (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails".to_owned(),
+        (Some(_), None) => format!("{ends}: {edges} fails"),
+        (Some(_), Some(_)) => format!("|X| ≤ μ P or {edges} fails"),
+        _ => "nothing presses it on its base: P > 0 fails".to_owned(),
+    };
     if assessed.is_on_ground() {
-        let condition = match (mode.corner(), mode.slip()) {
-            (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails",
-            (Some(_), None) => "the base crushes under an edge: −b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q fails",
-            (Some(_), Some(_)) => "|X| ≤ μ P or −b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q fails",
-            _ => "nothing presses it on its base: P > 0 fails",
-        };
         return format!("{}: {condition}", predicate(verdict));
     }
-    let condition = match (mode.corner(), mode.slip()) {
-        (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails",
-        (Some(_), None) => "the resultant leaves the base: −b₁ P ≤ X d − M ≤ b₂ P fails",
-        (Some(_), Some(_)) => "|X| ≤ μ P or −b₁ P ≤ X d − M ≤ b₂ P fails",
-        _ => "nothing presses it on its base: P > 0 fails",
-    };
     // Under the full load, the report's inequalities of rest say it with their numbers.
     let steps =
         assessed.outcome.full.effective.map(|reduced| reduced.point.explain().steps).unwrap_or_default();
@@ -484,5 +482,5 @@ fn moves(assessed: &Assessed, verdict: Option<Verdict>) -> String {
     let equation = failing.map_or(String::new(), |relation| {
         format!("; ({}) {} fails in effective coordinates", relation.equation, relation.statement())
     });
-    format!("{} ({mode}): {condition}{equation}", mode.words())
+    format!("{}: {condition}{equation}", predicate(verdict))
 }

@@ -15,9 +15,8 @@ use std::cmp::Ordering;
 use super::conditions::{self, COUNT, conditions};
 use super::{Block, check, numbers, solve, with_friction};
 use crate::error::InputError;
-use crate::neighbour::Neighbour;
 use crate::span::Span;
-use crate::verdict::Verdict;
+use crate::verdict::{Decision, Verdict};
 use crate::wrench::Wrench;
 
 /// The spans of friction from zero without end. The block's own μ_s and μ_k say by their ratio alone how slip follows stick.
@@ -60,30 +59,20 @@ pub fn spans_up_to(block: &Block, wrench: &Wrench, up_to: f64) -> Result<Vec<Spa
         earlier.1 = if same { earlier.1.min(later.1) } else { earlier.1 };
         same
     });
-    let mut spans = Vec::new();
-    let mut begin = (0.0, 0);
-    for next in crossings.into_iter().map(Some).chain([None]) {
-        let (from, boundary) = begin;
-        let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
-        // Beyond the last crossing any friction will do that is still asked for.
-        let inside = match to.min(up_to) {
-            LARGEST => 2.0 * from + 1.0,
-            end => from + (end - from) / 2.0,
-        };
-        let (mode, modes) = match signs(&start, &end, inside) {
+    let up_to = if up_to < LARGEST { up_to } else { f64::INFINITY };
+    Span::between(crossings, up_to, |μ| {
+        let (mode, modes) = match signs(&start, &end, μ) {
             Some(signs) => {
                 let conditions::Verdict { mode, modes } = conditions::Verdict::of_signs(&signs);
                 (mode, modes)
             }
             None => {
-                let solution = solve(&with_friction(block, inside), wrench)?;
+                let solution = solve(&with_friction(block, μ), wrench)?;
                 (solution.mode(), solution.modes)
             }
         };
-        Span { from, to, verdict: mode.map(Verdict::Begins), modes, boundary }.join(&mut spans);
-        begin = next.unwrap_or(begin);
-    }
-    Ok(spans)
+        Ok(Decision { verdict: mode.map(Verdict::Begins), modes })
+    })
 }
 
 /// The signs of the conditions at a friction between crossings, by what they are at 0 and 1; none where rounding could tell

@@ -28,7 +28,6 @@ use crate::departure::{Departure, DepartureSpan, HELD, parting};
 use crate::error::InputError;
 use crate::ground::roots::real_roots;
 use crate::mode::{Corner, Slip};
-use crate::neighbour::Neighbour;
 use crate::span::Span;
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
@@ -64,18 +63,7 @@ pub fn friction_spans(
 ) -> Result<Vec<Span>, InputError> {
     check(block, wrench, strength)?;
     let on = |μ: f64| Loaded { block: with_friction(block, μ), wrench: *wrench, strength };
-    let mut spans = Vec::new();
-    let mut begin = (0.0, 0);
-    for next in boundaries(&on(1.0), up_to).into_iter().map(Some).chain([None]) {
-        let (from, boundary) = begin;
-        let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
-        let end = to.min(up_to);
-        let inside = if end.is_finite() { from + (end - from) / 2.0 } else { 2.0 * from + 1.0 };
-        let found = enumerate(&on(inside));
-        Span { from, to, verdict: found.verdict, modes: found.modes, boundary }.join(&mut spans);
-        begin = next.unwrap_or(begin);
-    }
-    Ok(spans)
+    Span::between(boundaries(&on(1.0), up_to), up_to, |μ| Ok(enumerate(&on(μ))))
 }
 
 /// The frictions to stick up to one at which something may change, ascending, with their numbers; `given` has a friction to stick of 1.
