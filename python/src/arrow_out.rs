@@ -15,8 +15,7 @@ use pyo3::exceptions::{PyKeyError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyTuple};
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_schema_pycapsule, to_stream_pycapsule};
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
+use standfast::{Mode, Verdict};
 
 /// An array of Arrow.
 #[pyclass(frozen, module = "standfast._standfast")]
@@ -27,7 +26,7 @@ pub(crate) struct ArrowArray {
 
 /// Codes of modes as the report's symbols, encoded by a dictionary.
 pub(crate) fn dictionary_of_symbols(codes: UInt8Array) -> ArrayRef {
-    let symbols = Mode::ALL.map(Mode::symbol).into_iter().chain([GroundVerdict::BearingFailure.symbol()]);
+    let symbols = Mode::ALL.map(Mode::symbol).into_iter().chain([Verdict::BearingFailure.symbol()]);
     let symbols = StringArray::from_iter_values(symbols);
     Arc::new(DictionaryArray::<UInt8Type>::new(codes, Arc::new(symbols)))
 }

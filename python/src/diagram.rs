@@ -8,11 +8,8 @@ use standfast::diagram::Window;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError, Point};
-use standfast_figures::outlines::{Outlines, Polyline, Tick};
-use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundPlane, axis_numbers, diagram_with, ground_diagram,
-    ground_outlines, outlines,
-};
+use standfast_figures::outlines::{Polyline, Tick};
+use standfast_figures::{DesignPoint, DiagramContent, KMuPlane, axis_numbers, diagram_with, outlines};
 
 use crate::invalid;
 
@@ -35,40 +32,15 @@ pub(crate) struct Base {
 }
 
 /// The plane of the body on its base.
-enum Plane {
-    Rigid(Diagram),
-    Crushing(CrushMap),
-    Failing(BearingPlane),
-}
-
-impl Plane {
-    fn new(gamma: f64, k_prime: f64, base: &Base) -> PyResult<Plane> {
-        if let Some(law) = &base.law {
-            return failing(gamma, k_prime, law, base.share).map(Plane::Failing);
-        }
-        match base.omega {
-            Some(omega) if omega != 0.0 => {
-                CrushMap::new(gamma, k_prime, omega).map(Plane::Crushing).map_err(error)
-            }
-            _ => Diagram::new(gamma, k_prime).map(Plane::Rigid).map_err(error),
-        }
+fn plane(gamma: f64, k_prime: f64, base: &Base) -> PyResult<KMuPlane> {
+    if let Some(law) = &base.law {
+        return failing(gamma, k_prime, law, base.share).map(KMuPlane::Failing);
     }
-
-    fn outlines(&self, content: &DiagramContent<'_>) -> Outlines {
-        match self {
-            Plane::Rigid(diagram) => outlines(diagram, content),
-            Plane::Crushing(map) => ground_outlines(GroundPlane::Crushing(map), content),
-            Plane::Failing(plane) => ground_outlines(GroundPlane::Failing(plane), content),
-        }
+    match base.omega {
+        Some(omega) if omega != 0.0 => CrushMap::new(gamma, k_prime, omega).map(KMuPlane::Crushing),
+        _ => Diagram::new(gamma, k_prime).map(KMuPlane::Rigid),
     }
-
-    fn figure(&self, content: &DiagramContent<'_>) -> Figure {
-        match self {
-            Plane::Rigid(diagram) => diagram_with(diagram, content),
-            Plane::Crushing(map) => ground_diagram(GroundPlane::Crushing(map), content),
-            Plane::Failing(plane) => ground_diagram(GroundPlane::Failing(plane), content),
-        }
-    }
+    .map_err(error)
 }
 
 /// The plane of ground that fails by a law of this name.
@@ -104,7 +76,7 @@ pub(crate) fn failing_modes(
 
 /// A body with its points: rows of (k, μ), of which the first have names and the others are a cloud.
 struct Marked {
-    plane: Plane,
+    plane: KMuPlane,
     window: Option<Window>,
     named: Vec<DesignPoint>,
     cloud: Vec<(f64, f64)>,
@@ -120,7 +92,7 @@ impl Marked {
         places: &PyReadonlyArray2<f64>,
         names: Vec<String>,
     ) -> PyResult<Marked> {
-        let plane = Plane::new(gamma, k_prime, base)?;
+        let plane = plane(gamma, k_prime, base)?;
         let count = names.len();
         if places.shape()[1] != 2 || places.shape()[0] < count {
             return Err(PyValueError::new_err("expected rows of (k, μ), at least one for each name"));
@@ -157,7 +129,7 @@ pub(crate) fn diagram_outlines<'py>(
     names: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let marked = Marked::new(gamma, k_prime, &base, window, &places, names)?;
-    let shown = marked.plane.outlines(&marked.content());
+    let shown = outlines(&marked.plane, &marked.content());
     let areas: Vec<(u8, &str, &str, Vec<Polyline>)> = shown
         .areas
         .into_iter()
@@ -201,7 +173,7 @@ pub(crate) fn diagram_svg(
     names: Vec<String>,
 ) -> PyResult<String> {
     let marked = Marked::new(gamma, k_prime, &base, window, &places, names)?;
-    Ok(marked.plane.figure(&marked.content()).svg().to_owned())
+    Ok(diagram_with(&marked.plane, &marked.content()).svg().to_owned())
 }
 
 /// The round numbers along an axis with their markup, and the places of smaller ticks; see `standfast_figures::axis_numbers`.

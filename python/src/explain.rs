@@ -2,11 +2,10 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast::ground::strength::CrushPoint;
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{Mode, Point, contact};
-use standfast_cases::point::{self, Crushing};
+use standfast_cases::point::{self, PlacedPoint};
 
 use crate::invalid;
 
@@ -23,13 +22,9 @@ pub(crate) fn explain(
     right: bool,
 ) -> PyResult<(String, String)> {
     let point = Point::new(gamma, k_prime, k, mu).map_err(|error| invalid(error, &[]))?;
-    if omega != 0.0 {
-        let point = CrushPoint::of(point, omega).map_err(|error| invalid(error, &[]))?;
-        let given = Crushing { point, mirrored: right };
-        return py.detach(|| Ok((point::crush_text(&given, true), point::crush_json(&given))));
-    }
-    let reduced = Reduced { point, mirrored: right };
-    py.detach(|| Ok((point::text(&reduced, true), point::json(&reduced))))
+    let placed = PlacedPoint::new(Reduced { point, mirrored: right }, omega);
+    let placed = placed.map_err(|error| invalid(error, &[]))?;
+    py.detach(|| Ok((point::text(&placed, true), point::json(&placed))))
 }
 
 /// Equation, statement, left, sign, right, holds and margin of an inequality.

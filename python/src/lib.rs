@@ -28,14 +28,13 @@ use numpy::PyArrayDyn;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use standfast::ground::GroundVerdict;
-use standfast::{InputError, Mode};
+use standfast::{InputError, Mode, Verdict};
 
 /// All modes in the order of their codes and ground that fails, as (name, symbol, words).
 #[pyfunction]
 fn modes() -> Vec<(String, &'static str, &'static str)> {
     let modes = Mode::ALL.into_iter().map(|mode| (format!("{mode:?}"), mode.symbol(), mode.words()));
-    let failure = GroundVerdict::BearingFailure;
+    let failure = Verdict::BearingFailure;
     modes.chain([(format!("{failure:?}"), failure.symbol(), failure.words())]).collect()
 }
 

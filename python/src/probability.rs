@@ -5,7 +5,6 @@ use std::num::NonZero;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast::ground::GroundVerdict;
 use standfast_cases::CaseFile;
 use standfast_cases::random::{Draws, Effort, Happening, MethodAsked, Over, Probability, Request};
 use standfast_cases::report;
@@ -121,8 +120,7 @@ pub(crate) fn draws(
     let place = |place: usize| drawn.drawn.iter().map(move |d| d.effective.map_or(f64::NAN, |p| p[place]));
     let effective = [0, 1].map(|i| PyArray1::from_iter(py, place(i)));
     let code = |happens: Happening| match happens {
-        Happening::Mode(mode) => mode.code(),
-        Happening::BearingFailure => GroundVerdict::BEARING_FAILURE_CODE,
+        Happening::Decided(verdict) => verdict.code(),
         _ => NO_MODE,
     };
     let modes = drawn.drawn.iter().map(|d| code(d.happens));

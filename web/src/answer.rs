@@ -69,7 +69,7 @@ impl Answer {
         let outcome = situation.outcome().map_err(said)?;
         let full = outcome.full;
         let none = || "No mode satisfies all laws under these loads.".to_owned();
-        let (mode, real) = full.mode.zip(full.motion).ok_or_else(none)?;
+        let (mode, real) = full.mode().zip(full.motion).ok_or_else(none)?;
         let (relations, tried) = match full.effective {
             Some(reduced) => explained(&reduced),
             None => {

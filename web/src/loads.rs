@@ -6,7 +6,7 @@
 
 use serde::Serialize;
 use standfast::loads::{Pose, Reduced, StillWater, Uplift};
-use standfast::{Departure, InputError, Mode, Situation, Slip};
+use standfast::{Departure, InputError, Situation, Slip};
 use standfast_figures::{LoadPlane, load_plane_on_screen};
 
 use crate::field::sentence;
@@ -92,18 +92,17 @@ pub fn force_for(state: &State, k_eff: f64, step: f64) -> Option<(f64, f64)> {
 
 /// Load factor at which a body leaves rest as its variable loads rise: a sentence, in HTML.
 pub fn departure_words(departure: &Departure) -> String {
-    let into = |mode: Option<Mode>| mode.map_or(String::new(), |mode| format!(", into {}", symbol(mode)));
+    let into = departure.mode().map_or(String::new(), |mode| format!(", into {}", symbol(mode)));
     match *departure {
-        Departure::AtOnce { mode, permanent: true } => {
-            format!("The permanent loads alone move the body{}; the force is not needed.", into(mode))
+        Departure::AtOnce { permanent: true, .. } => {
+            format!("The permanent loads alone move the body{into}; the force is not needed.")
         }
-        Departure::AtOnce { mode, permanent: false } => {
-            format!("Any share of the load moves the body, however small{}.", into(mode))
+        Departure::AtOnce { permanent: false, .. } => {
+            format!("Any share of the load moves the body, however small{into}.")
         }
-        Departure::At { factor, mode } => format!(
-            "The body first leaves rest at {} of the load{}.",
+        Departure::At { factor, .. } => format!(
+            "The body first leaves rest at {} of the load{into}.",
             mathematics(&format!("λ = {}", shown(factor))),
-            into(mode)
         ),
         Departure::Never => "The body stays at rest whatever the load factor.".to_owned(),
     }
@@ -132,6 +131,7 @@ impl LoadPath {
         let (outcome, regions) = (situation.outcome()?, situation.plane(UP_TO)?);
         let plane = LoadPlane {
             regions: &regions,
+            base: None,
             up_to: UP_TO,
             friction: state.friction,
             stages: &outcome.path,
@@ -139,7 +139,7 @@ impl LoadPath {
         };
         let full = &outcome.full;
         let mut words = vec![departure_words(&outcome.departure)];
-        words.extend(full.mode.map(|mode| {
+        words.extend(full.mode().map(|mode| {
             let others: Vec<_> = full.others().iter().map(symbol).collect();
             let also =
                 if others.is_empty() { String::new() } else { format!(" (also {})", others.join(", ")) };
@@ -152,6 +152,8 @@ impl LoadPath {
 
 #[cfg(test)]
 mod tests {
+    use standfast::{Mode, Verdict};
+
     use super::*;
 
     fn departs(state: &State) -> Departure {
@@ -162,11 +164,11 @@ mod tests {
     fn without_water_the_path_is_the_force_and_the_effective_point_the_point() {
         let state = State { force: 0.7, ..State::default() };
         let full = situation(&state).unwrap().at(1.0).unwrap();
-        assert_eq!(full.mode, Some(state.point().mode()));
+        assert_eq!(full.mode(), Some(state.point().mode()));
         let crossing = state.point().margins().leaves_rest().unwrap();
-        let Departure::At { factor, mode } = departs(&state) else { panic!("it leaves rest") };
+        let Departure::At { factor, verdict } = departs(&state) else { panic!("it leaves rest") };
         assert!((factor / (crossing.at / state.force) - 1.0).abs() < 1e-12);
-        assert_eq!(mode, Some(crossing.to));
+        assert_eq!(verdict, Some(Verdict::Begins(crossing.to)));
         let reduced = effective(&state).unwrap();
         assert!((reduced.point.k_prime() - state.elevation).abs() < 1e-12);
     }
@@ -174,9 +176,15 @@ mod tests {
     #[test]
     fn without_friction_any_force_moves_the_body_and_without_force_nothing_does() {
         let smooth = State { friction: 0.0, force: 1e-9, ..State::default() };
-        assert_eq!(departs(&smooth), Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: false });
+        assert_eq!(
+            departs(&smooth),
+            Departure::AtOnce { verdict: Some(Verdict::Begins(Mode::SlideLeft)), permanent: false }
+        );
         let mirrored = State { mirrored: true, ..smooth.clone() };
-        assert_eq!(departs(&mirrored), Departure::AtOnce { mode: Some(Mode::SlideRight), permanent: false });
+        assert_eq!(
+            departs(&mirrored),
+            Departure::AtOnce { verdict: Some(Verdict::Begins(Mode::SlideRight)), permanent: false }
+        );
         for friction in [0.0, 0.6] {
             assert_eq!(departs(&State { force: 0.0, friction, ..State::default() }), Departure::Never);
         }
@@ -187,11 +195,11 @@ mod tests {
         // Low down, the body slides: λ = μ/k.
         for force in [1e-3, 1e-12, 1e-40] {
             let state = State { force, elevation: -0.5, ..State::default() };
-            let Departure::At { factor, mode } = departs(&state) else {
+            let Departure::At { factor, verdict } = departs(&state) else {
                 panic!("k = {force}: it leaves rest")
             };
             assert!((factor * force / state.friction - 1.0).abs() < 1e-12, "k = {force}");
-            assert_eq!(mode, Some(Mode::SlideLeft));
+            assert_eq!(verdict, Some(Verdict::Begins(Mode::SlideLeft)));
         }
     }
 
@@ -200,7 +208,10 @@ mod tests {
         let mut state = State { friction: 0.0, ..State::default() };
         state.waters.lee = 3.0;
         // It presses from the left.
-        assert_eq!(departs(&state), Departure::AtOnce { mode: Some(Mode::SlideRight), permanent: true });
+        assert_eq!(
+            departs(&state),
+            Departure::AtOnce { verdict: Some(Verdict::Begins(Mode::SlideRight)), permanent: true }
+        );
     }
 
     #[test]
@@ -234,7 +245,7 @@ mod tests {
             state.waters.uplift = 60e3;
             let full = situation(&state).unwrap().at(1.0).unwrap();
             let reduced = full.effective.unwrap();
-            (reduced.point, full.mode.map(|mode| if mirrored { mode.mirrored() } else { mode }))
+            (reduced.point, full.mode().map(|mode| if mirrored { mode.mirrored() } else { mode }))
         });
         let ((one, one_mode), (two, two_mode)) = (modes[0], modes[1]);
         assert_eq!(one_mode, two_mode);

@@ -1,10 +1,9 @@
 //! Panel of the answer: verdict, inequalities, factors, motion, changes of mode.
 
 use serde::Serialize;
-use standfast::contact::path::{self, Stage};
 use standfast::initiation::Crossing;
 use standfast::relation::Relation;
-use standfast::{InputError, Mode, Modes, Motion};
+use standfast::{InputError, Mode, Modes, Motion, Stage};
 
 use crate::answer::Answer;
 use crate::loads::{UP_TO, departure_words};
@@ -235,15 +234,16 @@ fn along_k(state: &State, answer: &Answer) -> Result<Changes, InputError> {
             none: "It does not.",
         });
     };
-    let mut before = situation.at(0.0)?.mode;
+    let mut before = situation.at(0.0)?.mode();
     let mut rows = Vec::new();
     let name = |mode: Option<Mode>| mode.map_or(String::new(), symbol);
-    for Stage { from, mode, .. } in path::up_to(&outcome.path, UP_TO) {
+    for stage in Stage::up_to(&outcome.path, UP_TO) {
+        let mode = stage.mode();
         if mode != before {
-            let at = format!("<i>λ</i> = {}", shown(from));
+            let at = format!("<i>λ</i> = {}", shown(stage.from));
             rows.push(Change {
                 at,
-                force: force(state, from * state.force),
+                force: force(state, stage.from * state.force),
                 from: name(before),
                 to: name(mode),
             });

@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use standfast::loads::Earthquake;
-use standfast::{InputError, Outcome, Situation};
+use standfast::{Departure, InputError, Mode, Motion, Outcome, Situation, Stage, Verdict};
 use standfast_probability::sample::Estimate;
 
 use crate::case::{Acting, Case};
@@ -90,9 +90,9 @@ pub struct Assessed {
     pub is_reported: bool,
     /// The body under its loads.
     pub situation: Situation,
-    /// What becomes of it on rigid ground.
+    /// What becomes of it on its base.
     pub outcome: Outcome,
-    /// What its base bears, where the case says so; what begins on it takes the place of what begins on rigid ground.
+    /// What its base bears, where the case says so.
     pub ground: Option<OnGround>,
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
     /// for it.
@@ -389,12 +389,14 @@ impl Assessed {
         let shaken = |shaking: Option<[f64; 2]>| {
             let earthquake = shaking.and_then(|signs| case.shaken(signs));
             let situation = case.decided(acting, shaking)?;
-            let outcome = situation.outcome()?;
-            let others = Vec::new();
-            let extent = case.extent;
-            let ground =
-                case.ground.as_ref().map(|foundation| OnGround::of(case, foundation, &situation, &outcome));
-            let ground = ground.transpose()?;
+            let (outcome, ground) = match &case.ground {
+                Some(foundation) => {
+                    let (outcome, ground) = OnGround::of(case, foundation, &situation)?;
+                    (outcome, Some(ground))
+                }
+                None => (situation.outcome()?, None),
+            };
+            let (extent, others) = (case.extent, Vec::new());
             Ok(Assessed {
                 index,
                 acting,
@@ -423,6 +425,41 @@ impl Assessed {
         tried.sort_by(|(one, _), (two, _)| Severity::compare(one, two));
         let others = tried.into_iter().map(|(_, other)| Assessed { is_reported: false, ..other }).collect();
         Ok(Assessed { others, ..worst })
+    }
+
+    /// The verdict under the full load, applied at once.
+    pub fn verdict(&self) -> Option<Verdict> {
+        self.outcome.full.verdict
+    }
+
+    /// The mode that begins under the full load; none where the ground fails.
+    pub fn mode(&self) -> Option<Mode> {
+        self.outcome.full.mode()
+    }
+
+    /// Accelerations and reactions of the mode that begins.
+    pub fn motion(&self) -> Option<&Motion> {
+        self.outcome.full.motion.as_ref()
+    }
+
+    /// The departure from rest as the variable loads rise.
+    pub fn departure(&self) -> Departure {
+        self.outcome.departure
+    }
+
+    /// Whether a load of the situation varies.
+    pub fn rises(&self) -> bool {
+        !self.outcome.path.is_empty()
+    }
+
+    /// The stages of the rising variable loads up to a load factor.
+    pub fn path_up_to(&self, largest: f64) -> Vec<Stage> {
+        Stage::up_to(&self.outcome.path, largest)
+    }
+
+    /// Whether the base decides the response: it crushes, or the ground under it fails.
+    pub fn is_on_ground(&self) -> bool {
+        self.ground.as_ref().is_some_and(|ground| ground.limit.is_some())
     }
 
     /// Whether a combination multiplies a load by another factor than 1.

@@ -18,7 +18,7 @@
 //! assert_eq!(case.body.mass(), 378_000.0);
 //! assert_eq!(case.forces[0].magnitude, 450_000.0);
 //! let outcome = case.situation(Acting::Alone(0), None)?.outcome()?;
-//! assert_eq!(outcome.full.mode, Some(standfast::Mode::Rest));
+//! assert_eq!(outcome.full.mode(), Some(standfast::Mode::Rest));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

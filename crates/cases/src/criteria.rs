@@ -5,8 +5,7 @@
 
 use std::fmt;
 
-use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast::{Mode, Modes};
+use standfast::{Departure, Mode, Modes, Verdict};
 
 use crate::assess::Assessed;
 use crate::inputs::{Inputs, Value};
@@ -129,7 +128,7 @@ impl Criterion {
             None if self.is_chance() => {
                 assessed.not_rest.map_or(ResultValue::Nothing, |not_rest| ResultValue::Number(not_rest.high))
             }
-            None => ResultValue::Modes(assessed.modes()),
+            None => ResultValue::Modes(assessed.outcome.full.modes),
         };
         let (utilisation, met) = match (self.bound, value) {
             (Bound::AtLeast(least), ResultValue::Number(value)) => {
@@ -192,12 +191,10 @@ impl Check {
             Bound::NoneOf(_) => 0.0,
         };
         match (self.value, assessed.departure()) {
-            (ResultValue::Number(_), GroundDeparture::Never) if criterion.key == Key::LeastLoadFactor => {
+            (ResultValue::Number(_), Departure::Never) if criterion.key == Key::LeastLoadFactor => {
                 "never leaves rest".to_owned()
             }
-            (ResultValue::Number(_), GroundDeparture::AtOnce { .. })
-                if criterion.key == Key::LeastLoadFactor =>
-            {
+            (ResultValue::Number(_), Departure::AtOnce { .. }) if criterion.key == Key::LeastLoadFactor => {
                 "leaves rest at once".to_owned()
             }
             (ResultValue::Number(value), _) => {
@@ -206,7 +203,7 @@ impl Check {
                 if value.is_finite() { criterion.with_unit(&text) } else { text }
             }
             (ResultValue::Modes(modes), _) if modes.is_empty() => {
-                assessed.verdict().map_or("none", GroundVerdict::symbol).to_owned()
+                assessed.verdict().map_or("none", Verdict::symbol).to_owned()
             }
             (ResultValue::Modes(modes), _) => listed(modes),
             _ => "none".to_owned(),

@@ -1,9 +1,9 @@
 //! Points, inequalities and motions in words and aligned columns.
 
-use standfast::initiation::{Crossing, Margins};
+use standfast::initiation::Crossing;
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
-use standfast::{Mode, Motion, Point};
+use standfast::{Mode, Motion};
 
 use crate::case::Case;
 use crate::layout::{apart, columns, digits, paragraph, row};
@@ -28,12 +28,6 @@ impl Scale {
         let weight = body.mass() * gravity;
         Scale { acceleration: *gravity, length: body.width() / 2.0, weight, extent: *extent }
     }
-}
-
-/// The mode as a sentence, with the report's symbol.
-pub fn verdict(reduced: &Reduced) -> String {
-    let mode = reduced.mode();
-    format!("The body {} ({mode}).", mode.words())
 }
 
 /// Whether the answer is unique, in sentences.
@@ -72,15 +66,6 @@ pub fn relations(relations: &[Relation], indent: usize) -> String {
         })
         .collect();
     columns(&rows, indent, &[])
-}
-
-/// Both safety factors of a force in air.
-pub fn safety_factors(point: &Point) -> String {
-    let rows = [
-        row!["sliding", "μ/k", digits(point.safety_against_sliding())],
-        row!["overturning", "1/(k γ |1+k'|)", digits(point.safety_against_overturning())],
-    ];
-    columns(&rows, 2, &[])
 }
 
 /// A quantity of a motion, and how it is printed.
@@ -154,13 +139,13 @@ pub fn motion(motion: &Motion) -> String {
 }
 
 /// Where the mode changes along both axes of the plane.
-pub struct Changes<'a> {
+pub struct Changes {
     /// Where the body leaves rest as the force grows.
     pub leaves_rest: Option<Crossing>,
     /// All changes as the force grows.
-    pub along_k: &'a [Crossing],
+    pub along_k: Vec<Crossing>,
     /// All changes as the friction grows.
-    pub along_mu: &'a [Crossing],
+    pub along_mu: Vec<Crossing>,
     /// The point's force.
     pub k: f64,
     /// The point's friction.
@@ -169,24 +154,19 @@ pub struct Changes<'a> {
     pub mirrored: bool,
 }
 
-/// Where the mode changes as the force grows, and where the body leaves rest.
-pub fn along_k(reduced: &Reduced) -> String {
-    let margins = reduced.point.margins();
-    Changes::of(reduced, &margins).as_k_grows()
-}
-
 /// Where the mode changes as the friction grows.
 pub fn along_mu(reduced: &Reduced, indent: usize) -> String {
-    let margins = reduced.point.margins();
-    Changes::of(reduced, &margins).as_mu_grows(indent)
+    Changes::of(reduced).as_mu_grows(indent)
 }
 
-impl<'a> Changes<'a> {
-    fn of(reduced: &Reduced, margins: &'a Margins) -> Changes<'a> {
+impl Changes {
+    /// The changes of a point on a rigid base.
+    pub fn of(reduced: &Reduced) -> Changes {
+        let margins = reduced.point.margins();
         Changes {
             leaves_rest: margins.leaves_rest(),
-            along_k: &margins.along_k,
-            along_mu: &margins.along_mu,
+            along_k: margins.along_k,
+            along_mu: margins.along_mu,
             k: reduced.point.k(),
             mu: reduced.point.mu(),
             mirrored: reduced.mirrored,
@@ -213,7 +193,7 @@ impl<'a> Changes<'a> {
         let mut text = paragraph(&leaves_rest, 2);
         if !self.along_k.is_empty() {
             text += &format!("  as the force grows, at μ = {}:\n", digits(self.mu));
-            text += &self.crossings("k", self.along_k, 4);
+            text += &self.crossings("k", &self.along_k, 4);
         }
         text
     }
@@ -223,7 +203,7 @@ impl<'a> Changes<'a> {
         if self.along_mu.is_empty() {
             return paragraph("Friction makes no difference.", indent);
         }
-        let mut text = self.crossings("μ", self.along_mu, indent);
+        let mut text = self.crossings("μ", &self.along_mu, indent);
         if self.along_mu.last().is_none_or(|crossing| crossing.to != Mode::Rest) {
             text += &paragraph("No friction keeps the body at rest under this load.", indent);
         }

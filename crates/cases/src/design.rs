@@ -32,8 +32,7 @@ use crate::motion::{MotionCriterion, MotionValue};
 use crate::parse::CaseFile;
 use quantity::{Ends, Quantity};
 use set::{Beyond, End, Search, Stretch};
-use standfast::Mode;
-use standfast::ground::GroundDeparture;
+use standfast::{Departure, Mode};
 use subject::Subject;
 
 /// How many parts a range is cut into to find where a target is met.
@@ -362,15 +361,13 @@ fn moves_though_met(answer: &Assessment) -> Option<String> {
     let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
     let place = place.map_or(String::new(), |name| format!(" in {name}"));
     let (when, verdict) = match assessed.departure() {
-        GroundDeparture::At { factor, verdict } if factor < 1.0 => {
+        Departure::At { factor, verdict } if factor < 1.0 => {
             (format!("from {} % of the variable load on", digits(100.0 * factor)), verdict)
         }
-        GroundDeparture::AtOnce { verdict, permanent: true } => {
+        Departure::AtOnce { verdict, permanent: true } => {
             ("under the permanent loads alone".to_owned(), verdict)
         }
-        GroundDeparture::AtOnce { verdict, .. } => {
-            ("under any share of the variable load".to_owned(), verdict)
-        }
+        Departure::AtOnce { verdict, .. } => ("under any share of the variable load".to_owned(), verdict),
         _ => ("under the full load at once".to_owned(), assessed.verdict()),
     };
     Some(format!("the target is met, but not by a body at rest{place}: {when} it {}", predicate(verdict)))

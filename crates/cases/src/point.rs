@@ -5,25 +5,99 @@ mod crush;
 use std::fmt::Write;
 
 use serde::Serialize;
+use standfast::ground::strength::CrushPoint;
 use standfast::initiation::{Crossing, Step};
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
-use standfast::{Mode, Modes, Motion};
+use standfast::{InputError, Mode, Modes, Motion, Verdict};
 
+use self::crush::{Crushing, OnBase};
 use crate::assess::SCHEMA;
-use crate::describe;
-use crate::layout::{digits, paragraph};
+use crate::describe::{self, Changes};
+use crate::layout::{columns, digits, paragraph, row};
 use crate::results::number_or_word;
 
-pub use crush::{Crushing, json as crush_json, text as crush_text};
+/// A point on its base. The report's force points left; one to the right is its mirror image.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlacedPoint {
+    reduced: Reduced,
+    /// The point on a base that crushes; `None` on a rigid one.
+    crushing: Option<Crushing>,
+}
+
+impl PlacedPoint {
+    /// A point on a base of ω; zero of a rigid one.
+    ///
+    /// # Errors
+    /// If `omega` is negative or not finite.
+    pub fn new(reduced: Reduced, omega: f64) -> Result<PlacedPoint, InputError> {
+        if omega == 0.0 {
+            return Ok(PlacedPoint { reduced, crushing: None });
+        }
+        let point = CrushPoint::of(reduced.point, omega)?;
+        Ok(PlacedPoint { reduced, crushing: Some(Crushing { point, mirrored: reduced.mirrored }) })
+    }
+
+    fn verdict(&self) -> Verdict {
+        self.crushing.map_or_else(|| Verdict::Begins(self.reduced.mode()), |crushing| crushing.verdict())
+    }
+
+    fn others(&self) -> Modes {
+        self.crushing.map_or_else(|| self.reduced.others(), |crushing| crushing.others())
+    }
+
+    fn motion(&self) -> Option<Motion> {
+        match self.crushing {
+            Some(crushing) => crushing.motion().map(|begun| begun.motion),
+            None => Some(self.reduced.motion()),
+        }
+    }
+
+    /// The steps of the decision; none where the base cannot carry the weight.
+    fn steps(&self) -> Vec<Step> {
+        match self.crushing {
+            Some(crushing) => crushing.point.explain().map_or_else(Vec::new, |trace| trace.steps),
+            None => self.reduced.point.explain().steps,
+        }
+    }
+
+    /// Where the mode changes along k and along μ, and where the body leaves rest.
+    fn changes(&self) -> Changes {
+        match self.crushing {
+            None => Changes::of(&self.reduced),
+            Some(crushing) => {
+                let margins = crushing.point.margins();
+                Changes {
+                    leaves_rest: margins.leaves_rest(),
+                    along_k: margins.along_k,
+                    along_mu: margins.along_mu,
+                    k: self.reduced.point.k(),
+                    mu: self.reduced.point.mu(),
+                    mirrored: self.reduced.mirrored,
+                }
+            }
+        }
+    }
+
+    /// The safety factors against sliding and overturning, and the formula of the latter.
+    fn factors(&self) -> (f64, f64, &'static str) {
+        let rigid = &self.reduced.point;
+        match self.crushing.map(|crushing| crushing.point) {
+            Some(point) => {
+                (point.safety_against_sliding(), point.safety_against_overturning(), "(1−ω)/(k γ |1+k'|)")
+            }
+            None => (rigid.safety_against_sliding(), rigid.safety_against_overturning(), "1/(k γ |1+k'|)"),
+        }
+    }
+}
 
 /// The answer as one line of text, or with `explain` every step of the decision, the motion, and where the mode changes.
-pub fn text(reduced: &Reduced, explain: bool) -> String {
-    if explain { explanation(reduced) } else { one_line(reduced) }
+pub fn text(placed: &PlacedPoint, explain: bool) -> String {
+    if explain { explanation(placed) } else { one_line(placed) }
 }
 
 /// The answer as a JSON document, complete and at full precision.
-pub fn json(reduced: &Reduced) -> String {
+pub fn json(placed: &PlacedPoint) -> String {
     #[derive(Serialize)]
     struct Document {
         schema: u32,
@@ -34,54 +108,71 @@ pub fn json(reduced: &Reduced) -> String {
         #[serde(rename = "SF_overturning", serialize_with = "number_or_word")]
         overturning: f64,
     }
-    let point = &reduced.point;
-    crate::json(&Document {
-        schema: SCHEMA,
-        answer: PointDocument::of(reduced),
-        sliding: point.safety_against_sliding(),
-        overturning: point.safety_against_overturning(),
-    })
+    let (sliding, overturning, _) = placed.factors();
+    crate::json(&Document { schema: SCHEMA, answer: PointDocument::of(placed), sliding, overturning })
 }
 
-fn one_line(reduced: &Reduced) -> String {
-    let mode = reduced.mode();
-    let others = reduced.others();
-    let unique = if others.is_empty() { "unique".to_owned() } else { format!("not unique, also {others}") };
-    format!("{mode}  {}  ({unique})\n", mode.words())
+fn one_line(placed: &PlacedPoint) -> String {
+    let (verdict, others) = (placed.verdict(), placed.others());
+    let unique = match verdict {
+        Verdict::BearingFailure => "no motion is given".to_owned(),
+        _ if others.is_empty() => "unique".to_owned(),
+        _ => format!("not unique, also {others}"),
+    };
+    let line = format!("{verdict}  {}  ({unique})\n", verdict.words());
+    line + &placed.crushing.map_or_else(String::new, |crushing| paragraph(&crushing.words(), 2))
 }
 
-fn explanation(reduced: &Reduced) -> String {
-    let point = &reduced.point;
-    let trace = point.explain();
-    let mut text = paragraph(&describe::verdict(reduced), 0);
-    text += &paragraph(&describe::uniqueness(reduced), 0);
+fn explanation(placed: &PlacedPoint) -> String {
+    let PlacedPoint { reduced, crushing } = placed;
+    let (point, verdict, steps) = (&reduced.point, placed.verdict(), placed.steps());
+    let mut text = paragraph(&format!("The body {} ({verdict}).", verdict.words()), 0);
+    if let Some(crushing) = crushing {
+        text += &paragraph(&crushing.words(), 0);
+    }
+    if steps.is_empty() {
+        return text;
+    }
+    text += &paragraph(
+        &crushing.map_or_else(|| describe::uniqueness(reduced), |crushing| crushing.uniqueness()),
+        0,
+    );
     if reduced.mirrored {
         text += &paragraph(describe::MIRRORED, 0);
     }
-
-    let _ = writeln!(
+    let _ = write!(
         text,
-        "\nPoint\n  γ = {}   k' = {}   k = {}   μ = {}\n  {}",
+        "\nPoint\n  γ = {}   k' = {}   k = {}   μ = {}",
         digits(point.gamma()),
         digits(point.k_prime()),
         digits(point.k()),
         digits(point.mu()),
-        point.chart().case().words(),
     );
-    text += "\nStep by step (report's equation numbers)\n";
-    for step in &trace.steps {
+    text += &match crushing {
+        Some(crushing) => format!("   ω = {}\n\nStep by step\n", digits(crushing.point.omega())),
+        None => {
+            let case = point.chart().case().words();
+            format!("\n  {case}\n\nStep by step (report's equation numbers)\n")
+        }
+    };
+    for step in &steps {
         let verdict = if step.holds { "holds" } else { "does not hold" };
         let _ = writeln!(text, "  {} {verdict}", reduced.orient(step.mode));
         text += &describe::relations(&step.relations, 4);
     }
+    let (sliding, overturning, formula) = placed.factors();
+    let rows = [row!["sliding", "μ/k", digits(sliding)], row!["overturning", formula, digits(overturning)]];
     text += "\nSafety factors\n";
-    text += &describe::safety_factors(point);
-    text += "\nAt onset\n";
-    text += &describe::motion(&reduced.motion());
+    text += &columns(&rows, 2, &[]);
+    if let Some(motion) = placed.motion() {
+        text += "\nAt onset\n";
+        text += &describe::motion(&motion);
+    }
+    let changes = placed.changes();
     text += "\nChanges of mode\n";
-    text += &describe::along_k(reduced);
+    text += &changes.as_k_grows();
     text += &format!("  as the friction grows, at k = {}:\n", digits(point.k()));
-    text += &describe::along_mu(reduced, 4);
+    text += &changes.as_mu_grows(4);
     text
 }
 
@@ -94,12 +185,15 @@ pub(crate) struct PointDocument {
     k: f64,
     mu: f64,
     mirrored: bool,
-    mode: Mode,
+    mode: Verdict,
     mode_words: &'static str,
     unique: bool,
     also: Modes,
-    case: &'static str,
-    motion: Motion,
+    /// The report's cases are those of a rigid base.
+    case: Option<&'static str>,
+    motion: Option<Motion>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground: Option<OnBase>,
     trace: Vec<TraceStep>,
     /// `null` if no force moves the body.
     leaves_rest: Option<Change>,
@@ -137,10 +231,10 @@ struct Change {
 }
 
 impl PointDocument {
-    /// The answer for a reduced force.
-    pub(crate) fn of(reduced: &Reduced) -> PointDocument {
-        let point = &reduced.point;
-        let mode = reduced.mode();
+    /// The answer to a point.
+    pub(crate) fn of(placed: &PlacedPoint) -> PointDocument {
+        let PlacedPoint { reduced, crushing } = placed;
+        let (point, verdict, also) = (&reduced.point, placed.verdict(), placed.others());
         let step = |step: &Step| TraceStep {
             mode: reduced.orient(step.mode),
             holds: step.holds,
@@ -151,24 +245,30 @@ impl PointDocument {
             from: reduced.orient(crossing.from),
             to: reduced.orient(crossing.to),
         };
-        let margins = point.margins();
+        let changes = placed.changes();
         PointDocument {
             gamma: point.gamma(),
             k_prime: point.k_prime(),
             k: point.k(),
             mu: point.mu(),
             mirrored: reduced.mirrored,
-            mode,
-            mode_words: mode.words(),
-            unique: point.is_unique(),
-            also: reduced.others(),
-            case: point.chart().case().words(),
-            motion: reduced.motion(),
-            trace: point.explain().steps.iter().map(step).collect(),
-            leaves_rest: margins.leaves_rest().as_ref().map(change),
-            along_k: margins.along_k.iter().map(change).collect(),
-            along_mu: margins.along_mu.iter().map(change).collect(),
+            mode: verdict,
+            mode_words: verdict.words(),
+            unique: also.is_empty(),
+            also,
+            case: crushing.is_none().then(|| point.chart().case().words()),
+            motion: placed.motion(),
+            ground: crushing.map(|crushing| crushing.base()),
+            trace: placed.steps().iter().map(step).collect(),
+            leaves_rest: changes.leaves_rest.as_ref().map(change),
+            along_k: changes.along_k.iter().map(change).collect(),
+            along_mu: changes.along_mu.iter().map(change).collect(),
         }
+    }
+
+    /// The answer to a point on a rigid base.
+    pub(crate) fn of_rigid(reduced: &Reduced) -> PointDocument {
+        PointDocument::of(&PlacedPoint { reduced: *reduced, crushing: None })
     }
 }
 

@@ -7,8 +7,7 @@
 use serde::{Serialize, Serializer};
 use standfast::ground::bearing::{LoadFactors, Reaction};
 use standfast::ground::impact::{ImpactEvent, ImpactResponse};
-use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast::{Bearing, Margins, Modes, Response};
+use standfast::{Bearing, Departure, Margins, Modes, Response, Verdict};
 
 use crate::assess::ground::{Elastic, OnGround};
 use crate::assess::{Assessed, checks};
@@ -108,13 +107,13 @@ listed! {
         name: "unique",
         kind: ResultKind::Truth,
         words: "whether no other mode is consistent under the full load",
-        of: |a| ResultValue::Truth(a.is_unique()),
+        of: |a| ResultValue::Truth(a.outcome.full.is_unique()),
     };
     Also = ResultInfo {
         name: "also",
         kind: ResultKind::Modes,
         words: "the other consistent modes",
-        of: |a| ResultValue::Modes(a.others()),
+        of: |a| ResultValue::Modes(a.outcome.full.others()),
     };
     Lifted = ResultInfo {
         name: "lifted",
@@ -127,16 +126,16 @@ listed! {
         |a| ResultValue::Word(departure(&a.departure())));
     LoadFactor = number("load_factor", None, "where it leaves rest, as a multiple of the variable loads; only where `departure` is `at`",
         |a| match a.departure() {
-            GroundDeparture::At { factor, .. } => ResultValue::Number(factor),
-            GroundDeparture::Never | GroundDeparture::AtOnce { .. } => ResultValue::Nothing,
+            Departure::At { factor, .. } => ResultValue::Number(factor),
+            Departure::Never | Departure::AtOnce { .. } => ResultValue::Nothing,
         });
     DepartureMode = word("departure_mode", &SYMBOLS, "the mode in which it leaves rest; BF where the ground fails", |a| verdict(a.departure().verdict()));
     DepartureBy = word("departure_by", &["permanent-loads", "any-share"],
         "what moves a body that departs at once: its permanent loads alone, or any share of the variable ones, however small",
         |a| match a.departure() {
-            GroundDeparture::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
-            GroundDeparture::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
-            GroundDeparture::Never | GroundDeparture::At { .. } => ResultValue::Nothing,
+            Departure::AtOnce { permanent: true, .. } => ResultValue::Word("permanent-loads"),
+            Departure::AtOnce { permanent: false, .. } => ResultValue::Word("any-share"),
+            Departure::Never | Departure::At { .. } => ResultValue::Nothing,
         });
 
     SfSliding = number("SF_sliding", None, "safety factor against sliding, μ(W' − U)/P", |a| factor(&a.outcome.full, a.outcome.stability.sliding));
@@ -281,7 +280,7 @@ impl ResultName {
     }
 }
 
-fn verdict(verdict: Option<GroundVerdict>) -> ResultValue {
+fn verdict(verdict: Option<Verdict>) -> ResultValue {
     verdict.map_or(ResultValue::Nothing, |verdict| ResultValue::Word(verdict.symbol()))
 }
 
@@ -337,11 +336,11 @@ pub(crate) fn event(event: ImpactEvent) -> &'static str {
 }
 
 /// Whether a body leaves rest, in a word.
-fn departure(departure: &GroundDeparture) -> &'static str {
+fn departure(departure: &Departure) -> &'static str {
     match departure {
-        GroundDeparture::Never => "never",
-        GroundDeparture::AtOnce { .. } => "at-once",
-        GroundDeparture::At { .. } => "at",
+        Departure::Never => "never",
+        Departure::AtOnce { .. } => "at-once",
+        Departure::At { .. } => "at",
     }
 }
 
@@ -371,7 +370,7 @@ mod tests {
         for &result in ResultName::ALL {
             assert_eq!(ResultName::find(result.name()), Some(result));
         }
-        let verdicts = (0..=GroundVerdict::BEARING_FAILURE_CODE).filter_map(GroundVerdict::from_code);
-        assert_eq!(SYMBOLS.to_vec(), verdicts.map(GroundVerdict::symbol).collect::<Vec<_>>());
+        let verdicts = (0..=Verdict::BEARING_FAILURE_CODE).filter_map(Verdict::from_code);
+        assert_eq!(SYMBOLS.to_vec(), verdicts.map(Verdict::symbol).collect::<Vec<_>>());
     }
 }

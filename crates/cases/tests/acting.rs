@@ -1,8 +1,7 @@
 //! Which loads act: pressures along faces, forces at points, combinations, both directions of an earthquake; held against
 //! Goda's diagram, sums by hand and mirror images.
 
-use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast::{Mode, Wrench};
+use standfast::{Departure, Mode, Verdict, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
 use standfast_cases::{Acting, Assessed, Assessment, CaseFile, Face, View, check_up_to};
 
@@ -51,7 +50,7 @@ fn a_table_of_goda_s_pressures_is_goda_s_answer() {
         let by_table = assess(&table);
         let (one, two) = (&by_goda.all[0], &by_table.all[0]);
         assert!(same(&one.outcome.full.wrench, &two.outcome.full.wrench));
-        assert_eq!(one.outcome.full.mode, two.outcome.full.mode);
+        assert_eq!(one.outcome.full.mode(), two.outcome.full.mode());
         for result in [
             ResultName::SfSliding,
             ResultName::SfOverturning,
@@ -232,7 +231,7 @@ fn an_earthquake_is_tried_both_ways() {
         assert_eq!(found.departure().load_factor(), least);
         // Off the middle to the right, it falls to the right: the base moves left.
         assert!(found.earthquake.unwrap().horizontal() < 0.0);
-        let mode = found.departure().verdict().and_then(GroundVerdict::mode);
+        let mode = found.departure().verdict().and_then(Verdict::mode);
         assert_eq!(mode.and_then(Mode::corner), Some(standfast::Corner::OPrime));
     }
     // In the middle both directions are the same: the one given is reported.
@@ -333,7 +332,7 @@ fn criteria_of_bodies_that_do_not_rest() {
             .all(|check| !check.check.met && check.check.utilisation == Some(f64::INFINITY))
     );
     let still = assess(&format!("{STATUE}[uplift]\nleft = 1\nright = 1\ngrows = false\n{criteria}"));
-    assert!(matches!(still.all[0].departure(), GroundDeparture::Never));
+    assert!(matches!(still.all[0].departure(), Departure::Never));
     assert_eq!(still.met(), Some(true));
     // A body that stands on its base by nothing but its weight is pushed by nothing.
     let checks = still.checks();

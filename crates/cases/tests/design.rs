@@ -121,7 +121,7 @@ fn a_dry_block_has_its_closed_form() {
 #[test]
 fn what_is_printed_meets_the_target_and_a_digit_less_does_not() {
     let met = |target: &str, answer: &Assessment| match target {
-        "rest" => answer.tried().all(|one| one.outcome.full.mode == Some(standfast::Mode::Rest)),
+        "rest" => answer.tried().all(|one| one.outcome.full.mode() == Some(standfast::Mode::Rest)),
         "factor=1.2" => sliding(answer) >= 1.2 && overturning(answer) >= 1.2,
         "criteria" => answer.met() == Some(true),
         _ => unreachable!("{target}"),

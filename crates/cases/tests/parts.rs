@@ -150,7 +150,7 @@ fn a_drum_by_hand() {
     let most = 2.0 * 100e3 / std::f64::consts::PI;
     assert!((number(&limit, ResultName::BearingMax) / most - 1.0).abs() < 1e-9);
     assert!((number(&limit, ResultName::ContactShare) - 1.0).abs() < 1e-6);
-    assert_eq!(assess(&drum(41.0)).governing().outcome.full.mode, Some(Mode::RockO));
+    assert_eq!(assess(&drum(41.0)).governing().outcome.full.mode(), Some(Mode::RockO));
     let text = assessment.text(&Default::default());
     assert!(text.contains("diameter 2B") && text.contains("wobbles") && text.contains("20 kN ←"));
 }

@@ -1,7 +1,7 @@
 //! Probabilities of cases against numbers of another program, printed where the method is described, and against sums by hand.
 
-use standfast::Mode;
 use standfast::initiation::Chart;
+use standfast::{Mode, Verdict};
 use standfast_cases::CaseFile;
 use standfast_cases::random::{
     Chances, Draws, Happening, Method, Over, Probability, ProbabilityError, Request,
@@ -25,7 +25,8 @@ fn answer(text: &str, request: Request) -> Probability {
 }
 
 fn chance(chances: &Chances, mode: Mode) -> f64 {
-    let of = chances.modes.iter().find(|(happening, _)| *happening == Happening::Mode(mode));
+    let of =
+        chances.modes.iter().find(|(happening, _)| *happening == Happening::Decided(Verdict::Begins(mode)));
     of.map_or(0.0, |(_, estimate)| estimate.value)
 }
 
@@ -264,7 +265,7 @@ fn draws_of_the_plane_are_points_of_the_report() {
         assert_eq!(k_eff, k);
         assert_close("k'", k_prime, 0.9167, 1e-14);
         let mode = standfast::Point::new(0.8, 0.9167, k, mu).unwrap().mode();
-        assert_eq!(drawn.happens, Happening::Mode(mode), "μ = {mu}, k = {k}");
+        assert_eq!(drawn.happens, Happening::Decided(Verdict::Begins(mode)), "μ = {mu}, k = {k}");
     }
     // Four standard errors of the means of uniform numbers.
     for (sum, mean, range) in [(sums[0], 0.6, 0.6f64), (sums[1], 0.6, 0.8)] {
@@ -292,9 +293,9 @@ fn draws_of_a_caisson_have_its_effective_point() {
         assert_close("k_eff", k_eff, k, 1e-13);
         assert_close("k'_eff", k_prime_eff, k_prime, 1e-12);
         let expected = if *mu < k { Mode::SlideLeft } else { Mode::Rest };
-        assert_eq!(drawn.happens, Happening::Mode(expected), "μ = {mu}");
+        assert_eq!(drawn.happens, Happening::Decided(Verdict::Begins(expected)), "μ = {mu}");
     }
-    assert!(found.drawn.iter().any(|drawn| drawn.happens == Happening::Mode(Mode::Rest)));
+    assert!(found.drawn.iter().any(|drawn| drawn.happens == Happening::REST));
     // What the plane is not of has no point in it.
     let added = format!("{text}\n[added_mass]\nmass = \"56.4 t/m\"\n");
     let found = Draws::of(&CaseFile::parse("case.toml", &added).unwrap(), None, 3, 1).unwrap();
@@ -327,7 +328,12 @@ fn first_departures_part_at_the_load_that_turns() {
     let found = answer(&format!("{POINT}{random}"), Request::default());
     let first = |chances: &Chances, mode: Mode| {
         let modes = &chances.first_departure.modes;
-        modes.iter().find(|(happening, _)| *happening == Happening::Mode(mode)).unwrap().1.value
+        modes
+            .iter()
+            .find(|(happening, _)| *happening == Happening::Decided(Verdict::Begins(mode)))
+            .unwrap()
+            .1
+            .value
     };
     let k_a = Chart::new(0.8, 0.9167).unwrap().k_a();
     let slides = (below((k_a - 0.6) / 0.1) - below(-6.0)) / below(6.0);
@@ -562,7 +568,12 @@ fn every_mode_has_its_nearest_point() {
     let at = |x: f64| u(x, 0.62, 0.08).hypot(u(x, 0.35, 0.15));
     let point = |chances: &Chances, mode: Mode| {
         let points = chances.design_points.as_ref().unwrap();
-        points.iter().find(|(happening, _)| *happening == Happening::Mode(mode)).unwrap().1.clone()
+        points
+            .iter()
+            .find(|(happening, _)| *happening == Happening::Decided(Verdict::Begins(mode)))
+            .unwrap()
+            .1
+            .clone()
     };
     let corner = Chart::new(0.8, 0.9167).unwrap().k_a();
     for mode in [Mode::RockO, Mode::SlideRockOLeft] {

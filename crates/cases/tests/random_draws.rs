@@ -3,8 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
+use standfast::{Mode, Verdict};
 use standfast_cases::random::{Draws, Happening, ProbabilityError};
 use standfast_cases::{Assessment, CaseFile};
 
@@ -481,7 +480,7 @@ fn storms_ask_for_a_base_that_bears() {
 /// A drawn verdict is one of the contact problem's modes, or that the ground fails.
 #[test]
 fn the_ground_s_failure_has_a_name() {
-    assert_eq!(Happening::BearingFailure.name(), GroundVerdict::BearingFailure.symbol());
-    assert_eq!(Happening::BearingFailure.mode(), None);
-    assert_eq!(Happening::Mode(Mode::Rest).mode(), Some(Mode::Rest));
+    assert_eq!(Happening::Decided(Verdict::BearingFailure).name(), Verdict::BearingFailure.symbol());
+    assert_eq!(Happening::Decided(Verdict::BearingFailure).mode(), None);
+    assert_eq!(Happening::REST.mode(), Some(Mode::Rest));
 }

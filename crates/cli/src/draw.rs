@@ -12,7 +12,7 @@ use standfast::{Diagram, InputError};
 #[cfg(feature = "pictures")]
 use standfast_figures::RenderError;
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, FigureId, GroundPlane, diagram_with, ground_diagram, report_figure,
+    DesignPoint, DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure,
 };
 use thiserror::Error;
 
@@ -151,31 +151,18 @@ fn rendered(_: &Figure, path: &Path, picture: Picture, _: f32) -> Result<Vec<u8>
     Ok(Vec::new())
 }
 
-/// A k–μ plane.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Plane {
-    /// On a rigid base.
-    Rigid(Diagram),
-    /// On a base that crushes.
-    Crushing(CrushMap),
-    /// On ground that fails.
-    Failing(BearingPlane),
-}
-
-impl Plane {
-    /// The plane that the command line asks for.
-    ///
-    /// # Errors
-    /// If there can be none.
-    pub fn of(args: &DiagramArgs) -> Result<Plane, InputError> {
-        let (gamma, k_prime) = (args.gamma, args.k_prime);
-        match (args.law, args.share, args.omega) {
-            (Some(law), Some(share), _) => {
-                BearingPlane::of_share(law.ground(), gamma, k_prime, share).map(Plane::Failing)
-            }
-            (.., Some(omega)) if omega > 0.0 => CrushMap::new(gamma, k_prime, omega).map(Plane::Crushing),
-            _ => Diagram::new(gamma, k_prime).map(Plane::Rigid),
+/// The k–μ plane that the command line asks for.
+///
+/// # Errors
+/// If there can be none.
+pub fn plane(args: &DiagramArgs) -> Result<KMuPlane, InputError> {
+    let (gamma, k_prime) = (args.gamma, args.k_prime);
+    match (args.law, args.share, args.omega) {
+        (Some(law), Some(share), _) => {
+            BearingPlane::of_share(law.ground(), gamma, k_prime, share).map(KMuPlane::Failing)
         }
+        (.., Some(omega)) if omega > 0.0 => CrushMap::new(gamma, k_prime, omega).map(KMuPlane::Crushing),
+        _ => Diagram::new(gamma, k_prime).map(KMuPlane::Rigid),
     }
 }
 
@@ -183,7 +170,12 @@ impl Plane {
 ///
 /// # Errors
 /// If the picture cannot be made or written.
-pub fn draw_diagram(plane: &Plane, points: &[KMu], file: &PictureFile, scale: f32) -> Result<(), DrawError> {
+pub fn draw_diagram(
+    plane: &KMuPlane,
+    points: &[KMu],
+    file: &PictureFile,
+    scale: f32,
+) -> Result<(), DrawError> {
     // The caption gives the coordinates.
     let label = |i: usize| if points.len() == 1 { String::new() } else { (i + 1).to_string() };
     let points: Vec<_> = points
@@ -192,11 +184,7 @@ pub fn draw_diagram(plane: &Plane, points: &[KMu], file: &PictureFile, scale: f3
         .map(|(i, &KMu { k, mu })| DesignPoint { k, mu, label: label(i), mirrored: false })
         .collect();
     let content = DiagramContent { points: &points, ..DiagramContent::default() };
-    let figure = match plane {
-        Plane::Rigid(diagram) => diagram_with(diagram, &content),
-        Plane::Crushing(map) => ground_diagram(GroundPlane::Crushing(map), &content),
-        Plane::Failing(plane) => ground_diagram(GroundPlane::Failing(plane), &content),
-    };
+    let figure = diagram_with(plane, &content);
     file.save(&figure, scale, &FilesRead::default())
 }
 

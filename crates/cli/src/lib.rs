@@ -38,9 +38,8 @@ use std::io::{self, Write};
 use clap::CommandFactory;
 use miette::{IntoDiagnostic, Result, WrapErr};
 use standfast::Point;
-use standfast::ground::strength::CrushPoint;
 use standfast::loads::Reduced;
-use standfast_cases::point::Crushing;
+use standfast_cases::point::PlacedPoint;
 use standfast_cases::{View, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
@@ -90,24 +89,15 @@ pub fn run(cli: Cli) -> Result<Ended> {
         Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
             let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
-            let omega = args.omega.unwrap_or_default();
-            if omega > 0.0 {
-                let point = CrushPoint::of(point, omega).into_diagnostic()?;
-                let point = Crushing { point, mirrored: false };
-                return print(&match args.format {
-                    Format::Text => point::crush_text(&point, args.explain),
-                    Format::Json => point::crush_json(&point),
-                })
-                .map(|()| Ended::Done);
-            }
-            let point = Reduced { point, mirrored: false };
+            let reduced = Reduced { point, mirrored: false };
+            let point = PlacedPoint::new(reduced, args.omega.unwrap_or_default()).into_diagnostic()?;
             print(&match args.format {
                 Format::Text => point::text(&point, args.explain),
                 Format::Json => point::json(&point),
             })
         }
         Command::Diagram(args) => {
-            let plane = draw::Plane::of(&args).into_diagnostic()?;
+            let plane = draw::plane(&args).into_diagnostic()?;
             draw::draw_diagram(&plane, &args.points, &args.output, args.scale)?;
             print(&format!("Diagram written to {}\n", args.output))
         }

@@ -1,8 +1,7 @@
 //! Words below a chart, and for readers who do not see it.
 
 use standfast::diagram::Unresolved;
-use standfast::ground::GroundVerdict;
-use standfast::{Modes, Point};
+use standfast::{Modes, Point, Verdict};
 
 use crate::drawing::Drawing;
 use crate::margins;
@@ -37,7 +36,7 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
     let chart = drawing.diagram.chart();
     let said = |point: &DesignPoint| {
         let at = Point::new(chart.gamma(), chart.k_prime(), point.k, point.mu).ok()?;
-        Some(Said { verdict: GroundVerdict::Begins(at.mode()), others: at.others() })
+        Some(Said { verdict: Verdict::Begins(at.mode()), others: at.others() })
     };
     words.extend(of_points(drawing.points, drawing.cloud, &drawing.window, numbered, said));
     words
@@ -45,7 +44,7 @@ pub(crate) fn details(drawing: &Drawing, legend: &[String], numbered: &[usize]) 
 
 /// Verdict on a point whose force points left.
 pub(crate) struct Said {
-    pub verdict: GroundVerdict,
+    pub verdict: Verdict,
     /// Modes that are consistent beside it.
     pub others: Modes,
 }

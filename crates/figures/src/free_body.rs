@@ -3,9 +3,8 @@
 //! Solid arrows are forces, dashed ones accelerations; each kind has a scale of its own. A dashed outline shows where
 //! the motion takes the body, exaggerated.
 
-use standfast::ground::GroundVerdict;
-use standfast::ground::strength::{CrushPoint, Span};
-use standfast::{Corner, CornerAcceleration, Mode, Motion, Point};
+use standfast::ground::strength::{CrushPoint, Stretch};
+use standfast::{Corner, CornerAcceleration, Mode, Motion, Point, Verdict};
 
 use crate::Figure;
 use crate::palette::{FAINT, INK, MARK, PAPER, PUSH, verdict_symbol, verdict_tint};
@@ -76,8 +75,8 @@ pub fn free_body(given: &FreeBody, (width, height): (f64, f64)) -> (Figure, Pose
         (None, _) => String::new(),
     };
     let description = match sketch.verdict {
-        GroundVerdict::BearingFailure => format!("{force} The base cannot carry the body."),
-        GroundVerdict::Begins(_) => format!(
+        Verdict::BearingFailure => format!("{force} The base cannot carry the body."),
+        Verdict::Begins(_) => format!(
             "{force} The reaction has f_x and f_y, which act {} \
              half-widths right of the centre.{crushed} Dashed: accelerations of the corners O, left, and O′, right, and an exaggerated \
              picture of the motion that begins.",
@@ -89,12 +88,12 @@ pub fn free_body(given: &FreeBody, (width, height): (f64, f64)) -> (Figure, Pose
 }
 
 struct Sketch {
-    verdict: GroundVerdict,
+    verdict: Verdict,
     /// Nothing where the base cannot carry the body.
     motion: Motion,
     /// Part of the base that bears with its strength as it crushes, and the neutral point of a body that turns; in B,
     /// right of the centre.
-    pressed: Option<Span>,
+    pressed: Option<Stretch>,
     neutral: Option<f64>,
     k: f64,
     /// −1 if the force points left.
@@ -250,7 +249,7 @@ impl Sketch {
     /// Draws the part of a crushing base that bears, and the neutral point.
     fn bearing(&self, scene: &mut Scene) {
         const BAND: f64 = 6.0;
-        if let Some(Span { from, to }) = self.pressed {
+        if let Some(Stretch { from, to }) = self.pressed {
             let [from, to] = [from, to].map(|x| self.centre + x * self.half);
             let corners =
                 [(from, self.base), (to, self.base), (to, self.base + BAND), (from, self.base + BAND)];
@@ -265,7 +264,7 @@ impl Sketch {
     }
 
     fn reactions(&self, scene: &mut Scene) {
-        if self.verdict == GroundVerdict::BearingFailure {
+        if self.verdict == Verdict::BearingFailure {
             return;
         }
         let Motion { f_x, f_y, xi, .. } = self.motion;

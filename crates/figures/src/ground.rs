@@ -7,10 +7,9 @@ pub(crate) mod shape;
 mod soil;
 
 use standfast::diagram::Window;
-use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::BearingPlane;
 use standfast::ground::strength::{CrushMap, CrushPoint};
-use standfast::{Diagram, Modes};
+use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
 use crate::canvas::{Canvas, FORMULA};
@@ -33,33 +32,21 @@ const RIGID: Pen = Pen::solid(BEHIND, 1.1);
 
 /// The k–μ plane of a base that gives way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GroundPlane<'a> {
+pub(crate) enum GroundPlane<'a> {
     /// A base that crushes.
     Crushing(&'a CrushMap),
     /// Ground that fails.
     Failing(&'a BearingPlane),
 }
 
-/// The k–μ plane where the base gives way, with the lines of the rigid map in grey behind.
-///
-/// ```
-/// use standfast::ground::strength::CrushMap;
-/// use standfast_figures::{DesignPoint, DiagramContent, GroundPlane, ground_diagram};
-///
-/// let map = CrushMap::new(0.8, 0.9167, 0.08)?;
-/// let storm = [DesignPoint { k: 0.61, mu: 0.6, label: "storm".into(), mirrored: false }];
-/// let content = DiagramContent { points: &storm, ..DiagramContent::default() };
-/// let figure = ground_diagram(GroundPlane::Crushing(&map), &content);
-/// assert!(figure.caption().contains("storm (0.61, 0.6): RO."));
-/// # Ok::<(), standfast::InputError>(())
-/// ```
-pub fn ground_diagram(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
+/// The figure of the plane, with the lines of the rigid map in grey behind.
+pub(crate) fn diagram(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
     Draft::new(plane, content).figure(plane, content)
 }
 
-/// The same as coordinates; see [`outlines`](fn@crate::outlines). Curves go through points that satisfy the library's equations to the
+/// The plane as coordinates; see [`outlines`](fn@crate::outlines). Curves go through points that satisfy the library's equations to the
 /// last digit.
-pub fn ground_outlines(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Outlines {
+pub(crate) fn outlined(plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Outlines {
     let window = plane.window_of(content);
     let view = View::from_origin(window.k, window.mu);
     let Shape { areas, lines, points, k_marks, mu_marks } = plane.shape(&view);
@@ -96,7 +83,7 @@ impl GroundPlane<'_> {
     }
 
     /// The window asked for; if none is, one that shows both this plane and the rigid one behind it, and all points.
-    pub fn window_of(&self, content: &DiagramContent<'_>) -> Window {
+    fn window_of(&self, content: &DiagramContent<'_>) -> Window {
         content.window.unwrap_or_else(|| {
             let View { k_max, mu_max, .. } = map::window(&self.rigid(), &[]);
             // Where little is left of the plane, the rigid one gives way.
@@ -125,7 +112,7 @@ impl GroundPlane<'_> {
     /// The boundaries on rigid ground.
     fn rigid_lines(&self, window: Window) -> Vec<outlines::Polyline> {
         let content = DiagramContent { window: Some(window), ..DiagramContent::default() };
-        let lines = outlines::outlines(&self.rigid(), &content).lines.into_iter();
+        let lines = outlines::rigid(&self.rigid(), &content).lines.into_iter();
         lines.filter(|line| !line.dashed).flat_map(|line| line.parts).collect()
     }
 
@@ -170,7 +157,7 @@ struct Draft {
     canvas: Canvas,
     shape: Shape,
     window: Window,
-    areas: Vec<(GroundVerdict, Vec<Piece>)>,
+    areas: Vec<(Verdict, Vec<Piece>)>,
     numbers: Numbers,
     /// What is said below of lines and hatching, in markup.
     legend: Vec<String>,

@@ -66,12 +66,14 @@ mod section;
 mod sheet;
 mod text;
 
-use standfast::Diagram;
-use standfast::contact::path::Stage;
 use standfast::diagram::Window;
-use standfast::ground::GroundStage;
+use standfast::ground::bearing::BearingPlane;
 use standfast::ground::load_plane::{GroundLoadPlane, LoadEdge};
+use standfast::ground::strength::CrushMap;
 use standfast::region::Region;
+use standfast::{Diagram, Stage};
+
+use ground::GroundPlane;
 
 pub use cases::cases_on_screen;
 pub use chances::{
@@ -81,7 +83,6 @@ pub use chances::{
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
-pub use ground::{GroundPlane, ground_diagram, ground_outlines};
 pub use margins::{AxisNumbers, axis_numbers};
 pub use motion::{
     MotionLoad, MotionOutline, MotionPicture, MotionPose, SpectrumAxis, SpectrumLines, SpectrumMap,
@@ -194,13 +195,50 @@ impl DiagramContent<'_> {
 
 /// The map of all modes of one body and one elevation of the force, with design points, in a window that holds them.
 pub fn diagram(diagram: &Diagram, points: &[DesignPoint]) -> Figure {
-    diagram_with(diagram, &DiagramContent { points, ..DiagramContent::default() })
+    rigid_diagram(diagram, &DiagramContent { points, ..DiagramContent::default() })
 }
 
-/// The map of all modes of one body and one elevation of the force.
+/// The k–μ plane of a body on a base.
+#[derive(Debug, Clone, PartialEq)]
+pub enum KMuPlane {
+    /// On a rigid base.
+    Rigid(Diagram),
+    /// On a base that crushes.
+    Crushing(CrushMap),
+    /// On ground that fails.
+    Failing(BearingPlane),
+}
+
+impl From<Diagram> for KMuPlane {
+    fn from(diagram: Diagram) -> KMuPlane {
+        KMuPlane::Rigid(diagram)
+    }
+}
+
+/// The k–μ plane of one body, one elevation of the force and one base. Where the base gives way, lines of the rigid plane lie behind in grey.
 ///
 /// The indeterminate set N, where several modes are consistent, is hatched if a point lies in it.
-pub fn diagram_with(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
+///
+/// ```
+/// use standfast::ground::strength::CrushMap;
+/// use standfast_figures::{DesignPoint, DiagramContent, KMuPlane, diagram_with};
+///
+/// let plane = KMuPlane::Crushing(CrushMap::new(0.8, 0.9167, 0.08)?);
+/// let storm = [DesignPoint { k: 0.61, mu: 0.6, label: "storm".into(), mirrored: false }];
+/// let content = DiagramContent { points: &storm, ..DiagramContent::default() };
+/// let figure = diagram_with(&plane, &content);
+/// assert!(figure.caption().contains("storm (0.61, 0.6): RO."));
+/// # Ok::<(), standfast::InputError>(())
+/// ```
+pub fn diagram_with(plane: &KMuPlane, content: &DiagramContent<'_>) -> Figure {
+    match plane {
+        KMuPlane::Rigid(diagram) => rigid_diagram(diagram, content),
+        KMuPlane::Crushing(map) => ground::diagram(GroundPlane::Crushing(map), content),
+        KMuPlane::Failing(plane) => ground::diagram(GroundPlane::Failing(plane), content),
+    }
+}
+
+fn rigid_diagram(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
     let (sheet, condition) = map::sheet(diagram.chart().case());
     let unresolved = diagram.unresolved();
     let within = |&(k, mu): &(f64, f64)| unresolved.iter().any(|part| part.contains(k, mu));
@@ -221,19 +259,21 @@ pub fn diagram_with(diagram: &Diagram, content: &DiagramContent<'_>) -> Figure {
     .figure()
 }
 
-/// The plane of load factor and friction of any block, and the way of a rising load through it.
+/// The plane of load factor and friction of any block, on any base, and the way of a rising load through it.
 ///
-/// `regions` are those of [`Situation::plane`](standfast::Situation::plane) up to the same load factor, `stages` those of
-/// [`Situation::path`](standfast::Situation::path), which are cut there.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// `regions` are those of [`Situation::plane`](standfast::Situation::plane) up to the same load factor, `stages` those of its
+/// [`Outcome`](standfast::Outcome), which are cut there.
+#[derive(Debug, Clone, Copy)]
 pub struct LoadPlane<'a> {
-    /// Regions of the modes.
+    /// Regions of the modes on rigid ground.
     pub regions: &'a [Region],
+    /// The plane of a base that gives way, up to the same load factor: boundaries on rigid ground are then drawn in grey behind.
+    pub base: Option<&'a GroundLoadPlane>,
     /// The largest load factor; above zero.
     pub up_to: f64,
     /// The body's friction to stick: the load path runs along it.
     pub friction: f64,
-    /// The modes along the load path.
+    /// The stages along the load path.
     pub stages: &'a [Stage],
     /// Title, the body under load, in a line; not markup.
     pub title: &'a str,
@@ -243,6 +283,8 @@ pub struct LoadPlane<'a> {
 /// factor at every change of mode, and a diamond at the full load, λ = 1.
 ///
 /// ```
+/// use standfast::ground::load_plane::GroundLoadPlane;
+/// use standfast::ground::strength::outcome;
 /// use standfast::loads::{Action, Load, LoadKind, LoadSource};
 /// use standfast::{Body, Situation};
 /// use standfast_figures::{LoadPlane, load_plane};
@@ -251,62 +293,37 @@ pub struct LoadPlane<'a> {
 /// let situation = Situation::new(Body::new(15.0, 10.5, 346_050.0)?, 0.6, 9.81)?.with_weight().with(push);
 /// let figure = load_plane(&LoadPlane {
 ///     regions: &situation.plane(2.0)?,
+///     base: None,
 ///     up_to: 2.0,
 ///     friction: situation.static_friction(),
 ///     stages: &situation.path()?,
 ///     title: "Caisson in air",
 /// });
 /// assert!(figure.caption().contains("Full load (λ = 1, diamond): RE"));
+///
+/// // On a base that crushes at 3 MPa, under a force that moves it.
+/// let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-2.7e6, 11.5));
+/// let situation = Situation::new(Body::new(15.0, 12.0, 378e3)?, 0.6, 9.81)?.with_weight().with(push);
+/// let figure = load_plane(&LoadPlane {
+///     regions: &situation.plane(2.0)?,
+///     base: Some(&GroundLoadPlane::crushing(&situation, 3e6, 2.0)?),
+///     up_to: 2.0,
+///     friction: situation.static_friction(),
+///     stages: &outcome(&situation, 3e6)?.outcome.path,
+///     title: "Caisson on stone",
+/// });
+/// assert!(figure.caption().contains("Full load (λ = 1, diamond): RO"));
 /// # Ok::<(), standfast::InputError>(())
 /// ```
 pub fn load_plane(plane: &LoadPlane<'_>) -> Figure {
     plane::figure(plane)
 }
 
-/// The plane of load factor and friction where the base gives way, and the way of a rising load through it.
-#[derive(Debug, Clone, Copy)]
-pub struct GroundLoadMap<'a> {
-    /// Plane of the verdicts.
-    pub plane: &'a GroundLoadPlane,
-    /// The regions on rigid ground up to the same load factor, whose boundaries are drawn in grey behind.
-    pub rigid: &'a [Region],
-    /// The body's friction to stick: the load path runs along it.
-    pub friction: f64,
-    /// Stages of the load path; cut where the plane ends.
-    pub stages: &'a [GroundStage],
-    /// Title, the body under load, in a line; not markup.
-    pub title: &'a str,
-}
-
-/// The plane of load factor λ and friction μ where the base gives way, with the load path; see [`load_plane`].
-///
-/// ```
-/// use standfast::ground::load_plane::GroundLoadPlane;
-/// use standfast::ground::strength::outcome;
-/// use standfast::loads::{Action, Load, LoadKind, LoadSource};
-/// use standfast::{Body, Situation};
-/// use standfast_figures::{GroundLoadMap, ground_load_plane};
-///
-/// let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-2.7e6, 11.5));
-/// let situation = Situation::new(Body::new(15.0, 12.0, 378e3)?, 0.6, 9.81)?.with_weight().with(push);
-/// let figure = ground_load_plane(&GroundLoadMap {
-///     plane: &GroundLoadPlane::crushing(&situation, 3e6, 2.0)?,
-///     rigid: &situation.plane(2.0)?,
-///     friction: situation.static_friction(),
-///     stages: &outcome(&situation, 3e6)?.path,
-///     title: "Caisson on stone",
-/// });
-/// assert!(figure.caption().contains("Full load (λ = 1, diamond): RO"));
-/// # Ok::<(), standfast::InputError>(())
-/// ```
-pub fn ground_load_plane(map: &GroundLoadMap<'_>) -> Figure {
-    plane::ground_figure(map)
-}
-
-/// The lines between different verdicts that [`ground_load_plane`] draws, through points of their curves; verticals apart.
+/// The lines between different verdicts that [`load_plane`] draws of a base that gives way, through points of their curves; verticals
+/// apart.
 #[doc(hidden)]
-pub fn ground_load_lines(map: &GroundLoadMap<'_>) -> Vec<(LoadEdge, outlines::Polyline)> {
-    plane::ground_lines(map)
+pub fn load_lines(plane: &LoadPlane<'_>) -> Vec<(LoadEdge, outlines::Polyline)> {
+    plane::lines(plane)
 }
 
 /// Figure of [`load_plane`] for a screen, with a plot `across` units wide and colours as custom properties of CSS.

@@ -4,16 +4,16 @@
 //! stay within a two-thousandth of the window's height of the exact ones.
 
 use standfast::diagram::Window;
-use standfast::ground::GroundVerdict;
 use standfast::initiation::PointName;
 use standfast::region::{Curve, Strip};
-use standfast::{Diagram, Mode, Modes};
+use standfast::{Diagram, Mode, Modes, Verdict};
 
-use crate::DiagramContent;
+use crate::ground::{GroundPlane, outlined};
 use crate::map;
 use crate::palette::{symbol, tint};
 use crate::plot::{Piece, View, clip, clip_strips};
 use crate::sheet::{Line, Style, k_markup, letter_markup};
+use crate::{DiagramContent, KMuPlane};
 
 /// (k, μ) one after another.
 pub type Polyline = Vec<(f64, f64)>;
@@ -43,7 +43,7 @@ pub struct Outlines {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
     /// Verdict there: a mode, or BF on ground that fails.
-    pub verdict: GroundVerdict,
+    pub verdict: Verdict,
     /// Its symbol as markup.
     pub symbol: &'static str,
     /// Its colour, as `#rrggbb`.
@@ -111,12 +111,21 @@ pub struct Tick {
 /// use standfast::{Diagram, Mode};
 /// use standfast_figures::{DiagramContent, outlines};
 ///
-/// let shown = outlines(&Diagram::new(3.0, 0.8)?, &DiagramContent::default());
+/// let shown = outlines(&Diagram::new(3.0, 0.8)?.into(), &DiagramContent::default());
 /// let slide = shown.areas.iter().find(|area| area.verdict.mode() == Some(Mode::SlideLeft)).unwrap();
 /// assert_eq!(slide.polygons[0][0], (0.0, 0.0));
 /// # Ok::<(), standfast::InputError>(())
 /// ```
-pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
+pub fn outlines(plane: &KMuPlane, content: &DiagramContent<'_>) -> Outlines {
+    match plane {
+        KMuPlane::Rigid(diagram) => rigid(diagram, content),
+        KMuPlane::Crushing(map) => outlined(GroundPlane::Crushing(map), content),
+        KMuPlane::Failing(plane) => outlined(GroundPlane::Failing(plane), content),
+    }
+}
+
+/// The coordinates of a diagram on a rigid base.
+pub(crate) fn rigid(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
     let window = content.window_of(diagram);
     let view = View::from_origin(window.k, window.mu);
     let chart = diagram.chart();
@@ -124,7 +133,7 @@ pub fn outlines(diagram: &Diagram, content: &DiagramContent<'_>) -> Outlines {
     let shows = |k: f64, mu: f64| (0.0..=window.k).contains(&k) && (0.0..=window.mu).contains(&mu);
 
     let areas = diagram.regions().iter().map(|region| Area {
-        verdict: GroundVerdict::Begins(region.mode),
+        verdict: Verdict::Begins(region.mode),
         symbol: symbol(region.mode),
         tint: tint(region.mode),
         polygons: polygons(&region.strips, &view),
@@ -261,7 +270,7 @@ mod tests {
     fn the_areas_of_a_diagram_fill_its_window() {
         for gamma in [0.3, 1.0, 2.0, 4.0] {
             for k_prime in [-1.5, -1.0, -0.6, -0.55, -0.2, 0.0, 0.4, 0.55, 0.8, 1.0, 3.0] {
-                let shown = outlines(&Diagram::new(gamma, k_prime).unwrap(), &DiagramContent::default());
+                let shown = rigid(&Diagram::new(gamma, k_prime).unwrap(), &DiagramContent::default());
                 let filled: f64 =
                     shown.areas.iter().flat_map(|area| &area.polygons).map(twice_area).sum::<f64>() / 2.0;
                 let window = shown.window.k * shown.window.mu;
@@ -278,7 +287,7 @@ mod tests {
         for (gamma, k_prime) in [(1.0, 0.4), (3.0, 0.8), (4.0, -0.55), (1.0, -0.6), (1.0, -2.0)] {
             let content =
                 DiagramContent { window: Some(Window { k: 1.5, mu: 1.0 }), ..DiagramContent::default() };
-            let shown = outlines(&Diagram::new(gamma, k_prime).unwrap(), &content);
+            let shown = rigid(&Diagram::new(gamma, k_prime).unwrap(), &content);
             let lines = shown.lines.iter().flat_map(|line| line.parts.iter().flatten().copied());
             for (k, mu) in lines.chain(shown.points.iter().map(|point| (point.k, point.mu))) {
                 assert!((0.0..=1.5).contains(&k) && (0.0..=1.0).contains(&mu), "({k}, {mu})");

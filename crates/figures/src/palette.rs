@@ -3,8 +3,7 @@
 //! The tints keep their order in grey print (lightness falls from rest to slide-rock) and differ in blue against
 //! yellow, which colour-blind readers see. A mode that the report's force cannot start has the tint of its mirror image.
 
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
+use standfast::{Mode, Verdict};
 
 /// Curves, axes and text.
 pub(crate) const INK: &str = "#16202b";
@@ -49,12 +48,12 @@ pub(crate) fn tint(mode: Mode) -> &'static str {
 const FAILED: &str = "#c9ae98";
 
 /// The tint of what a body does on ground that can fail.
-pub(crate) fn verdict_tint(verdict: GroundVerdict) -> &'static str {
+pub(crate) fn verdict_tint(verdict: Verdict) -> &'static str {
     verdict.mode().map_or(FAILED, tint)
 }
 
 /// The symbol of the same in markup.
-pub(crate) fn verdict_symbol(verdict: GroundVerdict) -> &'static str {
+pub(crate) fn verdict_symbol(verdict: Verdict) -> &'static str {
     verdict.mode().map_or(r"$\up{BF}$", symbol)
 }
 

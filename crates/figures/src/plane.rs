@@ -7,8 +7,8 @@
 mod ground;
 
 use standfast::ground::load_plane::LoadEdge;
-use standfast::ground::{GroundStage, GroundVerdict};
 use standfast::region::{Curve, Region, Strip};
+use standfast::{Stage, Verdict};
 
 use crate::canvas::Canvas;
 use crate::caption::{SIZE, SMALL, also, shortened};
@@ -20,7 +20,7 @@ use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol, verdict_tint};
 use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip_strips, level, outline};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
-use crate::{Figure, GroundLoadMap, LoadPlane};
+use crate::{Figure, LoadPlane};
 
 const PLOT: (f64, f64) = (430.0, 310.0);
 const TOP: f64 = 42.0;
@@ -41,46 +41,42 @@ struct Plan<'a> {
     rigid: Vec<Shaded>,
     up_to: f64,
     friction: f64,
-    stages: Vec<GroundStage>,
+    stages: &'a [Stage],
     title: &'a str,
 }
 
 /// Where a verdict holds.
 struct Shaded {
-    verdict: GroundVerdict,
+    verdict: Verdict,
     strips: Vec<Strip>,
 }
 
 /// A region as the window shows it.
 struct Area {
-    verdict: GroundVerdict,
+    verdict: Verdict,
     pieces: Vec<Piece>,
 }
 
 /// Regions of modes.
 fn shaded(regions: &[Region]) -> Vec<Shaded> {
-    let begins = |region: &Region| GroundVerdict::Begins(region.mode);
+    let begins = |region: &Region| Verdict::Begins(region.mode);
     regions.iter().map(|region| Shaded { verdict: begins(region), strips: region.strips.clone() }).collect()
 }
 
 impl<'a> Plan<'a> {
     fn of(given: &LoadPlane<'a>) -> Plan<'a> {
-        let stages = given.stages.iter().map(|stage| GroundStage {
-            from: stage.from,
-            to: stage.to,
-            verdict: stage.mode.map(GroundVerdict::Begins),
-            modes: stage.modes,
-        });
-        let corners = given.regions.iter().flat_map(|region| corners(&region.strips, end(given.up_to)));
-        Plan {
-            corners: corners.collect(),
-            regions: shaded(given.regions),
-            rigid: Vec::new(),
-            up_to: given.up_to,
-            friction: given.friction,
-            stages: stages.collect(),
-            title: given.title,
-        }
+        let rigid = shaded(given.regions);
+        let behind = given.regions.iter().flat_map(|region| corners(&region.strips, end(given.up_to)));
+        let behind: Vec<f64> = behind.collect();
+        let (regions, rigid, corners) = match given.base {
+            None => (rigid, Vec::new(), behind),
+            Some(base) => {
+                let tops = ground::tops(base).into_iter();
+                (ground::regions(base, given.friction), rigid, tops.chain(behind).collect())
+            }
+        };
+        let LoadPlane { up_to, friction, stages, title, .. } = *given;
+        Plan { regions, corners, rigid, up_to, friction, stages, title }
     }
 }
 
@@ -97,14 +93,9 @@ pub(crate) fn figure(given: &LoadPlane) -> Figure {
     drawn(&Plan::of(given), PLOT.0, Scene::default())
 }
 
-/// Draws that of a base that gives way.
-pub(crate) fn ground_figure(given: &GroundLoadMap) -> Figure {
-    drawn(&ground::plan(given), PLOT.0, Scene::default())
-}
-
-/// Lines of that plane.
-pub(crate) fn ground_lines(given: &GroundLoadMap) -> Vec<(LoadEdge, Polyline)> {
-    ground::lines(given)
+/// Lines of the plane of a base that gives way.
+pub(crate) fn lines(given: &LoadPlane) -> Vec<(LoadEdge, Polyline)> {
+    given.base.map_or_else(Vec::new, |base| ground::lines(base, given.friction))
 }
 
 /// Draws it for a screen, with a plot `across` units wide.
@@ -260,19 +251,18 @@ fn sides(regions: &[Shaded], areas: &[Area], window: &View) -> Vec<Side> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|later, earlier| *later - *earlier <= near);
 
-    let spans =
-        |is_there: &dyn Fn(&Piece) -> bool, end: fn(&Piece) -> f64| -> Vec<(f64, f64, GroundVerdict)> {
-            let pieces = areas.iter().flat_map(|area| area.pieces.iter().map(|piece| (piece, area.verdict)));
-            let there = pieces.filter(|(piece, _)| is_there(piece));
-            there
-                .map(|(piece, verdict)| (piece.lower.at(end(piece)), piece.upper.at(end(piece)), verdict))
-                .collect()
-        };
+    let spans = |is_there: &dyn Fn(&Piece) -> bool, end: fn(&Piece) -> f64| -> Vec<(f64, f64, Verdict)> {
+        let pieces = areas.iter().flat_map(|area| area.pieces.iter().map(|piece| (piece, area.verdict)));
+        let there = pieces.filter(|(piece, _)| is_there(piece));
+        there
+            .map(|(piece, verdict)| (piece.lower.at(end(piece)), piece.upper.at(end(piece)), verdict))
+            .collect()
+    };
     let mut sides: Vec<Side> = Vec::new();
     for at in places {
         let left = spans(&|p| (p.to - at).abs() <= near && p.from < at - near, |p| p.to);
         let right = spans(&|p| (p.from - at).abs() <= near && p.to > at + near, |p| p.from);
-        let verdict = |spans: &[(f64, f64, GroundVerdict)], mu: f64| {
+        let verdict = |spans: &[(f64, f64, Verdict)], mu: f64| {
             spans.iter().find(|(low, high, _)| (*low..=*high).contains(&mu)).map(|(.., verdict)| *verdict)
         };
         let mut cuts: Vec<f64> = left.iter().chain(&right).flat_map(|(low, high, _)| [*low, *high]).collect();
@@ -296,20 +286,19 @@ fn sides(regions: &[Shaded], areas: &[Area], window: &View) -> Vec<Side> {
 
 /// The way of a rising load: a line along the body's friction.
 struct LoadPath {
-    stages: Vec<GroundStage>,
+    stages: Vec<Stage>,
     up_to: f64,
     friction: Option<f64>,
 }
 
 impl LoadPath {
     fn of(given: &Plan<'_>, up_to: f64) -> LoadPath {
-        let within = given.stages.iter().filter(|stage| stage.from < given.up_to);
-        let stages = within.map(|stage| GroundStage { to: stage.to.min(given.up_to), ..*stage }).collect();
+        let stages = Stage::up_to(given.stages, given.up_to);
         LoadPath { stages, up_to, friction: drawable(given.friction) }
     }
 
     /// The load factors at which stages change.
-    fn changes(&self) -> impl Iterator<Item = (f64, &[GroundStage])> {
+    fn changes(&self) -> impl Iterator<Item = (f64, &[Stage])> {
         self.stages.windows(2).map(|pair| (pair[0].to, pair))
     }
 
@@ -399,7 +388,7 @@ impl LoadPath {
 
     /// The stages in words, and the mode under the full load.
     fn caption(&self) -> String {
-        let mode = |stage: &GroundStage| {
+        let mode = |stage: &Stage| {
             format!("{}{}", stage.verdict.map_or("none", verdict_symbol), also(stage.others()))
         };
         let stages = self
@@ -427,7 +416,7 @@ impl LoadPath {
 
 /// How far a tick reaches to either side of the path. A change of the modes beside the one reported is a smaller event;
 /// the diamond of the full load must not hide a tick.
-fn reach(frame: &Frame, at: f64, pair: &[GroundStage]) -> f64 {
+fn reach(frame: &Frame, at: f64, pair: &[Stage]) -> f64 {
     const DIAMOND: f64 = 5.2;
     let reach = if pair[0].verdict == pair[1].verdict { 3.5 } else { 6.5 };
     let is_under = frame.window.k_max >= 1.0 && (frame.x(at) - frame.x(1.0)).abs() < DIAMOND + 2.0;
@@ -437,7 +426,7 @@ fn reach(frame: &Frame, at: f64, pair: &[GroundStage]) -> f64 {
 /// The figure in words.
 fn description(window: &View, areas: &[Area], caption: &str) -> String {
     let plain = |markup: &str| Text::inline(markup, SMALL).plain;
-    let mut verdicts: Vec<GroundVerdict> = areas.iter().map(|area| area.verdict).collect();
+    let mut verdicts: Vec<Verdict> = areas.iter().map(|area| area.verdict).collect();
     verdicts.sort_by_key(|verdict| verdict.code());
     verdicts.dedup();
     let shaded = verdicts.iter().map(|verdict| {
@@ -469,7 +458,7 @@ mod tests {
     }
 
     fn plane(regions: &[standfast::region::Region]) -> LoadPlane<'_> {
-        LoadPlane { regions, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
+        LoadPlane { regions, base: None, up_to: 2.0, friction: 0.3, stages: &[], title: "" }
     }
 
     #[test]

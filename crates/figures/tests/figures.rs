@@ -148,7 +148,7 @@ fn the_report_s_axes_have_no_numbers() {
 /// The diagram of γ = 2, k' = 0.3 up to k = 1, μ = 0.8.
 fn windowed(points: &[DesignPoint], cloud: &[(f64, f64)]) -> Figure {
     let body = Diagram::new(2.0, 0.3).expect("a valid body");
-    diagram_with(&body, &DiagramContent { window: Some(Window { k: 1.0, mu: 0.8 }), points, cloud })
+    diagram_with(&body.into(), &DiagramContent { window: Some(Window { k: 1.0, mu: 0.8 }), points, cloud })
 }
 
 #[test]
@@ -176,8 +176,8 @@ fn a_cloud_of_points_is_counted_and_widens_a_window_that_is_not_asked_for() {
     assert!(windowed(&[], &cloud).caption().ends_with("Dots: 3 points, 2 of them outside the window."));
     let body = Diagram::new(2.0, 0.3).expect("a valid body");
     let content = DiagramContent { cloud: &cloud, ..DiagramContent::default() };
-    assert!(diagram_with(&body, &content).caption().ends_with("Dots: 3 points."));
     let window = content.window_of(&body);
+    assert!(diagram_with(&body.into(), &content).caption().ends_with("Dots: 3 points."));
     assert!(cloud[..3].iter().all(|&(k, mu)| k < window.k && mu < window.mu), "{window:?}");
 }
 

@@ -3,14 +3,12 @@
 #[path = "base/load.rs"]
 mod load;
 
+use standfast::Verdict;
 use standfast::diagram::Window;
-use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::{CrushMap, CrushPoint};
 use standfast_figures::outlines::{Outlines, Polyline};
-use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundPlane, Rect, ground_diagram, ground_outlines,
-};
+use standfast_figures::{DesignPoint, DiagramContent, Figure, KMuPlane, Rect, diagram_with, outlines};
 
 /// γ, k' and ω of every kind: below, between and above the centres of percussion, low forces, and ω next to 0, ½ and 1.
 fn maps() -> impl Iterator<Item = (f64, f64, f64)> {
@@ -58,7 +56,7 @@ fn every_point_of_the_drawn_curve_solves_both_modes() {
     let mut count = 0;
     for (γ, h, ω) in maps() {
         let map = CrushMap::new(γ, h, ω).expect("a map");
-        let shown = ground_outlines(GroundPlane::Crushing(&map), &DiagramContent::default());
+        let shown = outlines(&KMuPlane::Crushing(map), &DiagramContent::default());
         // The mirror of a force below the base is one of a force above it that pulls.
         let g = if h < -1.0 { -γ } else { γ };
         let lever = g * (1.0 + h);
@@ -106,7 +104,7 @@ fn is_inside(polygon: &Polyline, (k, mu): (f64, f64)) -> bool {
 
 /// The areas fill the window, and each is of the verdict that the decision has at points all over it. A point nearer to a boundary
 /// than the drawing's tolerance may be on its other side.
-fn assert_decided(shown: &Outlines, of: &str, verdict: impl Fn(f64, f64) -> GroundVerdict) {
+fn assert_decided(shown: &Outlines, of: &str, verdict: impl Fn(f64, f64) -> Verdict) {
     assert_filled(shown, of);
     for i in 0..25 {
         for j in 0..25 {
@@ -130,13 +128,13 @@ fn assert_decided(shown: &Outlines, of: &str, verdict: impl Fn(f64, f64) -> Grou
 fn areas_are_those_of_the_decision() {
     for (γ, h, ω) in maps() {
         let map = CrushMap::new(γ, h, ω).expect("a map");
-        let shown = ground_outlines(GroundPlane::Crushing(&map), &DiagramContent::default());
+        let shown = outlines(&KMuPlane::Crushing(map), &DiagramContent::default());
         assert_decided(&shown, &format!("{γ} {h} {ω}"), |k, mu| {
             CrushPoint::new(γ, h, k, mu, ω).expect("a point").verdict()
         });
     }
     for plane in soils() {
-        let shown = ground_outlines(GroundPlane::Failing(&plane), &DiagramContent::default());
+        let shown = outlines(&KMuPlane::Failing(plane), &DiagramContent::default());
         assert_decided(&shown, &format!("{plane:?}"), |k, mu| plane.at(k, mu).expect("a point").verdict);
     }
 }
@@ -145,7 +143,7 @@ fn areas_are_those_of_the_decision() {
 #[test]
 fn ground_fails_on_the_drawn_line() {
     for (which, plane) in soils().enumerate() {
-        let shown = ground_outlines(GroundPlane::Failing(&plane), &DiagramContent::default());
+        let shown = outlines(&KMuPlane::Failing(plane), &DiagramContent::default());
         let (γ, h, u) = (plane.gamma(), plane.k_prime(), plane.share());
         let line = points_of(&shown, "R = P");
         for &(k, mu) in &line {
@@ -188,9 +186,9 @@ fn labels_keep_apart() {
         let content = DiagramContent { points, ..DiagramContent::default() };
         for (γ, h, ω) in maps() {
             let map = CrushMap::new(γ, h, ω).expect("a map");
-            assert_tidy(&ground_diagram(GroundPlane::Crushing(&map), &content));
+            assert_tidy(&diagram_with(&KMuPlane::Crushing(map), &content));
         }
-        soils().for_each(|plane| assert_tidy(&ground_diagram(GroundPlane::Failing(&plane), &content)));
+        soils().for_each(|plane| assert_tidy(&diagram_with(&KMuPlane::Failing(plane), &content)));
     }
 }
 
@@ -200,10 +198,8 @@ fn the_rigid_map_lies_behind() {
     let window = Some(Window { k: 2.5, mu: 1.5 });
     for (γ, h) in [(3.0, 0.8), (1.0, 0.4), (4.0, -0.55), (1.2, -1.7)] {
         let map = CrushMap::new(γ, h, 1e-7).expect("a map");
-        let shown = ground_outlines(
-            GroundPlane::Crushing(&map),
-            &DiagramContent { window, ..DiagramContent::default() },
-        );
+        let shown =
+            outlines(&KMuPlane::Crushing(map), &DiagramContent { window, ..DiagramContent::default() });
         let solid: Vec<(f64, f64)> =
             shown.lines.iter().filter(|line| !line.dashed).flat_map(|line| line.parts.concat()).collect();
         assert!(shown.rigid.len() >= 3);

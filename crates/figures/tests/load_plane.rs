@@ -1,12 +1,11 @@
 //! The plane of load factor and friction: tidy for any block, the same bytes every time, and it says what the path does.
 
 use resvg::usvg;
-use standfast::contact::path::Stage;
 use standfast::contact::{Block, path, plane};
 use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
 use standfast::region::Region;
-use standfast::{Body, Diagram, Mode, Situation, Wrench};
+use standfast::{Body, Diagram, Mode, Situation, Stage, Verdict, Wrench};
 use standfast_figures::{DesignPoint, Figure, LoadPlane, Rect, diagram, load_plane};
 
 const G: f64 = 9.81;
@@ -51,6 +50,7 @@ impl Case {
     fn figure(&self) -> Figure {
         load_plane(&LoadPlane {
             regions: &self.regions,
+            base: None,
             up_to: self.up_to,
             friction: self.friction,
             stages: &self.stages,
@@ -189,12 +189,20 @@ fn numbers_out_of_the_ordinary_are_drawn_or_left_out() {
             for Case { regions, stages, .. } in &cases {
                 let (title, empty) = ("W".repeat(400), String::new());
                 for title in [&title, &empty] {
-                    let figure = load_plane(&LoadPlane { regions, up_to, friction, stages, title });
+                    let figure =
+                        load_plane(&LoadPlane { regions, base: None, up_to, friction, stages, title });
                     assert_tidy(&figure);
                     assert_on_page(&figure);
                 }
             }
-            assert_tidy(&load_plane(&LoadPlane { regions: &[], up_to, friction, stages: &[], title: "<&>" }));
+            assert_tidy(&load_plane(&LoadPlane {
+                regions: &[],
+                base: None,
+                up_to,
+                friction,
+                stages: &[],
+                title: "<&>",
+            }));
         }
     }
 }
@@ -231,14 +239,25 @@ fn stages_with_several_modes_are_dashed_and_name_them() {
 
 #[test]
 fn load_factors_that_nearly_agree_are_told_apart() {
-    let stage = |from, to, mode| Stage { from, to, mode: Some(mode), modes: [mode].into_iter().collect() };
+    let stage = |from, to, mode| Stage {
+        from,
+        to,
+        verdict: Some(Verdict::Begins(mode)),
+        modes: [mode].into_iter().collect(),
+    };
     let stages = [
         stage(0.0, 0.9996, Mode::Rest),
         stage(0.9996, 0.9998, Mode::SlideLeft),
         stage(0.9998, 2.0, Mode::RockO),
     ];
-    let figure =
-        load_plane(&LoadPlane { regions: &[], up_to: 2.0, friction: 0.6, stages: &stages, title: "" });
+    let figure = load_plane(&LoadPlane {
+        regions: &[],
+        base: None,
+        up_to: 2.0,
+        friction: 0.6,
+        stages: &stages,
+        title: "",
+    });
     assert_tidy(&figure);
     assert_eq!(
         figure.caption(),
@@ -249,11 +268,22 @@ fn load_factors_that_nearly_agree_are_told_apart() {
 /// The diamond of the full load reaches 5.2 units up and down; a tick under it is seen beyond, and its number too.
 #[test]
 fn a_tick_is_seen_beside_the_diamond() {
-    let stage = |from, to, mode| Stage { from, to, mode: Some(mode), modes: [mode].into_iter().collect() };
+    let stage = |from, to, mode| Stage {
+        from,
+        to,
+        verdict: Some(Verdict::Begins(mode)),
+        modes: [mode].into_iter().collect(),
+    };
     let ticks = |at: f64| -> f64 {
         let stages = [stage(0.0, at, Mode::Rest), stage(at, 2.0, Mode::SlideLeft)];
-        let figure =
-            load_plane(&LoadPlane { regions: &[], up_to: 2.0, friction: 0.6, stages: &stages, title: "" });
+        let figure = load_plane(&LoadPlane {
+            regions: &[],
+            base: None,
+            up_to: 2.0,
+            friction: 0.6,
+            stages: &stages,
+            title: "",
+        });
         assert_tidy(&figure);
         assert!(figure.labels().iter().any(|label| label.text == at.to_string()), "{at} is not at its tick");
         let tick = figure.svg().lines().find(|line| line.contains("stroke=\"#a3123f\" stroke-width=\"1.6\""));

@@ -41,7 +41,7 @@ impl Outcomes for Caisson {
         let situation = self.situation(values[1]);
         let wrench = situation.reduced_wrench(&situation.wrench_at(1.0, standfast::loads::Pose::UPRIGHT));
         for span in friction::spans(&situation.reduced_block().0, &wrench).unwrap_or_default() {
-            if let Some(mode) = span.mode {
+            if let Some(mode) = span.mode() {
                 pieces.push(span.from, span.to, mode.code().into());
             }
         }

@@ -1,7 +1,6 @@
 //! Probability of each mode where some numbers are random: laws, method, probabilities, what matters, what is asked.
 
 use maud::{Markup, html};
-use standfast::Mode;
 use standfast_cases::CaseFile;
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
@@ -126,7 +125,7 @@ fn situation(answer: &Probability, chances: &Chances, place: usize) -> Markup {
         @if place == 0 { (index(chances)) (matters(answer, chances)) }
         @if let Some(life) = &chances.life {
             h3 { "At least once in " (digits(life.years)) " years" }
-            (modes(&life.modes.iter().copied().filter(|(h, _)| *h != Happening::Mode(Mode::Rest)).collect::<Vec<_>>(), life.not_rest, floor, "life"))
+            (modes(&life.modes.iter().copied().filter(|(h, _)| *h != Happening::REST).collect::<Vec<_>>(), life.not_rest, floor, "life"))
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The verdict: in short at the top, in full at the end.
 
 use maud::{Markup, html};
-use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::{Departure, Verdict};
 use standfast_cases::assess::{AnyCheck, criteria_met, verdict};
 use standfast_cases::layout::digits;
 use standfast_cases::{Assessed, Assessment, View};
@@ -20,7 +20,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
         section.summary {
             h2 { "Summary" }
             @for assessed in assessment.shown(&View::default()) {
-                p.verdict data-mode=(assessed.verdict().map_or("none", GroundVerdict::symbol)) {
+                p.verdict data-mode=(assessed.verdict().map_or("none", Verdict::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }
                     @match assessed.verdict() {
                         Some(begun) => {
@@ -30,7 +30,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
                         }
                         None => "The body has no consistent mode.",
                     }
-                    @if !assessed.is_unique() { " The answer is not unique; see the verdict." }
+                    @if !assessed.outcome.full.is_unique() { " The answer is not unique; see the verdict." }
                 }
             }
             @if assessment.all_checks().is_empty() {
@@ -126,15 +126,15 @@ fn table(assessment: &Assessment) -> Markup {
                     @let factors = [stability.sliding, stability.overturning()];
                     tr {
                         @if several { td.name data-label="Situation" { (name(assessment, assessed)) } }
-                        td data-label=(COLUMNS[0]) { (assessed.verdict().map_or("none", GroundVerdict::symbol)) }
+                        td data-label=(COLUMNS[0]) { (assessed.verdict().map_or("none", Verdict::symbol)) }
                         @for (factor, column) in factors.into_iter().zip(&COLUMNS[1..]) {
                             td.n data-label=(column) {
                                 @if full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) }
                             }
                         }
                         td.n data-label=(COLUMNS[3]) { (departure(&assessed.departure())) }
-                        td data-label=(COLUMNS[4]) { (assessed.departure().verdict().map_or("–", GroundVerdict::symbol)) }
-                        td data-label=(COLUMNS[5]) { @if assessed.is_unique() { "yes" } @else { "no" } }
+                        td data-label=(COLUMNS[4]) { (assessed.departure().verdict().map_or("–", Verdict::symbol)) }
+                        td data-label=(COLUMNS[5]) { @if assessed.outcome.full.is_unique() { "yes" } @else { "no" } }
                     }
                 }
             }
@@ -142,10 +142,10 @@ fn table(assessment: &Assessment) -> Markup {
     }
 }
 
-fn departure(departure: &GroundDeparture) -> Markup {
+fn departure(departure: &Departure) -> Markup {
     html! {
         @match *departure {
-            GroundDeparture::At { factor, .. } => data value=(factor) data-percent { (digits(100.0 * factor)) },
+            Departure::At { factor, .. } => data value=(factor) data-percent { (digits(100.0 * factor)) },
             _ => (verdict::departure_word(departure)),
         }
     }

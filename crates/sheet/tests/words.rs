@@ -6,8 +6,7 @@ use std::collections::BTreeMap;
 
 use common::{cases, document, html, select, si};
 use scraper::{ElementRef, Html};
-use standfast::Mode;
-use standfast::ground::GroundDeparture;
+use standfast::{Departure, Mode};
 use standfast_cases::case::Limit;
 use standfast_cases::{Assessment, CaseFile, Drawn, Key, View};
 use standfast_sheet::{Sheet, SheetOptions};
@@ -107,7 +106,7 @@ fn departure_and_friction_are_steps_with_formulas() {
                     format!("[data-load=\"{}\"] .step[data-symbol=\"{symbol}\"] .numbers", assessed.index);
                 select(&html, &selector).len()
             };
-            let departs = matches!(assessed.departure(), GroundDeparture::At { .. });
+            let departs = matches!(assessed.departure(), Departure::At { .. });
             assert_eq!(of("λ_d"), usize::from(departs), "{name}");
             departures += usize::from(departs);
             let slides_here = matches!(assessed.mode(), Some(Mode::SlideLeft | Mode::SlideRight))

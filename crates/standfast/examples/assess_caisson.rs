@@ -37,9 +37,9 @@ fn main() -> Result<(), InputError> {
     let outcome = outcome()?;
     println!("sliding      {:.3}", outcome.stability.sliding);
     println!("overturning  {:.3}", outcome.stability.overturning());
-    println!("mode         {}", outcome.full.mode.map_or("none", |mode| mode.words()));
-    if let Departure::At { factor, mode } = outcome.departure {
-        let into = mode.map_or("none", |mode| mode.words());
+    println!("mode         {}", outcome.full.verdict.map_or("none", |verdict| verdict.words()));
+    if let Departure::At { factor, verdict } = outcome.departure {
+        let into = verdict.map_or("none", |verdict| verdict.words());
         println!("leaves rest at {:.1} % of the wave; then it {into}", 100.0 * factor);
     }
     Ok(())

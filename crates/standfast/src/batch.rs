@@ -138,17 +138,17 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     Ok(())
 }
 
-/// The same on bases that crush, each of its share ω: the [codes](crate::ground::GroundVerdict::code) of verdicts, BF among them. Points on a rigid
+/// The same on bases that crush, each of its share ω: the [codes](crate::standfast::Verdict::code) of verdicts, BF among them. Points on a rigid
 /// base, ω = 0, are those of [`classify`], at its speed.
 ///
 /// ```
 /// use standfast::batch::{Columns, classify_on_base};
-/// use standfast::ground::GroundVerdict;
+/// use standfast::Verdict;
 ///
 /// let columns = Columns { gamma: &[0.8; 3], k_prime: &[0.9167; 3], k: &[0.61; 3], mu: &[0.6; 3] };
 /// let mut codes = [0; 3];
 /// classify_on_base(columns, &[0.0, 0.08, 1.0], &mut codes)?;
-/// let symbols = codes.map(|code| GroundVerdict::from_code(code).unwrap().symbol());
+/// let symbols = codes.map(|code| Verdict::from_code(code).unwrap().symbol());
 /// assert_eq!(symbols, ["SL", "RO", "BF"]);
 /// # Ok::<(), standfast::batch::BatchError>(())
 /// ```

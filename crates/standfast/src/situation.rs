@@ -16,23 +16,24 @@
 //!
 //! ```
 //! use standfast::loads::{Action, Load, LoadKind, LoadSource};
-//! use standfast::{Body, Departure, Mode, Situation};
+//! use standfast::{Body, Departure, Mode, Situation, Verdict};
 //!
 //! // A caisson of 15 m by 12 m and 378 t/m, pushed with 1000 kN/m at 9 m.
 //! let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-1e6, 9.0));
 //! let situation = Situation::new(Body::new(15.0, 12.0, 378e3)?, 0.6, 9.81)?.with_weight().with(push);
 //! let outcome = situation.outcome()?;
-//! assert_eq!(outcome.full.mode, Some(Mode::Rest));
-//! let Departure::At { factor, mode } = outcome.departure else { panic!() };
-//! assert_eq!(mode, Some(Mode::SlideLeft));
+//! assert_eq!(outcome.full.mode(), Some(Mode::Rest));
+//! let Departure::At { factor, verdict } = outcome.departure else { panic!() };
+//! assert_eq!(verdict, Some(Verdict::Begins(Mode::SlideLeft)));
 //! assert!((factor - 0.6 * 378e3 * 9.81 / 1e6).abs() < 1e-12);
 //! # Ok::<(), standfast::InputError>(())
 //! ```
 
 use crate::ball::{Ball, Scalar};
 use crate::body::Body;
-use crate::contact::path::{Stage, stages};
+use crate::contact::path::stages;
 use crate::contact::{self, Block, Solution, plane};
+use crate::departure::Departure;
 use crate::error::InputError;
 use crate::exact::Real;
 use crate::initiation::Point;
@@ -43,12 +44,14 @@ use crate::quantity::{Expected, Quantity};
 use crate::region::Region;
 use crate::relation::Relation;
 use crate::stability::{ClassicalActions, GrossOverturning, Margins, Stability};
+use crate::stage::Stage;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 mod written;
 
 pub use written::Boundary;
-use written::{Written, WrittenVerdict};
+use written::{Written, WrittenChoice};
 
 /// A body, its friction and its loads; SI units, per metre run.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,9 +71,9 @@ pub struct Situation<T = f64> {
 pub struct Response {
     /// The total wrench at the centre of mass, N and N·m per metre run.
     pub wrench: Wrench,
-    /// The mode reported.
-    pub mode: Option<Mode>,
-    /// All consistent modes.
+    /// The verdict reported.
+    pub verdict: Option<Verdict>,
+    /// All consistent modes; none where the ground fails.
     pub modes: Modes,
     /// The wrench as a point of the report's plane, where it has one.
     pub effective: Option<Reduced>,
@@ -80,28 +83,8 @@ pub struct Response {
     pub boundary: Option<Boundary>,
 }
 
-/// Where a body leaves rest as its variable loads rise from nothing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Departure {
-    /// For no load factor above zero: it rests under any multiple of the variable loads.
-    Never,
-    /// It does not rest to begin with.
-    AtOnce {
-        /// The mode it begins with.
-        mode: Option<Mode>,
-        /// Whether the permanent loads alone move it; otherwise any share of the variable loads does, however small.
-        permanent: bool,
-    },
-    /// At a load factor.
-    At {
-        /// λ > 0.
-        factor: f64,
-        /// The mode it leaves rest into.
-        mode: Option<Mode>,
-    },
-}
-
-/// Everything about a situation.
+/// The answer to a situation: on a rigid base, or on one that [crushes](crate::ground::strength::outcome) or on ground that
+/// [fails](crate::ground::bearing::outcome).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// Under the full load, applied at once.
@@ -122,6 +105,11 @@ pub struct Outcome {
 }
 
 impl Response {
+    /// The mode reported; `None` where the ground fails, too.
+    pub fn mode(&self) -> Option<Mode> {
+        self.verdict.and_then(Verdict::mode)
+    }
+
     /// Whether one mode only is consistent.
     pub fn is_unique(&self) -> bool {
         self.modes.len() <= 1
@@ -129,46 +117,12 @@ impl Response {
 
     /// The consistent modes beside the one reported.
     pub fn others(&self) -> Modes {
-        self.modes.without(self.mode)
+        self.modes.without(self.mode())
     }
 
     /// Whether nothing presses the body on its base any more: P ≤ 0.
     pub fn is_lifted(&self) -> bool {
         self.wrench.p <= 0.0
-    }
-}
-
-impl Departure {
-    /// What follows from the mode under the permanent loads alone and the stage with which motion begins: the first of all if
-    /// the permanent loads move the body, else the first that is not rest.
-    pub(crate) fn of(begin: Option<Mode>, stage: Option<&Stage>) -> Departure {
-        if begin != Some(Mode::Rest) {
-            // As soon as anything is added, the mode may be another.
-            let mode = stage.map_or(begin, |stage| stage.mode).filter(|mode| *mode != Mode::Rest);
-            return Departure::AtOnce { mode: mode.or(begin), permanent: true };
-        }
-        match stage {
-            None => Departure::Never,
-            Some(Stage { from: 0.0, mode, .. }) => Departure::AtOnce { mode: *mode, permanent: false },
-            Some(Stage { from, mode, .. }) => Departure::At { factor: *from, mode: *mode },
-        }
-    }
-
-    /// The mode that the body leaves rest into.
-    pub fn mode(&self) -> Option<Mode> {
-        match *self {
-            Departure::Never => None,
-            Departure::AtOnce { mode, .. } | Departure::At { mode, .. } => mode,
-        }
-    }
-
-    /// The load factor up to which the body rests: zero if it moves at once, infinite if it never does.
-    pub fn load_factor(&self) -> f64 {
-        match *self {
-            Departure::Never => f64::INFINITY,
-            Departure::AtOnce { .. } => 0.0,
-            Departure::At { factor, .. } => factor,
-        }
     }
 }
 
@@ -179,7 +133,7 @@ impl Outcome {
         let stages = self.path.iter().filter(|stage| stage.from < 1.0);
         stages.fold(None, |mode: Option<Mode>, stage| match mode {
             Some(mode) if stage.modes.contains(mode) => Some(mode),
-            _ => stage.mode,
+            _ => stage.mode(),
         })
     }
 }
@@ -400,14 +354,14 @@ impl Situation {
         let response = |solution: Solution, effective, boundary| {
             let motion = solution.mode().and_then(|mode| solution.motion(mode));
             let motion = motion.map(|motion| motion.scaled(self.gravity, half_width, weight));
-            let (mode, modes) = (solution.mode(), solution.modes);
-            Response { wrench, mode, modes, effective, motion, boundary }
+            let (verdict, modes) = (solution.mode().map(Verdict::Begins), solution.modes);
+            Response { wrench, verdict, modes, effective, motion, boundary }
         };
         Ok(match (&self.written, effective) {
             (Some(written), _) => {
-                let WrittenVerdict { verdict, boundary } = written.verdict(&Ball::of(factor));
+                let WrittenChoice { choice, boundary } = written.choice(&Ball::of(factor));
                 let (block, reduced) = (self.reduced_block().0, self.reduced_wrench(&wrench));
-                let solution = Solution::decided(&block, &reduced, verdict);
+                let solution = Solution::decided(&block, &reduced, choice);
                 response(solution, effective.map(|reduced| reduced.beside(solution.mode())), boundary)
             }
             // The report's closed form, scaled by P.
@@ -416,8 +370,8 @@ impl Situation {
                 modes.insert(reduced.mode());
                 let acceleration = self.gravity * (wrench.p / weight);
                 let motion = reduced.motion().scaled(acceleration, half_width, wrench.p);
-                let (mode, motion) = (Some(reduced.mode()), Some(motion));
-                Response { wrench, mode, modes, effective, motion, boundary: None }
+                let (verdict, motion) = (Some(Verdict::Begins(reduced.mode())), Some(motion));
+                Response { wrench, verdict, modes, effective, motion, boundary: None }
             }
             (None, None) => response(self.solve(&wrench)?, effective, None),
         })
@@ -426,10 +380,10 @@ impl Situation {
     /// The conditions of the mode of a response of this situation, with the numbers of its motion; those that are on their
     /// boundary to the digits of f64 are said to be there, where the response is.
     pub fn explain(&self, response: &Response) -> Vec<Relation> {
-        let Some(mode) = response.mode else { return Vec::new() };
-        let verdict = contact::Verdict { modes: response.modes, mode: response.mode };
+        let Some(mode) = response.mode() else { return Vec::new() };
+        let choice = contact::Choice { modes: response.modes, mode: Some(mode) };
         let reduced = self.reduced_wrench(&response.wrench);
-        let mut relations = Solution::decided(&self.reduced_block().0, &reduced, verdict).explain(mode);
+        let mut relations = Solution::decided(&self.reduced_block().0, &reduced, choice).explain(mode);
         if response.boundary.is_some() {
             relations.iter_mut().for_each(written::settle_relation);
         }
@@ -500,11 +454,10 @@ impl Situation {
 
     fn departure(&self, path: &[Stage], permanent: &Wrench) -> Result<Departure, InputError> {
         let begin = match &self.written {
-            Some(written) => written.verdict(&Ball::of(0.0)).verdict.mode,
+            Some(written) => written.choice(&Ball::of(0.0)).choice.mode,
             None => self.solve(permanent)?.mode(),
         };
-        let moves = |stage: &&Stage| begin != Some(Mode::Rest) || stage.mode != Some(Mode::Rest);
-        Ok(Departure::of(begin, path.iter().find(moves)))
+        Departure::along(begin.map(Verdict::Begins), path.iter().copied().map(Ok))
     }
 }
 

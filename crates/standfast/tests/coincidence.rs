@@ -4,12 +4,12 @@
 mod common;
 
 use common::{Random, tries};
-use standfast::contact::path::{Stage, stages};
+use standfast::contact::path::stages;
 use standfast::contact::plane::regions;
 use standfast::contact::{Block, solve};
 use standfast::initiation::Chart;
 use standfast::region::Region;
-use standfast::{Diagram, Mode, Wrench};
+use standfast::{Diagram, Mode, Stage, Verdict, Wrench};
 
 const WEIGHT: Wrench = Wrench { x: 0.0, p: 1.0, m: 0.0 };
 
@@ -19,7 +19,7 @@ fn unit_force(gamma: f64, k_prime: f64) -> Wrench {
 }
 
 fn modes(stages: &[Stage]) -> Vec<Mode> {
-    stages.iter().map(|stage| stage.mode.unwrap()).collect()
+    stages.iter().map(|stage| stage.mode().unwrap()).collect()
 }
 
 /// A little below A, μ = (1 − δ)/(γ(1+k')), the body slides between k = μ and the line CD, k = (1/γ − μ)/k', before it begins to
@@ -36,7 +36,7 @@ fn a_narrow_stage_is_a_stage() {
             let load = unit_force(gamma, k_prime) * size;
             let path = stages(&block, &WEIGHT, &load).unwrap();
             assert_eq!(modes(&path)[..3], [Mode::Rest, Mode::SlideLeft, Mode::SlideRockOLeft], "{δ}");
-            let Stage { from, to, mode, .. } = path[1];
+            let (Stage { from, to, .. }, mode) = (path[1], path[1].mode());
             let [first, last] = [mu, (1.0 / gamma - mu) / k_prime].map(|k| k / size);
             let near = |one: f64, two: f64| (one - two).abs() <= 6.0 * f64::EPSILON * two;
             assert!(near(from, first) && near(to, last), "{δ}: {from} {to}");
@@ -92,7 +92,12 @@ fn a_load_without_another_has_one_stage() {
         wrench.p = random.uniform(-1.0, 1.0);
         let path = stages(&block, &Wrench::ZERO, &wrench).unwrap();
         let answer = solve(&block, &wrench).unwrap();
-        let stage = Stage { from: 0.0, to: f64::INFINITY, mode: answer.mode(), modes: answer.modes };
+        let stage = Stage {
+            from: 0.0,
+            to: f64::INFINITY,
+            verdict: answer.mode().map(Verdict::Begins),
+            modes: answer.modes,
+        };
         assert_eq!(path, [stage], "{block:?} {wrench:?}");
     }
 }
@@ -123,7 +128,7 @@ fn a_load_out_of_range_is_never_reached() {
             let mu = 10f64.powf(3.0 + f64::from(i) / 20.0);
             let path = stages(&Block::uniform(1.0, mu), &weight, &Wrench { x: -load, p: 0.0, m: -load });
             let path = path.unwrap_or_else(|error| panic!("{mu} {load}: {error}"));
-            assert_eq!(path[0].mode, Some(Mode::Rest));
+            assert_eq!(path[0].mode(), Some(Mode::Rest));
             let moves = path.get(1).map(|stage| stage.from * load);
             match mu * 1e45 {
                 // Twice the load that moves it is within the range still.

@@ -18,10 +18,10 @@ fn by_stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> (bool, Opt
     let begin = standfast::contact::solve(block, permanent).unwrap().mode();
     let stages = path::stages(block, permanent, variable).unwrap();
     if begin != Some(Mode::Rest) {
-        return (true, stages[0].mode.filter(|mode| *mode != Mode::Rest).or(begin));
+        return (true, stages[0].mode().filter(|mode| *mode != Mode::Rest).or(begin));
     }
-    match stages.iter().find(|stage| stage.mode != Some(Mode::Rest)) {
-        Some(stage) => (stage.from == 0.0, stage.mode),
+    match stages.iter().find(|stage| stage.mode() != Some(Mode::Rest)) {
+        Some(stage) => (stage.from == 0.0, stage.mode()),
         None => (false, None),
     }
 }

@@ -30,9 +30,11 @@ fn spans_are_the_contact_problem_at_every_friction() {
         let first = spans_up_to(&block, &wrench, up_to).unwrap();
         assert!(first.iter().all(|span| span.from < up_to) && first.last().unwrap().to == f64::INFINITY);
         let within = spans.iter().take_while(|span| span.from < up_to);
-        assert!(
-            first.iter().map(|s| (s.from, s.mode, s.modes)).eq(within.map(|s| (s.from, s.mode, s.modes)))
-        );
+        assert!(first.iter().map(|s| (s.from, s.mode(), s.modes)).eq(within.map(|s| (
+            s.from,
+            s.mode(),
+            s.modes
+        ))));
         let asked = (0..8).map(|_| 10f64.powf(signed(&mut random, 1.5)));
         let beside =
             spans.iter().skip(1).flat_map(|span| [span.from * (1.0 - 1e-9), span.from * (1.0 + 1e-9)]);
@@ -41,7 +43,7 @@ fn spans_are_the_contact_problem_at_every_friction() {
             let thin = spans.iter().any(|span| (span.from / μ - 1.0).abs() < 1e-10);
             let there = solve(&Block { mu_s: μ, mu_k: μ * ratio, ..block }, &wrench).unwrap();
             assert!(
-                thin || (span.mode, span.modes) == (there.mode(), there.modes),
+                thin || (span.mode(), span.modes) == (there.mode(), there.modes),
                 "{block:?} {wrench:?} μ = {μ}: {span:?}"
             );
         }
@@ -54,7 +56,7 @@ fn ends_are_the_curves_of_the_report() {
     let (γ, k_prime) = (0.8, 0.9167);
     let chart = Chart::new(γ, k_prime).unwrap();
     let at = |k: f64| spans(&Block::uniform(γ, 1.0), &Wrench { x: -k, p: 1.0, m: k * k_prime * γ }).unwrap();
-    let modes = |k: f64| at(k).iter().map(|span| span.mode.unwrap()).collect::<Vec<_>>();
+    let modes = |k: f64| at(k).iter().map(|span| span.mode().unwrap()).collect::<Vec<_>>();
     assert_eq!(modes(0.45), [Mode::SlideLeft, Mode::Rest]);
     let k = 0.8;
     assert!(k > chart.k_a());

@@ -4,8 +4,8 @@
 mod common;
 
 use common::Random;
+use standfast::Verdict::Begins;
 use standfast::contact::Block;
-use standfast::ground::GroundVerdict::Begins;
 use standfast::ground::strength::{CrushMotion, solve};
 use standfast::{Mode, Modes, Wrench};
 

@@ -6,9 +6,8 @@ use common::Random;
 use standfast::contact::Block;
 use standfast::ground::bearing::{self, BearingBlock, Ground, GroundLaw};
 use standfast::ground::strength::{self, departure, friction_spans};
-use standfast::ground::{GroundDeparture, GroundSpan, GroundVerdict};
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
-use standfast::{Body, Mode, Modes, Situation, Wrench};
+use standfast::{Body, Departure, Mode, Modes, Situation, Span, Verdict, Wrench};
 
 fn wrench(random: &mut Random, sizes: [f64; 3]) -> Wrench {
     let [x, p, m] = sizes.map(|size| random.uniform(-size, size));
@@ -20,7 +19,7 @@ fn ratio(random: &mut Random) -> f64 {
 }
 
 /// At random frictions, and just beside every end.
-fn frictions(random: &mut Random, spans: &[GroundSpan]) -> Vec<f64> {
+fn frictions(random: &mut Random, spans: &[Span]) -> Vec<f64> {
     assert_eq!((spans[0].from, spans.last().unwrap().to), (0.0, f64::INFINITY));
     assert!(spans.windows(2).all(|pair| pair[0].to == pair[1].from && pair[0].from < pair[0].to));
     let asked = (0..8).map(|_| 10f64.powf(random.uniform(-1.5, 1.5)));
@@ -28,7 +27,7 @@ fn frictions(random: &mut Random, spans: &[GroundSpan]) -> Vec<f64> {
     asked.collect::<Vec<_>>().into_iter().chain(beside).collect()
 }
 
-fn at(spans: &[GroundSpan], μ: f64) -> (&GroundSpan, bool) {
+fn at(spans: &[Span], μ: f64) -> (&Span, bool) {
     let span = spans.iter().find(|span| span.from <= μ && μ < span.to).unwrap();
     (span, spans.iter().any(|span| (span.from / μ - 1.0).abs() < 1e-9))
 }
@@ -83,19 +82,19 @@ fn on_ground_that_fails_spans_are_the_decision_at_every_friction() {
         wrench.p += 0.5;
         let (length, force) = (random.log(1.0, 15.0), random.log(5e4, 5e6));
         let under = BearingBlock::new(ground, length, force).unwrap();
-        let spans = under.friction_spans(&block, &wrench).unwrap();
+        let spans = under.friction_spans(&block, &wrench, f64::INFINITY).unwrap();
         for μ in frictions(&mut random, &spans) {
             let (span, thin) = at(&spans, μ);
             let block = Block { mu_s: μ, mu_k: μ * ratio, ..block };
-            let there = under.verdict(&block, &wrench).unwrap();
-            let modes: Modes = there.and_then(GroundVerdict::mode).into_iter().collect();
+            let there = under.decide(&block, &wrench).unwrap().verdict;
+            let modes: Modes = there.and_then(Verdict::mode).into_iter().collect();
             assert!(
                 thin || (span.verdict, span.modes) == (there, modes),
                 "{ground:?} {block:?} {wrench:?} {length} {force} μ = {μ}: {span:?} {there:?}"
             );
             let kind = match there {
-                Some(GroundVerdict::Begins(Mode::Rest)) => 0,
-                Some(GroundVerdict::BearingFailure) => 1,
+                Some(Verdict::Begins(Mode::Rest)) => 0,
+                Some(Verdict::BearingFailure) => 1,
                 _ => 2,
             };
             seen[kind] += 1;
@@ -128,14 +127,14 @@ fn reduced(situation: &Situation) -> (Block, Wrench, Wrench) {
     (situation.reduced_block().0, at(0.0), at(1.0) + at(0.0) * -1.0)
 }
 
-fn like(found: GroundDeparture, path: GroundDeparture) -> bool {
+fn like(found: Departure, path: Departure) -> bool {
     let same = std::mem::discriminant(&found) == std::mem::discriminant(&path);
     let near = match (found.load_factor(), path.load_factor()) {
         (one, other) if one.is_finite() && other > 0.0 => (one / other - 1.0).abs() < 1e-7,
         (one, other) => one == other,
     };
     // What moves it to begin with may be another thing as soon as anything is added.
-    same && near && (matches!(found, GroundDeparture::AtOnce { .. }) || found.verdict() == path.verdict())
+    same && near && (matches!(found, Departure::AtOnce { .. }) || found.verdict() == path.verdict())
 }
 
 /// The departure is that of the whole load path, and what begins is that of the situation.
@@ -148,7 +147,7 @@ fn departures_are_those_of_the_load_path() {
         let (block, permanent, variable) = reduced(&situation);
         let (length, weight) = (situation.body().width() / 2.0, situation.body().mass() * 9.81);
         let strength = weight / situation.body().width() / random.uniform(0.02, 0.9);
-        let on_stone = strength::outcome(&situation, strength).unwrap();
+        let on_stone = strength::outcome(&situation, strength).unwrap().outcome;
         let found = departure(&block, &permanent, &variable, strength * length / weight).unwrap();
         assert!(
             like(found, on_stone.departure),
@@ -157,8 +156,7 @@ fn departures_are_those_of_the_load_path() {
         );
 
         let ground = ground(&mut random);
-        let rigid = situation.outcome().unwrap();
-        let on_soil = bearing::outcome(&situation, &rigid, ground).unwrap();
+        let on_soil = bearing::outcome(&situation, ground).unwrap().outcome;
         let under = BearingBlock::new(ground, length, weight).unwrap();
         let found = under.departure(&block, &permanent, &variable).unwrap();
         assert!(
@@ -166,8 +164,9 @@ fn departures_are_those_of_the_load_path() {
             "{situation:?} {ground:?}: {found:?} {:?}",
             on_soil.departure
         );
-        assert_eq!(under.verdict(&block, &(permanent + variable)).unwrap(), on_soil.verdict);
-        failed += u32::from(found.verdict() == Some(GroundVerdict::BearingFailure));
+        let decision = under.decide(&block, &(permanent + variable)).unwrap();
+        assert_eq!(decision.verdict, on_soil.full.verdict);
+        failed += u32::from(found.verdict() == Some(Verdict::BearingFailure));
         slid += u32::from(found.verdict().is_some_and(|verdict| verdict.mode().is_some()));
     }
     assert!(failed > common::tries(600) / 10 && slid > common::tries(600) / 20, "{failed} {slid}");

@@ -5,16 +5,15 @@ mod common;
 
 use common::{Random, tries};
 use dashu_ratio::RBig as Rational;
+use standfast::Verdict::{self, BearingFailure, Begins};
 use standfast::batch::{Columns, OnsetColumns, classify_on_base, onset_on_base};
 use standfast::contact::{self, Block};
-use standfast::ground::GroundDeparture;
-use standfast::ground::GroundVerdict::{self, BearingFailure, Begins};
 use standfast::ground::strength::{
-    CrushChart, CrushMap, CrushMotion, CrushPoint, Span, outcome, rest_range, solve, stages,
+    CrushChart, CrushMap, CrushMotion, CrushOutcome, CrushPoint, Stretch, outcome, rest_range, solve, stages,
 };
 use standfast::initiation::{Chart, PointName};
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
-use standfast::{Body, Corner, Diagram, Mode, Modes, Motion, Point, Situation, Wrench};
+use standfast::{Body, Corner, Departure, Diagram, Mode, Modes, Motion, Point, Situation, Wrench};
 
 /// ω over its range: ordinary, small, fractions that meet boundaries exactly, ½, and near 1.
 fn random_omega(random: &mut Random) -> f64 {
@@ -152,7 +151,7 @@ fn random_case(random: &mut Random) -> (Block, Wrench) {
 fn assert_lawful(block: &Block, wrench: &Wrench, strength: f64, mode: Mode, found: &CrushMotion) {
     let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = *block;
     let Wrench { x, p, m } = *wrench;
-    let CrushMotion { motion, pressed: Span { from, to }, neutral } = *found;
+    let CrushMotion { motion, pressed: Stretch { from, to }, neutral } = *found;
     let context = || format!("{block:?} {wrench:?} {strength} {mode}: {found:?}");
     let size = 1.0 + x.abs() + p.abs() + m.abs() + motion.theta_ddot.abs() * (rho2 + d + b1 + b2 + m_y);
     let zero = |value: f64| assert!(value.abs() < 1e-11 * size * (1.0 + d), "{value}: {}", context());
@@ -238,7 +237,7 @@ fn any_wrench_has_one_mode_below_the_bound_and_a_mirror() {
         .unwrap();
         assert_eq!(mirrored.modes, answer.modes.mirrored());
         if answer.modes.len() == 1 {
-            assert_eq!(mirrored.verdict(), answer.verdict().map(GroundVerdict::mirrored));
+            assert_eq!(mirrored.verdict(), answer.verdict().map(Verdict::mirrored));
         }
         if wrench.p > 0.0 && answer.modes.len() > 1 {
             several += 1;
@@ -630,30 +629,31 @@ fn a_situation_is_its_block_in_si_units() {
         Situation::new(body, 0.6, 9.81).unwrap().with_weight().with(load)
     };
     let weight = 378e3 * 9.81;
-    let found = outcome(&push(-2.7e6), 3e6).unwrap();
+    let CrushOutcome { outcome: found, omega, motion, .. } = outcome(&push(-2.7e6), 3e6).unwrap();
     let point = CrushPoint::new(0.8, 5.5 / 6.0, 2.7e6 / weight, 0.6, weight / (15.0 * 3e6)).unwrap();
-    assert!((found.omega / point.omega() - 1.0).abs() < 1e-14);
-    assert_eq!((found.verdict, found.modes), (Some(point.verdict()), point.enumerate()));
-    let (ours, theirs) = (found.motion.unwrap(), point.motion().unwrap().scaled(9.81, 7.5, weight));
+    assert!((omega / point.omega() - 1.0).abs() < 1e-14);
+    assert_eq!((found.full.verdict, found.full.modes), (Some(point.verdict()), point.enumerate()));
+    let (ours, theirs) = (motion.unwrap(), point.motion().unwrap().scaled(9.81, 7.5, weight));
     assert!((ours.motion.theta_ddot / theirs.motion.theta_ddot - 1.0).abs() < 1e-9);
     assert!((ours.neutral.unwrap() / theirs.neutral.unwrap() - 1.0).abs() < 1e-9);
     // Rest ends where kG₁ = 1 − ω.
     let expected = (1.0 - point.omega()) * weight * 7.5 / (2.7e6 * 11.5);
     assert!((found.departure.load_factor() / expected - 1.0).abs() < 1e-12);
     assert_eq!(found.departure.verdict(), Some(Begins(Mode::RockO)));
-    let right = outcome(&push(2.7e6), 3e6).unwrap();
-    assert_eq!(right.verdict, found.verdict.map(GroundVerdict::mirrored));
+    assert_eq!(found.full.motion, Some(ours.motion));
+    let right = outcome(&push(2.7e6), 3e6).unwrap().outcome;
+    assert_eq!(right.full.verdict, found.full.verdict.map(Verdict::mirrored));
     // On 1e15 Pa the rigid answer.
-    let (strong, rigid) = (outcome(&push(-2.7e6), 1e15).unwrap(), push(-2.7e6).outcome().unwrap());
-    assert_eq!(strong.verdict.and_then(GroundVerdict::mode), rigid.full.mode);
+    let (strong, rigid) = (outcome(&push(-2.7e6), 1e15).unwrap().outcome, push(-2.7e6).outcome().unwrap());
+    assert_eq!(strong.full.verdict, rigid.full.verdict);
     assert!((strong.departure.load_factor() / rigid.departure.load_factor() - 1.0).abs() < 1e-12);
-    assert_eq!(strong.departure.verdict().and_then(GroundVerdict::mode), rigid.departure.mode());
+    assert_eq!(strong.departure.verdict(), rigid.departure.verdict());
     // Too weak for the weight alone; without a load that varies; on a base that cannot be.
-    let weak = outcome(&push(-2.7e6), weight / 15.0).unwrap();
-    let at_once = GroundDeparture::AtOnce { verdict: Some(BearingFailure), permanent: true };
-    assert_eq!((weak.verdict, weak.motion, weak.departure), (Some(BearingFailure), None, at_once));
+    let weak = outcome(&push(-2.7e6), weight / 15.0).unwrap().outcome;
+    let at_once = Departure::AtOnce { verdict: Some(BearingFailure), permanent: true };
+    assert_eq!((weak.full.verdict, weak.full.motion, weak.departure), (Some(BearingFailure), None, at_once));
     let still = Situation::new(body, 0.6, 9.81).unwrap().with_weight();
-    assert_eq!(outcome(&still, 3e6).unwrap().departure, GroundDeparture::Never);
+    assert_eq!(outcome(&still, 3e6).unwrap().outcome.departure, Departure::Never);
     assert!(outcome(&still, -1.0).is_err() && outcome(&still, f64::INFINITY).is_err());
     let drum = Situation::new(Body::cylinder(2.0, 3.0, 25e3).unwrap(), 0.6, 9.81).unwrap();
     assert!(outcome(&drum, 3e6).is_err());
@@ -678,7 +678,7 @@ fn the_base_s_own_load_factor() {
         let strength = random.uniform(0.9, 20.0) * 1e6 / (2.0 * b);
         let found = outcome(&situation, strength).unwrap();
         // With that friction the path leaves rest where the base does not bear it.
-        let departure = found.departure.load_factor();
+        let departure = found.outcome.departure.load_factor();
         let [one, two] = [found.load_factor, departure];
         assert!(one == two || (one / two - 1.0).abs() < 1e-9, "{one} {two}: {found:?}");
         finite += usize::from(one.is_finite() && one > 0.0);
@@ -701,7 +701,7 @@ fn an_explanation_is_the_decision() {
             continue;
         };
         let (last, tried) = trace.steps.split_last().unwrap();
-        assert_eq!(GroundVerdict::Begins(last.mode), point.verdict(), "{point:?}");
+        assert_eq!(Verdict::Begins(last.mode), point.verdict(), "{point:?}");
         assert!(last.holds && tried.iter().all(|step| !step.holds));
         for step in &trace.steps {
             let all = step.relations.iter().all(|relation| relation.holds);

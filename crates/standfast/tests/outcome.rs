@@ -4,13 +4,13 @@
 mod common;
 
 use common::{Random, tries};
-use standfast::contact::path::up_to;
+use standfast::Verdict::Begins;
 use standfast::loads::LoadKind::{Horizontal, Weight};
 use standfast::loads::{
     Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, PressureAt,
     PressureDiagram, StillWater, Uplift,
 };
-use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Slip, Stability, Wrench};
+use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Slip, Stability, Stage, Verdict, Wrench};
 
 const G: f64 = 9.81;
 
@@ -86,7 +86,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
         if wrench.p < 0.0 {
             assert_eq!((stability.resultant_arm, stability.bearing), (None, Bearing::Lifted));
             assert_eq!(stability.eccentricity(body.base_width()), None);
-            assert_ne!(outcome.full.mode, Some(Mode::Rest), "{situation:?}");
+            assert_ne!(outcome.full.mode(), Some(Mode::Rest), "{situation:?}");
             seen[0] += 1;
             continue;
         }
@@ -125,7 +125,7 @@ fn the_classical_checks_are_those_of_the_contact_problem() {
         if (sliding - 1.0).abs() > 1e-9 && !on_edge(arm) && !on_edge(vertical_arm) {
             let upright = inside && vertical_arm > 0.0 && vertical_arm < base;
             assert_eq!(stability.overturning() >= 1.0, upright, "{situation:?}: {stability:?}");
-            let rests = outcome.full.mode == Some(Mode::Rest);
+            let rests = outcome.full.mode() == Some(Mode::Rest);
             assert_eq!(sliding >= 1.0 && inside, rests, "{situation:?}: {stability:?}");
             seen[3] += u32::from(rests);
         }
@@ -293,35 +293,36 @@ fn a_departure_is_where_rest_ends() {
     let mut seen = [0; 3];
     for _ in 0..tries(5_000).max(200) {
         let situation = random_situation(&mut random);
-        let mode = |factor: f64| situation.at(factor).unwrap().mode;
+        let verdict_at = |factor: f64| situation.at(factor).unwrap().verdict;
         let departure = situation.outcome().unwrap().departure;
         match departure {
             Departure::Never => {
-                assert!([0.0, 1.0, 1e6].iter().all(|&factor| mode(factor) == Some(Mode::Rest)));
+                assert!([0.0, 1.0, 1e6].iter().all(|&factor| verdict_at(factor) == Some(Verdict::REST)));
                 seen[0] += 1;
             }
-            Departure::AtOnce { permanent, mode: into } => {
+            Departure::AtOnce { permanent, verdict: into } => {
                 assert!(permanent, "only on an edge: {situation:?}");
-                assert_ne!(mode(0.0), Some(Mode::Rest));
-                assert_eq!(mode(1e-12), into, "{situation:?}");
+                assert_ne!(verdict_at(0.0), Some(Verdict::REST));
+                assert_eq!(verdict_at(1e-12), into, "{situation:?}");
                 seen[1] += 1;
             }
-            Departure::At { factor, mode: into } => {
+            Departure::At { factor, verdict: into } => {
                 for share in [0.0, 0.3, 0.7, 1.0 - 1e-9] {
-                    assert_eq!(mode(factor * share), Some(Mode::Rest), "{situation:?} {factor}");
+                    assert_eq!(verdict_at(factor * share), Some(Verdict::REST), "{situation:?} {factor}");
                 }
-                assert_eq!(mode(factor * (1.0 + 1e-9)), into, "{situation:?} {factor}");
-                assert_ne!(into, Some(Mode::Rest));
+                assert_eq!(verdict_at(factor * (1.0 + 1e-9)), into, "{situation:?} {factor}");
+                assert_ne!(into, Some(Verdict::REST));
                 seen[2] += 1;
             }
         }
         let into = match departure {
             Departure::Never => None,
-            Departure::AtOnce { mode, .. } | Departure::At { mode, .. } => mode,
+            Departure::AtOnce { verdict, .. } | Departure::At { verdict, .. } => verdict,
         };
-        assert_eq!(departure.mode(), into);
+        assert_eq!(departure.verdict(), into);
+        assert_eq!(departure.mode(), into.and_then(Verdict::mode));
         assert_eq!(into.is_none(), departure == Departure::Never);
-        assert!(into != Some(Mode::Rest));
+        assert!(into != Some(Verdict::REST));
     }
     assert!(seen.iter().all(|&count| count > tries(125)), "{seen:?}");
 }
@@ -335,7 +336,11 @@ fn a_part_that_is_next_to_nothing_changes_nothing() {
         let push = Load::variable(LoadSource::Force, Horizontal, push);
         let situation = Situation::new(body, 0.6, 10.0).unwrap().with_weight().with(push);
         let outcome = situation.outcome().unwrap();
-        assert_eq!(outcome.departure, Departure::At { factor: 1.2, mode: Some(Mode::SlideLeft) }, "{tiny:e}");
+        assert_eq!(
+            outcome.departure,
+            Departure::At { factor: 1.2, verdict: Some(Begins(Mode::SlideLeft)) },
+            "{tiny:e}"
+        );
         assert_eq!(outcome.path.last().unwrap().to, f64::INFINITY);
     }
     // A load that small, alone, is a load still: 10⁻⁴⁰ N against μ m g of 6 kN.
@@ -355,7 +360,7 @@ fn what_moves_at_once_moves_as_the_load_begins() {
     let variable = |wrench: Wrench| Load::variable(LoadSource::Other, Horizontal, wrench);
     let situation = Situation::new(body, 0.5, 10.0).unwrap().with_weight().with(push);
     let departure = |situation: Situation| situation.outcome().unwrap().departure;
-    let at_once = |mode| Departure::AtOnce { mode: Some(mode), permanent: true };
+    let at_once = |mode| Departure::AtOnce { verdict: Some(Begins(mode)), permanent: true };
     assert_eq!(departure(situation.clone()), at_once(Mode::SlideLeft));
     assert_eq!(departure(situation.clone().with(variable(turn))), at_once(Mode::SlideRockOLeft));
     assert_eq!(departure(situation.with(variable(turn * -1.0))), at_once(Mode::SlideLeft));
@@ -382,23 +387,23 @@ fn a_rise_keeps_what_began() {
         for step in 0..=500 {
             let response = situation.at(f64::from(step) / 500.0 * (1.0 - 1e-9)).unwrap();
             if mode == Mode::Rest || !response.modes.contains(mode) {
-                mode = response.mode.unwrap();
+                mode = response.mode().unwrap();
             }
         }
         assert_eq!(outcome.risen(), Some(mode), "{situation:?}");
-        kept += u32::from(outcome.full.mode != Some(mode));
+        kept += u32::from(outcome.full.mode() != Some(mode));
     }
     assert!(kept > 0);
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
     let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-50_000.0, 0.5));
     let outcome = Situation::new(body, 3.0, 10.0).unwrap().with_weight().with(push).outcome().unwrap();
     // γ = 1, k' = −½, k = 5, μ = 3: SL, RO and SRO- are consistent, and it has rocked since k = 2.
-    assert_eq!((outcome.full.mode, outcome.risen()), (Some(Mode::SlideLeft), Some(Mode::RockO)));
+    assert_eq!((outcome.full.mode(), outcome.risen()), (Some(Mode::SlideLeft), Some(Mode::RockO)));
     // μ m g is 5 kN: with a load of 5 kN the body has come to the limit of rest, and not beyond.
     let push = Load::variable(LoadSource::Force, Horizontal, Action::horizontal(-5_000.0, 1.0));
     let outcome = Situation::new(body, 0.5, 10.0).unwrap().with_weight().with(push).outcome().unwrap();
-    assert_eq!(outcome.departure, Departure::At { factor: 1.0, mode: Some(Mode::SlideLeft) });
-    assert_eq!((outcome.full.mode, outcome.risen()), (Some(Mode::Rest), Some(Mode::Rest)));
+    assert_eq!(outcome.departure, Departure::At { factor: 1.0, verdict: Some(Begins(Mode::SlideLeft)) });
+    assert_eq!((outcome.full.mode(), outcome.risen()), (Some(Mode::Rest), Some(Mode::Rest)));
 }
 
 /// In SI units too a motion obeys Newton's laws, moves as a rigid body, and its reaction makes it; with and without the report's
@@ -580,14 +585,14 @@ fn a_situation_keeps_what_it_is_given() {
     let rests = plain.at(1.0).unwrap();
     assert_eq!((rests.others().len(), rests.is_unique(), rests.is_lifted()), (0, true, false));
     let stage = plain.path().unwrap().into_iter().find(|stage| stage.from < 5.0 && stage.to > 5.0).unwrap();
-    assert_eq!((stage.mode, stage.others()), (full.mode, full.others()));
+    assert_eq!((stage.mode(), stage.others()), (full.mode(), full.others()));
     // Without variable loads there is no way to go, with nothing else there is.
     assert!(Situation::new(body, 3.0, 10.0).unwrap().with_weight().outcome().unwrap().path.is_empty());
     assert!(!Situation::new(body, 3.0, 10.0).unwrap().with(push).outcome().unwrap().path.is_empty());
     // Nothing presses a body without weight.
     let weightless = Situation::new(body, 0.5, 10.0).unwrap();
     assert!(weightless.at(1.0).unwrap().is_lifted());
-    assert_eq!(weightless.at(1.0).unwrap().mode, Some(Mode::Rest));
+    assert_eq!(weightless.at(1.0).unwrap().mode(), Some(Mode::Rest));
 }
 
 /// Only the report's own situation is the report's point: one horizontal force beside the weight of a uniform body, with one
@@ -646,7 +651,7 @@ fn the_plane_of_a_situation_is_the_plane_of_its_loads() {
             let at = at.with_added_mass(*situation.moved_water());
             let holders =
                 regions.iter().filter(|region| region.contains(λ, μ)).map(|region| Some(region.mode));
-            assert_eq!(holders.collect::<Vec<_>>(), [at.at(λ).unwrap().mode], "{situation:?} {λ} {μ}");
+            assert_eq!(holders.collect::<Vec<_>>(), [at.at(λ).unwrap().mode()], "{situation:?} {λ} {μ}");
         }
     }
 }
@@ -659,10 +664,10 @@ fn a_path_is_cut_at_a_load_factor() {
     // RE to λ = 2, RO to 4, then SL: three stages.
     let path = Situation::new(body, 3.0, 10.0).unwrap().with_weight().with(push).path().unwrap();
     let ends = |largest| -> Vec<(f64, f64)> {
-        up_to(&path, largest).iter().map(|stage| (stage.from, stage.to)).collect()
+        Stage::up_to(&path, largest).iter().map(|stage| (stage.from, stage.to)).collect()
     };
     assert_eq!(ends(1.5), [(0.0, 1.5)]);
     assert_eq!(ends(2.0), [(0.0, 2.0)]);
     assert_eq!(ends(2.5), [(0.0, 2.0), (2.0, 2.5)]);
-    assert_eq!(up_to(&path, 2.5)[1].mode, Some(Mode::RockO));
+    assert_eq!(Stage::up_to(&path, 2.5)[1].mode(), Some(Mode::RockO));
 }

@@ -339,7 +339,7 @@ fn a_length_multiplies_all_forces_and_nothing_else() {
     };
     let (metre, whole) = (outcome(None), outcome(Some(length)));
     let near = |one: f64, two: f64| (one - two).abs() <= 1e-12 * two.abs();
-    assert_eq!(whole.full.mode, metre.full.mode);
+    assert_eq!(whole.full.mode(), metre.full.mode());
     assert!(near(whole.stability.sliding, metre.stability.sliding));
     assert!(near(whole.stability.overturning(), metre.stability.overturning()));
     assert!(near(whole.actions.force, length * metre.actions.force));

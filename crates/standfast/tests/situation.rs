@@ -4,6 +4,7 @@
 mod common;
 
 use common::{Random, tries};
+use standfast::Verdict::Begins;
 use standfast::contact::path::stages;
 use standfast::contact::plane::regions;
 use standfast::contact::{Block, solve};
@@ -91,9 +92,9 @@ fn any_wrench_on_a_uniform_block_is_a_point_of_the_report_s_plane() {
         let wrench = situation.reduced_wrench(&wrench);
         let general = solve(&situation.reduced_block().0, &wrench).unwrap();
         assert_eq!(general.modes, state.modes, "{situation:?}");
-        assert_eq!(general.mode(), state.mode, "{situation:?}");
+        assert_eq!(general.mode(), state.mode(), "{situation:?}");
         let ours = state.motion.unwrap();
-        let theirs = general.motion(state.mode.unwrap()).unwrap().scaled(G, width / 2.0, weight);
+        let theirs = general.motion(state.mode().unwrap()).unwrap().scaled(G, width / 2.0, weight);
         let size = 1.0
             + theirs.theta_ddot.abs() * (width + height)
             + theirs.x_ddot.abs()
@@ -160,7 +161,7 @@ fn base_excitation_has_its_regions() {
         } else {
             Mode::SlideRockOLeft
         };
-        assert_eq!(state.mode, Some(expected), "γ {γ}, a_h {a_h}, a_v {a_v}, μ {μ}");
+        assert_eq!(state.mode(), Some(expected), "γ {γ}, a_h {a_h}, a_v {a_v}, μ {μ}");
         let general = solve(&situation.reduced_block().0, &situation.reduced_wrench(&state.wrench)).unwrap();
         assert_eq!(general.mode(), Some(expected));
         assert!(state.is_unique());
@@ -177,12 +178,12 @@ fn added_mass_enters_the_inertia() {
         body_in_water.with(variable(Horizontal, force))
     };
     let slide = with(0.2, Action::horizontal(-5000.0, 1.0)).at(1.0).unwrap();
-    assert_eq!(slide.mode, Some(Mode::SlideLeft));
+    assert_eq!(slide.mode(), Some(Mode::SlideLeft));
     assert!(slide.effective.is_none());
     // (μ m g − F)/(m + M_a)
     assert!((slide.motion.unwrap().x_ddot - (2000.0 - 5000.0) / 1500.0).abs() < 1e-12);
     let rock = with(9.0, Action::horizontal(-15000.0, 2.0)).at(1.0).unwrap();
-    assert_eq!(rock.mode, Some(Mode::RockO));
+    assert_eq!(rock.mode(), Some(Mode::RockO));
     // (F·2H − m g B)/(I + (m + M_a)H² + m B²)
     let expected = (15000.0 * 2.0 - 10_000.0) / (1000.0 * 2.0 / 3.0 + 1500.0 + 1000.0);
     assert!((rock.motion.unwrap().theta_ddot - expected).abs() < 1e-12 * expected);
@@ -205,7 +206,7 @@ fn added_mass_obeys_the_equations_of_motion() {
         let force = force.wrench(&body, G, Pose::UPRIGHT);
         let state = situation.at(1.0).unwrap();
         let motion = state.motion.unwrap();
-        seen.insert(state.mode.unwrap());
+        seen.insert(state.mode().unwrap());
         let size = weight * (1.0 + motion.theta_ddot.abs() * (width + height) / G);
         let balance = (mass + added) * motion.x_ddot - motion.f_x - force.x;
         assert!(balance.abs() <= 1e-9 * size, "{situation:?}");
@@ -275,7 +276,7 @@ fn a_floating_body_is_an_answer() {
     let situation = standing(body, 0.6, G).with_all(water.loads(&body, G));
     let state = situation.at(0.0).unwrap();
     assert!(state.is_lifted());
-    assert_eq!(state.mode, Some(Mode::Flight));
+    assert_eq!(state.mode(), Some(Mode::Flight));
     assert!(state.effective.is_none());
 }
 
@@ -326,7 +327,7 @@ fn overturning_has_a_factor_about_each_corner() {
     let uplifted = standing(body, 0.6, G).with(variable(Uplift, Action::base_pressure(&body, 0.0, 40e3)));
     assert!(40e3 * 2.0 * 8.0 / 3.0 > 2.0 * weight && 40e3 * 2.0 < weight);
     assert_eq!(at(&uplifted).overturning_about_heel, 0.0);
-    assert!(uplifted.at(1.0).unwrap().mode != Some(Mode::Rest));
+    assert!(uplifted.at(1.0).unwrap().mode() != Some(Mode::Rest));
     assert_eq!(at(&uplifted).overturning_about_toe, f64::INFINITY);
 }
 
@@ -352,7 +353,7 @@ fn a_path_has_every_crossing() {
         assert_eq!((stages[0].from, stages.last().unwrap().to), (0.0, f64::INFINITY));
         for pair in stages.windows(2) {
             assert_eq!(pair[0].to, pair[1].from);
-            assert_ne!((pair[0].mode, pair[0].modes), (pair[1].mode, pair[1].modes));
+            assert_ne!((pair[0].mode(), pair[0].modes), (pair[1].mode(), pair[1].modes));
             // The boundary is there, to round-off.
             let at = |λ: f64| solve(&block, &(permanent + variable * λ)).unwrap().modes;
             let λ = pair[0].to;
@@ -380,12 +381,12 @@ fn a_path_in_air_crosses_where_the_margins_say() {
         let unit = Wrench { x: -1.0, p: 0.0, m: k_prime * gamma };
         let weight = Wrench { x: 0.0, p: 1.0, m: 0.0 };
         let stages = stages(&Block::uniform(gamma, mu), &weight, &unit).unwrap();
-        let changes: Vec<_> = stages.windows(2).filter(|pair| pair[0].mode != pair[1].mode).collect();
+        let changes: Vec<_> = stages.windows(2).filter(|pair| pair[0].mode() != pair[1].mode()).collect();
         let expected: Vec<_> = margins.along_k.iter().collect();
         assert_eq!(changes.len(), expected.len(), "{gamma} {k_prime} {mu}");
         for (pair, crossing) in changes.iter().zip(expected) {
             assert!((pair[0].to - crossing.at).abs() <= 1e-9 * crossing.at);
-            assert_eq!((pair[0].mode, pair[1].mode), (Some(crossing.from), Some(crossing.to)));
+            assert_eq!((pair[0].mode(), pair[1].mode()), (Some(crossing.from), Some(crossing.to)));
         }
     }
 }
@@ -397,9 +398,9 @@ fn a_rising_load_enters_n_from_rocking() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();
     let situation = standing(body, 3.0, 10.0).with(variable(Horizontal, Action::horizontal(-10_000.0, 0.5)));
     let departure = situation.outcome().unwrap().departure;
-    assert_eq!(departure, Departure::At { factor: 2.0, mode: Some(Mode::RockO) });
+    assert_eq!(departure, Departure::At { factor: 2.0, verdict: Some(Begins(Mode::RockO)) });
     let full = situation.at(5.0).unwrap();
-    assert_eq!(full.mode, Some(Mode::SlideLeft));
+    assert_eq!(full.mode(), Some(Mode::SlideLeft));
     assert_eq!(full.others().to_string(), "RO SRO-");
 }
 
@@ -512,7 +513,7 @@ fn both_parts_of_an_earthquake_count() {
     let outcome = situation.outcome().unwrap();
     assert_eq!((outcome.actions.buoyant_weight, outcome.actions.force), (5000.0, 4000.0));
     assert_eq!(outcome.stability.sliding, 0.75);
-    assert_eq!(situation.at(1.0).unwrap().mode, Some(Mode::SlideLeft));
+    assert_eq!(situation.at(1.0).unwrap().mode(), Some(Mode::SlideLeft));
 }
 
 #[test]
@@ -545,7 +546,7 @@ fn a_departure_is_one_of_four() {
     // Sliding at μ m g = 6 kN.
     assert_eq!(
         of(standing(body, 0.6, 10.0).with(variable(Horizontal, push(-5000.0, 1.0)))),
-        Departure::At { factor: 1.2, mode: Some(Mode::SlideLeft) }
+        Departure::At { factor: 1.2, verdict: Some(Begins(Mode::SlideLeft)) }
     );
     // Far beyond any window.
     let Departure::At { factor, .. } =
@@ -564,11 +565,11 @@ fn a_departure_is_one_of_four() {
     // Without friction.
     assert_eq!(
         of(standing(body, 0.0, 10.0).with(variable(Horizontal, push(-1.0, 1.0)))),
-        Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: false }
+        Departure::AtOnce { verdict: Some(Begins(Mode::SlideLeft)), permanent: false }
     );
     // 7 kN are there all the time.
     let pushed = standing(body, 0.6, 10.0).with(permanent(Horizontal, push(-7000.0, 1.0)));
-    let at_once = Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: true };
+    let at_once = Departure::AtOnce { verdict: Some(Begins(Mode::SlideLeft)), permanent: true };
     assert_eq!(of(pushed.clone()), at_once);
     assert_eq!(of(pushed.clone().with(variable(Horizontal, push(7000.0, 1.0)))), at_once);
     assert_eq!((at_once.load_factor(), Departure::Never.load_factor()), (0.0, f64::INFINITY));
@@ -577,7 +578,7 @@ fn a_departure_is_one_of_four() {
     assert_eq!(of(poised.clone()), Departure::Never);
     assert_eq!(
         of(poised.with(variable(Horizontal, push(-1.0, 1.0)))),
-        Departure::AtOnce { mode: Some(Mode::SlideLeft), permanent: false }
+        Departure::AtOnce { verdict: Some(Begins(Mode::SlideLeft)), permanent: false }
     );
 }
 

@@ -1,8 +1,7 @@
 //! Columns of numbers to columns of results.
 
-use standfast::InputError;
 use standfast::batch::{Columns, classify, classify_on_base};
-use standfast::ground::GroundVerdict;
+use standfast::{InputError, Verdict};
 
 use crate::problem::{Answer, MOST};
 use crate::results::{NO_WORD, SYMBOLS, Values};
@@ -110,5 +109,5 @@ impl Points {
 }
 
 fn code(answer: Option<&Answer>) -> u8 {
-    answer.and_then(Answer::verdict).map_or(NO_WORD, GroundVerdict::code)
+    answer.and_then(Answer::verdict).map_or(NO_WORD, Verdict::code)
 }

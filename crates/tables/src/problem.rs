@@ -1,9 +1,8 @@
 //! Problems that a table asks: the report's problem, or the general contact problem.
 
 use standfast::contact::{self, INPUTS};
-use standfast::ground::GroundVerdict;
 use standfast::ground::strength::CrushPoint;
-use standfast::{InputError, Modes, Motion, Point, Quantity};
+use standfast::{InputError, Modes, Motion, Point, Quantity, Verdict};
 
 use crate::results::{FieldKind, SYMBOLS};
 use ResultColumn::{
@@ -191,12 +190,12 @@ impl TableProblem {
 }
 
 impl Answer {
-    /// Mode that begins, if any is known to.
-    pub(crate) fn verdict(&self) -> Option<GroundVerdict> {
+    /// Verdict that is reached, if any is.
+    pub(crate) fn verdict(&self) -> Option<Verdict> {
         match self {
-            Answer::Force(point) => Some(GroundVerdict::Begins(point.mode())),
+            Answer::Force(point) => Some(Verdict::Begins(point.mode())),
             Answer::Crushing(point) => Some(point.verdict()),
-            Answer::Wrench(answer) => answer.mode().map(GroundVerdict::Begins),
+            Answer::Wrench(answer) => answer.mode().map(Verdict::Begins),
         }
     }
 

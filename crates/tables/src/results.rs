@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use standfast::ground::GroundVerdict;
-use standfast::{Mode, Modes};
+use standfast::{Mode, Modes, Verdict};
 
 /// A column of results.
 #[derive(Debug, Clone)]
@@ -43,7 +42,7 @@ pub(crate) enum FieldKind {
 
 /// The symbols of all modes, in the order of their codes, and that of ground that fails.
 pub(crate) const SYMBOLS: [&str; Mode::ALL.len() + 1] = {
-    let mut symbols = [GroundVerdict::BearingFailure.symbol(); Mode::ALL.len() + 1];
+    let mut symbols = [Verdict::BearingFailure.symbol(); Mode::ALL.len() + 1];
     let mut place = 0;
     while place < Mode::ALL.len() {
         symbols[place] = Mode::ALL[place].symbol();

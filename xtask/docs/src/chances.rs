@@ -71,7 +71,7 @@ fn corner() -> io::Result<Figure> {
     let a = a.map(|a| point(a.k, a.mu, "nearest point of both"));
     let points: Vec<DesignPoint> = [point(0.35, 0.62, "means")].into_iter().chain(a).collect();
     let window = standfast::diagram::Window { k: 1.2, mu: 1.0 };
-    Ok(diagram_with(&diagram, &DiagramContent { window: Some(window), points: &points, cloud: &[] }))
+    Ok(diagram_with(&diagram.into(), &DiagramContent { window: Some(window), points: &points, cloud: &[] }))
 }
 
 /// μ(W' − bU) < b_P P of a sea that is certain.

@@ -8,7 +8,7 @@ use standfast::ground::strength::CrushMap;
 use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request, Spelling};
 use standfast_cases::motion::{Follow, SpectrumKind, SpectrumRequest};
 use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
-use standfast_figures::{DiagramContent, Figure, FigureId, GroundPlane, ground_diagram, report_figure};
+use standfast_figures::{DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
 use crate::{chances, keys};
@@ -96,14 +96,14 @@ fn bases() -> [(&'static str, Figure); 3] {
     let content = DiagramContent::default();
     let crush = |gamma, k_prime, omega| {
         let map = CrushMap::new(gamma, k_prime, omega).expect("a base");
-        ground_diagram(GroundPlane::Crushing(&map), &content)
+        diagram_with(&KMuPlane::Crushing(map), &content)
     };
     let sand = Ground::new(GroundLaw::Ec7, 35.0, 10e3).expect("sand");
     let plane = BearingPlane::of_share(sand, 0.7, 0.4, 0.3).expect("a plane");
     [
         ("gallery/base-crush.svg", crush(2.0, 0.8, 0.2)),
         ("gallery/base-crush-below.svg", crush(4.0, -0.55, 0.2)),
-        ("gallery/base-soil.svg", ground_diagram(GroundPlane::Failing(&plane), &content)),
+        ("gallery/base-soil.svg", diagram_with(&KMuPlane::Failing(plane), &content)),
     ]
 }
 

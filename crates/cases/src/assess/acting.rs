@@ -1,6 +1,6 @@
 //! Which loads act in a situation, and which others were tried, for reading.
 
-use standfast::ground::GroundVerdict;
+use standfast::Verdict;
 
 use super::{Assessed, Assessment, verdict};
 use crate::case::{Acting, Case, Combination, Direction, PointForce};
@@ -42,12 +42,12 @@ fn results(assessed: &Assessed) -> Vec<String> {
     let outcome = &assessed.outcome;
     let factor = |factor| if outcome.full.is_lifted() { "none".to_owned() } else { digits(factor) };
     row![
-        assessed.verdict().map_or("none", GroundVerdict::symbol),
+        assessed.verdict().map_or("none", Verdict::symbol),
         factor(outcome.stability.sliding),
         factor(outcome.stability.overturning()),
         verdict::departure_word(&assessed.departure()),
-        assessed.departure().verdict().map_or("", GroundVerdict::symbol),
-        if assessed.is_unique() { "yes" } else { "no" },
+        assessed.departure().verdict().map_or("", Verdict::symbol),
+        if assessed.outcome.full.is_unique() { "yes" } else { "no" },
     ]
 }
 

@@ -5,8 +5,8 @@ use standfast::ground::load_plane::GroundLoadPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
 use standfast_figures::{
-    DesignPoint, DiagramContent, Figure, GroundLoadMap, GroundPlane, LoadPlane, RotationCurve, diagram,
-    ground_diagram, ground_load_plane, load_plane, rotation_curve,
+    DesignPoint, DiagramContent, Figure, KMuPlane, LoadPlane, RotationCurve, diagram_with, load_plane,
+    rotation_curve,
 };
 
 use super::{Assessed, Assessment, View, section};
@@ -129,15 +129,13 @@ impl Plane {
     fn draw(&self, assessment: &Assessment, suffix: &str) -> Result<Option<CaseFigure>, InputError> {
         let gamma = assessment.case.body.slenderness();
         let content = DiagramContent { points: &self.points, ..DiagramContent::default() };
-        let figure = match &self.base {
-            None => diagram(&Diagram::new(gamma, self.k_prime)?, &self.points),
-            Some(Base::Crushing(omega)) if *omega >= 1.0 => return Ok(None),
-            Some(Base::Crushing(omega)) => {
-                let map = CrushMap::new(gamma, self.k_prime, *omega)?;
-                ground_diagram(GroundPlane::Crushing(&map), &content)
-            }
-            Some(Base::Failing(plane)) => ground_diagram(GroundPlane::Failing(plane), &content),
+        let plane = match self.base {
+            None => KMuPlane::Rigid(Diagram::new(gamma, self.k_prime)?),
+            Some(Base::Crushing(omega)) if omega >= 1.0 => return Ok(None),
+            Some(Base::Crushing(omega)) => KMuPlane::Crushing(CrushMap::new(gamma, self.k_prime, omega)?),
+            Some(Base::Failing(plane)) => KMuPlane::Failing(plane),
         };
+        let figure = diagram_with(&plane, &content);
         let words = match (self.in_air, suffix.is_empty()) {
             (false, true) => "k–μ diagram in effective coordinates".to_owned(),
             (false, false) => {
@@ -207,20 +205,14 @@ fn path(
         Some(Limit::Ground(soil)) => Some(GroundLoadPlane::failing(situation, soil, up_to)?),
         None => None,
     };
-    let onset = assessed.ground.as_ref().and_then(|ground| ground.onset.as_ref());
-    let figure = match plane.as_ref().zip(onset) {
-        Some((plane, onset)) => ground_load_plane(&GroundLoadMap {
-            plane,
-            rigid: &regions,
-            friction,
-            stages: &onset.path,
-            title: &title,
-        }),
-        None => {
-            let stages = &assessed.outcome.path;
-            load_plane(&LoadPlane { regions: &regions, up_to, friction, stages, title: &title })
-        }
-    };
+    let figure = load_plane(&LoadPlane {
+        regions: &regions,
+        base: plane.as_ref(),
+        up_to,
+        friction,
+        stages: &assessed.outcome.path,
+        title: &title,
+    });
     let words = named("Load path", assessment, assessed, suffix);
     let suffix = format!("{suffix}-path");
     Ok(CaseFigure { suffix, words, drawn: Drawn::LoadPath, figure })

@@ -1,17 +1,14 @@
-//! What the base of a situation bears: its part of the answer, and what of the rigid answer it takes the place of.
+//! What the base of a situation bears: its part of the answer.
 
-use standfast::contact::path::Stage;
-use standfast::ground::bearing::{self, BearingPlane, LoadFactors, Reaction};
+use standfast::ground::bearing::{self, BearingPlane, Ground, LoadFactors, Reaction};
 use standfast::ground::elastic::{ElasticBase, LargestMoment};
 use standfast::ground::impact::{ElasticBody, ImpactResponse};
 use standfast::ground::strength::{self, CrushMotion};
-use standfast::ground::{GroundDeparture, GroundStage, GroundVerdict};
-use standfast::{Boundary, Departure, History, InputError, Mode, Modes, Motion, Outcome, Situation, Wrench};
+use standfast::{History, InputError, Outcome, Situation, Wrench};
 
 mod because;
 mod text;
 
-use super::Assessed;
 use crate::case::{Case, Foundation, Limit};
 pub(super) use text::render as text;
 pub use text::{left_out, state};
@@ -21,8 +18,6 @@ pub use text::{left_out, state};
 pub struct OnGround {
     /// What the base cannot bear.
     pub limit: Option<Limit>,
-    /// What begins on it, where it cannot bear everything.
-    pub onset: Option<Onset>,
     /// What a body at rest puts on it under the full load, per metre run; `None` if nothing presses.
     pub reaction: Option<Reaction>,
     /// ω = P/(2B q_u) of a base that crushes.
@@ -41,21 +36,6 @@ pub struct OnGround {
     pub k_bf: Option<f64>,
     /// What is elastic of it.
     pub elastic: Option<Elastic>,
-}
-
-/// What begins on a base that cannot bear everything: in the place of what begins on a rigid one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Onset {
-    /// Under the full load, applied at once.
-    pub verdict: Option<GroundVerdict>,
-    /// All consistent modes.
-    pub modes: Modes,
-    /// Accelerations and reactions of the verdict's mode.
-    pub motion: Option<Motion>,
-    /// Where the body leaves rest as the variable loads rise.
-    pub departure: GroundDeparture,
-    /// The stages of the rising variable loads.
-    pub path: Vec<GroundStage>,
 }
 
 /// What is elastic of a base.
@@ -81,18 +61,16 @@ pub struct Elastic {
 }
 
 impl OnGround {
-    /// What the base of a case bears in a situation whose answer on rigid ground is `rigid`.
+    /// The answer to a situation on the base of a case, and what that bears.
     pub(super) fn of(
         case: &Case,
         foundation: &Foundation,
         situation: &Situation,
-        rigid: &Outcome,
-    ) -> Result<OnGround, InputError> {
+    ) -> Result<(Outcome, OnGround), InputError> {
         let length = situation.body().plan().side(situation.body().width());
         let reaction = Reaction::of(situation, 1.0)?;
         let mut answer = OnGround {
             limit: foundation.limit,
-            onset: None,
             reaction,
             omega: None,
             crush: None,
@@ -103,67 +81,56 @@ impl OnGround {
             k_bf: None,
             elastic: None,
         };
-        match foundation.limit {
+        let outcome = match foundation.limit {
             Some(Limit::Strength(strength)) => answer.crushing(situation, strength, length)?,
-            Some(Limit::Ground(ground)) => {
-                let outcome = bearing::outcome(situation, rigid, ground)?;
-                let holds = outcome.verdict.and_then(GroundVerdict::mode) == rigid.full.mode;
-                answer.onset = Some(Onset {
-                    verdict: outcome.verdict,
-                    modes: outcome.modes,
-                    motion: rigid.full.motion.filter(|_| holds),
-                    departure: outcome.departure,
-                    path: outcome.path,
-                });
-                answer.load_factors = Some(outcome.load_factors);
-                answer.resistance = reaction.map(|reaction| ground.resistance(&reaction) * length);
-                answer.factor = reaction.map(|reaction| ground.factor(&reaction));
-                answer.margin = reaction.map(|at| (ground.resistance(&at) - at.p()) * length);
-                answer.k_bf = match reaction.and_then(|reaction| Some((reaction, ray(&reaction)?))) {
-                    Some((reaction, ray)) => {
-                        // Of G₁ = γ(1 + k') any γ and k' will do.
-                        let (gamma, k_prime) = match ray {
-                            0.0 => (1.0, -1.0),
-                            ray if ray < 0.0 => (-ray, -2.0),
-                            ray => (ray, 0.0),
-                        };
-                        let (half_width, p) = (reaction.half_width(), reaction.p());
-                        Some(BearingPlane::new(ground, gamma, k_prime, half_width, p)?.k_bf())
-                    }
-                    None => None,
-                };
-            }
-            None => {}
-        }
+            Some(Limit::Ground(ground)) => answer.failing(situation, ground, length)?,
+            None => situation.outcome()?,
+        };
         if let (Some(stiffness), Some(reaction)) = (foundation.stiffness, reaction) {
             let elastic = Elastic::of(case, foundation, stiffness, situation, &reaction)?;
             answer.elastic = Some(elastic);
         }
-        Ok(answer)
+        Ok((outcome, answer))
+    }
+
+    /// On ground that can fail.
+    fn failing(&mut self, situation: &Situation, ground: Ground, length: f64) -> Result<Outcome, InputError> {
+        let found = bearing::outcome(situation, ground)?;
+        self.load_factors = Some(found.load_factors);
+        let Some(reaction) = self.reaction else { return Ok(found.outcome) };
+        self.bears(&reaction, ground.resistance(&reaction), ground.factor(&reaction), length);
+        if let Some(ray) = ray(&reaction) {
+            // Of G₁ = γ(1 + k') any γ and k' will do.
+            let (gamma, k_prime) = match ray {
+                0.0 => (1.0, -1.0),
+                ray if ray < 0.0 => (-ray, -2.0),
+                ray => (ray, 0.0),
+            };
+            let (half_width, p) = (reaction.half_width(), reaction.p());
+            self.k_bf = Some(BearingPlane::new(ground, gamma, k_prime, half_width, p)?.k_bf());
+        }
+        Ok(found.outcome)
     }
 
     /// On a base that crushes at `strength`.
-    fn crushing(&mut self, situation: &Situation, strength: f64, length: f64) -> Result<(), InputError> {
-        let outcome = strength::outcome(situation, strength)?;
-        self.omega = Some(outcome.omega).filter(|_| self.reaction.is_some());
-        let given = outcome.load_factor;
-        self.load_factors = Some(LoadFactors { given, less: None, more: None });
-        if let Some(reaction) = &self.reaction {
+    fn crushing(&mut self, situation: &Situation, strength: f64, length: f64) -> Result<Outcome, InputError> {
+        let found = strength::outcome(situation, strength)?;
+        self.omega = Some(found.omega).filter(|_| self.reaction.is_some());
+        self.load_factors = Some(LoadFactors { given: found.load_factor, less: None, more: None });
+        self.crush = found.motion;
+        if let Some(reaction) = self.reaction {
             let resistance = reaction.effective_width() * strength;
-            self.resistance = Some(resistance * length);
-            self.factor = Some(resistance / reaction.p());
-            self.margin = Some((resistance - reaction.p()) * length);
-            self.k_bf = ray(reaction).map(|ray| (1.0 - outcome.omega).max(0.0) / ray.abs());
+            self.bears(&reaction, resistance, resistance / reaction.p(), length);
+            self.k_bf = ray(&reaction).map(|ray| (1.0 - found.omega).max(0.0) / ray.abs());
         }
-        self.crush = outcome.motion;
-        self.onset = Some(Onset {
-            verdict: outcome.verdict,
-            modes: outcome.modes,
-            motion: outcome.motion.map(|crush| crush.motion),
-            departure: outcome.departure,
-            path: outcome.path,
-        });
-        Ok(())
+        Ok(found.outcome)
+    }
+
+    /// Notes a resistance to a reaction, both per metre run, and their ratio.
+    fn bears(&mut self, reaction: &Reaction, resistance: f64, factor: f64, length: f64) {
+        self.resistance = Some(resistance * length);
+        self.factor = Some(factor);
+        self.margin = Some((resistance - reaction.p()) * length);
     }
 
     /// How far inside its edge a base that crushes is pressed by a body about to turn, or that turns, m: the place of the reaction.
@@ -278,107 +245,4 @@ fn response(
         return Ok(None);
     }
     body.response(&standing, &timed, case.friction, foundation.strength()).map(Some)
-}
-
-impl Assessed {
-    /// What begins under the full load, applied at once.
-    pub fn verdict(&self) -> Option<GroundVerdict> {
-        match self.onset() {
-            Some(onset) => onset.verdict,
-            None => self.outcome.full.mode.map(GroundVerdict::Begins),
-        }
-    }
-
-    /// The mode that begins under the full load; none where the ground fails.
-    pub fn mode(&self) -> Option<Mode> {
-        self.verdict().and_then(GroundVerdict::mode)
-    }
-
-    /// All consistent modes.
-    pub fn modes(&self) -> Modes {
-        self.onset().map_or(self.outcome.full.modes, |onset| onset.modes)
-    }
-
-    /// The consistent modes beside the one reported.
-    pub fn others(&self) -> Modes {
-        self.modes().without(self.mode())
-    }
-
-    /// Where the body stands on the boundary of rest; `None` on a base that gives way, where nobody asks.
-    pub fn boundary(&self) -> Option<Boundary> {
-        self.outcome.full.boundary.filter(|_| !self.is_on_ground())
-    }
-
-    /// Whether one mode only is consistent.
-    pub fn is_unique(&self) -> bool {
-        self.modes().len() <= 1
-    }
-
-    /// Accelerations and reactions of the mode that begins.
-    pub fn motion(&self) -> Option<&Motion> {
-        self.onset().map_or(self.outcome.full.motion.as_ref(), |onset| onset.motion.as_ref())
-    }
-
-    /// Where the body leaves rest as the variable loads rise.
-    pub fn departure(&self) -> GroundDeparture {
-        let begins = |mode: Option<Mode>| mode.map(GroundVerdict::Begins);
-        match (self.onset(), &self.outcome.departure) {
-            (Some(onset), _) => onset.departure,
-            (None, Departure::Never) => GroundDeparture::Never,
-            (None, Departure::AtOnce { mode, permanent }) => {
-                GroundDeparture::AtOnce { verdict: begins(*mode), permanent: *permanent }
-            }
-            (None, Departure::At { factor, mode }) => {
-                GroundDeparture::At { factor: *factor, verdict: begins(*mode) }
-            }
-        }
-    }
-
-    /// Whether a load of the situation varies.
-    pub fn rises(&self) -> bool {
-        !self.outcome.path.is_empty()
-    }
-
-    /// The stages of the rising variable loads, the last without end.
-    pub fn path(&self) -> Vec<GroundStage> {
-        let rigid = |Stage { from, to, mode, modes }: &Stage| GroundStage {
-            from: *from,
-            to: *to,
-            verdict: mode.map(GroundVerdict::Begins),
-            modes: *modes,
-        };
-        match self.onset() {
-            Some(onset) => onset.path.clone(),
-            None => self.outcome.path.iter().map(rigid).collect(),
-        }
-    }
-
-    /// The stages up to a load factor.
-    pub fn path_up_to(&self, largest: f64) -> Vec<GroundStage> {
-        let within = self.path().into_iter().filter(|stage| stage.from < largest);
-        within.map(|stage| GroundStage { to: stage.to.min(largest), ..stage }).collect()
-    }
-
-    /// The mode in which a body that left rest under the rising loads comes to the full load; see [`Outcome::risen`].
-    pub fn risen(&self) -> Option<Mode> {
-        match self.onset() {
-            None => self.outcome.risen(),
-            Some(_) => {
-                let stages = self.path().into_iter().filter(|stage| stage.from < 1.0);
-                stages.fold(None, |mode: Option<Mode>, stage| match mode {
-                    Some(mode) if stage.modes.contains(mode) => Some(mode),
-                    _ => stage.verdict.and_then(GroundVerdict::mode),
-                })
-            }
-        }
-    }
-
-    /// Whether the base decides the response: it crushes, or the ground under it fails.
-    pub fn is_on_ground(&self) -> bool {
-        self.onset().is_some()
-    }
-
-    fn onset(&self) -> Option<&Onset> {
-        self.ground.as_ref().and_then(|ground| ground.onset.as_ref())
-    }
 }

@@ -8,10 +8,9 @@ use std::collections::BTreeMap;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use standfast::ground::impact::EventFound;
-use standfast::ground::{GroundStage, GroundVerdict};
 use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
-use standfast::{Modes, Motion, Plan, Wrench, section};
+use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
 use super::{AnyCheck, Assessed, Assessment, CaseCheck, View};
 use crate::case::{self, Acting, Case, PointForce, Waves};
@@ -305,7 +304,7 @@ struct Component {
 struct PathStage {
     from: f64,
     to: f64,
-    mode: Option<GroundVerdict>,
+    mode: Option<Verdict>,
     also: Modes,
 }
 
@@ -435,7 +434,7 @@ impl<'a> Situation<'a> {
                 .collect(),
             results: Results(assessed),
             ground: assessed.ground.as_ref().map(|_| Ground(assessed)),
-            mode_words: assessed.verdict().map(GroundVerdict::words),
+            mode_words: assessed.verdict().map(Verdict::words),
             because: assessed.because().iter().map(RelationDocument::of).collect(),
             motion: assessed.motion().copied(),
             wrench: full.wrench,
@@ -454,7 +453,7 @@ impl<'a> Situation<'a> {
             path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
             // The report's ground is rigid.
             report: full.effective.as_ref().filter(|_| !assessed.is_on_ground()).map(|reduced| Report {
-                point: PointDocument::of(reduced),
+                point: PointDocument::of_rigid(reduced),
                 overturning: reduced.point.safety_against_overturning(),
             }),
             no_report: match () {
@@ -527,7 +526,7 @@ impl Criterion {
 }
 
 impl PathStage {
-    fn of(stage: &GroundStage) -> PathStage {
+    fn of(stage: &Stage) -> PathStage {
         PathStage { from: stage.from, to: stage.to, mode: stage.verdict, also: stage.others() }
     }
 }

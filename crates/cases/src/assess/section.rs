@@ -1,8 +1,7 @@
 //! The section of a case: its body, levels and loads as the figure draws them.
 
-use standfast::ground::GroundVerdict;
 use standfast::loads::{Action, Face, Load, LoadSource, PressureAt};
-use standfast::{BaseEdges, InputError, Mode, Situation};
+use standfast::{BaseEdges, InputError, Mode, Situation, Verdict};
 use standfast_figures::{
     Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
@@ -99,9 +98,9 @@ fn reaction_words(assessment: &Assessment, assessed: &Assessed, reaction: Option
         (None, false) => ", at the edge about which the body turns",
     };
     let when = match assessed.verdict() {
-        Some(GroundVerdict::BearingFailure) => "; the ground does not bear it",
-        Some(GroundVerdict::Begins(Mode::Rest)) | None => "",
-        Some(GroundVerdict::Begins(_)) => ", as the motion begins",
+        Some(Verdict::BearingFailure) => "; the ground does not bear it",
+        Some(Verdict::Begins(Mode::Rest)) | None => "",
+        Some(Verdict::Begins(_)) => ", as the motion begins",
     };
     format!("Blue, under the base: the reaction to the full load{of}{bears}{when}.")
 }

@@ -1,14 +1,13 @@
 //! What the body does under the full load at once, and while it rises, in sentences: those of every face.
 
-use standfast::ground::{GroundDeparture, GroundVerdict};
-use standfast::{Boundary, Mode, Response};
+use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
 use super::{Assessed, OnGround, View};
 use crate::layout::{columns, digits, row};
 use crate::units::Extent;
 
 /// A mode, ground that fails, or the lack of both, as a predicate with its symbol.
-pub fn predicate(verdict: Option<GroundVerdict>) -> String {
+pub fn predicate(verdict: Option<Verdict>) -> String {
     match verdict {
         Some(verdict) => format!("{} ({verdict})", verdict.words()),
         None => "has no consistent mode".to_owned(),
@@ -53,7 +52,7 @@ fn lifted(full: &Response, extent: Extent) -> String {
     let lift = extent.kilonewtons(0.0 - full.wrench.p);
     if full.wrench.p == 0.0 {
         "The loads carry the whole weight: nothing presses the body on its base, and safety factors mean nothing.".to_owned()
-    } else if full.mode == Some(Mode::Flight) {
+    } else if full.mode() == Some(Mode::Flight) {
         format!("The loads lift the body with {lift} more than its weight: safety factors mean nothing.")
     } else {
         format!(
@@ -81,9 +80,9 @@ fn uniqueness(assessed: &Assessed) -> String {
         None => {
             return "That happens only where friction to stick is larger than friction to slip.".to_owned();
         }
-        Some(GroundVerdict::BearingFailure) => return NO_MOTION.to_owned(),
-        Some(_) if assessed.is_unique() => return unique(assessed),
-        Some(GroundVerdict::Begins(mode)) => mode,
+        Some(Verdict::BearingFailure) => return NO_MOTION.to_owned(),
+        Some(_) if assessed.outcome.full.is_unique() => return unique(assessed),
+        Some(Verdict::Begins(mode)) => mode,
     };
     if assessed.boundary() == Some(Boundary::ToTheDigits) {
         let others: Vec<_> =
@@ -94,14 +93,14 @@ fn uniqueness(assessed: &Assessed) -> String {
         );
     }
     let list: Vec<_> =
-        assessed.others().iter().map(|mode| predicate(Some(GroundVerdict::Begins(mode)))).collect();
+        assessed.outcome.full.others().iter().map(|mode| predicate(Some(Verdict::Begins(mode)))).collect();
     let verb = if list.len() == 1 { "satisfies" } else { "satisfy" };
     let mut text = format!(
         "The answer is not unique: that it {} {verb} the equations of motion, Coulomb's law and the contact \
          conditions as well. Rigid-body mechanics cannot choose; a suddenly applied load favours {mode}.",
         list.join(" and that it "),
     );
-    let risen = assessed.risen().filter(|risen| *risen != mode && *risen != Mode::Rest);
+    let risen = assessed.outcome.risen().filter(|risen| *risen != mode && *risen != Mode::Rest);
     if let Some(risen) = risen {
         text += &format!(" Under a rising load the body comes there in {risen} and stays in it.");
     }
@@ -120,7 +119,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
             let k = stage.from * reduced.point.k();
             format!("from F = {} (k = {}) on", assessed.extent.kilonewtons(k * weight), digits(k))
         });
-        let mode = stage.verdict.map_or("none", GroundVerdict::symbol);
+        let mode = stage.verdict.map_or("none", Verdict::symbol);
         row![digits(stage.from), digits(stage.to), mode, force.unwrap_or_default(), also]
     }));
     columns(&rows, 2, &[0, 1])
@@ -130,7 +129,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
 pub fn path(assessed: &Assessed) -> Vec<String> {
     const NONE: &str = "No variable load acts; nothing rises.";
     match assessed.departure() {
-        GroundDeparture::Never if !assessed.rises() => vec![NONE.to_owned()],
+        Departure::Never if !assessed.rises() => vec![NONE.to_owned()],
         departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure)],
         departure => vec![rising(assessed), leaving(&departure), difference(assessed)],
     }
@@ -147,20 +146,20 @@ fn rising(assessed: &Assessed) -> String {
 }
 
 /// Where the body leaves rest as the loads rise.
-fn leaving(departure: &GroundDeparture) -> String {
+fn leaving(departure: &Departure) -> String {
     match *departure {
-        GroundDeparture::Never => "No multiple of the variable loads moves the body.".to_owned(),
-        GroundDeparture::AtOnce { verdict, permanent: true } => {
+        Departure::Never => "No multiple of the variable loads moves the body.".to_owned(),
+        Departure::AtOnce { verdict, permanent: true } => {
             format!("The permanent loads alone move the body: it {}.", predicate(verdict))
         }
-        GroundDeparture::AtOnce { verdict, permanent: false } => {
+        Departure::AtOnce { verdict, permanent: false } => {
             format!(
                 "Any share of the variable load, however small, moves the body: it {}.",
                 predicate(verdict)
             )
         }
-        GroundDeparture::At { factor, verdict } => {
-            let into = verdict.map_or("no consistent mode", GroundVerdict::symbol);
+        Departure::At { factor, verdict } => {
+            let into = verdict.map_or("no consistent mode", Verdict::symbol);
             format!(
                 "The body first leaves rest at {} % of the variable load, into {into}.",
                 digits(100.0 * factor)
@@ -173,49 +172,49 @@ fn leaving(departure: &GroundDeparture) -> String {
 fn difference(assessed: &Assessed) -> String {
     let full = assessed.verdict();
     let rests = assessed.mode() == Some(Mode::Rest);
-    let symbol = |verdict: Option<GroundVerdict>| verdict.map_or("no consistent mode", GroundVerdict::symbol);
+    let symbol = |verdict: Option<Verdict>| verdict.map_or("no consistent mode", Verdict::symbol);
     match assessed.departure() {
-        GroundDeparture::AtOnce { permanent: true, .. } => {
+        Departure::AtOnce { permanent: true, .. } => {
             "With no rest to begin from, a rising load has no first departure.".to_owned()
         }
-        GroundDeparture::AtOnce { .. } if rests => {
+        Departure::AtOnce { .. } if rests => {
             "At once, the full load leaves the body at rest; rising, it has moved it before.".to_owned()
         }
-        GroundDeparture::AtOnce { verdict, .. } if verdict == full => {
+        Departure::AtOnce { verdict, .. } if verdict == full => {
             format!("At once and rising, the body takes up the same mode, {}.", symbol(full))
         }
-        GroundDeparture::AtOnce { verdict, .. } => {
+        Departure::AtOnce { verdict, .. } => {
             format!(
                 "At once, the full load starts {}; rising, the load has started {} before.",
                 symbol(full),
                 symbol(verdict)
             )
         }
-        GroundDeparture::At { factor, .. } if factor < 1.0 && rests => format!(
+        Departure::At { factor, .. } if factor < 1.0 && rests => format!(
             "At once, the full load leaves the body at rest; rising, it has moved it before, at {} %.",
             digits(100.0 * factor)
         ),
         _ if rests => "At once or rising, the full load leaves the body at rest.".to_owned(),
-        GroundDeparture::At { factor, verdict } if verdict == full => format!(
+        Departure::At { factor, verdict } if verdict == full => format!(
             "At once and rising, the body takes up the same mode, {}; rising, it moves from {} % on.",
             symbol(full),
             digits(100.0 * factor)
         ),
-        GroundDeparture::At { factor, verdict } => format!(
+        Departure::At { factor, verdict } => format!(
             "At once, the full load starts {}; rising, the load has started {} before, at {} %.",
             symbol(full),
             symbol(verdict),
             digits(100.0 * factor)
         ),
-        GroundDeparture::Never => format!("At once, the full load starts {}.", symbol(full)),
+        Departure::Never => format!("At once, the full load starts {}.", symbol(full)),
     }
 }
 
 /// Where a body leaves rest, in a word or as per cent of the load.
-pub fn departure_word(departure: &GroundDeparture) -> String {
+pub fn departure_word(departure: &Departure) -> String {
     match *departure {
-        GroundDeparture::Never => "never".to_owned(),
-        GroundDeparture::AtOnce { .. } => "at once".to_owned(),
-        GroundDeparture::At { factor, .. } => format!("{} %", digits(100.0 * factor)),
+        Departure::Never => "never".to_owned(),
+        Departure::AtOnce { .. } => "at once".to_owned(),
+        Departure::At { factor, .. } => format!("{} %", digits(100.0 * factor)),
     }
 }

@@ -3,7 +3,7 @@
 //! The change is that of the case with the number 1 % larger, assessed anew: no derivative, which across a kink (another load
 //! governs, another formula holds) would promise what does not come.
 
-use standfast::ground::GroundDeparture;
+use standfast::Departure;
 
 use super::subject::Subject;
 use super::{Varied, farthest, least, load_factor, overturning, sliding, steepest};
@@ -104,7 +104,7 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
         Some(change) => Change::By(change),
     };
     let at_once =
-        |answer: &Assessment| matches!(answer.least(load_factor).departure(), GroundDeparture::AtOnce { .. });
+        |answer: &Assessment| matches!(answer.least(load_factor).departure(), Departure::AtOnce { .. });
     let load_factor = match both {
         Some((now, then)) if at_once(now) || at_once(then) => Change::AtOnce,
         _ => change(load_factor),

@@ -3,8 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
+use standfast::{Mode, Verdict};
 use thiserror::Error;
 
 use super::quantity::fault;
@@ -301,15 +300,15 @@ impl Target {
     }
 
     /// The mode that is not to be, under the full load or, with its load factor, before.
-    fn offending(self, assessed: &Assessed) -> Option<(f64, Option<GroundVerdict>)> {
+    fn offending(self, assessed: &Assessed) -> Option<(f64, Option<Verdict>)> {
         // Ground that fails lets the body turn and slip.
-        let offends = |verdict: Option<GroundVerdict>| match (self, verdict.and_then(GroundVerdict::mode)) {
+        let offends = |verdict: Option<Verdict>| match (self, verdict.and_then(Verdict::mode)) {
             (Target::NoRock, Some(mode)) => mode.corner().is_some() || mode == Mode::Flight,
             (Target::NoSlide, Some(mode)) => mode.slip().is_some() || mode == Mode::Flight,
             (_, None) => true,
             _ => false,
         };
-        let stages = assessed.path().into_iter().filter(|stage| stage.from < 1.0);
+        let stages = assessed.outcome.path.iter().filter(|stage| stage.from < 1.0);
         let mut candidates =
             stages.map(|stage| (stage.from, stage.verdict)).chain([(1.0, assessed.verdict())]);
         candidates.find(|(_, verdict)| offends(*verdict))
@@ -441,14 +440,11 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
 const GROUND: &str = "ground";
 
 /// The motion of a mode in a word, or the ground that fails.
-fn motion(verdict: Option<GroundVerdict>) -> &'static str {
-    if verdict == Some(GroundVerdict::BearingFailure) {
+fn motion(verdict: Option<Verdict>) -> &'static str {
+    if verdict == Some(Verdict::BearingFailure) {
         return GROUND;
     }
-    match verdict
-        .and_then(GroundVerdict::mode)
-        .map(|mode| (mode.corner().is_some(), mode.slip().is_some(), mode))
-    {
+    match verdict.and_then(Verdict::mode).map(|mode| (mode.corner().is_some(), mode.slip().is_some(), mode)) {
         None => "no mode",
         Some((_, _, Mode::Flight)) => "uplift",
         Some((true, true, _)) => "slide-rocking",
@@ -459,27 +455,25 @@ fn motion(verdict: Option<GroundVerdict>) -> &'static str {
 }
 
 /// A mode that ends rest, and which of the conditions of rest it breaks.
-fn moves(assessed: &Assessed, verdict: Option<GroundVerdict>) -> String {
+fn moves(assessed: &Assessed, verdict: Option<Verdict>) -> String {
     let mode = match verdict {
-        Some(GroundVerdict::Begins(mode)) => mode,
+        Some(Verdict::Begins(mode)) => mode,
         Some(_) => return format!("{}: R ≥ P fails", predicate(verdict)),
         None => return predicate(None),
     };
+    let (ends, edges) = match assessed.is_on_ground() {
+        true => ("the base crushes under an edge", "−b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q"),
+        false => ("the resultant leaves the base", "−b₁ P ≤ X d − M ≤ b₂ P"),
+    };
+    let condition = match (mode.corner(), mode.slip()) {
+        (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails".to_owned(),
+        (Some(_), None) => format!("{ends}: {edges} fails"),
+        (Some(_), Some(_)) => format!("|X| ≤ μ P or {edges} fails"),
+        _ => "nothing presses it on its base: P > 0 fails".to_owned(),
+    };
     if assessed.is_on_ground() {
-        let condition = match (mode.corner(), mode.slip()) {
-            (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails",
-            (Some(_), None) => "the base crushes under an edge: −b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q fails",
-            (Some(_), Some(_)) => "|X| ≤ μ P or −b₁P + P²/2q ≤ X d − M ≤ b₂P − P²/2q fails",
-            _ => "nothing presses it on its base: P > 0 fails",
-        };
         return format!("{}: {condition}", predicate(verdict));
     }
-    let condition = match (mode.corner(), mode.slip()) {
-        (None, Some(_)) => "the friction is used up: |X| ≤ μ P fails",
-        (Some(_), None) => "the resultant leaves the base: −b₁ P ≤ X d − M ≤ b₂ P fails",
-        (Some(_), Some(_)) => "|X| ≤ μ P or −b₁ P ≤ X d − M ≤ b₂ P fails",
-        _ => "nothing presses it on its base: P > 0 fails",
-    };
     // Under the full load, the report's inequalities of rest say it with their numbers.
     let steps =
         assessed.outcome.full.effective.map(|reduced| reduced.point.explain().steps).unwrap_or_default();
@@ -488,5 +482,5 @@ fn moves(assessed: &Assessed, verdict: Option<GroundVerdict>) -> String {
     let equation = failing.map_or(String::new(), |relation| {
         format!("; ({}) {} fails in effective coordinates", relation.equation, relation.statement())
     });
-    format!("{} ({mode}): {condition}{equation}", mode.words())
+    format!("{}: {condition}{equation}", predicate(verdict))
 }

@@ -1,6 +1,6 @@
 //! A design for reading.
 
-use standfast::ground::GroundVerdict;
+use standfast::Verdict;
 
 use super::quantity::{DIGITS, with_unit};
 use super::set::{Beyond, End, Stretch};
@@ -62,7 +62,7 @@ pub(super) fn words(target: Target) -> String {
 fn before_and_after(design: &Design) -> String {
     let Design { quantity, present, request, .. } = design;
     let found = design.found();
-    let symbol = |verdict: Option<GroundVerdict>| verdict.map_or("none", GroundVerdict::symbol).to_owned();
+    let symbol = |verdict: Option<Verdict>| verdict.map_or("none", Verdict::symbol).to_owned();
     // Of several situations, the one in which it is worst: said once where it is the same throughout.
     let name = |answer: &Assessment, of: fn(&Assessed) -> f64| {
         answer.name(answer.least(of)).filter(|_| answer.all.len() > 1)
@@ -88,7 +88,7 @@ fn before_and_after(design: &Design) -> String {
             departure_word(&answer.least(load_factor).departure()) + &under(answer, load_factor)
         }),
         both("into", &|answer| {
-            answer.least(load_factor).departure().verdict().map_or("", GroundVerdict::symbol).to_owned()
+            answer.least(load_factor).departure().verdict().map_or("", Verdict::symbol).to_owned()
         }),
     ];
     rows.extend(asked(request.target, present, &found.answer));

@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 
 use standfast::contact::path;
-use standfast::ground::GroundVerdict;
 use standfast_probability::problem::{Outcomes, Pieces};
 
+use super::base;
 use super::outcome::{COUNT, LIFTED, NOT_A_BODY, of_modes, push_all, told_apart};
 use super::problem::{Line, Problem};
 
@@ -40,7 +40,7 @@ impl Outcomes for Problem {
                 if wrench.p <= 0.0 {
                     everywhere(pieces, LIFTED);
                 }
-                if mechanics.base.by_friction(&block, &wrench, self.reach(place), pieces).is_err() {
+                if base::by_friction(&mechanics.base, &block, &wrench, self.reach(place), pieces).is_err() {
                     everywhere(pieces, NOT_A_BODY);
                 }
             }
@@ -64,10 +64,9 @@ impl Outcomes for Problem {
                 let Ok(stages) = path::stages(&block, &start, &slope) else {
                     return everywhere(pieces, NOT_A_BODY);
                 };
-                let stages = stages.iter().map(|stage| {
-                    let verdict = stage.mode.map(GroundVerdict::Begins);
-                    (stage.from, stage.to, of_modes(verdict, stage.modes), 0)
-                });
+                let stages = stages
+                    .iter()
+                    .map(|stage| (stage.from, stage.to, of_modes(stage.verdict, stage.modes), 0));
                 for (from, to, outcomes, _) in told_apart(stages) {
                     push_all(pieces, from, to, outcomes);
                 }

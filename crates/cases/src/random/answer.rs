@@ -3,8 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
+use standfast::Verdict;
 use standfast_probability::form::{DesignPoint, generalized};
 use standfast_probability::sample::{Effort, Estimate};
 
@@ -172,10 +171,8 @@ pub struct LifeChances {
 /// What may come of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Happening {
-    /// A mode.
-    Mode(Mode),
-    /// The ground fails under it.
-    BearingFailure,
+    /// A mode begins, or the ground fails.
+    Decided(Verdict),
     /// No mode is consistent.
     NoMode,
     /// The numbers drawn do not go together.
@@ -183,11 +180,13 @@ pub enum Happening {
 }
 
 impl Happening {
+    /// Rest.
+    pub const REST: Happening = Happening::Decided(Verdict::REST);
+
     /// What the body does, or the ground; none where there is no mode.
     pub fn words(self) -> Option<&'static str> {
         match self {
-            Happening::Mode(mode) => Some(mode.words()),
-            Happening::BearingFailure => Some(GroundVerdict::BearingFailure.words()),
+            Happening::Decided(verdict) => Some(verdict.words()),
             Happening::NoMode | Happening::NotABody => None,
         }
     }
@@ -195,17 +194,15 @@ impl Happening {
     /// A mode's symbol, that of ground that fails, or words.
     pub fn name(self) -> String {
         match self {
-            Happening::Mode(mode) => mode.to_string(),
-            Happening::BearingFailure => GroundVerdict::BearingFailure.to_string(),
+            Happening::Decided(verdict) => verdict.to_string(),
             Happening::NoMode => "no mode".to_owned(),
             Happening::NotABody => "not a body".to_owned(),
         }
     }
 
     pub(super) fn of(outcome: usize) -> Happening {
-        match GroundVerdict::from_code(outcome as u8) {
-            Some(GroundVerdict::Begins(mode)) => Happening::Mode(mode),
-            Some(GroundVerdict::BearingFailure) => Happening::BearingFailure,
+        match Verdict::from_code(outcome as u8) {
+            Some(verdict) => Happening::Decided(verdict),
             None if outcome == NOT_A_BODY => Happening::NotABody,
             None => Happening::NoMode,
         }

@@ -2,11 +2,11 @@
 
 use std::cell::RefCell;
 
-use standfast::contact::departure::{DepartureSpan, by_friction, by_share};
-use standfast::ground::GroundDeparture;
+use standfast::contact::departure::by_share;
+use standfast::ground::Base;
+use standfast::{Departure, DepartureSpan};
 use standfast_probability::problem::{Outcomes, Pieces};
 
-use super::base::{Base, of_rigid};
 use super::mechanics::Mechanics;
 use super::outcome::{COUNT, NOT_A_BODY, of_verdict};
 use super::problem::{Line, Problem};
@@ -19,20 +19,20 @@ pub(super) const AT_ONCE: usize = 17;
 /// First departures of a problem in place of modes under the full load.
 pub(super) struct Departures<'a>(pub(super) &'a Problem);
 
-fn outcome(departure: GroundDeparture) -> usize {
+fn outcome(departure: Departure) -> usize {
     match departure {
-        GroundDeparture::Never => NEVER,
-        GroundDeparture::AtOnce { .. } => AT_ONCE,
-        GroundDeparture::At { verdict, .. } => of_verdict(verdict),
+        Departure::Never => NEVER,
+        Departure::AtOnce { .. } => AT_ONCE,
+        Departure::At { verdict, .. } => of_verdict(verdict),
     }
 }
 
-/// What spans are of: of a problem by its number, block and wrenches in their order.
-type Key = (u64, [f64; 15]);
+/// What spans are of: of a problem by its number, block and wrenches in their order, and the base.
+type Key = (u64, [f64; 15], Base);
 
 thread_local! {
     /// The spans that were asked for last. Where all that is random leaves the direction of the loads, they are the same.
-    static LAST: RefCell<Option<(Key, Vec<DepartureSpan>)>> = const { RefCell::new(None) };
+    static LAST: RefCell<Option<(Key, Option<Vec<DepartureSpan>>)>> = const { RefCell::new(None) };
 }
 
 impl Departures<'_> {
@@ -42,45 +42,40 @@ impl Departures<'_> {
         moved.chain([NEVER, AT_ONCE])
     }
 
-    /// The spans along friction on a base that gives way.
-    fn along_friction_on(&self, place: usize, mechanics: &Mechanics, values: Vec<f64>, pieces: &mut Pieces) {
-        let Mechanics { block, base, permanent, variable, .. } = mechanics;
-        match base.departures(block, permanent, variable, self.0.reach(place)) {
-            Ok(Some(spans)) => {
-                spans.into_iter().for_each(|(from, to, departure)| pieces.push(from, to, outcome(departure)));
-            }
-            Ok(None) => self.scan(place, values, pieces),
-            Err(_) => pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY),
-        }
-    }
-
     /// The spans along friction, for block and loads as they were last or anew.
-    fn along_friction(&self, mechanics: &Mechanics, pieces: &mut Pieces) {
-        let Mechanics { block, permanent, variable, .. } = mechanics;
+    fn along_friction(&self, place: usize, mechanics: &Mechanics, values: Vec<f64>, pieces: &mut Pieces) {
+        let Mechanics { block, base, permanent, variable, .. } = mechanics;
         let of = [block.b1, block.b2, block.d, block.rho2, block.m_x, block.m_y, block.mu_s, block.mu_k];
         let mut numbers = [0.0; 15];
         numbers[..8].copy_from_slice(&of);
         for (place, wrench) in [(8, permanent), (11, variable)] {
             numbers[place..place + 3].copy_from_slice(&[wrench.x, wrench.p, wrench.m]);
         }
-        let key = (self.0.id(), numbers);
-        LAST.with_borrow_mut(|last| {
-            let known = last.as_ref().is_some_and(|(of, _)| *of == key);
-            if !known {
-                *last = by_friction(block, permanent, variable).ok().map(|spans| (key, spans));
+        let key = (self.0.id(), numbers, *base);
+        let known = LAST.with_borrow_mut(|last| {
+            if !last.as_ref().is_some_and(|(of, _)| *of == key) {
+                let spans = base.departure_spans(block, permanent, variable, self.0.reach(place));
+                *last = spans.ok().map(|spans| (key, spans));
             }
-            push(last.as_ref().map(|(_, spans)| spans.as_slice()), pieces);
+            match last {
+                Some((_, Some(spans))) => push(spans, pieces),
+                Some((_, None)) => return false,
+                None => nothing(pieces),
+            }
+            true
         });
+        if !known {
+            self.scan(place, values, pieces);
+        }
     }
 }
 
-fn push(spans: Option<&[DepartureSpan]>, pieces: &mut Pieces) {
-    match spans {
-        Some(spans) => {
-            spans.iter().for_each(|span| pieces.push(span.from, span.to, outcome(of_rigid(span.departure))))
-        }
-        None => pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY),
-    }
+fn push(spans: &[DepartureSpan], pieces: &mut Pieces) {
+    spans.iter().for_each(|span| pieces.push(span.from, span.to, outcome(span.departure)));
+}
+
+fn nothing(pieces: &mut Pieces) {
+    pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY);
 }
 
 impl Outcomes for Departures<'_> {
@@ -98,16 +93,12 @@ impl Outcomes for Departures<'_> {
 
     fn along(&self, values: &[f64], pieces: &mut Pieces) {
         let mut values = values.to_vec();
-        let nothing = |pieces: &mut Pieces| pieces.push(f64::NEG_INFINITY, f64::INFINITY, NOT_A_BODY);
         match self.0.line {
             Line::Friction(place) => {
                 values[place] = 1.0;
                 let Some(mechanics) = self.0.departing(&values) else { return nothing(pieces) };
                 pieces.branch(u64::from(mechanics.formulas));
-                match mechanics.base {
-                    Base::Rigid => self.along_friction(&mechanics, pieces),
-                    _ => self.along_friction_on(place, &mechanics, values, pieces),
-                }
+                self.along_friction(place, &mechanics, values, pieces);
             }
             Line::Load(place) => {
                 values[place] = 0.0;
@@ -121,8 +112,10 @@ impl Outcomes for Departures<'_> {
                     return self.scan(place, values, pieces);
                 }
                 let slope = with.variable + without.variable * -1.0;
-                let spans = by_share(&with.block, &with.permanent, &without.variable, &slope);
-                push(spans.ok().as_deref(), pieces);
+                match by_share(&with.block, &with.permanent, &without.variable, &slope) {
+                    Ok(spans) => push(&spans, pieces),
+                    Err(_) => nothing(pieces),
+                }
             }
             Line::Scan(place) => self.scan(place, values, pieces),
         }

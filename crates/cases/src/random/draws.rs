@@ -161,8 +161,8 @@ impl Happening {
     /// The mode, where it is one.
     pub fn mode(self) -> Option<Mode> {
         match self {
-            Happening::Mode(mode) => Some(mode),
-            Happening::BearingFailure | Happening::NoMode | Happening::NotABody => None,
+            Happening::Decided(verdict) => verdict.mode(),
+            Happening::NoMode | Happening::NotABody => None,
         }
     }
 }

@@ -1,12 +1,12 @@
 //! The contact problem that drawn values make, with what each bias is on kept apart.
 
 use standfast::contact::Block;
-use standfast::ground::GroundDeparture;
+use standfast::ground::Base;
 use standfast::loads::{Earthquake, LoadSource};
 use standfast::wave::{Goda, Heights, goda};
-use standfast::{InputError, Situation, Wrench};
+use standfast::{Departure, InputError, Situation, Wrench};
 
-use super::base::Base;
+use super::base;
 use super::outcome::LIFTED;
 use super::quantity::Bias;
 use crate::case::{Acting, Case, Foundation, Waves};
@@ -34,11 +34,11 @@ impl Mechanics {
     /// What comes of all loads, a bit for each outcome.
     pub(super) fn outcomes(&self) -> u64 {
         let wrench = self.wrench();
-        u64::from(wrench.p <= 0.0) << LIFTED | self.base.outcomes(&self.block, &wrench)
+        u64::from(wrench.p <= 0.0) << LIFTED | base::outcomes(&self.base, &self.block, &wrench)
     }
 
     /// Where it leaves rest as the variable loads rise; none where the numbers do not go together.
-    pub(super) fn departure(&self) -> Option<GroundDeparture> {
+    pub(super) fn departure(&self) -> Option<Departure> {
         self.base.departure(&self.block, &self.permanent, &self.variable).ok()
     }
 }
@@ -67,7 +67,7 @@ impl Components {
         let nothing = Wrench::ZERO;
         let mut all = Components {
             block: situation.reduced_block().0,
-            base: Base::under(situation, foundation)?,
+            base: base::under(situation, foundation)?,
             formulas,
             thrust: nothing,
             uplift: nothing,

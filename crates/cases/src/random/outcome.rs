@@ -1,13 +1,12 @@
 //! What may come of a draw, by number, a bit for each: the modes by their codes, and what else there is.
 
-use standfast::ground::GroundVerdict;
-use standfast::{Mode, Modes};
+use standfast::{Mode, Modes, Verdict};
 use standfast_probability::problem::Pieces;
 
 /// The body stays at rest.
 pub(super) const REST: usize = Mode::Rest as usize;
 /// The ground fails.
-pub(super) const BEARING_FAILURE: usize = GroundVerdict::BEARING_FAILURE_CODE as usize;
+pub(super) const BEARING_FAILURE: usize = Verdict::BEARING_FAILURE_CODE as usize;
 /// The outcomes behind those of the modes, which have their codes: more than one mode is consistent.
 pub(super) const NOT_UNIQUE: usize = 16;
 /// Nothing presses the body on its base.
@@ -34,12 +33,12 @@ pub(super) fn not_rest() -> u64 {
 }
 
 /// A verdict's outcome.
-pub(super) fn of_verdict(verdict: Option<GroundVerdict>) -> usize {
+pub(super) fn of_verdict(verdict: Option<Verdict>) -> usize {
     verdict.map_or(NO_MODE, |verdict| usize::from(verdict.code()))
 }
 
 /// A verdict's outcome, and whether its mode is the only one.
-pub(super) fn of_modes(verdict: Option<GroundVerdict>, modes: Modes) -> u64 {
+pub(super) fn of_modes(verdict: Option<Verdict>, modes: Modes) -> u64 {
     1 << of_verdict(verdict) | u64::from(modes.len() > 1) << NOT_UNIQUE
 }
 

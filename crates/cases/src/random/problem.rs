@@ -10,7 +10,6 @@ use standfast::{Point, Wrench};
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::Inputs as Laws;
 
-use super::base::Base;
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, Coordinate, Input, Quantity};
@@ -23,6 +22,7 @@ use crate::inputs::Inputs;
 use crate::key::Key;
 use crate::layout::digits;
 use crate::parse::CaseFile;
+use standfast::ground::Base;
 
 /// A case, its random numbers, and the loads that act.
 #[derive(Debug, Clone)]

@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use standfast::Mode;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::answer::{Chances, FirstDeparture, Happening, Method, Probability, RandomNumber};
@@ -226,7 +225,7 @@ impl Probability {
             let _ = writeln!(text, "\nAt least once in {} years", digits(life.years));
             // Rest is what a life begins with.
             let moved: Vec<_> =
-                life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::Mode(Mode::Rest)).collect();
+                life.modes.iter().copied().filter(|(mode, _)| *mode != Happening::REST).collect();
             text += &modes_table(life.method, &moved, life.not_rest, self.floor());
             if !life.precise {
                 text += &self.imprecise();

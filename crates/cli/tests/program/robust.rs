@@ -61,6 +61,7 @@ proptest! {
         let case = CaseFile::parse("case.toml", &text).and_then(|file| file.case());
         let reduced = case.ok().and_then(|case| case.situation(Acting::Alone(0), None).ok()?.in_air());
         if let Some(reduced) = reduced {
+            let reduced = point::PlacedPoint::new(reduced, 0.0).unwrap();
             assert!(!point::text(&reduced, true).is_empty());
             assert!(!point::json(&reduced).is_empty());
         }

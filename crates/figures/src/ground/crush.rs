@@ -1,10 +1,9 @@
 //! The plane of a base that crushes.
 
-use standfast::Modes;
-use standfast::ground::GroundVerdict;
 use standfast::ground::strength::{CrushChart, CrushEdge, CrushMap, CrushPoint, CrushStrip, RockEdgePoint};
 use standfast::initiation::PointName;
 use standfast::region::{Curve, Strip};
+use standfast::{Modes, Verdict};
 
 use super::shape::{Shape, shown, through, traced};
 use crate::outlines::{Mark, OutlinedLine, Polyline, Tick};
@@ -16,7 +15,7 @@ pub(super) fn shape(map: &CrushMap, view: &View) -> Shape {
     let curve = rock_curve(map, view);
     let areas = map.regions().iter().map(|region| {
         let strips = region.strips.iter().flat_map(|strip| straightened(strip, &curve, view));
-        (GroundVerdict::Begins(region.mode), strips.collect())
+        (Verdict::Begins(region.mode), strips.collect())
     });
     let at = |name: PointName| chart.point(name);
     let inside = |k: f64, mu: f64| view.shows(k, mu);

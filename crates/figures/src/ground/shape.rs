@@ -1,6 +1,6 @@
 //! What a plane on ground that gives way shows in a window: curves as lines between points that lie on them to the last digit.
 
-use standfast::ground::GroundVerdict;
+use standfast::Verdict;
 use standfast::region::{Curve, Strip};
 
 use crate::outlines::{Mark, OutlinedLine, Polyline, Tick};
@@ -9,7 +9,7 @@ use crate::plot::View;
 /// Regions, lines and named points.
 pub(super) struct Shape {
     /// Where each verdict holds, between straight lines.
-    pub areas: Vec<(GroundVerdict, Vec<Strip>)>,
+    pub areas: Vec<(Verdict, Vec<Strip>)>,
     /// The boundaries, and dashed lines that bound nothing.
     pub lines: Vec<OutlinedLine>,
     pub points: Vec<Mark>,

@@ -1,9 +1,8 @@
 //! The plane of ground that fails: a corner of rest, a tongue of sliding, and bearing failure.
 
-use standfast::Mode;
-use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::BearingPlane;
 use standfast::region::{Curve, Strip};
+use standfast::{Mode, Verdict};
 
 use super::crush::straight;
 use super::shape::{Shape, chained, rest_of, shown, strips_of, traced};
@@ -28,9 +27,9 @@ pub(super) fn shape(plane: &BearingPlane, view: &View) -> Shape {
     let slide = chained(strips_of(&polygon, view), view);
     let fails = chained(rest_of(&[&rest, &slide]), view);
     let areas = [
-        (GroundVerdict::Begins(Mode::Rest), rest),
-        (GroundVerdict::Begins(Mode::SlideLeft), slide),
-        (GroundVerdict::BearingFailure, fails),
+        (Verdict::Begins(Mode::Rest), rest),
+        (Verdict::Begins(Mode::SlideLeft), slide),
+        (Verdict::BearingFailure, fails),
     ];
 
     let mut lines = Vec::new();

@@ -1,26 +1,24 @@
 //! The plane of load factor and friction where the base gives way: its bands as strips between points of its boundaries.
 
+use standfast::Verdict;
 use standfast::ground::load_plane::{GroundLoadPlane, LoadBand, LoadEdge};
-use standfast::ground::{GroundStage, GroundVerdict};
 use standfast::region::{Curve, Strip};
 
-use super::{Plan, Shaded, corners, shaded};
-use crate::GroundLoadMap;
+use super::Shaded;
 use crate::ground::shape::{through, traced};
 use crate::outlines::Polyline;
 use crate::plot::View;
 
-/// What is drawn of a base that gives way.
-pub(super) fn plan<'a>(given: &GroundLoadMap<'a>) -> Plan<'a> {
-    let up_to = end(given.plane);
-    let view = view(given);
+/// The regions of a base that gives way.
+pub(super) fn regions(plane: &GroundLoadPlane, friction: f64) -> Vec<Shaded> {
+    let view = view(plane, friction);
     let mut regions: Vec<Shaded> = Vec::new();
-    for band in given.plane.bands() {
-        let stops = stops(given.plane, band, &view);
+    for band in plane.bands() {
+        let stops = stops(plane, band, &view);
         for cell in &band.cells {
             let Some(verdict) = cell.verdict else { continue };
             let [lower, upper] =
-                [cell.lower, cell.upper].map(|edge| Some(along(given.plane, edge?, &stops, &view)));
+                [cell.lower, cell.upper].map(|edge| Some(along(plane, edge?, &stops, &view)));
             let strips = (1..stops.len()).map(|i| {
                 let line = |points: &Polyline| through(points[i - 1], points[i]);
                 let lower = lower.as_ref().map_or(Curve::AXIS, line);
@@ -29,39 +27,25 @@ pub(super) fn plan<'a>(given: &GroundLoadMap<'a>) -> Plan<'a> {
             attach(&mut regions, verdict, strips.collect(), &view);
         }
     }
-    let rigid = shaded(given.rigid);
-    let tops = tops(given.plane).into_iter();
-    let behind = rigid.iter().flat_map(|region| corners(&region.strips, up_to));
-    Plan {
-        corners: tops.chain(behind).collect(),
-        regions,
-        rigid,
-        up_to,
-        friction: given.friction,
-        stages: given.stages.iter().map(|stage| GroundStage { ..*stage }).collect(),
-        title: given.title,
-    }
+    regions
 }
 
 /// The boundaries between different verdicts, through points of their curves.
-pub(super) fn lines(given: &GroundLoadMap) -> Vec<(LoadEdge, Polyline)> {
-    let view = view(given);
+pub(super) fn lines(plane: &GroundLoadPlane, friction: f64) -> Vec<(LoadEdge, Polyline)> {
+    let view = view(plane, friction);
     let mut lines = Vec::new();
-    for band in given.plane.bands() {
-        let stops = stops(given.plane, band, &view);
+    for band in plane.bands() {
+        let stops = stops(plane, band, &view);
         let edges = band.cells.iter().filter_map(|cell| cell.upper);
-        lines.extend(edges.map(|edge| (edge, along(given.plane, edge, &stops, &view))));
+        lines.extend(edges.map(|edge| (edge, along(plane, edge, &stops, &view))));
     }
     lines
 }
 
-fn end(plane: &GroundLoadPlane) -> f64 {
-    plane.bands().last().map_or(1.0, |band| band.to)
-}
-
 /// How close the curves are to be followed: as this part of the plane asks for.
-fn view(given: &GroundLoadMap) -> View {
-    View::from_origin(end(given.plane), (2.5 * given.friction).max(1.2))
+fn view(plane: &GroundLoadPlane, friction: f64) -> View {
+    let end = plane.bands().last().map_or(1.0, |band| band.to);
+    View::from_origin(end, (2.5 * friction).max(1.2))
 }
 
 /// Where the boundaries of a band have points: all of them at the same load factors, so that neighbours share their lines.
@@ -91,7 +75,7 @@ fn along(plane: &GroundLoadPlane, edge: LoadEdge, stops: &[f64], view: &View) ->
 }
 
 /// Adds strips to the region of a verdict that ends where they begin and touches them there, or begins a region.
-fn attach(regions: &mut Vec<Shaded>, verdict: GroundVerdict, strips: Vec<Strip>, view: &View) {
+fn attach(regions: &mut Vec<Shaded>, verdict: Verdict, strips: Vec<Strip>, view: &View) {
     let Some(first) = strips.first().copied() else { return };
     let span = |strip: &Strip| {
         let upper = strip.upper.map_or(f64::INFINITY, |upper| upper.at(first.from));
@@ -112,7 +96,7 @@ fn attach(regions: &mut Vec<Shaded>, verdict: GroundVerdict, strips: Vec<Strip>,
 }
 
 /// The μ at which a boundary begins or ends inside of the plane.
-fn tops(plane: &GroundLoadPlane) -> Vec<f64> {
+pub(super) fn tops(plane: &GroundLoadPlane) -> Vec<f64> {
     let edges = |band: &LoadBand| band.cells.iter().filter_map(|cell| cell.upper).collect::<Vec<_>>();
     let mut found = Vec::new();
     for pair in plane.bands().windows(2) {

@@ -4,10 +4,9 @@
 use standfast::ground::bearing::{self, Ground, GroundLaw};
 use standfast::ground::load_plane::{GroundLoadPlane, LoadEdge};
 use standfast::ground::strength::{self, CrushChart};
-use standfast::ground::{GroundStage, GroundVerdict};
 use standfast::loads::{Action, AddedMass, Load, LoadKind, LoadSource, Pose};
-use standfast::{Body, Corner, Mode, Situation, Wrench};
-use standfast_figures::{GroundLoadMap, ground_load_lines, ground_load_plane};
+use standfast::{Body, Corner, Mode, Situation, Stage, Verdict, Wrench};
+use standfast_figures::{LoadPlane, load_lines, load_plane};
 
 const UP_TO: f64 = 2.0;
 
@@ -55,7 +54,14 @@ fn soils() -> [Ground; 3] {
 fn lines(plane: &GroundLoadPlane, situation: &Situation) -> Vec<(LoadEdge, Vec<(f64, f64)>)> {
     let rigid = situation.plane(UP_TO).expect("a plane");
     let friction = situation.static_friction();
-    ground_load_lines(&GroundLoadMap { plane, rigid: &rigid, friction, stages: &[], title: "" })
+    load_lines(&LoadPlane {
+        regions: &rigid,
+        base: Some(plane),
+        up_to: UP_TO,
+        friction,
+        stages: &[],
+        title: "",
+    })
 }
 
 /// Lengths in m, forces in N: the edge's distance, d, ρ², m_x, P, X and M of a body under a load factor.
@@ -191,7 +197,7 @@ fn every_vertex_on_ground_that_fails_solves_its_law() {
 }
 
 /// Verdict of the bands at a point, and the point's distance from a boundary or an end.
-fn said(plane: &GroundLoadPlane, factor: f64, mu: f64) -> Option<(Option<GroundVerdict>, f64)> {
+fn said(plane: &GroundLoadPlane, factor: f64, mu: f64) -> Option<(Option<Verdict>, f64)> {
     let band = plane.bands().iter().find(|band| band.from <= factor && factor < band.to)?;
     let ends = (factor - band.from).min(band.to - factor);
     band.cells.iter().find_map(|cell| {
@@ -205,7 +211,7 @@ fn said(plane: &GroundLoadPlane, factor: f64, mu: f64) -> Option<(Option<GroundV
 /// Each point of the plane is decided anew: as the full load of a situation with that friction and the loads times λ.
 #[test]
 fn bands_are_those_of_the_decision() {
-    let mut seen: Vec<GroundVerdict> = Vec::new();
+    let mut seen: Vec<Verdict> = Vec::new();
     for which in 0..SITUATIONS {
         let loaded = |friction: f64, factor: f64| {
             let given = situation(which, friction);
@@ -217,7 +223,7 @@ fn bands_are_those_of_the_decision() {
             bare.with_all(loads.map(times).collect::<Vec<_>>())
         };
         let mut check =
-            |plane: &GroundLoadPlane, of: &str, decided: &dyn Fn(&Situation) -> Option<GroundVerdict>| {
+            |plane: &GroundLoadPlane, of: &str, decided: &dyn Fn(&Situation) -> Option<Verdict>| {
                 for i in 0..16 {
                     for j in 0..12 {
                         let (factor, mu) =
@@ -235,12 +241,14 @@ fn bands_are_those_of_the_decision() {
         let given = situation(which, 0.6);
         for q in STRENGTHS {
             let plane = GroundLoadPlane::crushing(&given, q, UP_TO).expect("a plane");
-            check(&plane, &format!("q = {q}"), &|at| strength::outcome(at, q).expect("an outcome").verdict);
+            check(&plane, &format!("q = {q}"), &|at| {
+                strength::outcome(at, q).expect("an outcome").outcome.full.verdict
+            });
         }
         for soil in soils() {
             let plane = GroundLoadPlane::failing(&given, soil, UP_TO).expect("a plane");
             check(&plane, soil.law_name(), &|at| {
-                bearing::outcome(at, &at.outcome().expect("an outcome"), soil).expect("an outcome").verdict
+                bearing::outcome(at, soil).expect("an outcome").outcome.full.verdict
             });
         }
     }
@@ -248,9 +256,9 @@ fn bands_are_those_of_the_decision() {
     for mode in
         [Mode::Rest, Mode::SlideLeft, Mode::SlideRight, Mode::RockO, Mode::SlideRockOLeft, Mode::Flight]
     {
-        assert!(seen.contains(&GroundVerdict::Begins(mode)), "{mode}: {seen:?}");
+        assert!(seen.contains(&Verdict::Begins(mode)), "{mode}: {seen:?}");
     }
-    assert!(seen.contains(&GroundVerdict::BearingFailure));
+    assert!(seen.contains(&Verdict::BearingFailure));
 }
 
 /// Under a lone force λ is k: the curve of rock and slide-rock is the k–μ plane's, from another formula.
@@ -295,7 +303,7 @@ fn a_strong_base_is_rigid() {
                 let mode = rigid.iter().find(|region| region.contains(factor, mu)).map(|region| region.mode);
                 let (found, near) = said(&plane, factor, mu).expect("bands fill the plane");
                 assert!(
-                    found.and_then(GroundVerdict::mode) == mode || near < 1e-6,
+                    found.and_then(Verdict::mode) == mode || near < 1e-6,
                     "{which}: {factor}, {mu}: {found:?} {mode:?}"
                 );
             }
@@ -308,10 +316,11 @@ fn the_drawing_is_tidy_and_says_what_it_shows() {
     for which in 0..SITUATIONS {
         let situation = situation(which, 0.6);
         let rigid = situation.plane(UP_TO).expect("a plane");
-        let draw = |plane: &GroundLoadPlane, stages: &[GroundStage]| {
-            let figure = ground_load_plane(&GroundLoadMap {
-                plane,
-                rigid: &rigid,
+        let draw = |plane: &GroundLoadPlane, stages: &[Stage]| {
+            let figure = load_plane(&LoadPlane {
+                regions: &rigid,
+                base: Some(plane),
+                up_to: UP_TO,
                 friction: 0.6,
                 stages,
                 title: "Body",
@@ -321,12 +330,11 @@ fn the_drawing_is_tidy_and_says_what_it_shows() {
             figure
         };
         for q in STRENGTHS {
-            let stages = strength::outcome(&situation, q).expect("an outcome").path;
+            let stages = strength::outcome(&situation, q).expect("an outcome").outcome.path;
             draw(&GroundLoadPlane::crushing(&situation, q, UP_TO).expect("a plane"), &stages);
         }
         for soil in soils() {
-            let on = bearing::outcome(&situation, &situation.outcome().expect("an outcome"), soil);
-            let stages = on.expect("an outcome").path;
+            let stages = bearing::outcome(&situation, soil).expect("an outcome").outcome.path;
             let figure = draw(&GroundLoadPlane::failing(&situation, soil, UP_TO).expect("a plane"), &stages);
             assert!(figure.svg().contains("stands on ground that fails"), "{which}");
         }

@@ -1,7 +1,7 @@
 //! Loads that act, and accelerations of the base that were tried.
 
 use maud::{Markup, html};
-use standfast::ground::GroundVerdict;
+use standfast::Verdict;
 use standfast::loads::Earthquake;
 use standfast_cases::assess::verdict;
 use standfast_cases::{Acting, Assessed, Assessment};
@@ -61,7 +61,7 @@ pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Asses
                     @let outcome = &tried.outcome;
                     tr {
                         (accelerations(earthquake))
-                        td { (tried.verdict().map_or("none", GroundVerdict::symbol)) }
+                        td { (tried.verdict().map_or("none", Verdict::symbol)) }
                         @for factor in [outcome.stability.sliding, outcome.stability.overturning()] {
                             td.n { @if outcome.full.is_lifted() { "none" } @else { (Measured::of(factor, NONE).html("")) } }
                         }

@@ -1,8 +1,7 @@
 //! The way to the full load.
 
 use maud::html;
-use standfast::Wrench;
-use standfast::ground::{GroundDeparture, GroundVerdict};
+use standfast::{Departure, Verdict, Wrench};
 use standfast_cases::assess::{Component, verdict};
 use standfast_cases::{Assessed, View};
 
@@ -22,7 +21,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Compon
                         tr {
                             td.n { data value=(stage.from) { (number(stage.from)) } }
                             td.n { data value=(stage.to) { (number(stage.to)) } }
-                            td { (stage.verdict.map_or("none", GroundVerdict::symbol)) }
+                            td { (stage.verdict.map_or("none", Verdict::symbol)) }
                             td { (stage.others()) }
                         }
                     }
@@ -34,7 +33,7 @@ pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Compon
         // Backticks would begin a formula.
         steps.note(&sentence.replace('`', "'"));
     }
-    if let GroundDeparture::At { factor, .. } = assessed.departure() {
+    if let Departure::At { factor, .. } = assessed.departure() {
         departure(steps, assessed, components, factor);
     }
 }

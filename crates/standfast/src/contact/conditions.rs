@@ -58,7 +58,7 @@ const ROCK: usize = 4;
 const SLIDE_ROCK: usize = 4;
 pub(crate) const COUNT: usize = REST + SLIDES + 2 * CORNER + 3;
 
-/// The quantities, in the order that [`Verdict::of`] reads them.
+/// The quantities, in the order that [`Choice::of`] reads them.
 pub(crate) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers;
     let mul = |a: &T, b: &T| a.clone() * b.clone();
@@ -123,23 +123,23 @@ impl<T> Listed<T> {
 }
 
 /// The consistent modes and the one reported.
-pub(crate) struct Verdict {
+pub(crate) struct Choice {
     pub(crate) modes: Modes,
     pub(crate) mode: Option<Mode>,
 }
 
-impl Verdict {
+impl Choice {
     /// Reads the signs of the [`conditions`]; `None` if one is unknown.
-    pub(super) fn of<T: Signed>(conditions: [T; COUNT]) -> Option<Verdict> {
+    pub(super) fn of<T: Signed>(conditions: [T; COUNT]) -> Option<Choice> {
         let mut signs = [Equal; COUNT];
         for (sign, condition) in signs.iter_mut().zip(conditions) {
             *sign = condition.sign()?;
         }
-        Some(Verdict::of_signs(&signs))
+        Some(Choice::of_signs(&signs))
     }
 
     /// Reads the signs in their order.
-    pub(crate) fn of_signs(signs: &[Ordering; COUNT]) -> Verdict {
+    pub(crate) fn of_signs(signs: &[Ordering; COUNT]) -> Choice {
         let (rest_signs, signs) = signs.split_at(REST);
         let (slide_signs, signs) = signs.split_at(SLIDES);
         let (corner_signs, signs) = signs.split_at(2 * CORNER);
@@ -195,7 +195,7 @@ impl Verdict {
         let groups = [rest, slides, regular, rocks, painlevé, flight];
         let modes: Modes = groups.iter().flat_map(|group| group.iter()).collect();
         let mode = groups.iter().find_map(|group| group.iter().next());
-        Verdict { modes, mode }
+        Choice { modes, mode }
     }
 }
 

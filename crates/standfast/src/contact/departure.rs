@@ -11,28 +11,11 @@
 use super::conditions::{COUNT, conditions};
 use super::path::{departure, just_beyond};
 use super::{Block, check, numbers, with_friction};
+use crate::departure::{Departure, DepartureSpan};
 use crate::error::InputError;
 use crate::mode::{Mode, Slip};
-use crate::situation::Departure;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
-
-/// Values with the same kind of departure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DepartureSpan {
-    /// The value at which it begins.
-    pub from: f64,
-    /// The value at which it ends; infinite for the last.
-    pub to: f64,
-    /// The departure at one value inside; load factors differ along the span.
-    pub departure: Departure,
-}
-
-impl DepartureSpan {
-    fn is_like(&self, other: &Departure) -> bool {
-        std::mem::discriminant(&self.departure) == std::mem::discriminant(other)
-            && self.departure.mode() == other.mode()
-    }
-}
 
 /// How many conditions are those of rest: pulled to the left and to the right, and the reaction on the base.
 const REST: usize = 4;
@@ -40,9 +23,6 @@ const REST: usize = 4;
 const ON_BASE: [usize; 2] = [2, 3];
 /// Beyond this no value is asked for: a condition whose share in it is all rounding crosses there.
 const LARGEST: f64 = 1e9;
-/// Relative distance of two values that are one.
-const ONE: f64 = 1e-12;
-
 /// The departures for frictions from zero without end. The block's own μ_s and μ_k say by their ratio alone how slip follows stick.
 ///
 /// # Errors
@@ -78,7 +58,7 @@ pub fn by_friction(
             let mut found = Vec::new();
             if at_rest > 0.0 {
                 let below = frictions(block, permanent).filter(|μ| *μ > 0.0 && *μ < at_rest);
-                found = spans(0.0, below.chain([at_rest]).collect(), decide)?;
+                found = DepartureSpan::between(0.0, below.chain([at_rest]).collect(), f64::INFINITY, decide)?;
                 // What is beyond is told in what follows.
                 found.pop();
             }
@@ -86,12 +66,12 @@ pub fn by_friction(
             let μ = 0.5 * (at_rest + sliding);
             let pulled = |wrench: &Wrench| slip.sign() * wrench.x - μ * wrench.p;
             let factor = -pulled(permanent) / pulled(variable);
-            let departure = Departure::At { factor, mode: Some(Mode::slide(slip)) };
+            let departure = Departure::At { factor, verdict: Some(Verdict::Begins(Mode::slide(slip))) };
             found.push(DepartureSpan { from: at_rest, to: sliding, departure });
-            found.extend(spans(sliding, parting, |μ| match there {
+            found.extend(DepartureSpan::between(sliding, parting, f64::INFINITY, |μ| match there {
                 Some(_) => {
-                    let mode = just_beyond(&with_friction(block, μ), permanent, variable, turning)?;
-                    Ok(Departure::At { factor: turning, mode })
+                    let verdict = just_beyond(&with_friction(block, μ), permanent, variable, turning)?;
+                    Ok(Departure::At { factor: turning, verdict })
                 }
                 None => Ok(Departure::Never),
             })?);
@@ -110,7 +90,7 @@ pub fn by_friction(
         parting.extend(along_sliding(block, permanent, variable));
     }
     parting.retain(|μ| *μ > 0.0 && *μ < LARGEST);
-    spans(0.0, parting, decide)
+    DepartureSpan::between(0.0, parting, f64::INFINITY, decide)
 }
 
 /// The departures for all values of a number b of which the variable load is `without` + b `with`.
@@ -146,7 +126,8 @@ pub fn by_share(
         }
     }
     parting.retain(|b| b.abs() < LARGEST);
-    spans(f64::NEG_INFINITY, parting, |b| departure(block, permanent, &(*without + *with * b)))
+    let decide = |b: f64| departure(block, permanent, &(*without + *with * b));
+    DepartureSpan::between(f64::NEG_INFINITY, parting, f64::INFINITY, decide)
 }
 
 /// The frictions at which a condition changes its sign under a wrench.
@@ -182,32 +163,4 @@ fn along_sliding(block: &Block, permanent: &Wrench, variable: &Wrench) -> Vec<f6
         }
     }
     found
-}
-
-/// The departures between the values that may part them.
-fn spans(
-    first: f64,
-    mut parting: Vec<f64>,
-    departure: impl Fn(f64) -> Result<Departure, InputError>,
-) -> Result<Vec<DepartureSpan>, InputError> {
-    parting.sort_by(f64::total_cmp);
-    parting.dedup_by(|later, earlier| *later - *earlier <= ONE * later.abs());
-    let mut spans: Vec<DepartureSpan> = Vec::new();
-    let mut from = first;
-    for to in parting.into_iter().chain([f64::INFINITY]) {
-        // Beyond the last value, and below the first, any will do.
-        let inside = match (from.is_finite(), to.is_finite()) {
-            (true, true) => from + (to - from) / 2.0,
-            (true, false) => from + from.abs() + 1.0,
-            (false, true) => to - to.abs() - 1.0,
-            (false, false) => 1.0,
-        };
-        let departure = departure(inside)?;
-        match spans.last_mut() {
-            Some(last) if last.is_like(&departure) => last.to = to,
-            _ => spans.push(DepartureSpan { from, to, departure }),
-        }
-        from = to;
-    }
-    Ok(spans)
 }

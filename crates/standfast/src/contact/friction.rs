@@ -12,27 +12,12 @@
 
 use std::cmp::Ordering;
 
-use super::conditions::{COUNT, Verdict, conditions};
+use super::conditions::{self, COUNT, conditions};
 use super::{Block, check, numbers, solve, with_friction};
 use crate::error::InputError;
-use crate::mode::{Mode, Modes};
+use crate::span::Span;
+use crate::verdict::{Decision, Verdict};
 use crate::wrench::Wrench;
-
-/// Frictions with the same modes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
-    /// The friction μ_s at which it begins; 0 for the first.
-    pub from: f64,
-    /// The friction at which it ends; infinite for the last.
-    pub to: f64,
-    /// The mode reported.
-    pub mode: Option<Mode>,
-    /// All consistent modes.
-    pub modes: Modes,
-    /// Which condition changes its sign at `from`, by its number; 0 for the first span. As long as modes and numbers stay the
-    /// same, the ends of the spans are smooth functions of block and wrench.
-    pub condition: usize,
-}
 
 /// The spans of friction from zero without end. The block's own μ_s and μ_k say by their ratio alone how slip follows stick.
 ///
@@ -43,7 +28,7 @@ pub struct Span {
 /// // γ = 0.8, k' = 0.9, k = 0.45: slides below μ = k, rests above.
 /// let wrench = Wrench { x: -0.45, p: 1.0, m: 0.45 * 0.9 * 0.8 };
 /// let spans = friction::spans(&Block::uniform(0.8, 1.0), &wrench)?;
-/// let ends: Vec<_> = spans.iter().map(|span| (span.mode.unwrap().to_string(), span.to)).collect();
+/// let ends: Vec<_> = spans.iter().map(|span| (span.mode().unwrap().to_string(), span.to)).collect();
 /// assert_eq!(ends, [("SL".to_string(), 0.45), ("RE".to_string(), f64::INFINITY)]);
 /// # Ok::<(), standfast::InputError>(())
 /// ```
@@ -74,33 +59,20 @@ pub fn spans_up_to(block: &Block, wrench: &Wrench, up_to: f64) -> Result<Vec<Spa
         earlier.1 = if same { earlier.1.min(later.1) } else { earlier.1 };
         same
     });
-    let mut spans: Vec<Span> = Vec::new();
-    let mut begin = (0.0, 0);
-    for next in crossings.into_iter().map(Some).chain([None]) {
-        let (from, condition) = begin;
-        let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
-        // Beyond the last crossing any friction will do that is still asked for.
-        let inside = match to.min(up_to) {
-            LARGEST => 2.0 * from + 1.0,
-            end => from + (end - from) / 2.0,
-        };
-        let (mode, modes) = match signs(&start, &end, inside) {
+    let up_to = if up_to < LARGEST { up_to } else { f64::INFINITY };
+    Span::between(crossings, up_to, |μ| {
+        let (mode, modes) = match signs(&start, &end, μ) {
             Some(signs) => {
-                let Verdict { mode, modes } = Verdict::of_signs(&signs);
+                let conditions::Choice { mode, modes } = conditions::Choice::of_signs(&signs);
                 (mode, modes)
             }
             None => {
-                let solution = solve(&with_friction(block, inside), wrench)?;
+                let solution = solve(&with_friction(block, μ), wrench)?;
                 (solution.mode(), solution.modes)
             }
         };
-        match spans.last_mut() {
-            Some(last) if (last.mode, last.modes) == (mode, modes) => last.to = to,
-            _ => spans.push(Span { from, to, mode, modes, condition }),
-        }
-        begin = next.unwrap_or(begin);
-    }
-    Ok(spans)
+        Ok(Decision { verdict: mode.map(Verdict::Begins), modes })
+    })
 }
 
 /// The signs of the conditions at a friction between crossings, by what they are at 0 and 1; none where rounding could tell

@@ -57,7 +57,7 @@ mod conditions;
 mod explain;
 
 use conditions::Rotation;
-pub(crate) use conditions::{Numbers, REST, Verdict, conditions};
+pub(crate) use conditions::{Choice, Numbers, REST, conditions};
 
 pub mod departure;
 pub mod friction;
@@ -167,8 +167,8 @@ impl Solution {
     }
 
     /// What was decided otherwise than by the numbers of `block` and `wrench`, which are those of its motions.
-    pub(crate) fn decided(block: &Block, wrench: &Wrench, verdict: Verdict) -> Solution {
-        Solution { modes: verdict.modes, mode: verdict.mode, block: *block, wrench: *wrench }
+    pub(crate) fn decided(block: &Block, wrench: &Wrench, choice: Choice) -> Solution {
+        Solution { modes: choice.modes, mode: choice.mode, block: *block, wrench: *wrench }
     }
 
     /// The motion of a consistent mode, in the units of the input; `None` for a mode that is not consistent.
@@ -200,8 +200,8 @@ impl Solution {
 pub fn solve(block: &Block, wrench: &Wrench) -> Result<Solution, InputError> {
     check(block, wrench)?;
     let numbers = numbers(block, wrench);
-    let verdict = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
-    Ok(Solution::decided(block, wrench, verdict))
+    let choice = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
+    Ok(Solution::decided(block, wrench, choice))
 }
 
 /// Refuses what no block and no wrench can be.
@@ -226,10 +226,10 @@ pub(crate) fn numbers(block: &Block, wrench: &Wrench) -> Numbers<f64> {
     [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m]
 }
 
-/// The verdict by tracked floating point, or by exact arithmetic where that cannot tell.
-pub(crate) fn decide(approx: impl Fn() -> Numbers<Approx>, exact: impl Fn() -> Numbers<Exact>) -> Verdict {
-    let verdict = Verdict::of(conditions(&approx())).or_else(|| Verdict::of(conditions(&exact())));
-    verdict.expect("exact signs are always known")
+/// The choice by tracked floating point, or by exact arithmetic where that cannot tell.
+pub(crate) fn decide(approx: impl Fn() -> Numbers<Approx>, exact: impl Fn() -> Numbers<Exact>) -> Choice {
+    let choice = Choice::of(conditions(&approx())).or_else(|| Choice::of(conditions(&exact())));
+    choice.expect("exact signs are always known")
 }
 
 /// α of a mode that turns about a corner, with its sign and digits right however much cancels.

@@ -6,31 +6,13 @@
 
 use super::conditions::{COUNT, conditions};
 use super::{Block, numbers, solve};
+use crate::departure::Departure;
 use crate::error::{InputError, LARGEST};
 use crate::mode::{Mode, Modes};
-use crate::situation::Departure;
+use crate::neighbour::Neighbour;
+use crate::stage::Stage;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
-
-/// A stretch of load factors with the same modes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Stage {
-    /// The load factor at which it begins.
-    pub from: f64,
-    /// The load factor at which it ends; infinite for the last.
-    pub to: f64,
-    /// The mode reported.
-    pub mode: Option<Mode>,
-    /// All consistent modes.
-    pub modes: Modes,
-}
-
-impl Stage {
-    /// The consistent modes beside the one reported.
-    pub fn others(&self) -> Modes {
-        self.modes.without(self.mode)
-    }
-}
 
 /// The stages of a load rising from zero without end, beside `permanent`; the last ends at infinity.
 ///
@@ -44,13 +26,9 @@ pub fn stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Ve
 pub(crate) fn merged(
     pieces: impl Iterator<Item = Result<Stage, InputError>>,
 ) -> Result<Vec<Stage>, InputError> {
-    let mut stages: Vec<Stage> = Vec::new();
-    for stage in pieces {
-        let stage = stage?;
-        match stages.last_mut() {
-            Some(last) if (last.mode, last.modes) == (stage.mode, stage.modes) => last.to = stage.to,
-            _ => stages.push(stage),
-        }
+    let mut stages = Vec::new();
+    for piece in pieces {
+        piece?.join(&mut stages);
     }
     Ok(stages)
 }
@@ -85,7 +63,7 @@ pub(crate) fn between(
             to => from + (to - from) / 2.0,
         };
         let (mode, modes) = decided(inside)?;
-        let stage = Stage { from, to, mode, modes };
+        let stage = Stage { from, to, verdict: mode.map(Verdict::Begins), modes };
         from = to;
         Ok(stage)
     })
@@ -96,34 +74,22 @@ pub(crate) fn between(
 /// # Errors
 /// As [`solve`].
 pub fn departure(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Departure, InputError> {
-    let begin = solve(block, permanent)?.mode();
-    let mut stages = pieces(block, permanent, variable);
-    let first = if begin == Some(Mode::Rest) {
-        stages.find(|stage| stage.as_ref().map_or(true, |stage| stage.mode != Some(Mode::Rest)))
-    } else {
-        stages.next()
-    };
-    Ok(Departure::of(begin, first.transpose()?.as_ref()))
+    let begin = solve(block, permanent)?.mode().map(Verdict::Begins);
+    Departure::along(begin, pieces(block, permanent, variable))
 }
 
-/// The mode just beyond a load factor.
+/// The verdict just beyond a load factor.
 pub(super) fn just_beyond(
     block: &Block,
     permanent: &Wrench,
     variable: &Wrench,
     factor: f64,
-) -> Result<Option<Mode>, InputError> {
+) -> Result<Option<Verdict>, InputError> {
     let next = crossings(block, permanent, variable)
         .filter(|λ| *λ - factor > 1e-12 * factor)
         .fold(f64::INFINITY, f64::min);
     let inside = if next.is_finite() { factor + (next - factor) / 2.0 } else { 2.0 * factor };
-    Ok(solve(block, &(*permanent + *variable * inside))?.mode())
-}
-
-/// The stages up to a load factor.
-pub fn up_to(stages: &[Stage], largest: f64) -> Vec<Stage> {
-    let within = stages.iter().filter(|stage| stage.from < largest);
-    within.map(|stage| Stage { to: stage.to.min(largest), ..*stage }).collect()
+    Ok(solve(block, &(*permanent + *variable * inside))?.mode().map(Verdict::Begins))
 }
 
 /// The load factors above zero at which a condition changes its sign. One so large that the load leaves the range of

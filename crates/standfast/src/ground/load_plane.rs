@@ -15,7 +15,6 @@
 //! contrary within 1/1000 of the range may be missed, and boundaries nearer to each other than 1e-9 of their μ are taken as one. This is a
 //! picture's precision, not that of a verdict.
 
-use super::GroundVerdict;
 use super::bearing::{FailingEdges, Ground};
 use super::strength::CrushEdges;
 use crate::contact::{self, Block};
@@ -24,6 +23,7 @@ use crate::loads::Pose;
 use crate::mode::{Corner, Mode, Slip};
 use crate::quantity::Quantity;
 use crate::situation::Situation;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 /// A boundary of the plane, as a function μ(λ); see the [module](self).
@@ -61,7 +61,7 @@ pub enum LoadEdge {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadCell {
     /// What begins; see [`CrushSolution::verdict`](super::strength::CrushSolution::verdict).
-    pub verdict: Option<GroundVerdict>,
+    pub verdict: Option<Verdict>,
     /// The boundary below; `None` for the axis, μ = 0.
     pub lower: Option<LoadEdge>,
     /// The boundary above; `None` if there is none.
@@ -171,7 +171,7 @@ impl GroundLoadPlane {
     ///
     /// # Errors
     /// If a number is out of range.
-    pub fn verdict(&self, factor: f64, friction: f64) -> Result<Option<GroundVerdict>, InputError> {
+    pub fn verdict(&self, factor: f64, friction: f64) -> Result<Option<Verdict>, InputError> {
         match &self.base {
             Base::Crushing(edges) => edges.verdict(factor, friction),
             Base::Failing(edges) => edges.verdict(factor, friction),

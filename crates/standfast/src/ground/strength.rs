@@ -72,17 +72,16 @@ mod turning;
 
 pub use chart::{CrushChart, CrushEdge, CrushMap, CrushRegion, CrushStrip, RockEdgePoint};
 pub use edges::reduced_strength;
-pub use friction::{departure, friction_spans};
-pub use path::{CrushStage, LoadRange, bearing_range, rest_range, stages};
+pub use friction::{departure, departure_spans, friction_spans};
+pub use path::{LoadRange, bearing_range, rest_range, stages};
 pub use point::CrushPoint;
 pub use situated::{CrushOutcome, outcome};
 pub use trace::CrushMargins;
 
 pub(super) use edges::CrushEdges;
 
-use self::conditions::{Found, enumerate};
+use self::conditions::enumerate;
 use self::turning::{Rate, Turn, orientation};
-use super::GroundVerdict;
 use crate::approx::Approx;
 use crate::contact::Block;
 use crate::error::InputError;
@@ -90,6 +89,7 @@ use crate::exact::{Exact, Real};
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::motion::Motion;
 use crate::quantity::Quantity;
+use crate::verdict::{Decision, Verdict};
 use crate::wrench::Wrench;
 
 /// What a problem is given by. q = `q[0]`/`q[1]`, so that a rigid base and ω are numbers too.
@@ -145,14 +145,14 @@ impl Given for Loaded {
 /// A part of the base, from the centre of mass to the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Span {
+pub struct Stretch {
     /// Its left end.
     pub from: f64,
     /// Its right end.
     pub to: f64,
 }
 
-impl Span {
+impl Stretch {
     /// How wide it is.
     pub fn width(&self) -> f64 {
         self.to - self.from
@@ -167,7 +167,7 @@ pub struct CrushMotion {
     pub motion: Motion,
     /// Where the base bears with its strength. Of a body that turns, its crushed part; of one that does not, the least part that
     /// carries the reaction, Meyerhof's effective width when no more than P/q is needed. Of no width on a rigid base.
-    pub pressed: Span,
+    pub pressed: Stretch,
     /// The neutral point about which the body turns, right of the centre of mass; `None` if it does not turn.
     pub neutral: Option<f64>,
 }
@@ -175,20 +175,20 @@ pub struct CrushMotion {
 impl CrushMotion {
     /// The motion in other units; see [`Motion::scaled`].
     pub fn scaled(&self, acceleration: f64, length: f64, force: f64) -> CrushMotion {
-        let Span { from, to } = self.pressed;
+        let Stretch { from, to } = self.pressed;
         CrushMotion {
             motion: self.motion.scaled(acceleration, length, force),
-            pressed: Span { from: from * length, to: to * length },
+            pressed: Stretch { from: from * length, to: to * length },
             neutral: self.neutral.map(|neutral| neutral * length),
         }
     }
 
     /// The motion seen in a mirror.
     pub fn mirrored(&self) -> CrushMotion {
-        let Span { from, to } = self.pressed;
+        let Stretch { from, to } = self.pressed;
         CrushMotion {
             motion: self.motion.mirrored(),
-            pressed: Span { from: 0.0 - to, to: 0.0 - from },
+            pressed: Stretch { from: 0.0 - to, to: 0.0 - from },
             neutral: self.neutral.map(|neutral| 0.0 - neutral),
         }
     }
@@ -199,14 +199,14 @@ impl CrushMotion {
 pub struct CrushSolution {
     /// Every consistent mode; none where the base cannot carry P.
     pub modes: Modes,
-    verdict: Option<GroundVerdict>,
+    verdict: Option<Verdict>,
     given: Loaded,
 }
 
 impl CrushSolution {
     /// What is reported; see the [module](self) for the order. For μ_s = μ_k and P > 0 there always is something; for μ_s > μ_k
     /// that is not proven, and `None` would say so.
-    pub fn verdict(&self) -> Option<GroundVerdict> {
+    pub fn verdict(&self) -> Option<Verdict> {
         self.verdict
     }
 
@@ -250,7 +250,7 @@ fn bound(z: f64, d: f64, gyration: f64, rigid: bool) -> f64 {
 pub fn solve(block: &Block, wrench: &Wrench, strength: f64) -> Result<CrushSolution, InputError> {
     check(block, wrench, strength)?;
     let given = Loaded { block: *block, wrench: *wrench, strength };
-    let Found { modes, verdict } = enumerate(&given);
+    let Decision { modes, verdict } = enumerate(&given);
     Ok(CrushSolution { modes, verdict, given })
 }
 
@@ -296,7 +296,7 @@ fn motion(given: &impl Given, mode: Mode) -> CrushMotion {
         lift_o: rise - n.b[0] * α,
         lift_o_prime: rise + n.b[1] * α,
     };
-    let pressed = Span { from: outer.min(inner), to: outer.max(inner) };
+    let pressed = Stretch { from: outer.min(inner), to: outer.max(inner) };
     CrushMotion { motion, pressed, neutral: Some(inner) }
 }
 
@@ -326,7 +326,7 @@ fn upright(n: &Numbers<f64>, mode: Mode, s: f64) -> CrushMotion {
         lift_o: y_ddot - n.b[0] * α,
         lift_o_prime: y_ddot + n.b[1] * α,
     };
-    CrushMotion { motion, pressed: Span { from: xi - half, to: xi + half }, neutral: None }
+    CrushMotion { motion, pressed: Stretch { from: xi - half, to: xi + half }, neutral: None }
 }
 
 /// The equation of a consistent turn and its root: that which friction does not stop, nearest to a = 0.

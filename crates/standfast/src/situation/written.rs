@@ -14,13 +14,14 @@ use std::cmp::Ordering;
 use crate::approx::{Approx, Signed};
 use crate::ball::{Ball, Scalar};
 use crate::body::Body;
-use crate::contact::path::{Stage, between, merged};
-use crate::contact::{self, Numbers, REST, Verdict, conditions};
+use crate::contact::path::{between, merged};
+use crate::contact::{self, Choice, Numbers, REST, conditions};
 use crate::error::{InputError, LARGEST};
 use crate::exact::{Exact, Real};
 use crate::mode::{Corner, Mode, Modes};
 use crate::relation::Relation;
 use crate::stability::{GrossOverturning, Margins, Stability};
+use crate::stage::Stage;
 use crate::wrench::Wrench;
 
 use super::Situation;
@@ -47,8 +48,8 @@ pub(super) struct Written {
 }
 
 /// What begins under written numbers.
-pub(super) struct WrittenVerdict {
-    pub(super) verdict: Verdict,
+pub(super) struct WrittenChoice {
+    pub(super) choice: Choice,
     pub(super) boundary: Option<Boundary>,
 }
 
@@ -79,20 +80,20 @@ impl Written {
     }
 
     /// What begins under a load factor.
-    pub(super) fn verdict(&self, factor: &Ball) -> WrittenVerdict {
+    pub(super) fn choice(&self, factor: &Ball) -> WrittenChoice {
         let wrench = self.wrench(factor);
         let conditions = conditions(&self.under(wrench.clone()));
         let signs = conditions.each_ref().map(Ball::sign);
         // What is not known is on its boundary.
-        let mut verdict = Verdict::of_signs(&signs.map(|sign| sign.unwrap_or(Ordering::Equal)));
+        let mut choice = Choice::of_signs(&signs.map(|sign| sign.unwrap_or(Ordering::Equal)));
         if signs.iter().any(Option::is_none) {
             let beside = self.beside(&wrench).flat_map(|modes| modes.iter().collect::<Vec<_>>());
-            verdict.modes = verdict.modes.iter().chain(beside).collect();
-            let boundary = (verdict.modes.len() > 1).then_some(Boundary::ToTheDigits);
-            return WrittenVerdict { verdict, boundary };
+            choice.modes = choice.modes.iter().chain(beside).collect();
+            let boundary = (choice.modes.len() > 1).then_some(Boundary::ToTheDigits);
+            return WrittenChoice { choice, boundary };
         }
-        let at_an_edge = signs[..REST].contains(&Some(Ordering::Equal)) && verdict.mode == Some(Mode::Rest);
-        WrittenVerdict { verdict, boundary: at_an_edge.then_some(Boundary::Exact) }
+        let at_an_edge = signs[..REST].contains(&Some(Ordering::Equal)) && choice.mode == Some(Mode::Rest);
+        WrittenChoice { choice, boundary: at_an_edge.then_some(Boundary::Exact) }
     }
 
     /// The modes of a push and a moment a little less and a little more, in f64: far enough away for it to tell.
@@ -120,7 +121,7 @@ impl Written {
             (factor.sign() == Some(Ordering::Greater) && end * largest < LARGEST / 4.0).then_some(end)
         });
         let decided = |factor| {
-            let Verdict { mode, modes } = self.verdict(&Ball::of(factor)).verdict;
+            let Choice { mode, modes } = self.choice(&Ball::of(factor)).choice;
             Ok((mode, modes))
         };
         merged(between(ends.collect(), decided))

@@ -1,9 +1,8 @@
 //! The conditions that decide what begins on a base that crushes or on ground that fails.
 
-use standfast::ground::GroundVerdict;
 use standfast::ground::bearing::GroundPath;
 use standfast::relation::{Relation, Sign};
-use standfast::{Corner, Mode, Motion, Slip};
+use standfast::{Corner, Mode, Motion, Slip, Verdict};
 
 use super::super::Assessed;
 use crate::case::Limit;
@@ -35,11 +34,11 @@ impl Assessed {
     }
 
     /// On a base of `strength` q_u.
-    fn crushing(&self, strength: f64, verdict: GroundVerdict) -> Vec<Relation> {
+    fn crushing(&self, strength: f64, verdict: Verdict) -> Vec<Relation> {
         use Sign::{Greater, GreaterOrEqual, Less, LessOrEqual};
         let body = self.situation.body();
         let omega = self.ground.as_ref().and_then(|ground| ground.omega).unwrap_or(0.0);
-        let GroundVerdict::Begins(mode) = verdict else {
+        let Verdict::Begins(mode) = verdict else {
             return vec![Relation { holds: false, ..holds("bearing", ("ω", omega), Less, ("1", 1.0)) }];
         };
         let Some(motion) = self.motion() else { return Vec::new() };
@@ -80,10 +79,10 @@ impl Assessed {
     }
 
     /// On ground that can fail: R ≥ P of the body that rests or slides.
-    fn failing(&self, path: &GroundPath, verdict: GroundVerdict) -> Vec<Relation> {
+    fn failing(&self, path: &GroundPath, verdict: Verdict) -> Vec<Relation> {
         let full = &self.outcome.full;
         let (x, p) = (full.wrench.x, full.wrench.p);
-        if verdict == GroundVerdict::Begins(Mode::Flight) {
+        if verdict == Verdict::Begins(Mode::Flight) {
             return full
                 .motion
                 .iter()
@@ -110,7 +109,7 @@ impl Assessed {
             Sign::GreaterOrEqual,
             ("1", 1.0),
         );
-        all.push(Relation { holds: verdict != GroundVerdict::BearingFailure, ..bears });
+        all.push(Relation { holds: verdict != Verdict::BearingFailure, ..bears });
         all
     }
 }

@@ -1,7 +1,7 @@
 //! Draws in the colours of their modes, with the modes behind them.
 
 use standfast::initiation::classify;
-use standfast::{Diagram, Mode};
+use standfast::{Diagram, Mode, Verdict};
 use standfast_figures::{
     ChanceCloud, CloudPanel, DiagramContent, Figure, SpectrumAxis, chance_cloud, diagram_with,
 };
@@ -53,7 +53,7 @@ impl Draws {
             draws.values.push(values.to_vec());
             let happens = problem.drawn(values).happens;
             draws.modes.push(happens.mode());
-            draws.fails |= happens == Happening::BearingFailure;
+            draws.fails |= happens == Happening::Decided(Verdict::BearingFailure);
             draws.places.push(problem.place(values));
         });
         Some(draws)
@@ -74,7 +74,7 @@ impl Draws {
         {
             let cloud: Vec<(f64, f64)> = placed.iter().map(|p| (p.at[K], p.at[MU])).collect();
             return Some(diagram_with(
-                &diagram,
+                &diagram.into(),
                 &DiagramContent { cloud: &cloud, ..DiagramContent::default() },
             ));
         }

@@ -19,7 +19,7 @@
 //!
 //! A wave slides the body where P + μU > μW'.
 
-use standfast::Mode;
+use standfast::{Mode, Verdict};
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::Inputs as Laws;
 use standfast_probability::sample::Estimate;
@@ -174,8 +174,8 @@ impl PureStorm {
         let rests = |e: Estimate| Estimate { value: 1.0 - e.value, low: 1.0 - e.high, high: 1.0 - e.low };
         let all = |slides: Estimate| -> Vec<(Happening, Estimate)> {
             let of = |happening| match happening {
-                Happening::Mode(Mode::Rest) => rests(slides),
-                Happening::Mode(Mode::SlideLeft) => slides,
+                Happening::REST => rests(slides),
+                Happening::Decided(Verdict::Begins(Mode::SlideLeft)) => slides,
                 _ => nothing,
             };
             exclusive(false).map(Happening::of).map(|happening| (happening, of(happening))).collect()
@@ -192,10 +192,7 @@ impl PureStorm {
             not_unique: nothing,
             lifted: nothing,
             first_departure: FirstDeparture {
-                modes: first
-                    .into_iter()
-                    .filter(|(happening, _)| *happening != Happening::Mode(Mode::Rest))
-                    .collect(),
+                modes: first.into_iter().filter(|(happening, _)| *happening != Happening::REST).collect(),
                 never: nothing,
                 at_once: nothing,
                 precise: true,
@@ -210,7 +207,7 @@ impl PureStorm {
                 // Any wave that does not slide it is one at rest.
                 modes: all(sliding.ever)
                     .into_iter()
-                    .map(|(h, e)| (h, if h == Happening::Mode(Mode::Rest) { rests(nothing) } else { e }))
+                    .map(|(h, e)| (h, if h == Happening::REST { rests(nothing) } else { e }))
                     .collect(),
                 method: Method::Sobol,
                 precise: true,

@@ -4,14 +4,18 @@ use super::Ground;
 use super::edges::MOST_INCLINED;
 use super::path::{Footing, GroundPath};
 use super::situated::On;
+use crate::contact::departure::by_friction;
 use crate::contact::{self, Block, friction, path};
+use crate::departure::{Departure, DepartureSpan, parting};
 use crate::error::InputError;
 use crate::ground::roots::between;
-use crate::ground::{GroundDeparture, GroundSpan, GroundVerdict};
-use crate::mode::{Mode, Modes, Slip};
+use crate::mode::{Mode, Slip};
+use crate::neighbour::Neighbour;
 use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
-use crate::situation::{Departure, Situation};
+use crate::situation::Situation;
+use crate::span::Span;
+use crate::verdict::{Decision, Verdict};
 use crate::wrench::Wrench;
 
 /// Ground under a block whose lengths and forces are in units: the laws of the ground are not free of units, as those of the
@@ -57,63 +61,70 @@ impl BearingBlock {
         GroundPath::on(self.ground, Footing::under_block(block, self.length, self.force, permanent, variable))
     }
 
-    /// What begins under a wrench; [`bearing::outcome`](super::outcome) has the same of a situation.
+    /// The decision under a wrench, as [`bearing::outcome`](super::outcome) has it of a situation.
     ///
     /// # Errors
     /// As [`contact::solve`].
-    pub fn verdict(&self, block: &Block, wrench: &Wrench) -> Result<Option<GroundVerdict>, InputError> {
+    pub fn decide(&self, block: &Block, wrench: &Wrench) -> Result<Decision, InputError> {
         let mode = contact::solve(block, wrench)?.mode();
         let path = self.path(block, wrench, &Wrench::ZERO);
-        Ok(On::new(path, block.mu_k).verdict(mode, 0.0))
+        Ok(On::new(path, block.mu_k).decide(mode, 0.0))
     }
 
     /// The spans of friction from zero without end: those of the rigid base, parted where the ground begins or ceases to bear a body
     /// that slides. It bears on one stretch of frictions: an eccentricity falls and rises again, an inclination only takes
-    /// away. The block's own μ_s and μ_k say by their ratio alone how slip follows stick.
+    /// away. Beyond `up_to` none is asked for, and the last span is as it is there. The block's own μ_s and μ_k say by their ratio alone how
+    /// slip follows stick.
     ///
     /// # Errors
     /// As [`contact::solve`].
-    pub fn friction_spans(&self, block: &Block, wrench: &Wrench) -> Result<Vec<GroundSpan>, InputError> {
+    pub fn friction_spans(
+        &self,
+        block: &Block,
+        wrench: &Wrench,
+        up_to: f64,
+    ) -> Result<Vec<Span>, InputError> {
         let ratio = contact::with_friction(block, 1.0).mu_k;
         let path = self.path(block, wrench, &Wrench::ZERO);
         let mut spans = Vec::new();
         for span in friction::spans(block, wrench)? {
-            let mut add = |from: f64, to: f64, verdict: Option<GroundVerdict>, boundary: usize| {
-                let modes: Modes = verdict.and_then(GroundVerdict::mode).into_iter().collect();
-                GroundSpan { from, to, verdict, modes, boundary }.push(&mut spans);
+            let mut add = |from: f64, to: f64, decision: Decision, boundary: usize| {
+                let Decision { verdict, modes } = decision;
+                Span { from, to, verdict, modes, boundary }.join(&mut spans);
             };
             let upright = |mode: Mode| mode.corner().is_none() && mode.slip().is_some();
-            match span.mode {
+            match span.mode() {
                 Some(mode) if upright(mode) && ratio > 0.0 => {
                     let slip = if mode == Mode::SlideRight { Slip::Right } else { Slip::Left };
                     let borne = Borne { path: &path, slip };
                     let stretch = borne.between(span.from * ratio, span.to * ratio);
-                    let fails = Some(GroundVerdict::BearingFailure);
+                    let fails = Decision::from(Some(Verdict::BearingFailure));
                     match stretch {
-                        None => add(span.from, span.to, fails, span.condition),
+                        None => add(span.from, span.to, fails, span.boundary),
                         Some([low, high]) => {
                             let (low, high) = (low.max(span.from * ratio), high.min(span.to * ratio));
-                            let begins = Some(GroundVerdict::Begins(mode));
+                            let begins = Decision::from(span.verdict);
                             // An end that is none of the ground keeps its digits.
                             let end = |μ: f64, of: f64| if μ == of * ratio { of } else { μ / ratio };
                             let (from, to) = (end(low, span.from), end(high, span.to));
                             let side = |μ: f64| BORNE + usize::from(borne.is_behind(μ));
                             if from > span.from {
-                                add(span.from, from, fails, span.condition);
+                                add(span.from, from, fails, span.boundary);
                             }
-                            add(from, to, begins, if from > span.from { side(low) } else { span.condition });
+                            add(from, to, begins, if from > span.from { side(low) } else { span.boundary });
                             if to < span.to {
                                 add(to, span.to, fails, side(high));
                             }
                         }
                     }
                 }
-                mode => {
-                    // At one friction as at any other: neither rest nor what turns asks the ground of it.
-                    let verdict = On::new(path, 0.0).verdict(mode, 0.0);
-                    add(span.from, span.to, verdict, span.condition);
-                }
+                // At one friction as at any other: neither rest nor what turns asks the ground of it.
+                mode => add(span.from, span.to, On::new(path, 0.0).decide(mode, 0.0), span.boundary),
             }
+        }
+        spans.truncate(spans.iter().take_while(|span| span.from < up_to).count().max(1));
+        if let Some(last) = spans.last_mut() {
+            last.to = f64::INFINITY;
         }
         Ok(spans)
     }
@@ -127,7 +138,7 @@ impl BearingBlock {
         block: &Block,
         permanent: &Wrench,
         variable: &Wrench,
-    ) -> Result<GroundDeparture, InputError> {
+    ) -> Result<Departure, InputError> {
         self.departure_before(self.failure(block, permanent, variable), block, permanent, variable)
     }
 
@@ -141,20 +152,37 @@ impl BearingBlock {
         block: &Block,
         permanent: &Wrench,
         variable: &Wrench,
-    ) -> Result<GroundDeparture, InputError> {
+    ) -> Result<Departure, InputError> {
         let on = On::new(self.path(block, permanent, variable), block.mu_k);
         let rigid = path::departure(block, permanent, variable)?;
-        let failure = Some(GroundVerdict::BearingFailure);
+        let verdict = |factor: f64| on.decide(rigid.mode(), factor).verdict;
+        let failure = Some(Verdict::BearingFailure);
         Ok(match rigid {
-            Departure::AtOnce { mode, permanent } => {
-                GroundDeparture::AtOnce { verdict: on.verdict(mode, 0.0), permanent }
+            Departure::AtOnce { permanent, .. } => Departure::AtOnce { verdict: verdict(0.0), permanent },
+            _ if fails == 0.0 => Departure::AtOnce { verdict: failure, permanent: true },
+            Departure::At { factor, .. } if factor < fails => {
+                Departure::At { factor, verdict: verdict(factor * (1.0 + BEYOND)) }
             }
-            _ if fails == 0.0 => GroundDeparture::AtOnce { verdict: failure, permanent: true },
-            Departure::At { factor, mode } if factor < fails => {
-                GroundDeparture::At { factor, verdict: on.verdict(mode, factor * (1.0 + BEYOND)) }
-            }
-            _ if fails.is_finite() => GroundDeparture::At { factor: fails, verdict: failure },
-            _ => GroundDeparture::Never,
+            _ => Departure::from_rest(fails, failure),
+        })
+    }
+
+    /// The departures for every friction, the same to stick and to slip, up to one beyond which none is asked for.
+    ///
+    /// # Errors
+    /// As [`contact::solve`].
+    pub fn departure_spans(
+        &self,
+        block: &Block,
+        permanent: &Wrench,
+        variable: &Wrench,
+        up_to: f64,
+    ) -> Result<Vec<DepartureSpan>, InputError> {
+        let end = self.failure(block, permanent, variable);
+        let mut values = Vec::from(parting(permanent, variable, end));
+        values.extend(by_friction(block, permanent, variable)?.iter().map(|span| span.from));
+        DepartureSpan::by_friction(values, up_to, |μ| {
+            self.departure_before(end, &Block { mu_s: μ, mu_k: μ, ..*block }, permanent, variable)
         })
     }
 

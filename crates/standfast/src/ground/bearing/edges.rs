@@ -3,11 +3,11 @@
 use super::situated::On;
 use super::{Ground, GroundPath};
 use crate::error::InputError;
-use crate::ground::GroundVerdict;
 use crate::ground::load_plane::{LoadEdge, Rising, rigid};
 use crate::ground::roots::between;
 use crate::mode::Slip;
 use crate::situation::Situation;
+use crate::verdict::Verdict;
 
 /// A body under loads that rise, on ground that fails.
 #[derive(Debug, Clone, Copy)]
@@ -34,9 +34,9 @@ impl FailingEdges {
         &self,
         factor: f64,
         friction: f64,
-    ) -> Result<Option<GroundVerdict>, InputError> {
+    ) -> Result<Option<Verdict>, InputError> {
         let on = On::new(self.path, friction * self.rising.ratio);
-        Ok(on.verdict(rigid(&self.rising, factor, friction)?, factor))
+        Ok(on.decide(rigid(&self.rising, factor, friction)?, factor).verdict)
     }
 
     pub(in crate::ground) fn at(&self, edge: LoadEdge, factor: f64) -> Option<f64> {

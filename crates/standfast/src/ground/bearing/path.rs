@@ -4,12 +4,11 @@ use super::{Ground, Reaction};
 use crate::contact::Block;
 use crate::error::InputError;
 use crate::ground::roots::between;
-use crate::ground::{GroundDeparture, GroundVerdict};
 use crate::loads::Pose;
-use crate::mode::{Mode, Slip};
+use crate::mode::Slip;
 use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
-use crate::situation::{Departure, Situation};
+use crate::situation::Situation;
 use crate::wrench::Wrench;
 
 /// The load factors at which the ground fails, at its angle of friction and 2° to either side. Each is zero where the permanent
@@ -244,24 +243,6 @@ impl GroundPath {
             Some((slip, mu)) => self.sliding_reaction(factor, slip, mu),
         };
         reaction.map_or(1.0, |reaction| self.ground.factor(&reaction) - 1.0)
-    }
-
-    /// Where the body leaves rest: on rigid ground as `rigid` says, or before that because the ground fails.
-    pub fn departure(&self, rigid: &Departure) -> GroundDeparture {
-        let factor = self.load_factors().given;
-        let failure = Some(GroundVerdict::BearingFailure);
-        let begins = |mode: Option<Mode>| mode.map(GroundVerdict::Begins);
-        match *rigid {
-            Departure::AtOnce { mode, permanent } => {
-                GroundDeparture::AtOnce { verdict: begins(mode), permanent }
-            }
-            _ if factor == 0.0 => GroundDeparture::AtOnce { verdict: failure, permanent: true },
-            Departure::At { factor: first, mode } if first <= factor => {
-                GroundDeparture::At { factor: first, verdict: begins(mode) }
-            }
-            _ if factor.is_finite() => GroundDeparture::At { factor, verdict: failure },
-            _ => GroundDeparture::Never,
-        }
     }
 }
 

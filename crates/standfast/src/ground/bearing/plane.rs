@@ -2,11 +2,11 @@
 
 use super::{Ground, Kind, Reaction};
 use crate::error::InputError;
-use crate::ground::GroundVerdict;
 use crate::ground::roots::between;
 use crate::initiation::Point;
 use crate::mode::Mode;
 use crate::quantity::Quantity;
+use crate::verdict::Verdict;
 
 /// The plane for γ, k', a base of half width B (m) and P (N per metre run).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +22,7 @@ pub struct BearingPlane {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BearingPoint {
     /// RE, SL (either way) or BF.
-    pub verdict: GroundVerdict,
+    pub verdict: Verdict,
     /// R/P of the body at rest, under η = k and ε = kγ|1+k'|; it may be that it cannot rest for want of friction.
     pub factor: f64,
 }
@@ -125,9 +125,9 @@ impl BearingPlane {
         Point::new(self.gamma, self.k_prime, k, mu)?;
         let factor = self.factor(k, k);
         let verdict = match () {
-            () if mu >= k && factor >= 1.0 => GroundVerdict::Begins(Mode::Rest),
-            () if mu < k && self.factor(mu, k) >= 1.0 => GroundVerdict::Begins(Mode::SlideLeft),
-            () => GroundVerdict::BearingFailure,
+            () if mu >= k && factor >= 1.0 => Verdict::Begins(Mode::Rest),
+            () if mu < k && self.factor(mu, k) >= 1.0 => Verdict::Begins(Mode::SlideLeft),
+            () => Verdict::BearingFailure,
         };
         Ok(BearingPoint { verdict, factor })
     }

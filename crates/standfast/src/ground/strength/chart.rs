@@ -2,12 +2,12 @@
 
 use super::CrushPoint;
 use crate::error::InputError;
-use crate::ground::GroundVerdict;
 use crate::ground::roots::{between, real_roots};
 use crate::initiation::{NamedPoint, PointName};
 use crate::mode::Mode;
 use crate::quantity::{Expected, Quantity};
 use crate::region::Curve;
+use crate::verdict::Verdict;
 
 /// The k–μ plane for γ, k' and ω < 1.
 ///
@@ -381,7 +381,7 @@ fn cells(
         let mu = next.map_or(2.0 * lower.0 + 1.0, |(mu, _)| lower.0 + (mu - lower.0) / 2.0);
         let upper = next.map(|(_, curve)| curve);
         let point = CrushPoint::new(chart.gamma, chart.k_prime, middle, mu, chart.omega);
-        if let Some(GroundVerdict::Begins(mode)) = point.ok().map(|point| point.verdict()) {
+        if let Some(Verdict::Begins(mode)) = point.ok().map(|point| point.verdict()) {
             match cells.last_mut() {
                 Some((last, strip)) if *last == mode => strip.upper = upper,
                 _ => cells.push((mode, CrushStrip { from, to, lower: lower.1, upper })),

@@ -6,22 +6,15 @@ use super::turning::{Rate, Turn};
 use super::{Given, Numbers};
 use crate::approx::Approx;
 use crate::exact::{Exact, Real};
-use crate::ground::GroundVerdict;
 use crate::ground::roots::{RootSigned, RootSigns};
 use crate::mode::{Corner, Mode, Modes, Slip};
+use crate::verdict::{Decision, Verdict};
 
 pub(super) const SLIPS: [Slip; 2] = [Slip::Left, Slip::Right];
 pub(super) const CORNERS: [Corner; 2] = [Corner::O, Corner::OPrime];
 
-/// The consistent modes and what is reported.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Found {
-    pub(super) modes: Modes,
-    pub(super) verdict: Option<GroundVerdict>,
-}
-
 /// Every mode tried: in tracked floating point, or exactly where that cannot tell.
-pub(super) fn enumerate(given: &impl Given) -> Found {
+pub(super) fn enumerate(given: &impl Given) -> Decision {
     let float = given.numbers::<f64>();
     let found = of(&given.numbers::<Approx>(), &float).or_else(|| of(&given.numbers::<Exact>(), &float));
     found.expect("exact signs are always known")
@@ -88,9 +81,9 @@ fn turn<T: RootSigned>(
 }
 
 /// The verdict in an arithmetic; `None` if a sign is unknown.
-fn of<T: RootSigned>(n: &Numbers<T>, float: &Numbers<f64>) -> Option<Found> {
+fn of<T: RootSigned>(n: &Numbers<T>, float: &Numbers<f64>) -> Option<Decision> {
     if is_overloaded(n)? {
-        return Some(Found { modes: Modes::NONE, verdict: Some(GroundVerdict::BearingFailure) });
+        return Some(Decision { modes: Modes::NONE, verdict: Some(Verdict::BearingFailure) });
     }
     let signed = |slip: Slip, value: &T| match slip {
         Slip::Left => -value.clone(),
@@ -165,6 +158,6 @@ fn of<T: RootSigned>(n: &Numbers<T>, float: &Numbers<f64>) -> Option<Found> {
     }
     let groups = [rest, slides, regular, rocks, others, flight];
     let modes: Modes = groups.iter().flat_map(|group| group.iter()).collect();
-    let verdict = groups.iter().find_map(|group| group.iter().next()).map(GroundVerdict::Begins);
-    Some(Found { modes, verdict })
+    let verdict = groups.iter().find_map(|group| group.iter().next()).map(Verdict::Begins);
+    Some(Decision { modes, verdict })
 }

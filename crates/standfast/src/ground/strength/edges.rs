@@ -6,12 +6,12 @@ use super::{Given, Loaded};
 use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::Exact;
-use crate::ground::GroundVerdict;
 use crate::ground::load_plane::{LoadEdge, Rising};
 use crate::mode::{Corner, Slip};
 use crate::plan::Plan;
 use crate::quantity::{Expected, Quantity};
 use crate::situation::Situation;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 /// A body under loads that rise, on a base that bears `strength` per length, in the situation's reduced units.
@@ -39,7 +39,7 @@ impl CrushEdges {
         &self,
         factor: f64,
         friction: f64,
-    ) -> Result<Option<GroundVerdict>, InputError> {
+    ) -> Result<Option<Verdict>, InputError> {
         let given = self.given(factor, friction);
         crate::contact::check(&given.block, &given.wrench)?;
         Ok(enumerate(&given).verdict)

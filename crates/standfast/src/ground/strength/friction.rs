@@ -24,10 +24,12 @@ use super::edges::{reaction, turn};
 use super::turning::orientation;
 use super::{Loaded, check, rest_range, solve};
 use crate::contact::{Block, with_friction};
+use crate::departure::{Departure, DepartureSpan, HELD, parting};
 use crate::error::InputError;
 use crate::ground::roots::real_roots;
-use crate::ground::{GroundDeparture, GroundSpan, GroundVerdict};
-use crate::mode::{Corner, Mode, Slip};
+use crate::mode::{Corner, Slip};
+use crate::span::Span;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 /// Relative distance of two frictions that are one.
@@ -58,21 +60,10 @@ pub fn friction_spans(
     wrench: &Wrench,
     strength: f64,
     up_to: f64,
-) -> Result<Vec<GroundSpan>, InputError> {
+) -> Result<Vec<Span>, InputError> {
     check(block, wrench, strength)?;
     let on = |μ: f64| Loaded { block: with_friction(block, μ), wrench: *wrench, strength };
-    let mut spans = Vec::new();
-    let mut begin = (0.0, 0);
-    for next in boundaries(&on(1.0), up_to).into_iter().map(Some).chain([None]) {
-        let (from, boundary) = begin;
-        let to = next.map_or(f64::INFINITY, |(μ, _)| μ);
-        let end = to.min(up_to);
-        let inside = if end.is_finite() { from + (end - from) / 2.0 } else { 2.0 * from + 1.0 };
-        let found = enumerate(&on(inside));
-        GroundSpan { from, to, verdict: found.verdict, modes: found.modes, boundary }.push(&mut spans);
-        begin = next.unwrap_or(begin);
-    }
-    Ok(spans)
+    Span::between(boundaries(&on(1.0), up_to), up_to, |μ| Ok(enumerate(&on(μ))))
 }
 
 /// The frictions to stick up to one at which something may change, ascending, with their numbers; `given` has a friction to stick of 1.
@@ -148,20 +139,35 @@ pub fn departure(
     permanent: &Wrench,
     variable: &Wrench,
     strength: f64,
-) -> Result<GroundDeparture, InputError> {
+) -> Result<Departure, InputError> {
     let begin = solve(block, permanent, strength)?.verdict();
-    if begin != Some(GroundVerdict::Begins(Mode::Rest)) {
-        return Ok(GroundDeparture::AtOnce { verdict: begin, permanent: true });
+    if begin != Some(Verdict::REST) {
+        return Ok(Departure::AtOnce { verdict: begin, permanent: true });
     }
     let range = rest_range(block, permanent, variable, strength)?;
     let factor = range.map_or(0.0, |range| range.to.max(0.0));
     if factor == f64::INFINITY {
-        return Ok(GroundDeparture::Never);
+        return Ok(Departure::Never);
     }
     let step = if factor > 0.0 { factor * (1.0 + BEYOND) } else { BEYOND };
     let verdict = solve(block, &(*permanent + *variable * step), strength)?.verdict();
-    Ok(match factor {
-        0.0 => GroundDeparture::AtOnce { verdict, permanent: false },
-        _ => GroundDeparture::At { factor, verdict },
-    })
+    Ok(Departure::from_rest(factor, verdict))
+}
+
+/// The departures for every friction, the same to stick and to slip, up to one beyond which none is asked for. Up to the end of rest that
+/// friction does not touch the body slides if the load there is more than friction holds. With more friction the body turns at that end
+/// about the edge that gives way, and sticks there: its rotation begins from nothing.
+///
+/// # Errors
+/// As [`solve`].
+pub fn departure_spans(
+    block: &Block,
+    permanent: &Wrench,
+    variable: &Wrench,
+    strength: f64,
+    up_to: f64,
+) -> Result<Vec<DepartureSpan>, InputError> {
+    let decide = |μ: f64| departure(&Block { mu_s: μ, mu_k: μ, ..*block }, permanent, variable, strength);
+    let parting = parting(permanent, variable, decide(HELD)?.load_factor());
+    DepartureSpan::by_friction(parting.into(), up_to, decide)
 }

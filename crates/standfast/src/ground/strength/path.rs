@@ -12,11 +12,11 @@ use super::events::events;
 use super::{Loaded, check};
 use crate::contact::Block;
 use crate::error::{InputError, LARGEST};
-use crate::ground::GroundVerdict;
-use crate::mode::{Corner, Modes, Slip};
+use crate::mode::{Corner, Slip};
+use crate::neighbour::Neighbour;
+use crate::stage::Stage;
+use crate::verdict::Decision;
 use crate::wrench::Wrench;
-
-pub use crate::ground::GroundStage as CrushStage;
 
 /// a + bλ + cλ².
 #[derive(Clone, Copy)]
@@ -146,7 +146,7 @@ pub fn stages(
     permanent: &Wrench,
     variable: &Wrench,
     strength: f64,
-) -> Result<Vec<CrushStage>, InputError> {
+) -> Result<Vec<Stage>, InputError> {
     check(block, permanent, strength)?;
     check(block, variable, strength)?;
     let largest = variable.x.abs().max(variable.p.abs()).max(variable.m.abs());
@@ -167,15 +167,12 @@ pub fn stages(
 
     let at = |λ: f64| {
         let wrench = *permanent + *variable * λ;
-        let found = enumerate(&Loaded { block: *block, wrench, strength });
-        (found.verdict, found.modes)
+        enumerate(&Loaded { block: *block, wrench, strength })
     };
-    let mut stages: Vec<CrushStage> = Vec::new();
-    let mut add =
-        |from: f64, to: f64, (verdict, modes): (Option<GroundVerdict>, Modes)| match stages.last_mut() {
-            Some(last) if (last.verdict, last.modes) == (verdict, modes) => last.to = to,
-            _ => stages.push(CrushStage { from, to, verdict, modes }),
-        };
+    let mut stages = Vec::new();
+    let mut add = |from: f64, to: f64, Decision { verdict, modes }: Decision| {
+        Stage { from, to, verdict, modes }.join(&mut stages);
+    };
     // Between two ends, and beyond the last.
     let middle = |from: f64, to: f64| from + (to - from) / 2.0;
     let beyond = ends.last().map_or(1.0, |last| 2.0 * last.at);

@@ -6,11 +6,11 @@ use super::{CrushMotion, Given, Numbers, bound, motion};
 use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
-use crate::ground::GroundVerdict;
 use crate::ground::roots::RootSigned;
 use crate::initiation::Point;
 use crate::mode::{Corner, Mode, Modes, Slip};
 use crate::quantity::Quantity;
+use crate::verdict::Verdict;
 
 use std::cmp::Ordering::{Greater, Less};
 
@@ -106,16 +106,16 @@ impl CrushPoint {
     }
 
     /// The mode that begins, or BF.
-    pub fn verdict(&self) -> GroundVerdict {
+    pub fn verdict(&self) -> Verdict {
         if self.omega >= 1.0 {
-            return GroundVerdict::BearingFailure;
+            return Verdict::BearingFailure;
         }
         if self.omega == 0.0 {
-            return GroundVerdict::Begins(self.point.mode());
+            return Verdict::Begins(self.point.mode());
         }
         let float = self.numbers::<f64>();
         let mode = self.decide::<Approx>(&float).or_else(|| self.decide::<Exact>(&float));
-        GroundVerdict::Begins(mode.expect("exact signs are always known"))
+        Verdict::Begins(mode.expect("exact signs are always known"))
     }
 
     /// The other consistent modes, by trying all; empty below [`bound`](CrushPoint::bound).
