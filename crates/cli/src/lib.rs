@@ -36,15 +36,15 @@ pub mod write;
 use std::io::{self, Write};
 
 use clap::CommandFactory;
-use miette::{IntoDiagnostic, Result, WrapErr};
 use standfast::Point;
 use standfast::ground::strength::CrushPoint;
 use standfast::loads::Reduced;
 use standfast_cases::point::Crushing;
-use standfast_cases::{View, point};
+use standfast_cases::{Explained, View, coloured, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
+use thiserror::Error;
 
 use args::{Cli, Command};
 use figures::Figures;
@@ -59,6 +59,16 @@ pub enum Ended {
     /// It is done, and a criterion that was to be checked is not met.
     NotMet,
 }
+
+/// What the program says of any error.
+pub type Result<T> = std::result::Result<T, Box<dyn Explained>>;
+
+/// Why an answer was not printed.
+#[derive(Debug, Error)]
+#[error("cannot write to standard output: {0}")]
+struct PrintedError(io::Error);
+
+impl Explained for PrintedError {}
 
 /// Does what the command line says.
 ///
@@ -89,10 +99,10 @@ pub fn run(cli: Cli) -> Result<Ended> {
         }
         Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
-            let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
+            let point = Point::new(args.gamma, args.k_prime, args.k, args.mu)?;
             let omega = args.omega.unwrap_or_default();
             if omega > 0.0 {
-                let point = CrushPoint::of(point, omega).into_diagnostic()?;
+                let point = CrushPoint::of(point, omega)?;
                 let point = Crushing { point, mirrored: false };
                 return print(&match args.format {
                     Format::Text => point::crush_text(&point, args.explain),
@@ -107,7 +117,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             })
         }
         Command::Diagram(args) => {
-            let plane = draw::Plane::of(&args).into_diagnostic()?;
+            let plane = draw::Plane::of(&args)?;
             draw::draw_diagram(&plane, &args.points, &args.output, args.scale)?;
             print(&format!("Diagram written to {}\n", args.output))
         }
@@ -135,7 +145,7 @@ fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
 }
 
 /// How a command ended that printed its answer, which may have figures that could not be written and criteria that are not met.
-fn ended(undrawn: Option<miette::Report>, check: bool, met: Option<bool>) -> Result<Ended> {
+fn ended(undrawn: Option<Box<dyn Explained>>, check: bool, met: Option<bool>) -> Result<Ended> {
     match undrawn {
         Some(error) => Err(error),
         None if check && met == Some(false) => Ok(Ended::NotMet),
@@ -178,6 +188,11 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     Ok(())
 }
 
+/// Says why a command did not end as asked, in colours where standard error is a terminal that is to have them.
+pub fn complain_of(error: &dyn Explained) {
+    let _ = writeln!(anstream::stderr(), "{}", coloured(error));
+}
+
 /// Writes to standard error; where nobody reads that, there is nobody to tell.
 pub fn complain(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
@@ -186,9 +201,7 @@ pub fn complain(text: &str) {
 /// Prints, without complaint if nobody reads.
 fn print(text: &str) -> Result<()> {
     match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(error).into_diagnostic().wrap_err("cannot write to standard output")
-        }
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PrintedError(error).into()),
         _ => Ok(()),
     }
 }
