@@ -67,13 +67,19 @@ fn drawn(mut error: &dyn Explained, level: Level<'_>, renderer: &Renderer) -> St
         error = cause;
     }
     let title = level.primary_title(wrapped(&error.to_string(), "error: ".len()).join("\n"));
-    let excerpt = error.excerpt().map(|excerpt| Lines::of(&excerpt));
-    let mut groups = vec![match &excerpt {
-        Some(lines) => title.element(lines.snippet()),
-        None => Group::with_title(title),
-    }];
-    groups.extend(error.help().map(|help| Group::with_title(Level::HELP.secondary_title(said(&help)))));
-    let drawn = renderer.clone().term_width(WIDTH).render(&groups);
+    let help = error.help().map(|help| Group::with_title(Level::HELP.secondary_title(said(&help))));
+    let renderer = renderer.clone().term_width(WIDTH);
+    let drawn = match error.excerpt().map(|excerpt| Lines::of(&excerpt)) {
+        Some(lines) => {
+            let wrong = title.element(lines.snippet());
+            renderer.render(&iter::once(wrong).chain(help).collect::<Vec<_>>())
+        }
+        // Each by itself: together they would be joined by a line that comes from nothing.
+        None => {
+            let groups = iter::once(Group::with_title(title)).chain(help);
+            groups.map(|group| renderer.render(&[group])).collect::<Vec<_>>().join("\n")
+        }
+    };
     drawn.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
 }
 
@@ -324,7 +330,7 @@ mod tests {
             "",
             "      width = 15  # m",
         ]);
-        assert_eq!(report(&error), format!("{message}\n |\n{help}"));
+        assert_eq!(report(&error), format!("{message}\n{help}"));
         error.text = Some("width = 15".into());
         error.places = Vec::from([0..5]);
         let place = lines([" --> t.toml:1:1", "  |", "1 | width = 15", "  | ^^^^^", "  |"]);

@@ -125,8 +125,9 @@ impl Explained for DrawError {
     fn passed_on(&self) -> Option<&dyn Explained> {
         match self {
             DrawError::LeftOut(error) => Some(error),
+            #[cfg(feature = "pictures")]
+            DrawError::Render { .. } => None,
             DrawError::Write(error) => Some(error),
-            _ => None,
         }
     }
 }
