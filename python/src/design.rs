@@ -1,10 +1,9 @@
 //! The least or greatest value that meets a target, and the boundary of two: the program's answer as text, JSON, CSV and picture.
 
-use miette::Diagnostic;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
-use standfast_cases::{CaseFile, report};
+use standfast_cases::{CaseFile, Explained, report};
 
 use crate::assess::beside;
 use crate::watch::patiently;
@@ -25,7 +24,7 @@ const SPELLING: Spelling = Spelling {
 /// Lower and upper end of a range, where they are given.
 type Ends = [Option<String>; 2];
 
-fn refused(error: &(dyn Diagnostic + 'static)) -> PyErr {
+fn refused(error: &dyn Explained) -> PyErr {
     PyValueError::new_err(report(error))
 }
 

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use pyo3_arrow::input::AnyRecordBatch;
 use standfast_cases::sweep::SweepResult;
-use standfast_cases::{CaseFile, report};
+use standfast_cases::{CaseFile, Explained, report};
 use standfast_tables::{
     CaseTable, Face, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Place, Progress,
     RowWarning, Summary, TableError, TableOptions, Values, VariedColumn,
@@ -287,8 +287,7 @@ fn raised(error: TableError, shape: &[usize]) -> PyErr {
         let words = format!("at index {}, {problem}", written(&index));
         return at_index(PyValueError::new_err(words), &index);
     }
-    let help = miette::Diagnostic::help(&error).map(|help| help.to_string()).unwrap_or_default();
-    let help = if help.is_empty() { help } else { format!("; {help}") };
+    let help = error.help().map_or_else(String::new, |help| format!("; {help}"));
     let words = format!("{error}{help}");
     match error {
         TableError::Case(error) => PyValueError::new_err(report(&error)),

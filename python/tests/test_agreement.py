@@ -353,7 +353,7 @@ def compare(program: list[str], name: str, *figures: str) -> bool:
         found = standfast.assess(name)
     except ValueError as error:
         assert shown.returncode == 1, name
-        assert unwrapped(re.sub("[│╭╰─×·]", " ", shown.stderr))[:40] in unwrapped(re.sub("[│╭╰─×·]", " ", str(error)))
+        assert unwrapped(shown.stderr) == unwrapped(f"error: {error}")
         return False
     assert shown.returncode == 0, shown.stderr
     document = json.loads(answer("--format", "json").stdout)

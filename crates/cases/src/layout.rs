@@ -44,6 +44,11 @@ pub fn shortened(written: &str) -> String {
 
 /// Words in lines of at most 88 characters, every line after `indent` spaces and ended by a newline.
 pub fn paragraph(text: &str, indent: usize) -> String {
+    wrapped(text, indent).iter().map(|line| format!("{:indent$}{line}\n", "")).collect()
+}
+
+/// Words in lines that have at most 88 characters after `indent` others; a longer word has a line of its own.
+pub(crate) fn wrapped(text: &str, indent: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     // A number and its percent sign stay on one line.
     let text = text.replace(" %", "\u{a0}%");
@@ -57,7 +62,7 @@ pub fn paragraph(text: &str, indent: usize) -> String {
             _ => lines.push(word),
         }
     }
-    lines.iter().map(|line| format!("{:indent$}{line}\n", "")).collect()
+    lines
 }
 
 /// Rows in aligned columns, two spaces apart, every line after `indent` spaces and ended by a newline.

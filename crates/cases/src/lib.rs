@@ -17,6 +17,7 @@
 //! | What becomes of a block in time? | [`motion`] |
 //! | How likely is each mode if some numbers are random? | [`random`] |
 //! | What is printed for one point? | [`point`] |
+//! | What does an error say, where, and how is it drawn? | [`Explained`], [`report`] |
 //!
 //! ```
 //! use standfast_cases::{Assessment, CaseFile, View};
@@ -39,7 +40,7 @@ pub mod criteria;
 pub mod describe;
 pub mod design;
 mod error;
-mod excerpt;
+mod explained;
 mod face;
 mod inputs;
 pub mod key;
@@ -61,6 +62,7 @@ pub use assess::{Assessed, Assessment, CaseCheck, CaseFigure, Drawn, UpToError, 
 pub use case::{Acting, Case};
 pub use criteria::{Check, Criterion};
 pub use error::{CaseError, Fault, Place, Problem};
+pub use explained::{Excerpt, Explained, coloured, report};
 pub use face::Face;
 pub use inputs::{GRAVITY, Inputs, Value};
 pub use key::{Id, Key};
@@ -68,24 +70,12 @@ pub use parse::{CaseFile, Entry};
 pub use record::{ReadFile, RecordFile};
 pub use warning::Warning;
 
-use miette::Diagnostic;
 use serde::Serialize;
 
 /// A JSON document, ended by a newline.
 fn json(document: &impl Serialize) -> String {
     // Plain structs with string keys always serialise.
     serde_json::to_string_pretty(document).map_or_else(|error| error.to_string(), |json| json + "\n")
-}
-
-/// An error as a user sees it: the message, the place in the file, and what to do.
-pub fn report(error: &(dyn Diagnostic + 'static)) -> String {
-    let theme = miette::GraphicalTheme::unicode_nocolor();
-    let handler = miette::GraphicalReportHandler::new_themed(theme).with_width(90).with_links(false);
-    let mut text = String::new();
-    match handler.render_report(&mut text, error) {
-        Ok(()) => text,
-        Err(_) => format!("{error}\n"),
-    }
 }
 
 /// The examples of the README are tests.

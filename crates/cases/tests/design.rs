@@ -41,9 +41,7 @@ fn refusal(text: &str, request: Request) -> String {
     let file = file(text);
     match Design::of(&file, request) {
         Ok(design) => panic!("{}", design.text()),
-        Err(error) => {
-            report(&error).split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ")
-        }
+        Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
     }
 }
 
@@ -491,9 +489,7 @@ fn refusals_of_two_quantities() {
         let design = request(vary, target, Extreme::Least);
         match Boundary::of(&file, BoundaryRequest { design, and: and.to_owned(), from, to: None }) {
             Ok(boundary) => boundary.text(),
-            Err(error) => {
-                report(&error).split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ")
-            }
+            Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
         }
     };
     assert!(refused("width", "rest", "body.width", None).contains("the same number, body.width"));

@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use miette::Diagnostic;
 use standfast::InputError;
-use standfast_cases::{Assessment, CaseError, View};
+use standfast_cases::{Assessment, CaseError, Explained, View};
 use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
@@ -13,30 +12,46 @@ use crate::files_read::FilesRead;
 use crate::format::Format;
 
 /// Reason why a case was not assessed.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum AssessError {
     /// The case file cannot be read, or is no case file.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     File(#[from] CaseFileError),
     /// There are no criteria to check.
     #[error("--check finds no [criteria] in {}", path.display())]
-    #[diagnostic(help("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2"))]
     NothingToCheck {
         /// The case file.
         path: PathBuf,
     },
     /// The case makes no sense.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// The diagram cannot be drawn.
     #[error(transparent)]
     Mechanics(#[from] InputError),
     /// A figure cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Figure(#[from] FigureError),
+}
+
+impl Explained for AssessError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            AssessError::File(error) => Some(error),
+            AssessError::Case(error) => Some(error),
+            AssessError::Figure(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            AssessError::NothingToCheck { .. } => {
+                Some("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2".into())
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The answer to a case, and why a diagram of it could not be written, if it could not: the answer is not lost with it.

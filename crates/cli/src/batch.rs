@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::HumanCount;
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use standfast_cases::layout::paragraph;
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
@@ -24,24 +24,31 @@ use crate::progress::Bar;
 use crate::write::{Pending, WriteError};
 
 /// Reason why a table was not answered.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum BatchCommandError {
     /// The table is wrong.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Table(#[from] TableError),
     /// A format that this build does not have.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     LeftOut(#[from] LeftOut),
     /// The case file is wrong.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseFileError),
     /// The file of the result cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
+}
+
+impl Explained for BatchCommandError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        Some(match self {
+            BatchCommandError::Table(error) => error,
+            BatchCommandError::LeftOut(error) => error,
+            BatchCommandError::Case(error) => error,
+            BatchCommandError::Write(error) => error,
+        })
+    }
 }
 
 /// The results of points of these names; all of the problem for none.

@@ -3,14 +3,13 @@
 use std::io;
 use std::path::Path;
 
-use miette::Diagnostic;
-use standfast_cases::{CaseError, CaseFile};
+use standfast_cases::{CaseError, CaseFile, Explained};
 use thiserror::Error;
 
 use crate::files_read::{FilesRead, ReadAs};
 
 /// Reason why a case file was not read.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum CaseFileError {
     /// The case file cannot be read.
     #[error("cannot read {name}: {cause}")]
@@ -22,7 +21,6 @@ pub enum CaseFileError {
     },
     /// The case file is not text.
     #[error("{name} is not UTF-8 text: line {line} has a byte that is no character")]
-    #[diagnostic(help("save it as UTF-8"))]
     Encoding {
         /// The case file.
         name: String,
@@ -31,8 +29,23 @@ pub enum CaseFileError {
     },
     /// It is no case file.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
+}
+
+impl Explained for CaseFileError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            CaseFileError::Case(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            CaseFileError::Encoding { .. } => Some("save it as UTF-8".into()),
+            _ => None,
+        }
+    }
 }
 
 /// True if a case is read from standard input.

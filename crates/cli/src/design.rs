@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Extreme, Request, Spelling};
 use thiserror::Error;
 
@@ -57,28 +57,44 @@ impl fmt::Display for BoundaryFile {
 }
 
 /// Reason why there is no design, or a file of it was not written.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum DesignCommandError {
     /// The case file cannot be read, or is no case file.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     File(#[from] CaseFileError),
     /// There is no design.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Design(#[from] DesignError),
     /// There is no boundary to be drawn.
     #[error("there is no boundary to draw: the target is met up to both ends of the range in every column")]
-    #[diagnostic(help("--from and --to widen the range; -o FILE.csv writes the values"))]
     NoBoundary,
     /// The picture cannot be drawn.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Draw(#[from] DrawError),
     /// The table cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
+}
+
+impl Explained for DesignCommandError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            DesignCommandError::File(error) => Some(error),
+            DesignCommandError::Design(error) => Some(error),
+            DesignCommandError::Draw(error) => Some(error),
+            DesignCommandError::Write(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            DesignCommandError::NoBoundary => {
+                Some("--from and --to widen the range; -o FILE.csv writes the values".into())
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The design that the arguments ask for, as it is printed; files of it are written.

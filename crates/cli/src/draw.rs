@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use miette::Diagnostic;
 use standfast::ground::bearing::BearingPlane;
 use standfast::ground::strength::CrushMap;
 use standfast::{Diagram, InputError};
+use standfast_cases::Explained;
 #[cfg(feature = "pictures")]
 use standfast_figures::RenderError;
 use standfast_figures::{
@@ -102,11 +102,10 @@ pub struct KMu {
 }
 
 /// Reason why a picture was not made.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum DrawError {
     /// This build does not have the format.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     LeftOut(#[from] LeftOut),
     /// The picture cannot be converted.
     #[cfg(feature = "pictures")]
@@ -119,8 +118,18 @@ pub enum DrawError {
     },
     /// The picture cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
+}
+
+impl Explained for DrawError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            DrawError::LeftOut(error) => Some(error),
+            #[cfg(feature = "pictures")]
+            DrawError::Render { .. } => None,
+            DrawError::Write(error) => Some(error),
+        }
+    }
 }
 
 fn save(

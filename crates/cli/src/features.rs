@@ -1,6 +1,6 @@
 //! Parts that a build of the program may leave out, and the command that adds them.
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use thiserror::Error;
 
 /// A part of the program that is a feature of its crate, because it takes long to compile.
@@ -51,15 +51,20 @@ impl Feature {
 }
 
 /// Something is asked for that this build leaves out.
-#[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{asked}: this build of standfast leaves out {what}")]
-#[diagnostic(help(
-    "`cargo install --path crates/cli --features {}` adds {}; `--features full` adds all there is",
-    feature.name(),
-    feature.adds()
-))]
 pub struct LeftOut {
     asked: String,
     what: &'static str,
     feature: Feature,
+}
+
+impl Explained for LeftOut {
+    fn help(&self) -> Option<String> {
+        Some(format!(
+            "`cargo install --path crates/cli --features {}` adds {}; `--features full` adds all there is",
+            self.feature.name(),
+            self.feature.adds()
+        ))
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use standfast_figures::Figure;
 use thiserror::Error;
 
@@ -11,12 +11,18 @@ use crate::files_read::FilesRead;
 use crate::write::{self, WriteError};
 
 /// Reason why a figure was not written.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum FigureError {
     /// It cannot be written.
     #[error(transparent)]
-    #[diagnostic(help("-o DIR puts the figures into another directory"))]
     Write(#[from] WriteError),
+}
+
+impl Explained for FigureError {
+    fn help(&self) -> Option<String> {
+        let FigureError::Write(_) = self;
+        Some("-o DIR puts the figures into another directory".into())
+    }
 }
 
 /// Place of the figures of a case.

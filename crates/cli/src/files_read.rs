@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use thiserror::Error;
 
 /// Purpose for which a file was read.
@@ -30,9 +30,8 @@ impl ReadAs {
 }
 
 /// An output that would replace what was read.
-#[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("cannot write over {} {}, which was read for this answer{}", read_as.words(), read.display(), self.other_name())]
-#[diagnostic(help("give the output another name or directory"))]
 pub struct WouldReplace {
     /// The file to be written.
     pub output: PathBuf,
@@ -40,6 +39,12 @@ pub struct WouldReplace {
     pub read: PathBuf,
     /// Purpose for which it was read.
     pub read_as: ReadAs,
+}
+
+impl Explained for WouldReplace {
+    fn help(&self) -> Option<String> {
+        Some("give the output another name or directory".into())
+    }
 }
 
 impl WouldReplace {

@@ -36,14 +36,14 @@ pub mod write;
 use std::io::{self, Write};
 
 use clap::CommandFactory;
-use miette::{IntoDiagnostic, Result, WrapErr};
 use standfast::Point;
 use standfast::loads::Reduced;
 use standfast_cases::point::PlacedPoint;
-use standfast_cases::{View, point};
+use standfast_cases::{Explained, View, coloured, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
+use thiserror::Error;
 
 use args::{Cli, Command};
 use figures::Figures;
@@ -58,6 +58,16 @@ pub enum Ended {
     /// It is done, and a criterion that was to be checked is not met.
     NotMet,
 }
+
+/// What the program says of any error.
+pub type Result<T> = std::result::Result<T, Box<dyn Explained>>;
+
+/// Why an answer was not printed.
+#[derive(Debug, Error)]
+#[error("cannot write to standard output: {0}")]
+struct PrintedError(io::Error);
+
+impl Explained for PrintedError {}
 
 /// Does what the command line says.
 ///
@@ -88,16 +98,16 @@ pub fn run(cli: Cli) -> Result<Ended> {
         }
         Command::Spectrum(args) => print(&spectrum::spectrum(&args)?),
         Command::Classify(args) => {
-            let point = Point::new(args.gamma, args.k_prime, args.k, args.mu).into_diagnostic()?;
+            let point = Point::new(args.gamma, args.k_prime, args.k, args.mu)?;
             let reduced = Reduced { point, mirrored: false };
-            let point = PlacedPoint::new(reduced, args.omega.unwrap_or_default()).into_diagnostic()?;
+            let point = PlacedPoint::new(reduced, args.omega.unwrap_or_default())?;
             print(&match args.format {
                 Format::Text => point::text(&point, args.explain),
                 Format::Json => point::json(&point),
             })
         }
         Command::Diagram(args) => {
-            let plane = draw::plane(&args).into_diagnostic()?;
+            let plane = draw::plane(&args)?;
             draw::draw_diagram(&plane, &args.points, &args.output, args.scale)?;
             print(&format!("Diagram written to {}\n", args.output))
         }
@@ -125,7 +135,7 @@ fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
 }
 
 /// End of a command that printed its answer, which may have figures that could not be written and criteria that are not met.
-fn ended(undrawn: Option<miette::Report>, check: bool, met: Option<bool>) -> Result<Ended> {
+fn ended(undrawn: Option<Box<dyn Explained>>, check: bool, met: Option<bool>) -> Result<Ended> {
     match undrawn {
         Some(error) => Err(error),
         None if check && met == Some(false) => Ok(Ended::NotMet),
@@ -168,6 +178,11 @@ fn batch_command(args: &args::BatchArgs) -> Result<()> {
     Ok(())
 }
 
+/// Says why a command did not end as asked, in colours where standard error is a terminal that is to have them.
+pub fn complain_of(error: &dyn Explained) {
+    let _ = writeln!(anstream::stderr(), "{}", coloured(error));
+}
+
 /// Writes to standard error; where nobody reads that, there is nobody to tell.
 pub fn complain(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
@@ -176,9 +191,7 @@ pub fn complain(text: &str) {
 /// Prints, without complaint if nobody reads.
 fn print(text: &str) -> Result<()> {
     match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(error).into_diagnostic().wrap_err("cannot write to standard output")
-        }
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PrintedError(error).into()),
         _ => Ok(()),
     }
 }

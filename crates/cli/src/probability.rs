@@ -5,9 +5,8 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use miette::Diagnostic;
 use standfast_cases::random::{Effort, Probability, ProbabilityError, Request, WeighedDraws, template};
-use standfast_cases::{CaseError, CaseFile};
+use standfast_cases::{CaseError, CaseFile, Explained};
 use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
 use thiserror::Error;
 
@@ -42,28 +41,44 @@ impl FromStr for DrawsFile {
 }
 
 /// Reason why there are no probabilities.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum ProbabilityCommandError {
     /// The case file cannot be read.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     File(#[from] CaseFileError),
     /// The case makes no sense.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// There is no answer.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Probability(#[from] ProbabilityError),
     /// The draws cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Table(#[from] TableError),
     /// A figure, or the file of draws, cannot be written.
     #[error(transparent)]
-    #[diagnostic(help("-o DIR puts the figures into another directory"))]
     Write(#[from] WriteError),
+}
+
+impl Explained for ProbabilityCommandError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            ProbabilityCommandError::File(error) => Some(error),
+            ProbabilityCommandError::Case(error) => Some(error),
+            ProbabilityCommandError::Probability(error) => Some(error),
+            ProbabilityCommandError::Table(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            ProbabilityCommandError::Write(_) => {
+                Some("-o DIR puts the figures into another directory".into())
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The answer, and why a figure of it could not be written, if it could not: the answer is not lost with it.

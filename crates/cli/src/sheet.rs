@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use standfast_sheet::{Paper, PrintError, Sheet, SheetError, SheetOptions};
 use thiserror::Error;
 
@@ -46,24 +46,31 @@ impl fmt::Display for SheetFile {
 }
 
 /// Reason why a sheet was not made.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum SheetCommandError {
     /// The case file cannot be read, or is no case file.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     File(#[from] CaseFileError),
     /// The case makes no sense.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Sheet(#[from] SheetError),
     /// The sheet cannot be printed.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Print(#[from] PrintError),
     /// The sheet cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
+}
+
+impl Explained for SheetCommandError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        Some(match self {
+            SheetCommandError::File(error) => error,
+            SheetCommandError::Sheet(error) => error,
+            SheetCommandError::Print(error) => error,
+            SheetCommandError::Write(error) => error,
+        })
+    }
 }
 
 /// Writes the calculation sheet of a case file.

@@ -3,9 +3,8 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use miette::Diagnostic;
-use standfast_cases::CaseError;
 use standfast_cases::motion::{Follow, Outcome, Position, SERIES, all_json, follow_all, series, series_csv};
+use standfast_cases::{CaseError, Explained};
 use standfast_tables::{TableFormat, WrittenColumn, written};
 use thiserror::Error;
 
@@ -18,47 +17,66 @@ use crate::format::Format;
 use crate::write::{self, WriteError};
 
 /// Reason why a motion was not followed.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum SimulateError {
     /// The case file cannot be read.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     File(#[from] CaseFileError),
     /// The case makes no sense.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// The motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] standfast_cases::motion::MotionError),
     /// There are no criteria to check.
     #[error("--check finds no [criteria] of the motion in {}", path.display())]
-    #[diagnostic(help(
-        "add for example\n[criteria]\nslide = \"0.10 m\"\nmax_theta = \"50 mrad\"\noverturned = false"
-    ))]
     NothingToCheck {
         /// The case file.
         path: PathBuf,
     },
     /// The series has a name that tells no format.
     #[error("cannot tell the format of {} from its extension", path.display())]
-    #[diagnostic(help("expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx"))]
     Extension {
         /// The file.
         path: PathBuf,
     },
     /// The series is asked for in a format that this build leaves out.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Format(Box<BatchCommandError>),
     /// The series cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
     /// A figure cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Figure(#[from] FigureError),
+}
+
+impl Explained for SimulateError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            SimulateError::File(error) => Some(error),
+            SimulateError::Case(error) => Some(error),
+            SimulateError::Format(error) => Some(&**error),
+            SimulateError::Write(error) => Some(error),
+            SimulateError::Figure(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            SimulateError::NothingToCheck { .. } => {
+                "add for example\n[criteria]\nslide = \"0.10 m\"\nmax_theta = \"50 mrad\"\n\
+                 overturned = false"
+                    .into()
+            }
+            SimulateError::Extension { .. } => {
+                "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx".into()
+            }
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 /// The motion of a case, and why a figure of it could not be written, if it could not: the answer is not lost with it.

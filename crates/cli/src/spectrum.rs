@@ -3,9 +3,8 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use miette::Diagnostic;
-use standfast_cases::CaseError;
 use standfast_cases::motion::{SpectrumError, SpectrumRequest};
+use standfast_cases::{CaseError, Explained};
 use thiserror::Error;
 
 use crate::args::{SpectrumArgs, threads};
@@ -17,27 +16,35 @@ use crate::progress::Motions;
 use crate::write::{self, WriteError};
 
 /// Reason why there is no spectrum.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum SpectrumCommandError {
     /// The case file cannot be read.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     File(#[from] CaseFileError),
     /// The case makes no sense.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// The case has no such spectrum.
     #[error(transparent)]
     Spectrum(#[from] SpectrumError),
     /// The points cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
     /// The figure cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Figure(#[from] FigureError),
+}
+
+impl Explained for SpectrumCommandError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            SpectrumCommandError::File(error) => Some(error),
+            SpectrumCommandError::Case(error) => Some(error),
+            SpectrumCommandError::Write(error) => Some(error),
+            SpectrumCommandError::Figure(error) => Some(error),
+            _ => None,
+        }
+    }
 }
 
 /// Finds the spectrum of a case file, draws it, and returns what to print.

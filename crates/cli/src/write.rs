@@ -6,14 +6,14 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use thiserror::Error;
 
 use crate::files_read::{FilesRead, WouldReplace};
 use unfinished::Unfinished;
 
 /// Reason why a file was not written.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum WriteError {
     /// The system does not write it.
     #[error("cannot write {}: {cause}", path.display())]
@@ -25,8 +25,16 @@ pub enum WriteError {
     },
     /// It is a file that was read.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     WouldReplace(#[from] WouldReplace),
+}
+
+impl Explained for WriteError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            WriteError::WouldReplace(error) => Some(error),
+            _ => None,
+        }
+    }
 }
 
 /// A file name whose extension does not say how the file is written.

@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 use std::str::FromStr;
 use std::time::{Duration, Instant};
 
-use miette::Diagnostic;
+use standfast_cases::Explained;
 use thiserror::Error;
 
 use crate::Date;
@@ -77,20 +77,13 @@ const PLACES: [&str; 4] = [
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// Reason why a page was not printed.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum PrintError {
     /// There is no browser.
     #[error("a PDF is printed by Chromium or Chrome, and none was found")]
-    #[diagnostic(help(
-        "looked in PATH for {}, and at {}; {VARIABLE} names another program. Without one, write the sheet as .html and print it \
-         from any browser",
-        PROGRAMS.join(", "),
-        PLACES.join(", ")
-    ))]
     NoBrowser,
     /// The browser that was named is none.
     #[error("{VARIABLE} is {}, which is no program", path.display())]
-    #[diagnostic(help("set it to the path of Chromium or Chrome, or unset it"))]
     NoProgram {
         /// Path that the variable names.
         path: PathBuf,
@@ -105,7 +98,6 @@ pub enum PrintError {
     },
     /// The browser printed nothing.
     #[error("{} printed nothing{said}", program.display())]
-    #[diagnostic(help("write the sheet as .html and print it from any browser"))]
     Nothing {
         /// The browser.
         program: PathBuf,
@@ -114,7 +106,6 @@ pub enum PrintError {
     },
     /// The browser did not end.
     #[error("{} has not printed within {} s", program.display(), PATIENCE.as_secs())]
-    #[diagnostic(help("write the sheet as .html and print it from any browser"))]
     Slow {
         /// The browser.
         program: PathBuf,
@@ -122,6 +113,25 @@ pub enum PrintError {
     /// There is no room for temporary files.
     #[error("cannot write a temporary file: {0}")]
     Temporary(#[from] io::Error),
+}
+
+impl Explained for PrintError {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            PrintError::NoBrowser => format!(
+                "looked in PATH for {}, and at {}; {VARIABLE} names another program. Without one, write the sheet as .html and print it \
+                 from any browser",
+                PROGRAMS.join(", "),
+                PLACES.join(", ")
+            ),
+            PrintError::NoProgram { .. } => "set it to the path of Chromium or Chrome, or unset it".into(),
+            PrintError::Nothing { .. } | PrintError::Slow { .. } => {
+                "write the sheet as .html and print it from any browser".into()
+            }
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 /// The browser to print with.

@@ -44,11 +44,10 @@ mod steps;
 mod symbols;
 mod verdict;
 
-use miette::Diagnostic;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
 use standfast_cases::motion::{FirstInstant, Follow};
-use standfast_cases::{Assessment, CaseError, CaseFile, Key, View};
+use standfast_cases::{Assessment, CaseError, CaseFile, Explained, Key, View};
 use thiserror::Error;
 
 pub use browser::{Paper, PaperError, PrintError};
@@ -76,22 +75,38 @@ impl Default for SheetOptions {
 }
 
 /// Reason why there is no sheet.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SheetError {
     /// The case file is wrong.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// The case cannot be computed.
     #[error(transparent)]
     Mechanics(#[from] InputError),
     /// A part of the sheet cannot be drawn.
     #[error("the sheet cannot be drawn whole: {0}")]
-    #[diagnostic(help(
-        "this is a fault of the program, not of the case; no sheet is made, because one with a gap could be signed"
-    ))]
     Fault(#[from] Fault),
+}
+
+impl Explained for SheetError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            SheetError::Case(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            SheetError::Fault(_) => Some(
+                "this is a fault of the program, not of the case; no sheet is made, because one with a \
+                 gap could be signed"
+                    .into(),
+            ),
+            _ => None,
+        }
+    }
 }
 
 /// A calculation sheet.

@@ -79,7 +79,8 @@ pub struct Response {
     pub effective: Option<Reduced>,
     /// Accelerations and reactions of the mode reported: m/s², rad/s², N per metre run, m.
     pub motion: Option<Motion>,
-    /// Where it stands on the boundary of rest; `None` of one that does not, and where nobody has [asked](Situation::as_written).
+    /// The boundary that it stands on; `None` of one that stands on none, on a base that crushes, and where nobody has
+    /// [asked](Situation::as_written).
     pub boundary: Option<Boundary>,
 }
 

@@ -3,19 +3,17 @@
 use std::fmt;
 use std::io;
 
-use miette::Diagnostic;
-use standfast_cases::CaseError;
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::NoFactor;
+use standfast_cases::{CaseError, Explained};
 use thiserror::Error;
 
 /// Reason why a table was not processed.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TableError {
     /// There is not even a header.
     #[error("{name} is empty")]
-    #[diagnostic(help("a table begins with the names of its columns, among them {needed}"))]
     Empty {
         /// The table.
         name: String,
@@ -24,9 +22,6 @@ pub enum TableError {
     },
     /// A header whose columns are parted by something else than commas.
     #[error("{name} parts its columns by {separator}: its first line is {header}")]
-    #[diagnostic(help(
-        "CSV is read with commas between columns and points in numbers; convert it, or give it as .xlsx or .parquet"
-    ))]
     Separator {
         /// The table.
         name: String,
@@ -37,7 +32,6 @@ pub enum TableError {
     },
     /// One of the columns needed is not there.
     #[error("{name} has no column {column}; {}", columns(found))]
-    #[diagnostic(help("{help}"))]
     MissingColumn {
         /// The table.
         name: String,
@@ -58,7 +52,6 @@ pub enum TableError {
     },
     /// A column that is to be appended is there already.
     #[error("{name} already has a column {column}, which is one of the results")]
-    #[diagnostic(help("rename or remove it"))]
     ResultExists {
         /// The table.
         name: String,
@@ -67,7 +60,6 @@ pub enum TableError {
     },
     /// `--map` names a column that the problem does not have.
     #[error("--map {ours}=…: the problem has no column {ours}")]
-    #[diagnostic(help("{}", meant(suggestion.as_deref(), needed)))]
     MapUnknown {
         /// The name.
         ours: String,
@@ -96,11 +88,9 @@ pub enum TableError {
     },
     /// The case that the rows vary is wrong by itself.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// No column has the name of a number of the case.
     #[error("{name} has no column that varies the case; {}", columns(found))]
-    #[diagnostic(help("{help}"))]
     NothingVaries {
         /// The table.
         name: String,
@@ -111,7 +101,6 @@ pub enum TableError {
     },
     /// A column whose name begins like a key, and is none that can vary.
     #[error("{name}, column {column}: {error}")]
-    #[diagnostic(help("{}", error.help().map_or(String::new(), |help| help.to_string())))]
     NoFactor {
         /// The table.
         name: String,
@@ -134,7 +123,6 @@ pub enum TableError {
     },
     /// `--columns` names a result that the problem does not have.
     #[error("{option} {column}: there is no such result here")]
-    #[diagnostic(help("{}", meant_result(column, results)))]
     NoSuchResult {
         /// The option that names it.
         option: &'static str,
@@ -153,9 +141,6 @@ pub enum TableError {
     },
     /// The name of a file does not tell its format.
     #[error("cannot tell the format of {name} from its extension")]
-    #[diagnostic(help(
-        "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx; or say it: {option} parquet"
-    ))]
     Format {
         /// The file.
         name: String,
@@ -164,9 +149,6 @@ pub enum TableError {
     },
     /// This build has no code for a format.
     #[error("{name}: {format} is left out of this build")]
-    #[diagnostic(help(
-        "the feature `columnar` of standfast-tables adds Parquet and Arrow, `xlsx` Excel workbooks"
-    ))]
     LeftOut {
         /// The table.
         name: String,
@@ -185,7 +167,6 @@ pub enum TableError {
     },
     /// A sheet that the workbook does not have.
     #[error("{name} has no sheet \"{sheet}\"")]
-    #[diagnostic(help("its sheets are {sheets}"))]
     NoSheet {
         /// The workbook.
         name: String,
@@ -204,9 +185,6 @@ pub enum TableError {
     },
     /// Values without a column name above them.
     #[error("{name}, cell {cell}: there is a value, but no name of a column in row {header}")]
-    #[diagnostic(help(
-        "a table begins with the names of its columns; what stands beside it has to go to another sheet"
-    ))]
     Nameless {
         /// The workbook.
         name: String,
@@ -217,7 +195,6 @@ pub enum TableError {
     },
     /// More than a sheet has room for.
     #[error("{found} {what} do not fit into a sheet of an Excel workbook, which has room for {room}")]
-    #[diagnostic(help("write Parquet or CSV"))]
     SheetFull {
         /// Number to be written.
         found: u64,
@@ -228,7 +205,6 @@ pub enum TableError {
     },
     /// A workbook that holds more than is read.
     #[error("{name}: {part} has {found} {what} or more; expected {most} at most")]
-    #[diagnostic(help("save the table as CSV or Parquet, which are read piece by piece"))]
     TooLarge {
         /// The workbook.
         name: String,
@@ -243,7 +219,6 @@ pub enum TableError {
     },
     /// A column that has no place in a text or a sheet.
     #[error("{name}, column {column}: holds {found}, for which {format} has no place")]
-    #[diagnostic(help("write Parquet or Arrow, or leave the column out"))]
     Nested {
         /// The table.
         name: String,
@@ -256,7 +231,6 @@ pub enum TableError {
     },
     /// A row that makes no sense.
     #[error("{name}, {place}, {problem}")]
-    #[diagnostic(help("--on-error null leaves the results of such rows empty and goes on"))]
     Row {
         /// The table.
         name: String,
@@ -267,7 +241,6 @@ pub enum TableError {
     },
     /// A quotation mark that swallows the rest of the table.
     #[error("{name}, line {line}: a quotation mark is opened and never closed")]
-    #[diagnostic(help("a field that begins with \" has to end with \"; inside, it is written twice"))]
     Quote {
         /// The table.
         name: String,
@@ -298,6 +271,62 @@ pub enum TableError {
     /// The result cannot be written.
     #[error("cannot write the result: {0}")]
     Write(io::Error),
+}
+
+impl Explained for TableError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            TableError::Case(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            TableError::Empty { needed, .. } => {
+                format!("a table begins with the names of its columns, among them {needed}")
+            }
+            TableError::Separator { .. } => {
+                "CSV is read with commas between columns and points in numbers; convert it, or give it as \
+                 .xlsx or .parquet"
+                    .into()
+            }
+            TableError::MissingColumn { help, .. } => help.clone(),
+            TableError::ResultExists { .. } => "rename or remove it".into(),
+            TableError::MapUnknown { suggestion, needed, .. } => meant(suggestion.as_deref(), needed),
+            TableError::NothingVaries { help, .. } => help.clone(),
+            TableError::NoFactor { error, .. } => return error.help(),
+            TableError::NoSuchResult { column, results, .. } => meant_result(column, results),
+            TableError::Format { option, .. } => format!(
+                "expected .csv or .txt, .parquet or .pq, .arrow, .ipc or .feather, .arrows, .xlsx; or say \
+                 it: {option} parquet"
+            ),
+            TableError::LeftOut { .. } => {
+                "the feature `columnar` of standfast-tables adds Parquet and Arrow, `xlsx` Excel \
+                 workbooks"
+                    .into()
+            }
+            TableError::NoSheet { sheets, .. } => format!("its sheets are {sheets}"),
+            TableError::Nameless { .. } => {
+                "a table begins with the names of its columns; what stands beside it has to go to another \
+                 sheet"
+                    .into()
+            }
+            TableError::SheetFull { .. } => "write Parquet or CSV".into(),
+            TableError::TooLarge { .. } => {
+                "save the table as CSV or Parquet, which are read piece by piece".into()
+            }
+            TableError::Nested { .. } => "write Parquet or Arrow, or leave the column out".into(),
+            TableError::Row { .. } => {
+                "--on-error null leaves the results of such rows empty and goes on".into()
+            }
+            TableError::Quote { .. } => {
+                "a field that begins with \" has to end with \"; inside, it is written twice".into()
+            }
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 /// Place of a row, counted from one.

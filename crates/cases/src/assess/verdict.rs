@@ -64,11 +64,11 @@ fn lifted(full: &Response, extent: Extent) -> String {
 
 /// That the answer is the only one, and where it is on the boundary to another, which.
 fn unique(assessed: &Assessed) -> String {
-    if assessed.boundary() != Some(Boundary::Exact) {
+    if assessed.outcome.full.boundary != Some(Boundary::Exact) {
         return "The answer is unique.".to_owned();
     }
-    let beyond = match assessed.departure() {
-        GroundDeparture::At { factor: 1.0, verdict } => predicate(verdict),
+    let beyond = match assessed.outcome.departure {
+        Departure::At { factor: 1.0, verdict } => predicate(verdict),
         _ => "moves".to_owned(),
     };
     format!("The answer is unique, and exactly on the boundary: with the least more load the body {beyond}.")
@@ -84,9 +84,9 @@ fn uniqueness(assessed: &Assessed) -> String {
         Some(_) if assessed.outcome.full.is_unique() => return unique(assessed),
         Some(Verdict::Begins(mode)) => mode,
     };
-    if assessed.boundary() == Some(Boundary::ToTheDigits) {
+    if assessed.outcome.full.boundary == Some(Boundary::ToTheDigits) {
         let others: Vec<_> =
-            assessed.others().iter().map(|mode| format!("{} ({mode})", mode.words())).collect();
+            assessed.outcome.full.others().iter().map(|mode| format!("{} ({mode})", mode.words())).collect();
         return format!(
             "To the digits given it is on a boundary: that it {} cannot be told from that.",
             others.join(" or ")
@@ -128,7 +128,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
 /// What happens while the variable loads rise: where the body leaves rest, and how that differs from the full load at once.
 pub fn path(assessed: &Assessed) -> Vec<String> {
     const NONE: &str = "No variable load acts; nothing rises.";
-    match assessed.departure() {
+    match assessed.outcome.departure {
         Departure::Never if !assessed.rises() => vec![NONE.to_owned()],
         departure if !assessed.rises() => vec![NONE.to_owned(), leaving(&departure)],
         departure => vec![rising(assessed), leaving(&departure), difference(assessed)],
@@ -173,7 +173,7 @@ fn difference(assessed: &Assessed) -> String {
     let full = assessed.verdict();
     let rests = assessed.mode() == Some(Mode::Rest);
     let symbol = |verdict: Option<Verdict>| verdict.map_or("no consistent mode", Verdict::symbol);
-    match assessed.departure() {
+    match assessed.outcome.departure {
         Departure::AtOnce { permanent: true, .. } => {
             "With no rest to begin from, a rising load has no first departure.".to_owned()
         }

@@ -1,35 +1,31 @@
 //! Why there is no design, in words.
 
-use miette::Diagnostic;
 use thiserror::Error;
 
 use super::{Extreme, Spelling, Target};
 use crate::couple::Unknown;
 use crate::error::CaseError;
+use crate::explained::Explained;
 use crate::key::Key;
 
 /// Why there is no design.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum DesignError {
     /// The case file is wrong.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// The target asks for the motion of a case that has none.
     #[error("the target {name} asks for the motion in time, of which the case says nothing")]
-    #[diagnostic(help("give each variable load a history, or the base a [motion.base]"))]
     NotInTime {
         /// The target.
         name: &'static str,
     },
     /// A name that is no number of the case.
     #[error("the case has no `{}` to vary", .0.name)]
-    #[diagnostic(help("{}", known(.0)))]
     UnknownVariable(Unknown),
     /// An end of a range that is no value of the quantity.
     #[error("{option} is \"{written}\": {fault}")]
-    #[diagnostic(help("{expected}"))]
     Bracket {
         /// The option.
         option: &'static str,
@@ -62,7 +58,6 @@ pub enum DesignError {
     },
     /// The criteria are the target, and there are none.
     #[error("the target {target} asks for the criteria of the case, which has none")]
-    #[diagnostic(help("add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2"))]
     NoCriteria {
         /// The target.
         target: Target,
@@ -71,7 +66,6 @@ pub enum DesignError {
     #[error(
         "the target {target} asks for a probability, and the case has no [random] table, which says what is random"
     )]
-    #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
     NothingRandom {
         /// The target.
         target: Target,
@@ -81,14 +75,12 @@ pub enum DesignError {
         "the target {target} asks how far the variable loads may rise, and the case has none: nothing rises, and it would be met \
          by a body that just rests"
     )]
-    #[diagnostic(help("SF_sliding, SF_overturning or factor say how safe a body is under permanent loads"))]
     NothingRises {
         /// The target.
         target: Target,
     },
     /// No value of the range makes a case.
     #[error("no {name} {range} makes a case; at {at}: {why}")]
-    #[diagnostic(help("{} and {} give another range", spelling.from, spelling.to))]
     NoCase {
         /// What was varied.
         name: String,
@@ -103,7 +95,6 @@ pub enum DesignError {
     },
     /// The target does not depend on the quantity.
     #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
-    #[diagnostic(help("{}", of_no_influence(target)))]
     NoInfluence {
         /// What was varied.
         name: String,
@@ -114,12 +105,6 @@ pub enum DesignError {
     },
     /// No value meets the target.
     #[error("no {name} {range} meets the target {target}; {best}")]
-    #[diagnostic(help(
-        "{} and {} widen the range; another quantity may help more: see the sensitivities of a \
-        target that can be met",
-        spelling.from,
-        spelling.to
-    ))]
     Unmet {
         /// What was varied.
         name: String,
@@ -134,7 +119,6 @@ pub enum DesignError {
     },
     /// The target is met as far as the range reaches on the side where an end was wanted.
     #[error("there is no {extreme} {name} that meets the target {target}: it is met {met}")]
-    #[diagnostic(help("{help}"))]
     NoEnd {
         /// What was varied.
         name: String,
@@ -149,13 +133,6 @@ pub enum DesignError {
     },
     /// No value meets the target, whatever another quantity is.
     #[error("whatever {name} is {range}, the target is not met; at {at}: {why}")]
-    #[diagnostic(help(
-        "{}, {}, {} and {} widen the ranges",
-        spelling.from,
-        spelling.to,
-        spelling.and_from,
-        spelling.and_to
-    ))]
     UnmetThroughout {
         /// The other quantity.
         name: String,
@@ -170,13 +147,59 @@ pub enum DesignError {
     },
     /// Both quantities are the same.
     #[error("{} and {} name the same number, {name}", spelling.vary, spelling.and)]
-    #[diagnostic(help("{} takes another quantity of the case, as in {}", spelling.and, spelling.two))]
     Twice {
         /// The number.
         name: String,
         /// What the request was written with.
         spelling: &'static Spelling,
     },
+}
+
+impl Explained for DesignError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            DesignError::Case(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            DesignError::NotInTime { .. } => {
+                "give each variable load a history, or the base a [motion.base]".into()
+            }
+            DesignError::UnknownVariable(it) => known(it),
+            DesignError::Bracket { expected, .. } => expected.clone(),
+            DesignError::NoCriteria { .. } => {
+                "add for example\n[criteria]\nSF_sliding = 1.2\nSF_overturning = 1.2".into()
+            }
+            DesignError::NothingRandom { .. } => {
+                "for example\n[random]\nfriction = { normal = { mean = 0.6, sd = 0.1 } }".into()
+            }
+            DesignError::NothingRises { .. } => {
+                "SF_sliding, SF_overturning or factor say how safe a body is under permanent loads".into()
+            }
+            DesignError::NoCase { spelling, .. } => {
+                format!("{} and {} give another range", spelling.from, spelling.to)
+            }
+            DesignError::NoInfluence { target, .. } => of_no_influence(target).into(),
+            DesignError::Unmet { spelling, .. } => format!(
+                "{} and {} widen the range; another quantity may help more: see the sensitivities of a \
+                 target that can be met",
+                spelling.from, spelling.to
+            ),
+            DesignError::NoEnd { help, .. } => help.clone(),
+            DesignError::UnmetThroughout { spelling, .. } => format!(
+                "{}, {}, {} and {} widen the ranges",
+                spelling.from, spelling.to, spelling.and_from, spelling.and_to
+            ),
+            DesignError::Twice { spelling, .. } => {
+                format!("{} takes another quantity of the case, as in {}", spelling.and, spelling.two)
+            }
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {

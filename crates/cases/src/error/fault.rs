@@ -2,11 +2,10 @@
 
 use std::ops::Range as Span;
 
-use miette::{Diagnostic, LabeledSpan, SourceCode};
 use thiserror::Error;
 
 use super::Problem;
-use crate::excerpt::Excerpt;
+use crate::explained::{Excerpt, Explained};
 use crate::key::{Id, Key, Table};
 
 /// Where in a case something is wrong.
@@ -63,15 +62,22 @@ impl Fault {
 #[error("{problem}")]
 pub struct CaseError {
     problem: Problem,
-    source_code: Box<Excerpt>,
-    spans: Vec<Span<usize>>,
+    file: Box<File>,
+}
+
+/// The file of a case, with the places that an error is about.
+#[derive(Debug)]
+struct File {
+    name: String,
+    text: String,
+    places: Vec<Span<usize>>,
 }
 
 impl CaseError {
     pub(crate) fn new(name: &str, text: &str, problem: Problem, spans: Vec<Span<usize>>) -> CaseError {
-        let spans = spans.into_iter().map(|span| first_line(text, span)).collect();
-        let (source_code, spans) = Excerpt::new(name, text, spans);
-        CaseError { problem, source_code: Box::new(source_code), spans }
+        let places = spans.into_iter().map(|span| first_line(text, span)).collect();
+        let file = File { name: name.to_owned(), text: text.to_owned(), places };
+        CaseError { problem, file: Box::new(file) }
     }
 
     /// What is wrong.
@@ -86,17 +92,14 @@ fn first_line(text: &str, span: Span<usize>) -> Span<usize> {
     span.start..span.start + line.len()
 }
 
-impl Diagnostic for CaseError {
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        let empty = matches!(self.problem, Problem::Empty { .. });
-        (!empty).then_some(&*self.source_code as &dyn SourceCode)
+impl Explained for CaseError {
+    fn help(&self) -> Option<String> {
+        self.problem.help()
     }
 
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(self.spans.iter().cloned().map(LabeledSpan::underline)))
-    }
-
-    fn help(&self) -> Option<Box<dyn std::fmt::Display + '_>> {
-        Some(Box::new(self.problem.help()?))
+    fn excerpt(&self) -> Option<Excerpt<'_>> {
+        let File { name, text, places } = &*self.file;
+        let empty = matches!(self.problem, Problem::Empty { .. }) || places.is_empty();
+        (!empty).then(|| Excerpt { name, text, places: places.clone() })
     }
 }

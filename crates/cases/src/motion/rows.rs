@@ -14,6 +14,7 @@ use super::{Follow, ReadFile, follow_all, motions};
 use crate::case::Case;
 use crate::couple::vary;
 use crate::error::{CaseError, Problem};
+use crate::explained::Explained;
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Kind, Table};
 use crate::parse::{CaseFile, read};
@@ -44,12 +45,11 @@ pub const RESULTS: [&str; 16] = [
 const OF_CRITERIA: [&str; 3] = ["met", "utilisation", "criterion"];
 
 /// Why a column varies nothing that it should.
-#[derive(Debug, Error, miette::Diagnostic)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ColumnError {
     /// It is no number of the case, or its unit does not fit.
     #[error("column {column}: {error}")]
-    #[diagnostic(help("{}", error.help().map_or_else(String::new, |help| help.to_string())))]
     NoFactor {
         /// The column.
         column: String,
@@ -84,8 +84,23 @@ pub enum ColumnError {
     },
     /// The case makes no sense.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
+}
+
+impl Explained for ColumnError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            ColumnError::Case(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            ColumnError::NoFactor { error, .. } => error.help(),
+            _ => None,
+        }
+    }
 }
 
 /// What a column varies.

@@ -2,32 +2,28 @@
 
 use std::fmt;
 
-use miette::Diagnostic;
 use thiserror::Error;
 
 use super::answer::Method;
 use super::storm::SlidingError;
 use crate::error::CaseError;
+use crate::explained::Explained;
 
 /// Why there is no answer.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ProbabilityError {
     /// The case is not one, or a law is wrong.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Case(#[from] CaseError),
     /// Nothing is random.
     #[error("the case file has no [random] table, which says what is random and by which law")]
-    #[diagnostic(help("for example\n[random]\nfriction = {{ normal = {{ mean = 0.6, sd = 0.1 }} }}"))]
     NoRandom,
     /// Draws, or what there is along a number, of a storm without a body.
     #[error("the file is of a [storm] without a [body], of which this is not asked")]
-    #[diagnostic(help("give the body, its loads and its [wave]"))]
     NoBody,
     /// More numbers than the method takes.
     #[error("{method} takes {most} random numbers at most, and the case has {numbers}")]
-    #[diagnostic(help("without a method one is chosen that does"))]
     TooMany {
         /// The method.
         method: Method,
@@ -38,14 +34,12 @@ pub enum ProbabilityError {
     },
     /// A life of no whole number of years, of which some would have to be drawn.
     #[error("a life of {years} years; expected a whole number, because its years are drawn one by one")]
-    #[diagnostic(help("up to three random numbers are integrated, over any number of years"))]
     PartOfYear {
         /// The years.
         years: f64,
     },
     /// Which of several situations is meant is not said.
     #[error("{}; the case has {}", HowAsked(asked.as_deref()), known.join("; "))]
-    #[diagnostic(help("name one of them"))]
     Situation {
         /// What was asked for.
         asked: Option<String>,
@@ -62,17 +56,43 @@ pub enum ProbabilityError {
     },
     /// Storms that cannot be answered.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Sliding(#[from] SlidingError),
     /// A life in which nothing is drawn each year.
     #[error("a life of {years} years, and no random number is drawn yearly")]
-    #[diagnostic(help(
-        "say `every = \"year\"` of what is drawn anew each year, such as the sea's largest wave"
-    ))]
     NothingYearly {
         /// The years.
         years: f64,
     },
+}
+
+impl Explained for ProbabilityError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            ProbabilityError::Case(error) => Some(error),
+            ProbabilityError::Sliding(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            ProbabilityError::NoRandom => {
+                "for example\n[random]\nfriction = { normal = { mean = 0.6, sd = 0.1 } }".into()
+            }
+            ProbabilityError::NoBody => "give the body, its loads and its [wave]".into(),
+            ProbabilityError::TooMany { .. } => "without a method one is chosen that does".into(),
+            ProbabilityError::PartOfYear { .. } => {
+                "up to three random numbers are integrated, over any number of years".into()
+            }
+            ProbabilityError::Situation { .. } => "name one of them".into(),
+            ProbabilityError::NothingYearly { .. } => {
+                "say `every = \"year\"` of what is drawn anew each year, such as the sea's largest wave"
+                    .into()
+            }
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 /// How a situation was asked for.

@@ -1,11 +1,11 @@
 //! A number of a case that varies, and how its values are read: which key a name means, in which unit.
 
-use miette::Diagnostic;
 use standfast_motion::record::STANDARD_GRAVITY;
 use thiserror::Error;
 
 use crate::case::OF_PARTS;
 use crate::couple::{Unknown, Variable};
+use crate::explained::Explained;
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Kind, Moves, Table};
 use crate::suggest::closest;
@@ -32,18 +32,16 @@ enum Counted {
 }
 
 /// Why a name is no number that can vary.
-#[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NoFactor {
     /// There is no such key.
     #[error("the case has no number `{}`", .0.name)]
-    #[diagnostic(help("{}", unknown(.0)))]
     Unknown(Unknown),
     /// A key that the file does not have, and for which nothing is taken.
     #[error(
         "the case file has no `{name}`: what varies is in the file, or has a value where the file is silent and moves nothing else"
     )]
-    #[diagnostic(help("put it into the case file, with any value it may have; what it has is {}", names.join(", ")))]
     Absent {
         /// The key.
         name: String,
@@ -60,6 +58,20 @@ pub enum NoFactor {
         /// The units understood.
         expected: String,
     },
+}
+
+impl Explained for NoFactor {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            NoFactor::Unknown(it) => unknown(it),
+            NoFactor::Absent { names, .. } => format!(
+                "put it into the case file, with any value it may have; what it has is {}",
+                names.join(", ")
+            ),
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 fn unknown(unknown: &Unknown) -> String {

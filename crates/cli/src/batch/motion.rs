@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use miette::Diagnostic;
 use standfast_cases::CaseFile;
+use standfast_cases::Explained;
 use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
 use standfast_cases::suggest::closest;
@@ -19,7 +19,7 @@ use crate::progress::Motions;
 use crate::write::{Pending, WriteError};
 
 /// Reason why a table of motions was not answered.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub enum MotionTableError {
     /// The table cannot be read.
     #[error("cannot read {name}: {cause}")]
@@ -39,7 +39,6 @@ pub enum MotionTableError {
     },
     /// A format of the output that there is not.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Output(Box<super::BatchCommandError>),
     /// An option that tables of motions do not have.
     #[error("{option} does not go with a table of motions")]
@@ -49,11 +48,9 @@ pub enum MotionTableError {
     },
     /// A column that varies nothing it names.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Column(#[from] ColumnError),
     /// No column varies anything.
     #[error("no column of {name} varies anything of the case")]
-    #[diagnostic(help("call columns by what they vary, as in block.mu_s or motion.base.horizontal.file"))]
     Nothing {
         /// The table.
         name: String,
@@ -68,7 +65,6 @@ pub enum MotionTableError {
     },
     /// A row that makes no sense.
     #[error("{name}, row {row}: {words}")]
-    #[diagnostic(help("--on-error null leaves the results of such rows empty"))]
     Row {
         /// The table.
         name: String,
@@ -79,8 +75,29 @@ pub enum MotionTableError {
     },
     /// The file cannot be written.
     #[error(transparent)]
-    #[diagnostic(transparent)]
     Write(#[from] WriteError),
+}
+
+impl Explained for MotionTableError {
+    fn passed_on(&self) -> Option<&dyn Explained> {
+        match self {
+            MotionTableError::Output(error) => Some(&**error),
+            MotionTableError::Column(error) => Some(error),
+            MotionTableError::Write(error) => Some(error),
+            _ => None,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            MotionTableError::Nothing { .. } => {
+                "call columns by what they vary, as in block.mu_s or motion.base.horizontal.file".into()
+            }
+            MotionTableError::Row { .. } => "--on-error null leaves the results of such rows empty".into(),
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 /// Answers the rows of a table that vary a case of motion; returns what to print.

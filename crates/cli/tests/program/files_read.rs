@@ -49,7 +49,7 @@ fn refused(case: (&str, &str), record: &str, command: &str, what: &str) {
     }
     let before = contents(here);
     let output = standfast(here, &command.split(' ').collect::<Vec<_>>());
-    let said = String::from_utf8_lossy(&output.stderr).replace("\n  │ ", " ");
+    let said = String::from_utf8_lossy(&output.stderr).replace("\n       ", " ");
     assert_eq!(output.status.code(), Some(1), "{command}: {said}");
     assert!(said.contains(&format!("cannot write over {what}")), "{command}: {said}");
     let after: Vec<_> = contents(here).into_iter().filter(|file| before.contains(file)).collect();

@@ -1,6 +1,5 @@
 //! How far storms slide the body over a life.
 
-use miette::Diagnostic;
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::Inputs as Laws;
 use standfast_probability::sample::{Effort, Estimate};
@@ -8,6 +7,7 @@ use standfast_probability::sums::{Lives, OfLife, expected, lives};
 use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
+use crate::explained::Explained;
 use crate::random::answer::Request;
 
 /// Slides over a life of storms, one a year; m.
@@ -82,24 +82,19 @@ pub struct Rotating {
 }
 
 /// Why there are no slides.
-#[derive(Debug, Clone, PartialEq, Error, Diagnostic)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SlidingError {
     /// No waves.
     #[error("the case has a [storm] and no [wave]")]
-    #[diagnostic(help("leave [body] out for a storm whose thrust is in proportion to the wave's height"))]
     NoWaves,
     /// A base that gives way.
     #[error(
         "the case has a [storm], and a [ground] that crushes or fails: the slide of a wave's pulse is that on a rigid base"
     )]
-    #[diagnostic(help(
-        "leave [storm] out for the modes on this base, or `strength` and the ground's law for the slides"
-    ))]
     Ground,
     /// More than one set of loads.
     #[error("the case has a [storm] and leaves a choice of loads: {what}")]
-    #[diagnostic(help("storms are answered for a case whose loads all act together"))]
     Choice {
         /// What leaves it.
         what: &'static str,
@@ -121,7 +116,6 @@ pub enum SlidingError {
     #[error(
         "waves that begin a rotation cannot be followed in time with `{name}`, which gives a wave another moment than its pressures have"
     )]
-    #[diagnostic(help("leave it out, or --rotations count"))]
     BiasOfMoment {
         /// The random number.
         name: String,
@@ -132,6 +126,27 @@ pub enum SlidingError {
         /// The years.
         years: f64,
     },
+}
+
+impl Explained for SlidingError {
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            SlidingError::NoWaves => {
+                "leave [body] out for a storm whose thrust is in proportion to the wave's height".into()
+            }
+            SlidingError::Ground => {
+                "leave [storm] out for the modes on this base, or `strength` and the ground's law for the \
+                 slides"
+                    .into()
+            }
+            SlidingError::Choice { .. } => {
+                "storms are answered for a case whose loads all act together".into()
+            }
+            SlidingError::BiasOfMoment { .. } => "leave it out, or --rotations count".into(),
+            _ => return None,
+        };
+        Some(help)
+    }
 }
 
 /// The shares of lives whose slides are told.

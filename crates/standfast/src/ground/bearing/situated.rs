@@ -37,7 +37,8 @@ pub fn outcome(situation: &Situation, ground: Ground) -> Result<BearingOutcome, 
         _ => Some(Mode::Rest),
     };
     let departure = Departure::along(on.decide(begins, 0.0).verdict, path.iter().copied().map(Ok))?;
-    let full = Response { verdict: decision.verdict, modes: decision.modes, motion, ..rigid.full };
+    let boundary = rigid.full.boundary.filter(|_| decision.mode() == mode);
+    let full = Response { verdict: decision.verdict, modes: decision.modes, motion, boundary, ..rigid.full };
     Ok(BearingOutcome { outcome: Outcome { full, departure, path, ..rigid }, load_factors })
 }
 

@@ -65,8 +65,13 @@ pub fn outcome(situation: &Situation, strength: f64) -> Result<CrushOutcome, Inp
     let load_factor = bearing.filter(|range| range.from <= 0.0).map_or(0.0, |range| range.to.max(0.0));
     let begin = solve(&block, &permanent, reduced)?.verdict();
     let departure = Departure::along(begin, path.iter().copied().map(Ok))?;
-    let full =
-        Response { verdict, modes: solution.modes, motion: motion.map(|crush| crush.motion), ..rigid.full };
+    let full = Response {
+        verdict,
+        modes: solution.modes,
+        motion: motion.map(|crush| crush.motion),
+        boundary: None,
+        ..rigid.full
+    };
     let outcome = Outcome { full, departure, path, ..rigid };
     Ok(CrushOutcome { outcome, omega: solution.omega(), motion, load_factor })
 }
