@@ -90,9 +90,9 @@ pub struct Assessed {
     pub is_reported: bool,
     /// The body under its loads.
     pub situation: Situation,
-    /// What becomes of it on its base.
+    /// The answer on its base.
     pub outcome: Outcome,
-    /// What its base bears, where the case says so.
+    /// The share of its base in the answer, where the case says what that bears.
     pub ground: Option<OnGround>,
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
     /// for it.

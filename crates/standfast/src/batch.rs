@@ -138,7 +138,7 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     Ok(())
 }
 
-/// The same on bases that crush, each of its share ω: the [codes](crate::standfast::Verdict::code) of verdicts, BF among them. Points on a rigid
+/// The same on bases that crush, each of its share ω: the [codes](crate::Verdict::code) of verdicts, BF among them. Points on a rigid
 /// base, ω = 0, are those of [`classify`], at its speed.
 ///
 /// ```

@@ -1,4 +1,4 @@
-//! What a body does as a load is applied: a mode begins, or the ground fails.
+//! Verdicts on a body as a load is applied: a mode begins, or the ground fails.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What the base of a situation bears: its part of the answer.
+//! The base of a situation: how much it bears, and what is elastic of it.
 
 use standfast::ground::bearing::{self, BearingPlane, Ground, LoadFactors, Reaction};
 use standfast::ground::elastic::{ElasticBase, LargestMoment};

@@ -44,7 +44,7 @@ impl Crushing {
     }
 }
 
-/// What the base does, in B.
+/// Numbers of the base, in B.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(super) struct OnBase {
     omega: f64,

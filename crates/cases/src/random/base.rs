@@ -1,4 +1,4 @@
-//! What a block stands on: what begins on it as outcomes, for one friction or for all.
+//! Outcomes of a block on its base, under one friction or along all.
 
 use standfast::contact::Block;
 use standfast::ground::bearing::BearingBlock;
@@ -19,12 +19,12 @@ pub(super) fn under(situation: &Situation, foundation: Option<&Foundation>) -> R
     })
 }
 
-/// What begins under a wrench, and whether other modes are consistent too, as outcomes.
+/// The outcomes of a wrench: the verdict, and whether other modes are consistent too.
 pub(super) fn outcomes(base: &Base, block: &Block, wrench: &Wrench) -> u64 {
     base.decide(block, wrench).map_or(1 << NOT_A_BODY, |found| of_modes(found.verdict, found.modes))
 }
 
-/// The same for every friction, μ_k in its proportion; beyond `up_to` none need be told.
+/// The outcomes of a wrench for every friction, μ_k in its proportion; beyond `up_to` none need be told.
 pub(super) fn by_friction(
     base: &Base,
     block: &Block,

@@ -27,7 +27,7 @@ fn outcome(departure: Departure) -> usize {
     }
 }
 
-/// What spans are of: of a problem by its number, block and wrenches in their order, and the base.
+/// Identity of spans: a problem by its number, block and wrenches in their order, and the base.
 type Key = (u64, [f64; 15], Base);
 
 thread_local! {

@@ -1,4 +1,4 @@
-//! What a block of the [contact problem](crate::contact) stands on, in its units: every base answers the same questions.
+//! Bases of a block of the [contact problem](crate::contact), in its units: each answers the same questions.
 
 use super::bearing::BearingBlock;
 use super::strength;
