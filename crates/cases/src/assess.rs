@@ -21,13 +21,13 @@ use standfast::{Departure, InputError, Mode, Motion, Outcome, Situation, Stage, 
 use standfast_probability::sample::Estimate;
 
 use crate::case::{Acting, Case};
+use crate::case_file::CaseFile;
 use crate::criteria::{Check, Criterion};
 use crate::error::CaseError;
 use crate::face::Face;
 use crate::motion::{
     BlockCase, Follow, Followed, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks,
 };
-use crate::parse::CaseFile;
 use crate::random::{ProbabilityError, not_rest};
 use crate::units::Extent;
 pub use figures::{CaseFigure, Drawn};

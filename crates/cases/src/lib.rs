@@ -35,42 +35,36 @@
 
 pub mod assess;
 pub mod case;
+mod case_file;
 pub mod couple;
 pub mod criteria;
 pub mod describe;
 pub mod design;
-mod error;
-mod explained;
 mod face;
-mod inputs;
-pub mod key;
 pub mod layout;
-mod list;
 pub mod motion;
-mod parse;
 pub mod point;
 pub mod random;
-mod record;
+mod report;
 pub mod results;
 mod rounded;
-pub mod suggest;
 pub mod sweep;
-pub mod units;
 mod warning;
 
 pub use assess::{Assessed, Assessment, CaseCheck, CaseFigure, Drawn, UpToError, View, check_up_to};
 pub use case::{Acting, Case};
+pub use case_file::CaseFile;
 pub use criteria::{Check, Criterion};
-pub use error::{CaseError, Fault, Place, Problem};
-pub use explained::{Excerpt, Explained, coloured, report};
 pub use face::Face;
-pub use inputs::{GRAVITY, Inputs, Value};
-pub use key::{Id, Key};
-pub use parse::{CaseFile, Entry};
-pub use record::{ReadFile, RecordFile};
+pub use report::{coloured, report};
+pub use standfast_inputs::{
+    CaseError, CaseText, Entry, Excerpt, Explained, Fault, GRAVITY, Id, Inputs, Key, Place, Problem,
+    ReadFile, RecordFile, Value, key, suggest, units,
+};
 pub use warning::Warning;
 
 use serde::Serialize;
+use standfast_inputs::{error, explained, inputs, parse, record};
 
 /// A JSON document, ended by a newline.
 fn json(document: &impl Serialize) -> String {

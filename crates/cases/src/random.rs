@@ -29,7 +29,6 @@ mod overturn;
 mod point;
 mod problem;
 mod quantity;
-mod read;
 mod resolve;
 mod storm;
 mod template;
@@ -54,8 +53,5 @@ pub use template::template;
 
 pub use problem::Problem;
 pub use quantity::{Bias, Coordinate, Quantity};
-pub(crate) use read::read;
-pub use read::{Named, Random, RandomProblem, Rate};
-
-/// The name of the table.
-pub(crate) const RANDOM: &str = "random";
+use standfast_inputs::random as read;
+pub use standfast_inputs::random::{Named, RANDOM, Random, RandomProblem, Rate};

@@ -11,8 +11,8 @@ use standfast::{Bearing, Departure, Margins, Modes, Response, Verdict};
 
 use crate::assess::ground::{Elastic, OnGround};
 use crate::assess::{Assessed, checks};
-use crate::list::listed;
 use crate::units::Dimension;
+use standfast_inputs::listed;
 
 /// The value of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]

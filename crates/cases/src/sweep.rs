@@ -28,12 +28,12 @@ pub use factor::{Factor, NoFactor, heading};
 
 use crate::assess::{Assessed, Assessment};
 use crate::case::{Case, fault};
+use crate::case_file::CaseFile;
 use crate::couple::{STAYS, Variable, change, moved};
 use crate::criteria::Check;
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
-use crate::parse::CaseFile;
 use crate::results::{ResultKind, ResultName, ResultValue};
 use crate::warning::Warning;
 

@@ -11,8 +11,8 @@ use super::set::{Search, Stretch};
 use super::subject::Subject;
 use super::{DesignError, Request, Spelling, Target, Varied, in_time_note};
 use crate::assess::Assessment;
+use crate::case_file::CaseFile;
 use crate::couple::Variable;
-use crate::parse::CaseFile;
 use crate::rounded::{Decimal, Towards};
 use standfast_figures::Figure;
 

@@ -8,10 +8,10 @@ use standfast::Departure;
 use super::subject::Subject;
 use super::{Varied, farthest, least, load_factor, overturning, sliding, steepest};
 use crate::assess::{Assessed, Assessment};
+use crate::case_file::CaseFile;
 use crate::couple::Variable;
 use crate::error::CaseError;
 use crate::key::{Key, Table};
-use crate::parse::CaseFile;
 
 /// By how much, relatively, a number grows.
 const STEP: f64 = 0.01;

@@ -2,11 +2,11 @@
 
 use crate::assess::{Assessment, InTime};
 use crate::case::Case;
+use crate::case_file::CaseFile;
 use crate::couple::{Variable, vary};
 use crate::error::{CaseError, Fault};
 use crate::inputs::Inputs;
 use crate::motion::{Follow, MotionCriterion, at_first_instant, follow_all, motions};
-use crate::parse::CaseFile;
 
 use super::Target;
 use super::error::DesignError;

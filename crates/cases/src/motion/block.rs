@@ -10,10 +10,10 @@ use super::criteria::MotionCriterion;
 use super::slips::slips;
 use crate::assess::load_words;
 use crate::case::{Acting, Case, CaseMotion, Foundation, Given, HistoryOf, said_by};
+use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Problem as Wrong};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
-use crate::parse::CaseFile;
 
 /// A body with what acts on it in time; that of a `[body]` is in SI units, per its mass.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,8 +13,7 @@ use crate::inputs::Inputs;
 use crate::key::Key;
 use crate::layout::{apart, digits, plain};
 
-/// The keys of these criteria, which are those of the results that they ask for.
-pub const MOTION_CRITERIA: [&str; 3] = ["slide", "max_theta", "overturned"];
+pub use standfast_inputs::key::MOTION_CRITERIA;
 
 /// What is asked of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

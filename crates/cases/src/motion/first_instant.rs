@@ -8,10 +8,10 @@ use std::sync::Arc;
 use super::{BlockCase, Follow, Followed, GivenBase, MotionCriterion, follow_all};
 use crate::assess::{Assessment, InTime};
 use crate::case::Case;
+use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
-use crate::parse::CaseFile;
 use crate::record::RecordFile;
 
 /// Ends the sentence of what is answered of the first instant.

@@ -12,12 +12,13 @@ use thiserror::Error;
 use super::json::{end_word, of_balance};
 use super::{Follow, ReadFile, follow_all, motions};
 use crate::case::Case;
+use crate::case_file::CaseFile;
 use crate::couple::vary;
 use crate::error::{CaseError, Problem};
 use crate::explained::Explained;
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Kind, Table};
-use crate::parse::{CaseFile, read};
+use crate::parse::read;
 use crate::record::RecordFile;
 use crate::sweep::{self, Factor, NoFactor, heading};
 

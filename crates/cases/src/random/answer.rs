@@ -18,9 +18,9 @@ use super::overturn::Overturning;
 use super::problem::Problem;
 use super::quantity::Input;
 use super::storm::{self, Sliding};
+use crate::case_file::CaseFile;
 use crate::couple::Variable;
 use crate::layout::digits;
-use crate::parse::CaseFile;
 use crate::units::Dimension;
 
 /// How probabilities are found.

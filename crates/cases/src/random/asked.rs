@@ -5,9 +5,9 @@ use super::point;
 use super::problem::Problem;
 use super::read::{Random, RandomProblem};
 use super::storm::{self, PureStorm};
+use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Table};
-use crate::parse::CaseFile;
 
 /// What is asked about.
 pub(super) enum Asked {

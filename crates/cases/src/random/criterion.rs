@@ -12,9 +12,9 @@ use super::error::ProbabilityError;
 use super::joined::by_acting;
 use super::problem::Problem;
 use crate::case::Acting;
+use crate::case_file::CaseFile;
 use crate::criteria::{Bound, Criterion};
 use crate::key::Key;
-use crate::parse::CaseFile;
 
 /// How far `p_not_rest` of `[criteria]` is met.
 #[derive(Debug, Clone, Copy, PartialEq)]

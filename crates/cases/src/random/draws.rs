@@ -9,7 +9,7 @@ use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
 use super::problem::Problem;
 use super::quantity::Input;
-use crate::parse::CaseFile;
+use crate::case_file::CaseFile;
 use crate::units::Dimension;
 
 /// Draws of the random numbers of a case, with the mode under each: those of plain Monte Carlo with the same seed, the first of

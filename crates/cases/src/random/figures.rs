@@ -14,9 +14,9 @@ use super::error::ProbabilityError;
 use super::over::{Fit, Fragility};
 use super::overturn::Overturning;
 use super::storm::Sliding;
+use crate::case_file::CaseFile;
 use crate::key::Key;
 use crate::layout::{apart, digits};
-use crate::parse::CaseFile;
 
 mod areas;
 mod cloud;

@@ -22,8 +22,8 @@ use super::overturn::Overturning;
 use super::problem::Problem;
 use super::quantity::Coordinate;
 use super::resolve::find;
+use crate::case_file::CaseFile;
 use crate::couple::vary;
-use crate::parse::CaseFile;
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -29,8 +29,8 @@ use super::problem::Problem;
 use super::quantity::{Bias, Input};
 use crate::assess::load_words;
 use crate::case::{Acting, Case};
+use crate::case_file::CaseFile;
 use crate::key::Table;
-use crate::parse::CaseFile;
 use crate::units::{Dimension, in_gravity};
 
 /// A motion takes a millisecond or two: it counts as so many points of an effort.

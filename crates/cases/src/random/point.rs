@@ -16,9 +16,9 @@
 use super::asked::alone;
 use super::quantity::Coordinate;
 use super::read::RandomProblem;
+use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::Table;
-use crate::parse::CaseFile;
 
 /// The four numbers, if the file is of a point; none if it is of a case.
 ///

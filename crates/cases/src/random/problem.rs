@@ -16,12 +16,12 @@ use super::quantity::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Random, Rate};
 use super::resolve::{Names, Resolve};
 use crate::case::{Acting, Case};
+use crate::case_file::CaseFile;
 use crate::couple::{Variable, vary};
 use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::key::Key;
 use crate::layout::digits;
-use crate::parse::CaseFile;
 use standfast::ground::Base;
 
 /// A case, its random numbers, and the loads that act.

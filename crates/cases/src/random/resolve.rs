@@ -8,10 +8,10 @@ use super::quantity::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
 use super::storm::StormField;
 use crate::case::Case;
+use crate::case_file::CaseFile;
 use crate::couple::{Unknown, Variable};
 use crate::key::{Kind, Range};
 use crate::layout::digits;
-use crate::parse::CaseFile;
 use crate::suggest::closest;
 
 /// From names and laws as they are written to what they are.

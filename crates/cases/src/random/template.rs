@@ -6,11 +6,11 @@
 use std::fmt::Write;
 
 use crate::case::{Case, Weight};
+use crate::case_file::CaseFile;
 use crate::error::CaseError;
 use crate::inputs::Inputs;
 use crate::key::{Key, Table};
 use crate::layout::digits;
-use crate::parse::CaseFile;
 
 /// What none of the lines lacks.
 const NOT_READ: &str = "recalled; not read in the original";

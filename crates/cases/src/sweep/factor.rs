@@ -303,7 +303,7 @@ fn known(name: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::Factor;
-    use crate::parse::CaseFile;
+    use crate::case_file::CaseFile;
     use crate::sweep::Sweep;
 
     const SHAKEN: &str =

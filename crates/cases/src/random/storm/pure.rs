@@ -27,9 +27,9 @@ use standfast_probability::sample::Estimate;
 use super::answer::{SlidingError, sliding};
 use super::read::storm;
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level};
+use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Range, Table};
-use crate::parse::CaseFile;
 use crate::random::answer::{
     Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber, Request,
 };

@@ -1,6 +1,8 @@
 //! Lists in which each name stands once, with everything that is said of it.
 
 /// Defines an enum of names, each with its constant of what is said of it.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! listed {
     ($(#[$meta:meta])* $name:ident: $info:ty; $($variant:ident = $said:expr;)*) => {
         $(#[$meta])*
@@ -27,4 +29,3 @@ macro_rules! listed {
         }
     };
 }
-pub(crate) use listed;

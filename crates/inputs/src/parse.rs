@@ -8,26 +8,23 @@ use std::collections::BTreeMap;
 use std::ops::Range as Span;
 use std::sync::Arc;
 
-use standfast::{Ball, InputError, Modes};
-use standfast_motion::MotionError;
+use standfast::{Ball, Modes};
 use standfast_motion::record::STANDARD_GRAVITY;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::case::{Case, fault};
-use crate::criteria::Criterion;
+use crate::digits::shortened;
 use crate::error::{CaseError, Fault, Place, Problem, expected_type, names};
 use crate::inputs::{Inputs, Value, dimension};
 use crate::key::{Id, Key, Kind, Range, Table};
-use crate::layout::shortened;
 use crate::random::{self, RANDOM, Random, RandomProblem};
 use crate::record::{ReadFile, RecordFile};
 use crate::units::{Dimension, Extent, in_gravity, split_text};
-pub(crate) use option::read;
+pub use option::read;
 
 /// A case file: what it says, and where it says it.
 #[derive(Debug, Clone)]
-pub struct CaseFile {
+pub struct CaseText {
     name: String,
     text: String,
     inputs: Inputs,
@@ -56,13 +53,13 @@ struct At {
     span: Span<usize>,
 }
 
-impl CaseFile {
+impl CaseText {
     /// Reads a case file; `name` is what errors call it.
     ///
     /// # Errors
     /// If the text is not TOML, or a key or value is not what a case file has.
-    pub fn parse(name: &str, text: &str) -> Result<CaseFile, CaseError> {
-        CaseFile::reading(name, text, |file| {
+    pub fn parse(name: &str, text: &str) -> Result<CaseText, CaseError> {
+        CaseText::reading(name, text, |file| {
             if text.trim().is_empty() {
                 return Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
             }
@@ -77,28 +74,28 @@ impl CaseFile {
     /// Reads a case file with the files that it names, which `read` reads; `name` is what errors call it.
     ///
     /// # Errors
-    /// As [`parse`](CaseFile::parse), and if a file cannot be read.
-    pub fn read(name: &str, text: &str, read: &ReadFile<'_>) -> Result<CaseFile, CaseError> {
-        CaseFile::parse(name, text)?.with_files(read)
+    /// As [`parse`](CaseText::parse), and if a file cannot be read.
+    pub fn read(name: &str, text: &str, read: &ReadFile<'_>) -> Result<CaseText, CaseError> {
+        CaseText::parse(name, text)?.with_files(read)
     }
 
     /// The same with the files that it names, which `read` reads.
     ///
     /// # Errors
     /// If one cannot be read.
-    pub fn with_files(self, read: &ReadFile<'_>) -> Result<CaseFile, CaseError> {
+    pub fn with_files(self, read: &ReadFile<'_>) -> Result<CaseText, CaseError> {
         self.with_some_files(read, &|_| true)
     }
 
     /// The same with those under some keys.
     ///
     /// # Errors
-    /// As [`with_files`](CaseFile::with_files).
+    /// As [`with_files`](CaseText::with_files).
     pub fn with_some_files(
         mut self,
         read: &ReadFile<'_>,
         which: &dyn Fn(Id) -> bool,
-    ) -> Result<CaseFile, CaseError> {
+    ) -> Result<CaseText, CaseError> {
         for (id, name) in self.wanted().into_iter().filter(|(id, _)| which(*id)) {
             match read(&name) {
                 Ok(text) => self.put_record(id, Arc::new(RecordFile::of_text(name, text))),
@@ -118,7 +115,7 @@ impl CaseFile {
     }
 
     /// A file that [random] names, once it is read.
-    pub(crate) fn beside(&self, name: &str) -> Option<&Arc<RecordFile>> {
+    pub fn beside(&self, name: &str) -> Option<&Arc<RecordFile>> {
         self.beside.get(name)
     }
 
@@ -128,16 +125,17 @@ impl CaseFile {
         wanted.filter_map(|(id, value)| Some((id, value.as_text()?.to_owned()))).collect()
     }
 
-    pub(crate) fn put_record(&mut self, id: Id, record: Arc<RecordFile>) {
+    /// Puts a file that was read under the key that names it.
+    pub fn put_record(&mut self, id: Id, record: Arc<RecordFile>) {
         self.inputs.put(id, Value::Record(record));
     }
 
     fn reading(
         name: &str,
         text: &str,
-        read: impl FnOnce(&mut CaseFile) -> Result<(), At>,
-    ) -> Result<CaseFile, CaseError> {
-        let mut file = CaseFile {
+        read: impl FnOnce(&mut CaseText) -> Result<(), At>,
+    ) -> Result<CaseText, CaseError> {
+        let mut file = CaseText {
             name: name.to_owned(),
             text: text.to_owned(),
             inputs: Inputs::default(),
@@ -172,41 +170,17 @@ impl CaseFile {
     }
 
     /// The same with other values, as if they stood where those of the file do; an entry without value goes.
-    pub fn varied(&self, inputs: Inputs) -> CaseFile {
-        let mut file = CaseFile { inputs, ..self.clone() };
+    pub fn varied(&self, inputs: Inputs) -> CaseText {
+        let mut file = CaseText { inputs, ..self.clone() };
         file.entries.retain(|entry| file.inputs.get(entry.id).is_some());
         file
     }
 
     /// The same with an entry that follows from others, as it would be written.
-    pub(crate) fn with_entry(mut self, id: Id, written: String) -> CaseFile {
+    pub fn with_entry(mut self, id: Id, written: String) -> CaseText {
         let end = self.text.len();
         self.entries.push(Entry { id, span: end..end, follows: Some(written) });
         self
-    }
-
-    /// The case it describes.
-    ///
-    /// # Errors
-    /// If the values do not go together.
-    pub fn case(&self) -> Result<Case, CaseError> {
-        let case = Case::of(&self.inputs).map_err(|fault| self.error(fault))?;
-        if self.random.is_none() && case.criteria.iter().any(Criterion::is_chance) {
-            return Err(
-                self.no_chance("the case has no [random] table, which says what is random".to_owned())
-            );
-        }
-        Ok(case)
-    }
-
-    /// Why a probability that is asked for is not found, shown at the criterion.
-    pub(crate) fn no_chance(&self, why: String) -> CaseError {
-        self.error(Fault::new(Problem::NoChance { why }, Key::GreatestNotRest))
-    }
-
-    /// What the mechanics refuses of the case, shown at the number that brings it about.
-    pub fn refused(&self, error: InputError) -> CaseError {
-        self.error(fault(&self.inputs, error))
     }
 
     /// A fault of inputs, shown in the text.
@@ -221,18 +195,13 @@ impl CaseFile {
     }
 
     /// What is wrong with its random numbers, shown in the text.
-    pub(crate) fn random_error(&self, problem: RandomProblem, span: Span<usize>) -> CaseError {
+    pub fn random_error(&self, problem: RandomProblem, span: Span<usize>) -> CaseError {
         CaseError::new(&self.name, &self.text, problem.into(), vec![span])
     }
 
     /// The tables that it has, with the places of their headers.
-    pub(crate) fn headers(&self) -> impl Iterator<Item = (Table, Span<usize>)> {
+    pub fn headers(&self) -> impl Iterator<Item = (Table, Span<usize>)> {
         self.headers.iter().map(|((table, _), span)| (*table, span.clone()))
-    }
-
-    /// What the motion refuses of the case, shown at the number that brings it about.
-    pub(crate) fn motion_refused(&self, error: MotionError) -> CaseError {
-        self.error(crate::case::motion_fault(&self.inputs, error))
     }
 
     /// Its entries in their order.
@@ -384,7 +353,7 @@ fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) 
 }
 
 /// What a value of a document is, in words.
-pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
+pub fn type_of(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",
         DeValue::Integer(integer) if integer.radix() != 10 => "a number that is not decimal",
@@ -397,7 +366,7 @@ pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
 }
 
 /// A plain TOML number; `None` for every other type, and for integers that are no decimals (hexadecimal etc.).
-pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
+pub fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
         DeValue::Float(float) => float.as_str().parse().ok(),
@@ -406,7 +375,7 @@ pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
 }
 
 /// What gives the duration of an impulsive wave beside a time: the waves, by formulas of Shimosako and Takahashi.
-pub(crate) const BY_WAVES: ([Id; 2], &str) = (
+pub const BY_WAVES: ([Id; 2], &str) = (
     [
         Id { table: Table::WaveHistory, index: 0, key: Key::HistoryDuration },
         Id { table: Table::Storm, index: 0, key: Key::StormTau0 },
@@ -636,7 +605,7 @@ mod tests {
         let text = "gravity = \"9.81 m/s2\"\ntitle = \"t # no comment\"\n[body]\nwidth = \"150 cm\" # drawing 12\nheight = 2\n\
                     mass = 5e3#\nfriction = 0.6\n[[load]]\nforce = 7\nelevation = 1\n[[load]]\nname = \"n # 2\"   # push\n\
                     force = \"1 kN/m\"\nelevation = 1\n";
-        let file = CaseFile::parse("t.toml", text).unwrap();
+        let file = CaseText::parse("t.toml", text).unwrap();
         let lines: Vec<_> = file
             .entries()
             .iter()
@@ -670,7 +639,7 @@ mod tests {
             let text = format!(
                 "gravity = 9.8\n[body]\nwidth = 1\nheight = 2\nmass = 5e3\nfriction = 0.6\n[earthquake]\nhorizontal = {value}\n"
             );
-            CaseFile::parse("t.toml", &text).unwrap().inputs().clone()
+            CaseText::parse("t.toml", &text).unwrap().inputs().clone()
         };
         assert_eq!(shaken("\"0.25 g\""), shaken("0.25"));
         assert_eq!(shaken("\"-0.25g\"").number(Key::Horizontal), Some(-0.25 * 9.8));
@@ -682,7 +651,7 @@ mod tests {
     fn numbers_are_in_the_order_of_the_tables() {
         let text = "[[load]]\nelevation = 1\nforce = 7\n[[load]]\nforce = 8\nelevation = 2\n[water]\nlevel = 1\n\
                     [body]\nfriction = 0.6\nwidth = 1\n";
-        let file = CaseFile::parse("t.toml", text).unwrap();
+        let file = CaseText::parse("t.toml", text).unwrap();
         let names: Vec<_> = file.inputs().numbers().map(|(id, _)| id.to_string()).collect();
         let expected = "body.width body.friction water.level load[1].force load[1].elevation load[2].force \
                         load[2].elevation";

@@ -1,16 +1,15 @@
-//! Errors as data, and how people see them.
+//! Errors as people see them.
 //!
 //! An error says what is wrong ([`Display`](std::fmt::Display)), where ([`Excerpt`]) and what helps. [`report`] and [`coloured`] draw
 //! that for those who read text; who draws it otherwise takes the data.
 
-use std::error::Error;
 use std::iter;
 use std::ops::Range;
 
 use annotate_snippets::renderer::Renderer;
 use annotate_snippets::{AnnotationKind, Group, Level, Snippet, normalize_untrusted_str};
-use standfast::InputError;
 
+use crate::explained::{Excerpt, Explained};
 use crate::layout::wrapped;
 
 /// The widest line of a text that is shown whole, in columns with the line's number.
@@ -21,36 +20,6 @@ const MARGIN: usize = 9;
 
 /// How much is underlined of a line that is longer, in columns, so that the renderer has room to cut it at both sides.
 const UNDERLINED: usize = 72;
-
-/// An error with what a reader needs besides its message.
-pub trait Explained: Error {
-    /// The error to be explained in place of this one, which only passes it on.
-    fn passed_on(&self) -> Option<&dyn Explained> {
-        None
-    }
-
-    /// What to do. The first line is a sentence; those after it are an example, to be copied.
-    fn help(&self) -> Option<String> {
-        None
-    }
-
-    /// The text in which something is wrong, and where.
-    fn excerpt(&self) -> Option<Excerpt<'_>> {
-        None
-    }
-}
-
-/// A text with the places in it that an error is about.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Excerpt<'a> {
-    /// What the text is called, as the name of its file.
-    pub name: &'a str,
-    /// The whole text.
-    pub text: &'a str,
-    /// The places, in bytes, of which there is one at least: that of the error, and those with which it has to do. An empty one is
-    /// between characters.
-    pub places: Vec<Range<usize>>,
-}
 
 /// An error as a user sees it: the message, the line with the place underlined, and what to do. Nothing ends the last line.
 pub fn report(error: &dyn Explained) -> String {
@@ -167,14 +136,6 @@ fn columns(line: &str) -> usize {
         _ => 2,
     };
     line.chars().map(width).sum()
-}
-
-impl Explained for InputError {}
-
-impl<'a, E: Explained + 'a> From<E> for Box<dyn Explained + 'a> {
-    fn from(error: E) -> Self {
-        Box::new(error)
-    }
 }
 
 #[cfg(test)]

@@ -19,9 +19,12 @@ use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::layout::digits;
+use crate::digits::digits;
 use crate::parse::{plain_number, type_of};
 use crate::suggest::closest;
+
+/// The name of the table.
+pub const RANDOM: &str = "random";
 
 /// The random numbers of a case, as they are written.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,9 +38,9 @@ pub struct Random {
     /// What is known of two of them together: their places, and the correlation.
     pub correlations: Vec<(usize, usize, Measure)>,
     /// Where each correlation stands.
-    pub(super) correlation_spans: Vec<Span<usize>>,
+    pub correlation_spans: Vec<Span<usize>>,
     /// Where the table stands.
-    pub(crate) span: Span<usize>,
+    pub span: Span<usize>,
 }
 
 /// A random number.
@@ -48,15 +51,17 @@ pub struct Named {
     /// How often it is drawn.
     pub every: Rate,
     /// The name of its law.
-    pub(super) law: &'static str,
-    /// The law's parameters as written, and the law of one of which it is the largest.
-    pub(super) parameters: Vec<Parameter>,
-    pub(super) of: Option<Box<Named>>,
-    /// The bounds.
-    pub(super) lower: Option<Parameter>,
-    pub(super) upper: Option<Parameter>,
+    pub law: &'static str,
+    /// The law's parameters as written.
+    pub parameters: Vec<Parameter>,
+    /// The law of one of which it is the largest.
+    pub of: Option<Box<Named>>,
+    /// The bound below.
+    pub lower: Option<Parameter>,
+    /// The bound above.
+    pub upper: Option<Parameter>,
     /// Where it stands.
-    pub(super) span: Span<usize>,
+    pub span: Span<usize>,
 }
 
 impl Named {
@@ -89,16 +94,21 @@ pub enum Rate {
 
 /// A number under a name, as it is written.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Parameter {
-    pub(super) name: String,
-    pub(super) value: Written,
-    pub(super) span: Span<usize>,
+pub struct Parameter {
+    /// The name.
+    pub name: String,
+    /// The value.
+    pub value: Written,
+    /// The place of both.
+    pub span: Span<usize>,
 }
 
 /// A plain number, or a text with a unit.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Written {
+pub enum Written {
+    /// A plain number.
     Number(f64),
+    /// A text with a unit.
     Text(String),
 }
 
@@ -220,16 +230,16 @@ fn suggested(name: &str, allowed: &[String]) -> String {
 }
 
 /// The laws, by their names.
-pub(super) const LAWS: [&str; 8] =
+pub const LAWS: [&str; 8] =
     ["normal", "lognormal", "gumbel", "weibull", "gev", "uniform", "triangular", "max_of"];
 
 /// A problem and where it is.
-pub(crate) type At<T> = Result<T, (RandomProblem, Span<usize>)>;
+pub type At<T> = Result<T, (RandomProblem, Span<usize>)>;
 
-pub(super) type Item<'a> = Spanned<DeValue<'a>>;
+type Item<'a> = Spanned<DeValue<'a>>;
 
 /// Reads a `[random]` table.
-pub(crate) fn read(item: &Item<'_>) -> At<Random> {
+pub fn read(item: &Item<'_>) -> At<Random> {
     let table = table(item, "`random`", "a table")?;
     let mut random = Random {
         years: None,
@@ -265,13 +275,13 @@ fn files(item: &Item<'_>) -> At<Vec<String>> {
 }
 
 /// The entries of a table in the order in which they stand.
-pub(super) fn in_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Item<'a>)> {
+pub fn in_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a str, &'a Item<'a>)> {
     let mut entries: Vec<_> = table.iter().collect();
     entries.sort_by_key(|(name, _)| name.span().start);
     entries.into_iter().map(|(name, value)| (name.get_ref().as_ref(), value)).collect()
 }
 
-pub(super) fn wrong(
+fn wrong(
     item: &Item<'_>,
     what: impl Into<String>,
     expected: impl Into<String>,
@@ -280,18 +290,18 @@ pub(super) fn wrong(
     (RandomProblem::Type { what: what.into(), found, expected: expected.into() }, item.span())
 }
 
-pub(super) fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
+fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
     item.get_ref().as_table().ok_or_else(|| wrong(item, what, expected))
 }
 
-pub(super) fn written(item: &Item<'_>) -> Option<Written> {
+fn written(item: &Item<'_>) -> Option<Written> {
     match item.get_ref() {
         DeValue::String(text) => Some(Written::Text(text.to_string())),
         value => plain_number(value).map(Written::Number),
     }
 }
 
-pub(super) fn number(item: &Item<'_>, what: &str) -> At<f64> {
+fn number(item: &Item<'_>, what: &str) -> At<f64> {
     match written(item) {
         Some(Written::Number(number)) if number.is_finite() => Ok(number),
         Some(Written::Number(number)) => {
@@ -302,7 +312,7 @@ pub(super) fn number(item: &Item<'_>, what: &str) -> At<f64> {
     }
 }
 
-pub(super) fn positive(item: &Item<'_>, what: &str) -> At<f64> {
+fn positive(item: &Item<'_>, what: &str) -> At<f64> {
     let number = number(item, what)?;
     if number > 0.0 {
         return Ok(number);
@@ -518,7 +528,7 @@ fn read_pair(item: &Item<'_>, random: &Random) -> At<(usize, usize)> {
 }
 
 /// The years of a return value's name, "10 years".
-pub(super) fn years(name: &str) -> Option<f64> {
+pub fn years(name: &str) -> Option<f64> {
     let number = name.strip_suffix("years").or_else(|| name.strip_suffix("year"))?;
     number.trim().parse().ok()
 }

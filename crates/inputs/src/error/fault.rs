@@ -48,11 +48,13 @@ pub struct Fault {
 }
 
 impl Fault {
-    pub(crate) fn new(problem: Problem, at: impl Into<Place>) -> Fault {
+    /// A problem at a place.
+    pub fn new(problem: Problem, at: impl Into<Place>) -> Fault {
         Fault { problem, at: at.into(), and: None }
     }
 
-    pub(crate) fn and(self, place: impl Into<Place>) -> Fault {
+    /// The fault with another place, where two do not agree.
+    pub fn and(self, place: impl Into<Place>) -> Fault {
         Fault { and: Some(place.into()), ..self }
     }
 }
@@ -74,7 +76,8 @@ struct File {
 }
 
 impl CaseError {
-    pub(crate) fn new(name: &str, text: &str, problem: Problem, spans: Vec<Span<usize>>) -> CaseError {
+    /// A problem at places of a text, of which each is cut to its first line; `name` is what the text is called.
+    pub fn new(name: &str, text: &str, problem: Problem, spans: Vec<Span<usize>>) -> CaseError {
         let places = spans.into_iter().map(|span| first_line(text, span)).collect();
         let file = File { name: name.to_owned(), text: text.to_owned(), places };
         CaseError { problem, file: Box::new(file) }

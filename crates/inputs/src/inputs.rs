@@ -34,7 +34,7 @@ pub enum Value {
 
 impl Value {
     /// The words that it is.
-    pub(crate) fn as_text(&self) -> Option<&str> {
+    pub fn as_text(&self) -> Option<&str> {
         match self {
             Value::Text(text) => Some(text),
             _ => None,
@@ -45,14 +45,14 @@ impl Value {
 /// The values of a case file.
 ///
 /// ```
-/// use standfast_cases::{CaseFile, Key};
+/// use standfast_inputs::{CaseFile, Key};
 ///
 /// let text = "[body]\nwidth = 1\nheight = 2\nmass = 5e3\nfriction = 0.6\n[[load]]\nforce = 7\nelevation = 1\n";
 /// let mut inputs = CaseFile::parse("case.toml", text)?.inputs().clone();
 /// assert_eq!(inputs.number(Key::Width), Some(1.0));
 /// inputs.set(Key::Width, 1.5);
 /// assert_eq!(inputs.number(Key::Width), Some(1.5));
-/// # Ok::<(), standfast_cases::CaseError>(())
+/// # Ok::<(), standfast_inputs::CaseError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inputs {
@@ -82,7 +82,7 @@ impl Inputs {
     }
 
     /// The number under a key in any arithmetic: the decimal that its f64 stands for, or the longer one that was written.
-    pub(crate) fn scalar<T: Scalar>(&self, id: impl Into<Id>) -> Option<T> {
+    pub fn scalar<T: Scalar>(&self, id: impl Into<Id>) -> Option<T> {
         let id = id.into();
         let written = |x: f64| match self.decimals.iter().find(|(other, _)| *other == id) {
             Some((_, decimal)) => T::of_decimal(decimal),
@@ -99,7 +99,7 @@ impl Inputs {
     }
 
     /// Puts the decimal that was written beside its number.
-    pub(crate) fn put_decimal(&mut self, id: Id, decimal: Ball) {
+    pub fn put_decimal(&mut self, id: Id, decimal: Ball) {
         self.decimals.push((id, decimal));
     }
 
@@ -174,7 +174,8 @@ impl Inputs {
         self.put(id.into(), Value::Number(number));
     }
 
-    pub(crate) fn put(&mut self, id: Id, value: Value) {
+    /// Puts a value under a key.
+    pub fn put(&mut self, id: Id, value: Value) {
         self.decimals.retain(|(other, _)| *other != id);
         match self.place(id) {
             Ok(place) => self.values[place].1 = value,
@@ -182,7 +183,8 @@ impl Inputs {
         }
     }
 
-    pub(crate) fn remove(&mut self, id: Id) {
+    /// Takes away what stands under a key.
+    pub fn remove(&mut self, id: Id) {
         self.values.retain(|(other, _)| *other != id);
     }
 
@@ -200,12 +202,13 @@ impl Inputs {
         self.count(table) > 0
     }
 
-    pub(crate) fn add_table(&mut self, table: Table) {
+    /// Adds a table of a kind.
+    pub fn add_table(&mut self, table: Table) {
         self.tables[table as usize] += 1;
     }
 
     /// Removes tables with all that they say.
-    pub(crate) fn remove_tables(&mut self, of: impl Fn(Table) -> bool) {
+    pub fn remove_tables(&mut self, of: impl Fn(Table) -> bool) {
         self.values.retain(|(id, _)| !of(id.table));
         Table::ALL.into_iter().filter(|table| of(*table)).for_each(|table| self.tables[table as usize] = 0);
     }
@@ -250,7 +253,7 @@ impl Inputs {
 }
 
 /// What the numbers under a key measure in a case with such units.
-pub(crate) fn dimension(id: Id, units: Option<Extent>) -> Option<Dimension> {
+pub fn dimension(id: Id, units: Option<Extent>) -> Option<Dimension> {
     let of_base = matches!(id.table, Table::BaseHorizontal | Table::BaseVertical);
     let dimension = match id.key.info().kind {
         Kind::Reached => of_base.then_some(Dimension::Acceleration),

@@ -9,7 +9,7 @@ use std::fmt;
 
 use standfast::Quantity;
 
-use crate::list::listed;
+use crate::listed;
 use crate::units::Dimension;
 
 /// A table of a case file.
@@ -966,6 +966,9 @@ impl fmt::Display for Id {
         }
     }
 }
+
+/// The keys of these criteria, which are those of the results that they ask for.
+pub const MOTION_CRITERIA: [&str; 3] = ["slide", "max_theta", "overturned"];
 
 #[cfg(test)]
 mod tests {

@@ -5,9 +5,9 @@ use standfast::section::{SectionError, Vertex};
 use standfast_motion::MotionError;
 
 use super::Problem;
+use crate::digits::{digits, plain};
+use crate::key::MOTION_CRITERIA;
 use crate::key::{Key, Kind, Range, Table};
-use crate::layout::{digits, plain};
-use crate::motion::MOTION_CRITERIA;
 use crate::random::RANDOM;
 use crate::suggest::closest;
 use crate::units::{Dimension, Extent, UnitError};
@@ -18,7 +18,7 @@ const SKELETON: &str = "a case file has a body and one or more loads, for exampl
 
 impl Problem {
     /// What to do.
-    pub(super) fn help(&self) -> Option<String> {
+    pub fn help(&self) -> Option<String> {
         let help = match self {
             Problem::Random(_) => return None,
             Problem::Empty { .. } => SKELETON.to_owned(),
@@ -208,7 +208,7 @@ impl Problem {
     }
 
     /// What a number has to be that is not in a key's range.
-    pub(crate) fn out_of_range(key: Key, range: Range, number: f64) -> Problem {
+    pub fn out_of_range(key: Key, range: Range, number: f64) -> Problem {
         Problem::OutOfRange { key, written: plain(number), expected: range.words() }
     }
 }
@@ -219,7 +219,7 @@ fn line(key: Key) -> String {
 }
 
 /// What is wrong with parts together, counted from one as they stand in the file.
-pub(super) fn parts(error: SectionError) -> String {
+pub fn parts(error: SectionError) -> String {
     let place = |at: Vertex| format!("x = {} m, {} m above the base", digits(at.x), digits(at.y));
     match error {
         SectionError::Overlap { one, two, at, by } => {
@@ -268,7 +268,7 @@ fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
 }
 
 /// The names that a table of a file may have: its keys, and at the top the tables.
-pub(crate) fn names(table: Table) -> Vec<&'static str> {
+pub fn names(table: Table) -> Vec<&'static str> {
     let mut names: Vec<_> = table.keys().map(Key::entry).collect();
     names.dedup();
     if table == Table::Top {
@@ -301,7 +301,7 @@ fn known(table: Table, name: &str) -> String {
 }
 
 /// What a key takes, as the type that is expected of its value.
-pub(crate) fn expected_type(kind: Kind) -> &'static str {
+pub fn expected_type(kind: Kind) -> &'static str {
     match kind {
         Kind::Text | Kind::File => "a text in quotes",
         Kind::Measured(..) | Kind::InGravity | Kind::Reached => {

@@ -5,7 +5,7 @@
 
 use thiserror::Error;
 
-use crate::layout::{digits, shortened};
+use crate::digits::{digits, shortened};
 
 /// What forces, masses and moments of a case are of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -109,7 +109,7 @@ type Named = (&'static str, i32);
 
 /// A unit of some dimension: the power of ten by which it is more than that of SI.
 #[derive(Debug, Clone, Copy)]
-pub struct Unit(pub(crate) i32);
+pub struct Unit(pub i32);
 
 impl Unit {
     /// So many of it, in SI units: the f64 nearest to the decimal that `value` stands for, times a power of ten. "123 mm" is 0.123,
@@ -252,7 +252,7 @@ impl Dimension {
     }
 
     /// The number of a text such as "450 kN/m", and its unit.
-    pub(crate) fn split(self, text: &str) -> Result<(f64, Unit), UnitError> {
+    pub fn split(self, text: &str) -> Result<(f64, Unit), UnitError> {
         let (value, unit) = split(text.trim()).ok_or(UnitError::Number)?;
         if unit.is_empty() {
             return Err(UnitError::Missing);
@@ -299,7 +299,7 @@ fn split(text: &str) -> Option<(f64, &str)> {
 }
 
 /// The text of the longest number at the beginning of `text`, and what follows it.
-pub(crate) fn split_text(text: &str) -> Option<(&str, &str)> {
+pub fn split_text(text: &str) -> Option<(&str, &str)> {
     // Only these, so that Rust's "inf", "nan" and "infinity" are no numbers.
     let end =
         text.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E')).unwrap_or(text.len());

@@ -6,15 +6,15 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::{At, Field};
+use crate::digits::shortened;
 use crate::error::Problem;
 use crate::inputs::{Value, dimension};
 use crate::key::{Id, Kind};
-use crate::layout::shortened;
 use crate::units::{Extent, UnitError};
 
 /// The value that `written` says for a key that takes `kind` in a case with such units: a number, a text or a list as in a file, but that a text may
 /// stand without its quotes, which a command line takes away.
-pub(crate) fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<Value, Problem> {
+pub fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<Value, Problem> {
     let parsed = DeValue::parse(written).ok();
     let text = Spanned::new(0..written.len(), DeValue::String(Cow::Borrowed(written)));
     let value = parsed.as_ref().unwrap_or(&text);
@@ -32,7 +32,7 @@ pub(crate) fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> 
 mod tests {
     use super::*;
     use crate::key::Key;
-    use crate::parse::CaseFile;
+    use crate::parse::CaseText;
 
     /// The same texts in a file, in quotes where they are no numbers, and at an option.
     #[test]
@@ -73,7 +73,7 @@ mod tests {
                 let header = info.table.name();
                 let read_file = |value: &str| {
                     let text = format!("[{header}]\n{} = {value}\n", info.name);
-                    CaseFile::parse("t.toml", &text).map(|file| file.inputs().get(key).cloned())
+                    CaseText::parse("t.toml", &text).map(|file| file.inputs().get(key).cloned())
                 };
                 let in_file = read_file(text).or_else(|_| read_file(&format!("\"{text}\""))).ok().flatten();
                 assert_eq!(

@@ -9,14 +9,14 @@ use standfast::{HistoryError, InputError};
 use standfast_motion::MotionError;
 use thiserror::Error;
 
+use crate::digits::shortened;
 use crate::key::{Id, Key, Table};
-use crate::layout::shortened;
 use crate::random::RandomProblem;
 use crate::units::{Dimension, UnitError};
 
 pub use fault::{CaseError, Fault, Place};
 use help::parts;
-pub(crate) use help::{expected_type, names};
+pub use help::{expected_type, names};
 
 /// What is wrong.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -1,0 +1,49 @@
+//! Numbers and written words in few characters.
+
+use standfast::number;
+
+/// Four significant digits, without trailing zeros.
+pub fn digits(x: f64) -> String {
+    significant(x, 4)
+}
+
+/// Different numbers in as few significant digits, four at least, as tell them apart.
+pub fn apart(numbers: &[f64]) -> Vec<String> {
+    let mut texts = Vec::new();
+    for count in 4..=17 {
+        texts = numbers.iter().map(|x| significant(*x, count)).collect();
+        if texts.windows(2).all(|pair| pair[0] != pair[1]) {
+            break;
+        }
+    }
+    texts
+}
+
+/// A number in `count` significant digits, without trailing zeros; "unlimited" for infinity.
+pub fn significant(x: f64, count: usize) -> String {
+    if x == f64::INFINITY { "unlimited".to_owned() } else { number::significant(x, count).to_string() }
+}
+
+/// A number to all its digits, but for what binary fractions add behind the fifteenth.
+pub fn plain(x: f64) -> String {
+    significant(x, 15)
+}
+
+/// Words from a file, shortened where they would fill the screen.
+pub fn shortened(written: &str) -> String {
+    const MOST: usize = 120;
+    match written.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &written[..end]),
+        None => written.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::digits;
+
+    #[test]
+    fn numbers_in_text() {
+        assert_eq!([digits(1.0 / 3.0), digits(-0.0), digits(f64::INFINITY)], ["0.3333", "0", "unlimited"]);
+    }
+}
