@@ -12,7 +12,8 @@ pub struct Stage {
     pub from: f64,
     /// The load factor at which it ends; infinite for the last.
     pub to: f64,
-    /// The verdict reported.
+    /// The verdict reported; written under the name `mode`, as in every answer.
+    #[cfg_attr(feature = "serde", serde(rename = "mode"))]
     pub verdict: Option<Verdict>,
     /// All consistent modes; none where the ground fails.
     pub modes: Modes,
