@@ -287,8 +287,8 @@ pub fn onset(columns: Columns<'_>, out: OnsetColumns<'_>) -> Result<(), BatchErr
     Ok(())
 }
 
-/// Writes modes and motions of points on bases that crush, each of its share ω; see [`classify_on_base`]. Of BF there is no motion: its numbers
-/// are NaN, and no other mode is consistent.
+/// Writes modes and motions of points on bases that crush, each of its share ω; see [`classify_on_base`]. Of BF there is no motion: its
+/// numbers are NaN, and no other mode is consistent.
 ///
 /// # Errors
 /// As [`onset`]; or at an ω that is negative or not finite.
