@@ -12,7 +12,7 @@ use crate::key::{Key, Table};
 use crate::layout::digits;
 use crate::parse::CaseFile;
 
-/// What none of the lines lacks.
+/// Note that every line has.
 const NOT_READ: &str = "recalled; not read in the original";
 
 /// A line of the table and what is said of it above.
