@@ -96,7 +96,7 @@ pub enum SlidingError {
     /// More than one set of loads.
     #[error("the case has a [storm] and leaves a choice of loads: {what}")]
     Choice {
-        /// Choice that it leaves.
+        /// Part of the case that leaves it.
         what: &'static str,
     },
     /// Two frictions.
