@@ -35,13 +35,13 @@ use set::{Beyond, End, Search, Stretch};
 use standfast::{Departure, Mode};
 use subject::Subject;
 
-/// How many parts a range is cut into to find where a target is met.
+/// Number of parts that a range is cut into to find where a target is met.
 const PARTS: u32 = 400;
 
-/// The same for a target that asks for a probability, each of which takes long.
+/// Number of parts for a target that asks for a probability, each of which takes long.
 const CHANCE_PARTS: u32 = 24;
 
-/// Which end of the values that meet a target is wanted.
+/// Wanted end of the values that meet a target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extreme {
     /// The least of them all.
@@ -60,7 +60,7 @@ impl Extreme {
         }
     }
 
-    /// What asks for it.
+    /// Option that asks for it.
     fn spelled(self, spelling: &Spelling) -> &'static str {
         match self {
             Extreme::Least => spelling.least,
@@ -94,20 +94,20 @@ impl fmt::Display for Extreme {
     }
 }
 
-/// What a user writes for the parts of a request, so that an error calls them what they were called.
+/// Names that a user writes for the parts of a request, so that an error calls them what they were called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Spelling {
     /// The quantity to vary.
     pub vary: &'static str,
-    /// Where it begins.
+    /// Option for the lower end of its range.
     pub from: &'static str,
-    /// Where it ends.
+    /// Option for the upper end of its range.
     pub to: &'static str,
     /// Another quantity.
     pub and: &'static str,
-    /// Where that begins.
+    /// Option for the lower end of that one's range.
     pub and_from: &'static str,
-    /// Where that ends.
+    /// Option for the upper end of that one's range.
     pub and_to: &'static str,
     /// That the least value is wanted.
     pub least: &'static str,
@@ -132,20 +132,20 @@ impl Spelling {
     };
 }
 
-/// What to design.
+/// Request for a design.
 #[derive(Debug, Clone)]
 pub struct Request {
     /// The quantity to vary.
     pub vary: String,
-    /// What it has to reach.
+    /// Target that it has to reach.
     pub target: Target,
-    /// Which end of the values that do is wanted.
+    /// Wanted end of the values that reach it.
     pub extreme: Extreme,
-    /// Where to begin, as the case file would have it; a fifth of the present value if not given.
+    /// Lower end of the range, as the case file would have it; a fifth of the present value if not given.
     pub from: Option<String>,
-    /// Where to end; five times the present value if not given.
+    /// Upper end of the range; five times the present value if not given.
     pub to: Option<String>,
-    /// What errors call all this.
+    /// Names by which errors call all this.
     pub spelling: &'static Spelling,
 }
 
@@ -178,7 +178,7 @@ impl Request {
 /// A case that is varied.
 struct Varied<'a> {
     subject: &'a Subject,
-    /// Whether its motion is followed.
+    /// True if its motion is followed.
     follows: bool,
     /// Another quantity that is held at a value.
     held: Option<(&'a Variable, f64)>,
@@ -198,7 +198,7 @@ impl Varied<'_> {
         self.subject.answer(&self.changes(variable, value), self.follows)
     }
 
-    /// The same with the probability that a target asks for.
+    /// Assessment with the probability that a target asks for.
     fn answer_for(&self, target: Target, variable: &Variable, value: f64) -> Result<Assessment, CaseError> {
         let answer = self.answer(variable, value)?;
         match target.asks_for_chance(self.case()) {
@@ -250,7 +250,7 @@ fn steepest(answer: &Assessment) -> Option<f64> {
     if overturns(answer)? { None } else { worst_of(answer, MotionCriterion::MaxTheta(f64::MAX)) }
 }
 
-/// Whether the body overturns in any situation; none if no motion was followed.
+/// True if the body overturns in any situation; none if no motion was followed.
 fn overturns(answer: &Assessment) -> Option<bool> {
     let motions = answer.in_time.as_ref().map(|in_time| &in_time.motions).filter(|all| !all.is_empty())?;
     Some(motions.iter().any(|(_, followed)| followed.outcome.overturned()))
@@ -271,7 +271,7 @@ pub struct Design {
     present: Assessment,
     /// All values that meet the target.
     stretches: Vec<Stretch>,
-    /// Which of them has the end that is wanted.
+    /// Index of the one that has the wanted end.
     at: usize,
     sensitivities: Vec<Sensitivity>,
 }
@@ -309,8 +309,8 @@ impl Design {
         self.request.extreme.of(&self.stretches[self.at])
     }
 
-    /// What is to be minded of the value found: that the body moves though the target is met, that nothing rises where it asks for
-    /// a rise, and what is unusual about the case and is not at present.
+    /// Warnings on the value found: that the body moves though the target is met, that nothing rises where it asks for a rise, and what is
+    /// unusual about the case and is not at present.
     fn warnings(&self) -> Vec<String> {
         let present = self.present.case.warnings();
         let new =
@@ -348,7 +348,7 @@ impl Design {
     }
 }
 
-/// What is answered of the first instant of a case in time, as a sentence.
+/// Sentence on the answer for the first instant of a case in time.
 fn in_time_note(note: &str) -> String {
     format!("Factors, modes and what else is of the first instant: {note}.")
 }

@@ -1,4 +1,4 @@
-//! What a `[random]` table says.
+//! Contents of a `[random]` table.
 //!
 //! ```toml
 //! [random]
@@ -35,11 +35,11 @@ pub struct Random {
     pub named: Vec<Named>,
     /// Records of shakings, each as likely, in the place of the case's own.
     pub records: Vec<String>,
-    /// What is known of two of them together: their places, and the correlation.
+    /// Correlations of two of them together: their places, and the correlation.
     pub correlations: Vec<(usize, usize, Measure)>,
-    /// Where each correlation stands.
+    /// Span of each correlation in the file.
     pub correlation_spans: Vec<Span<usize>>,
-    /// Where the table stands.
+    /// Span of the table in the file.
     pub span: Span<usize>,
 }
 
@@ -48,7 +48,7 @@ pub struct Random {
 pub struct Named {
     /// Its name: a key of the case file, or a bias.
     pub name: String,
-    /// How often it is drawn.
+    /// Rate at which it is drawn.
     pub every: Rate,
     /// The name of its law.
     pub law: &'static str,
@@ -60,7 +60,7 @@ pub struct Named {
     pub lower: Option<Parameter>,
     /// The bound above.
     pub upper: Option<Parameter>,
-    /// Where it stands.
+    /// Span of the number in the file.
     pub span: Span<usize>,
 }
 
@@ -82,7 +82,7 @@ impl Named {
     }
 }
 
-/// How often a number is drawn.
+/// Rate at which a number is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rate {
     /// Once for a life.
@@ -112,24 +112,24 @@ pub enum Written {
     Text(String),
 }
 
-/// What is wrong with a `[random]` table.
+/// Fault of a `[random]` table.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RandomProblem {
     /// Something of another type.
     #[error("{what} is {found}; expected {expected}")]
     Type {
-        /// What it is.
+        /// Item of another type.
         what: String,
         /// The type found.
         found: &'static str,
-        /// What is expected.
+        /// Type that is expected.
         expected: String,
     },
     /// A name that is none of those allowed.
     #[error("{what} has no `{name}`; expected {}{}", allowed.join(", "), suggested(name, allowed))]
     Name {
-        /// What it stands in.
+        /// Item in which the name stands.
         what: String,
         /// The name.
         name: String,
@@ -143,7 +143,7 @@ pub enum RandomProblem {
         law: &'static str,
         /// The random number.
         name: String,
-        /// What it needs.
+        /// Parameter that it needs.
         needed: &'static str,
     },
     /// More than one law, or none.
@@ -151,17 +151,17 @@ pub enum RandomProblem {
     Laws {
         /// The random number.
         name: String,
-        /// What there is.
+        /// Laws that there are.
         found: String,
     },
     /// A value that cannot be.
     #[error("{what} is {written}; expected {expected}")]
     Value {
-        /// What it is.
+        /// Item that has the value.
         what: String,
         /// The value as it is written.
         written: String,
-        /// What is expected.
+        /// Values that are expected.
         expected: String,
     },
     /// A number of the case that is no number, or not there.
@@ -191,7 +191,7 @@ pub enum RandomProblem {
         name: String,
         /// The share of the law.
         share: String,
-        /// What the limit is.
+        /// Limit of its values.
         limit: String,
     },
     /// A correlation that cannot be.
@@ -213,7 +213,7 @@ pub enum RandomProblem {
         from: f64,
         /// Less than this.
         to: f64,
-        /// Whether other correlations are the reason.
+        /// True if other correlations are the reason.
         beside_others: bool,
     },
     /// Anything else.

@@ -113,7 +113,7 @@ mod tests {
 
     use super::*;
 
-    /// The same calculation in tracked floating point and in rational arithmetic.
+    /// Pair of the same calculation in tracked floating point and in rational arithmetic.
     #[derive(Clone)]
     struct Both {
         approx: Approx,
@@ -143,12 +143,12 @@ mod tests {
             if error < rational(0.0) { -error } else { error }
         }
 
-        /// Whether the true error is within the bound.
+        /// True if the true error is within the bound.
         fn is_bounded(&self) -> bool {
             self.error() <= rational(self.approx.error)
         }
 
-        /// Whether the true error is more than this share of the bound.
+        /// True if the true error is more than this share of the bound.
         fn reaches(&self, share: f64) -> bool {
             self.error() > rational(share) * rational(self.approx.error)
         }
@@ -264,7 +264,7 @@ mod tests {
         assert_eq!((Approx::of(1e-200) * Approx::of(1e-200)).sign(), None);
     }
 
-    /// What is exactly zero costs nothing, on either side: so the conditions of a block without friction stay exact.
+    /// Terms that are exactly zero cost nothing, on either side: so the conditions of a block without friction stay exact.
     #[test]
     fn zero_adds_no_error() {
         let [zero, tenth] = [0.0, 0.1].map(Approx::of);
@@ -273,8 +273,7 @@ mod tests {
         }
     }
 
-    /// What is given twice cancels to a known zero, or every block with one friction would need exact arithmetic; what is
-    /// rounded does not.
+    /// Values given twice cancel to a known zero, or every block with one friction would need exact arithmetic; rounded values do not.
     #[test]
     fn equal_numbers_differ_by_a_known_zero() {
         for x in [0.6, 1e-300, 5e-324, 1e300] {

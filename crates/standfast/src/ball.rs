@@ -38,8 +38,8 @@ pub trait Scalar: Real + Div<Output = Self> + Debug + PartialEq {
     fn computed(x: f64) -> Self;
 }
 
-/// How far a number that was computed in f64 may be off, as a share of it: a hundred roundings and more, below the digits that any
-/// wave, angle or strength is known to.
+/// Error of a number that was computed in f64, as a share of it: a hundred roundings and more, below the digits that any wave, angle or
+/// strength is known to.
 pub const COMPUTED: f64 = 1.0 / (1u64 << 44) as f64;
 
 impl Scalar for f64 {
@@ -106,7 +106,7 @@ impl Ball {
         })
     }
 
-    /// The same times a power of ten.
+    /// Product with a power of ten.
     pub fn times_ten_to(self, power: i32) -> Ball {
         let ten = BigInt::from(10).pow(power.unsigned_abs());
         match power {
@@ -115,7 +115,7 @@ impl Ball {
         }
     }
 
-    /// Whether it is known without a bound.
+    /// True if it is known without a bound.
     pub fn is_exact(&self) -> bool {
         self.radius == 0.0
     }

@@ -48,7 +48,7 @@ pub struct Columns<'a> {
     pub mu: &'a [f64],
 }
 
-/// Why a batch could not be classified.
+/// Reason why a batch could not be classified.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum BatchError {
     /// A column is longer or shorter than the output.
@@ -138,8 +138,8 @@ pub fn classify(columns: Columns<'_>, codes: &mut [u8]) -> Result<(), BatchError
     Ok(())
 }
 
-/// The same on bases that crush, each of its share ω: the [codes](crate::Verdict::code) of verdicts, BF among them. Points on a rigid
-/// base, ω = 0, are those of [`classify`], at its speed.
+/// Classifies points on bases that crush, each of its share ω, into the [codes](crate::Verdict::code) of verdicts, BF among them. Points on
+/// a rigid base, ω = 0, are those of [`classify`], at its speed.
 ///
 /// ```
 /// use standfast::batch::{Columns, classify_on_base};
@@ -191,18 +191,18 @@ pub fn mirror(codes: &mut [u8]) {
     codes.iter_mut().for_each(|code| *code = images[usize::from(*code)]);
 }
 
-/// Where [`onset`] writes: columns of equal length, in the units of [`Motion`]. What is `None` is not computed.
+/// Columns that [`onset`] writes: of equal length, in the units of [`Motion`]. A column that is `None` is not computed.
 #[derive(Debug, Default)]
 pub struct OnsetColumns<'a> {
     /// The [code](crate::Mode::code) of the mode.
     pub mode: Option<&'a mut [u8]>,
-    /// Whether no other mode is consistent.
+    /// True if no other mode is consistent.
     pub unique: Option<&'a mut [bool]>,
     /// The other consistent modes, as the [bits](crate::Modes::bits) of a set; zero where the answer is unique.
     pub others: Option<&'a mut [u16]>,
     /// The motion of the mode: [`MOTION`] names the columns.
     pub motion: [Option<&'a mut [f64]>; 9],
-    /// Whether the force points right, so that modes and motions are the mirror images of those under a force to the left.
+    /// True if the force points right, so that modes and motions are the mirror images of those under a force to the left.
     pub mirrored: bool,
 }
 
@@ -225,7 +225,7 @@ impl<'a> OnsetColumns<'a> {
         }
     }
 
-    /// The same columns, lent.
+    /// Lends the same columns.
     pub fn reborrow(&mut self) -> OnsetColumns<'_> {
         OnsetColumns {
             mode: self.mode.as_deref_mut(),
@@ -287,8 +287,8 @@ pub fn onset(columns: Columns<'_>, out: OnsetColumns<'_>) -> Result<(), BatchErr
     Ok(())
 }
 
-/// The same on bases that crush, each of its share ω; see [`classify_on_base`]. Of BF there is no motion: its numbers are NaN, and no
-/// other mode is consistent.
+/// Writes modes and motions of points on bases that crush, each of its share ω; see [`classify_on_base`]. Of BF there is no motion: its
+/// numbers are NaN, and no other mode is consistent.
 ///
 /// # Errors
 /// As [`onset`]; or at an ω that is negative or not finite.
@@ -313,7 +313,7 @@ pub fn onset_on_base(columns: Columns<'_>, omega: &[f64], out: OnsetColumns<'_>)
     Ok(())
 }
 
-/// What `out` asks of points on bases that crush, one by one.
+/// Fills the columns of `out` for points on bases that crush, one by one.
 fn onset_of_base(
     columns: Columns<'_>,
     omega: &[f64],
@@ -356,7 +356,7 @@ fn numbers(motion: Motion) -> [f64; 9] {
     [x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, slip, lift_o, lift_o_prime]
 }
 
-/// What `out` asks of valid points whose modes are known.
+/// Fills the columns of `out` for valid points whose modes are known.
 fn onset_of(columns: Columns<'_>, codes: &[u8], out: OnsetColumns<'_>) {
     let modes = || codes.iter().map(|&code| Mode::from_code(code).expect("a point has a mode")).enumerate();
     let point = |index: usize| {

@@ -29,7 +29,7 @@ pub struct Body<T = f64> {
     plan: Plan<T>,
 }
 
-/// How far a base reaches from mid-width, m.
+/// Reach of a base from mid-width, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BaseEdges<T = f64> {
     /// To the left, to O.
@@ -92,8 +92,7 @@ impl<T: Scalar> Body<T> {
         Body::new(width, height, mass)
     }
 
-    /// The same body `length` long out of the plane (m): pressures act on that length, and its mass and all forces are those of
-    /// the whole.
+    /// Body `length` long out of the plane (m): pressures act on that length, and its mass and all forces are those of the whole.
     ///
     /// # Errors
     /// If it is not a finite number above zero.
@@ -102,7 +101,7 @@ impl<T: Scalar> Body<T> {
         Ok(Body { plan: Plan::Rectangle { length }, ..self })
     }
 
-    /// The same body with its centre of mass `offset` to the right of mid-width and `height` above the base (m).
+    /// Body with its centre of mass `offset` to the right of mid-width and `height` above the base (m).
     ///
     /// # Errors
     /// If the centre of mass does not lie above the base, between O and O'.
@@ -115,8 +114,8 @@ impl<T: Scalar> Body<T> {
         body.check()
     }
 
-    /// The same body touching its base at `left` to the left of mid-width (O) and `right` to the right (O'), m. Of a body whose
-    /// centre of mass is off mid-width, the base comes first where it is wider than the body.
+    /// Body that touches its base at `left` to the left of mid-width (O) and `right` to the right (O'), m. If its centre of mass is off
+    /// mid-width, the base comes first where it is wider than the body.
     ///
     /// # Errors
     /// If one of them is not a finite number above zero, or the centre of mass does not lie between O and O'.
@@ -129,7 +128,7 @@ impl<T: Scalar> Body<T> {
         body.check()
     }
 
-    /// The same of a section of parts, whose base may lie on one side of mid-width: its centre of mass comes with it.
+    /// Body of a section of parts, whose base may lie on one side of mid-width: its centre of mass comes with it.
     pub(crate) fn standing(self, base: BaseEdges<T>, offset: T, height: T) -> Result<Body<T>, InputError> {
         let body = Body {
             centroid_offset: InputError::finite(Quantity::CentroidOffset, offset)?,
@@ -141,7 +140,7 @@ impl<T: Scalar> Body<T> {
         body.check()
     }
 
-    /// The same body with a moment of inertia about its centre of mass of `moment` (kg m² per metre run).
+    /// Body with a moment of inertia about its centre of mass of `moment` (kg m² per metre run).
     ///
     /// # Errors
     /// If it is not a finite number above zero.
@@ -158,12 +157,12 @@ impl<T: Scalar> Body<T> {
         }
     }
 
-    /// How far the base reaches to the left and to the right of mid-width; see [`with_base`](Body::with_base).
+    /// Reach of the base to the left and to the right of mid-width; see [`with_base`](Body::with_base).
     pub fn base_edges(&self) -> BaseEdges<T> {
         BaseEdges { left: self.base_left.clone(), right: self.base_right.clone() }
     }
 
-    /// How it looks from above.
+    /// Plan: the body seen from above.
     pub fn plan(&self) -> Plan<T> {
         self.plan.clone()
     }
@@ -178,8 +177,8 @@ impl<T: Scalar> Body<T> {
         self.height.clone()
     }
 
-    /// Whether it reaches up to an elevation (m above the base). One that is above its crest by four units in the last place at most
-    /// is taken for the crest: that of parts is a sum of decimals, and 0.7 + 0.1 is less than 0.8.
+    /// True if it reaches up to an elevation (m above the base). One that is above its crest by four units in the last place at most is
+    /// taken for the crest: that of parts is a sum of decimals, and 0.7 + 0.1 is less than 0.8.
     pub fn reaches(&self, elevation: T) -> bool {
         elevation.value() <= self.height.value() * (1.0 + 4.0 * f64::EPSILON)
     }
@@ -199,7 +198,7 @@ impl<T: Scalar> Body<T> {
         self.moment_of_inertia.clone()
     }
 
-    /// How far the centre of mass lies to the right of mid-width, m.
+    /// Offset of the centre of mass to the right of mid-width, m.
     pub fn centroid_offset(&self) -> T {
         self.centroid_offset.clone()
     }
@@ -229,13 +228,13 @@ impl<T: Scalar> Body<T> {
         self.plan().area(self.base_width())
     }
 
-    /// Whether the body is the report's: a uniform rectangle that touches its base over its whole width.
+    /// True if the body is the report's: a uniform rectangle that touches its base over its whole width.
     pub fn is_uniform(&self) -> bool {
         let uniform = Body::new(self.width(), self.height(), self.mass());
         uniform.is_ok_and(|uniform| Body { plan: self.plan(), ..uniform } == *self)
     }
 
-    /// The same in f64.
+    /// Body in f64.
     pub fn rounded(&self) -> Body {
         Body {
             width: self.width.value(),

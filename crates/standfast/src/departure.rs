@@ -1,4 +1,4 @@
-//! Where a body leaves rest as its variable loads rise.
+//! Departure of a body from rest as its variable loads rise.
 
 use crate::error::InputError;
 use crate::mode::Mode;
@@ -16,7 +16,7 @@ pub enum Departure {
     AtOnce {
         /// The verdict it begins with.
         verdict: Option<Verdict>,
-        /// Whether the permanent loads alone do it; otherwise any share of the variable loads does, however small.
+        /// True if the permanent loads alone do it; otherwise any share of the variable loads does, however small.
         permanent: bool,
     },
     /// At a load factor.

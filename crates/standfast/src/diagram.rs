@@ -49,7 +49,7 @@ pub struct Diagram {
 }
 
 impl Unresolved {
-    /// Whether (k, μ) lies in the part or on its edge, in floating point.
+    /// True if (k, μ) lies in the part or on its edge, in floating point.
     pub fn contains(&self, k: f64, mu: f64) -> bool {
         self.strips.iter().any(|strip| strip.contains(k, mu))
     }
@@ -132,8 +132,8 @@ impl Diagram {
         ]
     }
 
-    /// Where the conditions of `mode` alone hold, before IV.7 compares it with the others (Figs. 4.3–4.6): its
-    /// own region, then the unresolved parts that its conditions also cover but the report gives to another mode.
+    /// Places in which the conditions of `mode` alone hold, before IV.7 compares it with the others (Figs. 4.3–4.6): its own region, then
+    /// the unresolved parts that its conditions also cover but the report gives to another mode.
     pub fn before_resolution(&self, mode: Mode) -> (Option<&Region>, Vec<Unresolved>) {
         let mut parts = self.unresolved();
         parts.retain(|part| part.modes.contains(mode) && part.resolved_as != mode);

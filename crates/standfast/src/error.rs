@@ -6,8 +6,8 @@ use crate::quantity::{Expected, Quantity};
 
 /// A value that no body, load or friction can have.
 ///
-/// Which quantity it is and what is expected are values, so that a program can tell errors apart; the message names the
-/// quantity, shows the value, and says what is expected:
+/// The quantity and the expected values are values themselves, so that a program can tell errors apart; the message names the quantity,
+/// shows the value, and says what is expected:
 ///
 /// ```
 /// use standfast::Quantity;
@@ -27,7 +27,7 @@ pub struct InputError {
     pub quantity: Quantity,
     /// The value that was given.
     pub value: f64,
-    /// What the quantity has to be.
+    /// Condition that the quantity has to meet.
     pub expected: Expected,
 }
 
@@ -43,7 +43,7 @@ impl InputError {
         format!("{} is {}", self.quantity, exact(self.value))
     }
 
-    /// Whether the value is too large or too small, or has the wrong sign, by itself; it does not depend on another.
+    /// True if the value is too large or too small, or has the wrong sign, by itself; it does not depend on another.
     pub fn is_about_size(&self) -> bool {
         matches!(self.expected, Expected::Finite | Expected::NotNegative | Expected::Positive)
     }

@@ -41,7 +41,7 @@ pub(crate) struct Exact {
 }
 
 impl Exact {
-    /// Whether the number is below, at or above zero.
+    /// Sign of the number: below, at or above zero.
     pub(crate) fn sign(&self) -> Ordering {
         match self.mantissa.sign() {
             Sign::Minus => Ordering::Less,

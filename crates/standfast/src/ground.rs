@@ -1,4 +1,4 @@
-//! What the base can bear: when the ground under a body changes its verdict.
+//! Strength of the base: when the ground under a body changes its verdict.
 //!
 //! ```text
 //!        rigid              strength             ground             stiffness

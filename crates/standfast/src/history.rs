@@ -1,5 +1,5 @@
-//! How does a load, or the acceleration of the ground, go with time? In pieces that are lines or sines, zero before the first and
-//! after the last.
+//! Course of a load, or of the acceleration of the ground, in time: pieces that are lines or sines, zero before the first and after the
+//! last.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ pub enum HistoryError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What it has to be.
+        /// Values that it may have.
         expected: &'static str,
     },
     /// Lists of points that differ in length.
@@ -43,17 +43,17 @@ pub enum HistoryError {
     /// Fewer than two points.
     #[error("{count} points; expected two at least")]
     FewPoints {
-        /// How many there are.
+        /// Number of points.
         count: usize,
     },
     /// A point.
     #[error("point {}: {}", index + 1, words(*fault, *value))]
     Point {
-        /// Which point, from 0.
+        /// Index of the point, from 0.
         index: usize,
         /// The number.
         value: f64,
-        /// What is wrong with it.
+        /// Fault of the point.
         fault: PointFault,
     },
 }
@@ -344,7 +344,7 @@ impl History {
         Ok(history)
     }
 
-    /// The same, `start` later.
+    /// History that begins `start` later.
     ///
     /// # Errors
     /// If it is not finite.
@@ -355,7 +355,7 @@ impl History {
         }
     }
 
-    /// The same times a factor.
+    /// History times a factor.
     #[must_use]
     pub fn times_factor(self, factor: f64) -> History {
         if factor == 1.0 {
@@ -370,7 +370,7 @@ impl History {
         History { pieces: self.pieces.iter().map(scaled).collect(), ..self }
     }
 
-    /// When pieces begin, and when the last ends.
+    /// Moments at which pieces begin, and at which the last ends.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
@@ -428,12 +428,12 @@ impl History {
         Some(corners)
     }
 
-    /// When the last piece ends; infinite of one without end.
+    /// Moment at which the last piece ends; infinite of one without end.
     pub fn end(&self) -> f64 {
         self.times.last().copied().unwrap_or(0.0)
     }
 
-    /// What it jumps or bends by, moment by moment: it is the sum of what they add from there on; `None` of one with sines.
+    /// Jumps and bends, moment by moment: the history is the sum of what they add from there on; `None` of one with sines.
     pub fn changes(&self) -> Option<Vec<Change>> {
         let corners = self.corners()?;
         let Some(&[first, value]) = corners.first() else { return Some(Vec::new()) };
@@ -454,7 +454,7 @@ impl History {
         Some(changes)
     }
 
-    /// Whether it jumps at a moment, by more than rounding.
+    /// True if it jumps at a moment, by more than rounding.
     pub fn jumps_at(&self, t: f64) -> bool {
         let (before, after) = (self.before(t), self.at(t));
         (after - before).abs() > 1e-12 * self.size_near(t)
@@ -475,13 +475,13 @@ impl History {
     }
 }
 
-/// What is added to a history from a moment on.
+/// Change that is added to a history from a moment on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
     /// The moment, s.
     pub at: f64,
-    /// What is added at once.
+    /// Step that is added at once.
     pub step: f64,
-    /// What is added to the slope, 1/s.
+    /// Slope that is added, 1/s.
     pub slope: f64,
 }

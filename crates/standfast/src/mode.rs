@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// Which bottom corner a rocking body turns about.
+/// Bottom corner that a rocking body turns about.
 ///
 /// ```text
 ///      ┌──────────┐
@@ -309,17 +309,17 @@ impl Modes {
         self.0 &= !(1 << mode.code());
     }
 
-    /// Whether a mode is in the set.
+    /// True if a mode is in the set.
     pub fn contains(self, mode: Mode) -> bool {
         self.0 & (1 << mode.code()) != 0
     }
 
-    /// Whether the set has no mode.
+    /// True if the set has no mode.
     pub fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// How many modes the set has.
+    /// Number of modes in the set.
     pub fn len(self) -> usize {
         self.0.count_ones() as usize
     }

@@ -2,7 +2,7 @@
 
 /// A stretch of a line.
 pub(crate) trait Neighbour: Sized {
-    /// Whether the same holds on the next stretch.
+    /// True if the same holds on the next stretch.
     fn is_like(&self, next: &Self) -> bool;
 
     /// Prolongs it over the next stretch.

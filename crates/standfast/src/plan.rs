@@ -24,7 +24,7 @@ use std::f64::consts::PI;
 use crate::ball::Scalar;
 use crate::loads::PressureAt;
 
-/// How a body looks from above.
+/// Plan of a body: its outline seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Plan<T = f64> {
@@ -123,7 +123,7 @@ fn across_circle(one: &PressureAt, two: &PressureAt, r: f64) -> (f64, f64) {
     (force, moment + force * r)
 }
 
-/// What a circle of radius `r` bears of W_e = `pressing` that acts `eccentricity` beside its middle, less than r.
+/// Pressure on a circle of radius `r` under W_e = `pressing`, which acts `eccentricity` beside its middle, less than r.
 pub(crate) fn circle_pressure(pressing: f64, eccentricity: f64, r: f64) -> CirclePressure {
     let mean = pressing / (PI * r * r);
     let lean = 4.0 * eccentricity / r;

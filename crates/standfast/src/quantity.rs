@@ -1,4 +1,4 @@
-//! What an input is, and what it has to be: the vocabulary of [`InputError`](crate::InputError).
+//! Inputs, and the conditions that they have to meet: the vocabulary of [`InputError`](crate::InputError).
 
 use std::fmt;
 
@@ -109,7 +109,7 @@ worded! {
 }
 
 worded! {
-    /// What a quantity has to be.
+    /// Condition that a quantity has to meet.
     Expected {
         Finite => "a number from -1e50 to 1e50",
         NotNegative => "a number from 0 to 1e50",

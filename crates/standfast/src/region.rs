@@ -80,7 +80,7 @@ pub struct Strip {
 }
 
 impl Strip {
-    /// Whether (k, μ) lies in the strip or on its edge, in floating point. Which mode owns an edge is
+    /// True if (k, μ) lies in the strip or on its edge, in floating point. The mode that owns an edge is
     /// [`Diagram::mode_at`](crate::Diagram::mode_at)'s to say, exactly.
     pub fn contains(&self, k: f64, mu: f64) -> bool {
         let below = self.upper.is_none_or(|upper| mu <= upper.at(k));
@@ -98,7 +98,7 @@ pub struct Region {
 }
 
 impl Region {
-    /// Whether (k, μ) lies in the region or on its edge, in floating point.
+    /// True if (k, μ) lies in the region or on its edge, in floating point.
     pub fn contains(&self, k: f64, mu: f64) -> bool {
         self.strips.iter().any(|strip| strip.contains(k, mu))
     }

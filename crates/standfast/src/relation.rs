@@ -18,7 +18,7 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// Whether the inequality holds, for a left side that stands to the right side as `ordering` says.
+    /// True if the inequality holds, for a left side that stands to the right side as `ordering` says.
     pub(crate) fn holds(self, ordering: Ordering) -> bool {
         match self {
             Sign::Less => ordering.is_lt(),
@@ -55,7 +55,7 @@ pub struct Relation {
     pub bound: &'static str,
     /// Its value.
     pub right: f64,
-    /// Whether it holds, decided exactly.
+    /// True if it holds, decided exactly.
     pub holds: bool,
 }
 
@@ -65,7 +65,7 @@ impl Relation {
         format!("{} {} {}", self.quantity, self.sign, self.bound)
     }
 
-    /// How far `left` is on the right side of `right`: negative where the inequality does not hold.
+    /// Margin between `left` and `right`: negative where the inequality does not hold.
     pub fn margin(&self) -> f64 {
         match self.sign {
             Sign::Less | Sign::LessOrEqual => self.right - self.left,

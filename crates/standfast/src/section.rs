@@ -66,7 +66,7 @@ pub struct WaterTable {
     pub right: f64,
 }
 
-/// Why an outline is no part, or parts are no section.
+/// Reason why an outline is no part, or parts are no section.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionError {
@@ -87,7 +87,7 @@ pub enum SectionError {
     /// A part that lies below the base, y = 0.
     #[error("it reaches {depth} m below the base, y = 0")]
     BelowBase {
-        /// How far, m.
+        /// Depth below the base, m.
         depth: f64,
     },
     /// No part stands on the base along a length.
@@ -105,7 +105,7 @@ pub enum SectionError {
         two: usize,
         /// A place that both have.
         at: Vertex,
-        /// How wide, m.
+        /// Width of the overlap, m.
         by: f64,
     },
     /// A place between parts, or above them, that is in none.
@@ -113,7 +113,7 @@ pub enum SectionError {
     Gap {
         /// A place in it.
         at: Vertex,
-        /// How wide, or where nothing is beside it how high, m.
+        /// Width of the gap, or its height where nothing is beside it, m.
         by: f64,
     },
     /// Parts that stand on nothing, or on a corner.
@@ -170,12 +170,12 @@ impl Part {
         &self.outline
     }
 
-    /// Where it is dry, kg/m³.
+    /// Density where it is dry, kg/m³.
     pub fn density(&self) -> f64 {
         self.density
     }
 
-    /// Where it is under water, kg/m³.
+    /// Density where it is under water, kg/m³.
     pub fn density_below_water(&self) -> f64 {
         self.density_below_water
     }
@@ -224,11 +224,11 @@ pub struct PartMass {
     pub moment_of_inertia: f64,
 }
 
-/// What lengths may be off by rounding, as a share of the section's size.
+/// Error of lengths by rounding, as a share of the section's size.
 const ROUNDING: f64 = 1e-9;
 
-/// How far outlines may be apart, or overlap, that touch, m: as drawings are given, to the millimetre; of a section less than a
-/// metre large, a thousandth of that.
+/// Distance, or overlap, up to which outlines touch, m: as drawings are given, to the millimetre; of a section less than a metre large, a
+/// thousandth of that.
 fn slack(size: f64) -> f64 {
     1e-3 * size.min(1.0)
 }
@@ -288,7 +288,7 @@ impl Section {
         self.parts.iter().map(Part::area).sum()
     }
 
-    /// What lies under a level, cavities with it: what displaces water.
+    /// Area under a level, cavities with it: the area that displaces water.
     pub fn below(&self, level: f64) -> Submerged {
         let slices = self.slices.iter().filter_map(|slice| slice.below(level));
         let sum = slices.fold((0.0, 0.0), |(area, moment), slice| {
@@ -315,7 +315,7 @@ impl Section {
         sum.mass()
     }
 
-    /// The same of its parts one by one, centres counted from mid-width. A cavity has its centre where its area has it.
+    /// Masses of its parts one by one, centres counted from mid-width. A cavity has its centre where its area has it.
     pub fn masses(&self, water: Option<WaterTable>) -> Vec<PartMass> {
         let [left, right] = self.ends();
         // As in `body`, so that they add up to its.
@@ -337,7 +337,7 @@ impl Section {
         masses.collect()
     }
 
-    /// What of a part is dry and what is wet, with the density of each; all is dry where both are the same.
+    /// Dry and wet area of a part, with the density of each; all is dry where both are the same.
     fn dry_and_wet(&self, part: &Part, water: Option<WaterTable>) -> [(Areas, f64); 2] {
         let whole = areas(&part.outline);
         let wet = match water.filter(|_| part.density != part.density_below_water) {
@@ -347,7 +347,7 @@ impl Section {
         [(whole.less(&wet), part.density), (wet, part.density_below_water)]
     }
 
-    /// What of a part is under the water table.
+    /// Area of a part under the water table.
     fn wet(&self, part: &Part, water: WaterTable) -> Areas {
         let flat = |level: f64| move |at: Vertex| at.y - level;
         if water.left == water.right {
@@ -366,7 +366,7 @@ impl Section {
         sum
     }
 
-    /// Where a level cuts the left and the right side; above the section, its ends at the top.
+    /// Points at which a level cuts the left and the right side; above the section, its ends at the top.
     fn ends_at(&self, level: f64) -> [f64; 2] {
         let slice = self.slices.iter().find(|slice| level <= slice.top).or(self.slices.last());
         let cut = slice.and_then(|slice| slice.below(level.max(slice.bottom + ROUNDING * self.size)));
@@ -394,7 +394,7 @@ impl Section {
         body.standing(base, centre.x, centre.y)?.with_moment_of_inertia(moment_of_inertia * length)
     }
 
-    /// Whether it is an upright rectangle of one density, wet or dry.
+    /// True if it is an upright rectangle of one density, wet or dry.
     fn is_uniform(&self) -> bool {
         let [left, right] = self.ends();
         let near = |one: f64, two: f64| (one - two).abs() <= ROUNDING * self.size;
@@ -407,7 +407,7 @@ impl Section {
             })
     }
 
-    /// The same with everything so much farther right, m.
+    /// Section with everything so much farther right, m.
     fn moved(&self, by: f64) -> Section {
         let mut moved = self.clone();
         let outlines = moved.parts.iter_mut().flat_map(|part| &mut part.outline);

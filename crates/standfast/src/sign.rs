@@ -65,7 +65,7 @@ use crate::mode::Mode;
 
 /// Arithmetic in which a mode can be decided.
 pub(crate) trait Number: Real {
-    /// Whether it is below zero; of f32 and f64, whose underflow keeps the sign, −0 too.
+    /// True if it is below zero; of f32 and f64, whose underflow keeps the sign, −0 too.
     fn is_negative(&self) -> bool;
 
     /// Its magnitude.
@@ -155,7 +155,7 @@ pub(crate) fn terms_of_any<F: Float>([gamma, k_prime, k, mu]: [f64; 4]) -> Terms
     [gamma, arm, surplus, mu].map(F::of)
 }
 
-/// What [`screen`] returns where floating point cannot tell, or the terms are not those of a valid point. The last byte counts.
+/// Value of [`screen`] where floating point cannot tell, or the terms are not those of a valid point. The last byte counts.
 pub(crate) const UNSURE: u32 = u32::MAX;
 
 /// The code of the mode by signs alone; `stays` and `sticks`, whose signs they are; and S, the size of what these are made of.
@@ -215,9 +215,8 @@ pub(crate) fn code(point: [f64; 4]) -> u8 {
     code as u8
 }
 
-/// The same without the bound above: with rounding tracked, and where that cannot tell, in exact arithmetic. Tracked, the errors of x and Q
-/// are in those of `stays` and `sticks`, and the signs of D and k (1+k') are those of f64, right where they
-/// matter.
+/// Code of the mode without the bound above: with rounding tracked, and where that cannot tell, in exact arithmetic. Tracked, the errors of
+/// x and Q are in those of `stays` and `sticks`, and the signs of D and k (1+k') are those of f64, right where they matter.
 #[cold]
 pub(crate) fn exact(point: [f64; 4]) -> u32 {
     let (mode, stays, sticks, _) = decide(terms::<Approx>(point));

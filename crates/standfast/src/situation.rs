@@ -66,7 +66,7 @@ pub struct Situation<T = f64> {
     written: Option<Box<Written>>,
 }
 
-/// How a body responds to a load that is applied at once.
+/// Response of a body to a load that is applied at once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Response {
     /// The total wrench at the centre of mass, N and N·m per metre run.
@@ -90,7 +90,7 @@ pub struct Response {
 pub struct Outcome {
     /// Under the full load, applied at once.
     pub full: Response,
-    /// Where it leaves rest as the variable loads rise.
+    /// Departure from rest as the variable loads rise.
     pub departure: Departure,
     /// The stages of the rising variable loads, the last without end; none where all loads are permanent.
     pub path: Vec<Stage>,
@@ -101,7 +101,7 @@ pub struct Outcome {
     pub stability: Stability,
     /// Overturning by gross moments; it means nothing either for a body that is lifted.
     pub gross: GrossOverturning,
-    /// What the inequalities of rest leave under the full load.
+    /// Margins of the inequalities of rest under the full load.
     pub margins: Margins,
 }
 
@@ -111,7 +111,7 @@ impl Response {
         self.verdict.and_then(Verdict::mode)
     }
 
-    /// Whether one mode only is consistent.
+    /// True if one mode only is consistent.
     pub fn is_unique(&self) -> bool {
         self.modes.len() <= 1
     }
@@ -121,7 +121,7 @@ impl Response {
         self.modes.without(self.mode())
     }
 
-    /// Whether nothing presses the body on its base any more: P ≤ 0.
+    /// True if nothing presses the body on its base any more: P ≤ 0.
     pub fn is_lifted(&self) -> bool {
         self.wrench.p <= 0.0
     }
@@ -157,7 +157,7 @@ impl<T: Scalar> Situation<T> {
         })
     }
 
-    /// The same with less friction to slip than to stick.
+    /// Situation with less friction to slip than to stick.
     ///
     /// # Errors
     /// If it is negative or more than to stick.
@@ -170,24 +170,24 @@ impl<T: Scalar> Situation<T> {
         Ok(Situation { kinetic_friction, ..self })
     }
 
-    /// The same with water that a horizontal motion carries along.
+    /// Situation with water that a horizontal motion carries along.
     pub fn with_added_mass(self, water: AddedMass<T>) -> Situation<T> {
         Situation { added_mass: water, written: None, ..self }
     }
 
-    /// The same with the body's weight.
+    /// Situation with the body's weight.
     pub fn with_weight(self) -> Situation<T> {
         self.with(Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight))
     }
 
-    /// The same with a load.
+    /// Situation with a load.
     pub fn with(mut self, load: Load<T>) -> Situation<T> {
         self.written = None;
         self.loads.push(load);
         self
     }
 
-    /// The same with loads.
+    /// Situation with loads.
     pub fn with_all(mut self, loads: impl IntoIterator<Item = Load<T>>) -> Situation<T> {
         self.written = None;
         self.loads.extend(loads);
@@ -229,7 +229,7 @@ impl<T: Scalar> Situation<T> {
         &self.loads
     }
 
-    /// What a load amounts to at the centre of mass of the body on its base.
+    /// Wrench of a load at the centre of mass of the body on its base.
     pub fn wrench_of(&self, load: &Load<T>) -> Wrench<T> {
         load.upright(&self.body, self.gravity())
     }
@@ -311,7 +311,7 @@ impl Situation {
         Some(Reduced { point, mirrored: wrench.x > 0.0 })
     }
 
-    /// Whether the body is the report's: uniform, with one friction, without water that moves with it.
+    /// True if the body is the report's: uniform, with one friction, without water that moves with it.
     fn is_ordinary(&self) -> bool {
         self.body.is_uniform() && self.added_mass() == 0.0 && self.static_friction == self.kinetic_friction
     }
@@ -332,7 +332,7 @@ impl Situation {
         force.reduce(&self.body, self.static_friction, self.gravity).ok().filter(|_| self.is_ordinary())
     }
 
-    /// What begins if the variable load, times `factor`, is applied at once.
+    /// Response if the variable load, times `factor`, is applied at once.
     ///
     /// # Errors
     /// If a number is out of range.
@@ -391,13 +391,13 @@ impl Situation {
         relations
     }
 
-    /// Whether rounding in f64 could put it on the other side of a boundary, under its permanent loads or under the full load: it is
-    /// then worth saying what its numbers are [as they are written](Situation::as_written).
+    /// True if rounding in f64 could put it on the other side of a boundary, under its permanent loads or under the full load: it is then
+    /// worth saying what its numbers are [as they are written](Situation::as_written).
     pub fn is_near_boundary(&self) -> bool {
         written::is_near(self)
     }
 
-    /// The same, decided by the same situation in the numbers that were written.
+    /// Situation decided by the same one in the numbers that were written.
     pub fn as_written(self, exact: &Situation<Ball>) -> Situation {
         Situation { written: Some(Box::new(Written::of(exact))), ..self }
     }
@@ -466,7 +466,7 @@ impl Situation {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InHalfWidths(pub Block);
 
-/// What loads add up to.
+/// Sums of the loads.
 struct Sums<T> {
     permanent: Wrench<T>,
     variable: Wrench<T>,

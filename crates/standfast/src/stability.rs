@@ -22,7 +22,7 @@
 //! It is 1 where the resultant of all loads passes the corner, as Goda's is; elsewhere it is nearer to 1. P and M_p are those of all
 //! horizontal loads together, water on both sides among them.
 //!
-//! What each inequality of rest leaves, as a number on both sides of it, is its margin; all three together are rest:
+//! The margin of each inequality of rest is a number on both sides of it, not negative while it holds; all three together are rest:
 //!
 //! ```text
 //! margin_sliding = μ(W' − U) − P                         ≥ 0
@@ -58,7 +58,7 @@ pub struct ClassicalActions {
     pub force_moment: f64,
 }
 
-/// How the base is pressed.
+/// State of the pressure on the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Bearing {
@@ -97,7 +97,7 @@ pub struct Stability {
     /// The factor against overturning about the heel; infinite where no force turns the body that way, and zero where it turns
     /// without one, by uplift or eccentric weight alone.
     pub overturning_about_heel: f64,
-    /// The same about the other corner, the toe: a force far below the centre of mass turns the body about it.
+    /// The factor about the other corner, the toe: a force far below the centre of mass turns the body about it.
     pub overturning_about_toe: f64,
     /// t_e, m: distance of the resultant from the heel; `None` if nothing presses.
     pub resultant_arm: Option<f64>,
@@ -126,8 +126,8 @@ impl Stability {
     }
 }
 
-/// What the inequalities of rest leave: none is negative of a body that can rest, and one is of a body that cannot. Unlike safety
-/// factors they change steadily where a force vanishes, changes its direction or lifts the body.
+/// Margins of the inequalities of rest: none is negative of a body that can rest, and one is of a body that cannot. Unlike safety factors
+/// they change steadily where a force vanishes, changes its direction or lifts the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Margins {
@@ -156,7 +156,7 @@ pub struct GrossOverturning {
     pub buoyancy_moment: f64,
     /// The factor about the heel; infinite where nothing turns the body that way.
     pub about_heel: f64,
-    /// The same about the toe.
+    /// The factor about the toe.
     pub about_toe: f64,
 }
 
@@ -185,7 +185,7 @@ impl GrossOverturning {
         }
     }
 
-    /// Whether the factor about the heel is the lesser.
+    /// True if the factor about the heel is the lesser.
     pub fn is_about_heel(&self) -> bool {
         self.about_heel <= self.about_toe
     }
@@ -223,7 +223,7 @@ impl ClassicalActions {
         }
     }
 
-    /// What resists: W' − U, and the moments of weight and uplift about the heel and about the toe.
+    /// Resistance: W' − U, and the moments of weight and uplift about the heel and about the toe.
     fn resistance(&self, body: &Body) -> [f64; 3] {
         let ClassicalActions { buoyant_weight, weight_arm, uplift, uplift_moment, .. } = *self;
         let pressing = buoyant_weight - uplift;
@@ -231,7 +231,7 @@ impl ClassicalActions {
         [pressing, about_heel, pressing * body.base_width() - about_heel]
     }
 
-    /// What the inequalities of rest leave, with friction μ.
+    /// Margins of the inequalities of rest, with friction μ.
     pub fn margins(&self, friction: f64, body: &Body) -> Margins {
         let [pressing, about_heel, about_toe] = self.resistance(body);
         Margins {

@@ -57,7 +57,7 @@ fn by_friction_they_are_those_of_the_load_path() {
     }
 }
 
-/// The same along a share of the load.
+/// Spans along a share of the load.
 #[test]
 fn by_share_they_are_those_of_the_load_path() {
     let mut random = Random(58);

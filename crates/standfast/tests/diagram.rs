@@ -348,8 +348,7 @@ fn a_point_lies_between_its_bounds() {
     }
 }
 
-/// Where μ* is level to the last digits, the force at which it is crossed cannot be computed in floating point; it is
-/// located all the same.
+/// A crossing is located even if μ* is level to the last digits and its force cannot be computed in floating point.
 #[test]
 fn a_crossing_of_a_level_curve_is_found() {
     let given = [4.655584828409483, 0.34871240981731433, 0.15925988661319604];

@@ -170,7 +170,7 @@ fn lent(columns: &[Vec<f64>; 4]) -> Columns<'_> {
     Columns { gamma, k_prime, k, mu }
 }
 
-/// What the single call says of points.
+/// Codes that the single call gives of points.
 fn one_by_one(points: &[[f64; 4]]) -> Vec<u8> {
     points.iter().map(|&[g, h, k, m]| standfast::classify(g, h, k, m).unwrap().code()).collect()
 }
@@ -257,7 +257,7 @@ fn batches_of_every_length_agree_with_the_single_call() {
     }
 }
 
-/// What f32 makes zero of decides in f64: a friction below the force by less than f32 has numbers for, and zeros of either sign.
+/// Numbers that f32 makes zero of decide in f64: a friction below the force by less than f32 has numbers for, and zeros of either sign.
 #[test]
 fn differences_too_small_for_f32_decide() {
     let cases = [

@@ -83,9 +83,9 @@ fn the_middle_of_an_eccentric_base() {
     }
 }
 
-/// Where a stretch of load factors in which the ground bears is as narrow as 0.004 it is found all the same: about where the reaction is in the
-/// middle of the base, or upright. By hand: C is 0.5 m right of the middle of 2B = 10 m, P = 1000 kN/m, φ = 30° and V₀ such that the best
-/// R/P = (1 − |e|/B)²(1 − 0.7η)⁵/u, at λ = 3.775, is 1.0001:
+/// A stretch of load factors in which the ground bears is found though it is as narrow as 0.004: about where the reaction is in the middle
+/// of the base, or upright. By hand: C is 0.5 m right of the middle of 2B = 10 m, P = 1000 kN/m, φ = 30° and V₀ such that the best R/P = (1
+/// − |e|/B)²(1 − 0.7η)⁵/u, at λ = 3.775, is 1.0001:
 ///
 /// * a push at 40 m, so high that e = 0.5(1 − λ/3.775) says more than η = 0.0125 λ/3.775;
 /// * one at the base, e = 0.5 and η = 0.05|1 − λ/3.775| with a permanent one against it;

@@ -77,7 +77,7 @@ fn so_does_every_motion_within_three_ulps_of_a_boundary() {
     }
 }
 
-/// Where the general problem's quotients lose nothing to cancellation, they are the report's closed form.
+/// The general problem's quotients are the report's closed form wherever they lose nothing to cancellation.
 #[test]
 fn the_general_problem_has_the_same_motion() {
     let mut random = Random(22);

@@ -241,8 +241,8 @@ fn a_couple_under_the_base_turns() {
     }
 }
 
-/// What presses in the middle has no eccentricity, however its arm is rounded; what does not has some, however little. What is
-/// borne by uplift to the last newton presses nowhere.
+/// A reaction in the middle has no eccentricity, however its arm is rounded; any other has some, however little. A weight borne by uplift
+/// to the last newton presses nowhere.
 #[test]
 fn an_eccentricity_is_none_or_some() {
     for i in 1..200 {
@@ -444,7 +444,7 @@ fn a_motion_in_si_units_obeys_the_laws() {
     assert!(seen.iter().all(|&count| count > tries(50)), "{seen:?}");
 }
 
-/// What each kind of load is: its source, kind and whether it grows; its wrench by hand.
+/// Source, kind and growth of each kind of load; its wrench by hand.
 #[test]
 fn loads_say_what_they_are() {
     use LoadSource::{Buoyancy, HorizontalInertia, ShakenWater, StillWater as Water, VerticalInertia};

@@ -1,4 +1,4 @@
-//! What the feature `serde` writes, and reads back.
+//! Text that the feature `serde` writes, and reads back.
 #![cfg(feature = "serde")]
 
 use serde::{Deserialize, Serialize};

@@ -30,7 +30,7 @@ fn standing(body: Body, friction: f64, gravity: f64) -> Situation {
     Situation::new(body, friction, gravity).unwrap().with_weight()
 }
 
-/// Whether a point lies within rounding of a change of mode, where two ways to compute it may differ.
+/// True if a point lies within rounding of a change of mode, where two ways to compute it may differ.
 fn near_boundary(point: &Point) -> bool {
     let near = |at: f64, value: f64| (at - value).abs() <= 1e-9 * (at.abs() + value.abs());
     let (margins, chart) = (point.margins(), point.chart());
@@ -189,7 +189,7 @@ fn added_mass_enters_the_inertia() {
     assert!((rock.motion.unwrap().theta_ddot - expected).abs() < 1e-12 * expected);
 }
 
-/// The same on random bodies: what slides or rocks obeys the equations of motion with m + M_a against ẍ.
+/// Random bodies with added mass: a body that slides or rocks obeys the equations of motion with m + M_a against ẍ.
 #[test]
 fn added_mass_obeys_the_equations_of_motion() {
     let mut random = Random(48);
@@ -280,8 +280,8 @@ fn a_floating_body_is_an_answer() {
     assert!(state.effective.is_none());
 }
 
-/// Where nothing presses the body on its base, the same motion is not counted twice: on a lattice full of coincidences,
-/// modes that are consistent together are different motions, and one is always consistent.
+/// One motion is not counted twice if nothing presses the body on its base: on a lattice full of coincidences, modes that are consistent
+/// together are different motions, and one is always consistent.
 #[test]
 fn consistent_modes_are_different_motions() {
     let mut unpressed = 0;
@@ -504,7 +504,7 @@ fn the_plane_is_free_of_scale() {
     }
 }
 
-/// What a load of one kind has of the other is not lost: an earthquake that lifts while it pushes.
+/// Both parts of a load count, its own kind's and the other's: an earthquake that lifts while it pushes.
 #[test]
 fn both_parts_of_an_earthquake_count() {
     let body = Body::new(2.0, 2.0, 1000.0).unwrap();

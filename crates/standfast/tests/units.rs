@@ -94,7 +94,7 @@ fn a_point_with_a_size_is_the_body_and_force_it_came_from() {
     assert!(reduced.with_size(0.0, 1.0, 9.81).is_err() && reduced.with_size(1.0, 1.0, f64::NAN).is_err());
 }
 
-/// What a body is told it keeps; its centre of mass lies strictly between its corners.
+/// A body keeps all it is told; its centre of mass lies strictly between its corners.
 #[test]
 fn a_body_keeps_what_it_is_told() {
     let body = Body::new(10.0, 8.0, 1e5).unwrap();

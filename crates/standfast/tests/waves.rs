@@ -266,7 +266,7 @@ fn the_weight_s_arm_is_its_own() {
     assert_eq!(stability.resultant_arm, Some(180.0 / 80.0));
 }
 
-/// What is just in balance does not turn: without a force the factor is infinite there, and zero as soon as it is not.
+/// A body just in balance does not turn: without a force the factor is infinite there, and zero as soon as it is not.
 #[test]
 fn what_is_in_balance_does_not_turn() {
     let stability = |uplift_moment: f64, force_moment: f64| {
@@ -521,7 +521,7 @@ fn a_base_beyond_the_formula_has_no_suction() {
     assert!(g.warnings.iter().any(|warning| matches!(warning, Warning::NoPressureAtBase { .. })));
 }
 
-/// What the criteria of impulsive breaking are about.
+/// Numbers that the criteria of impulsive breaking are about.
 #[derive(Clone, Copy)]
 struct Front {
     berm_width_ratio: f64,
@@ -535,7 +535,7 @@ struct Front {
 }
 
 impl Front {
-    /// Whether a sea and a section with these numbers get the warning, and with what numbers.
+    /// Numbers of the warning that a sea and a section with these numbers get; `None` without one.
     fn warned(self) -> Option<[f64; 4]> {
         let (period, water_depth, gravity) = (12.0, 10.0, 9.81);
         let sea = Sea {

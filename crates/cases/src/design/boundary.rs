@@ -16,10 +16,10 @@ use crate::couple::Variable;
 use crate::rounded::{Decimal, Towards};
 use standfast_figures::Figure;
 
-/// How many parts the range of a column is cut into.
+/// Number of parts that the range of a column is cut into.
 const PARTS: u32 = 200;
 
-/// The same where each value takes a probability.
+/// Number of parts where each value takes a probability.
 const CHANCE_PARTS: u32 = 12;
 
 /// No more columns than these, however often neighbours differ.
@@ -28,16 +28,16 @@ const MOST: usize = 400;
 /// To how many digits a place is found where neighbours differ.
 const DIGITS: usize = 4;
 
-/// What to design with two quantities.
+/// Request for a design with two quantities.
 #[derive(Debug, Clone)]
 pub struct BoundaryRequest {
     /// The quantity whose least or greatest values are wanted, and the target.
     pub design: Request,
     /// The other quantity.
     pub and: String,
-    /// Where it begins, as the case file would have it; half the present value if not given.
+    /// Lower end of its range, as the case file would have it; half the present value if not given.
     pub from: Option<String>,
-    /// Where it ends; twice the present value if not given.
+    /// Upper end of its range; twice the present value if not given.
     pub to: Option<String>,
 }
 
@@ -60,12 +60,12 @@ pub struct Boundary {
 struct Column {
     at: f64,
     stretches: Vec<Stretch>,
-    /// What binds where the target is nearest to be met, if it is nowhere.
+    /// Failure that binds, in a word, where the target is nearest to be met, if it is nowhere.
     none: Option<&'static str>,
 }
 
 impl Column {
-    /// What binds at each end.
+    /// Failures that bind at each end, in a word.
     fn binding(&self) -> Vec<[Option<&'static str>; 2]> {
         let by = |stretch: &Stretch| [stretch.least.beyond.by(), stretch.greatest.beyond.by()];
         self.stretches.iter().map(by).collect()
@@ -126,7 +126,7 @@ impl Boundary {
         picture::draw(self)
     }
 
-    /// What goes with each of both quantities.
+    /// Notes on the numbers that go with each of both quantities.
     fn notes(&self) -> Vec<String> {
         let of = |variable: &Variable| variable.notes(self.subject.file.inputs(), &self.present.case);
         let mut notes = of(&self.up.variable);
@@ -155,7 +155,7 @@ fn columns(across: &Quantity) -> (Vec<f64>, Vec<f64>) {
     (round, values)
 }
 
-/// Where both quantities are searched.
+/// Grid on which both quantities are searched.
 struct Grid<'a> {
     subject: &'a Subject,
     follows: bool,
@@ -200,7 +200,7 @@ impl Grid<'_> {
         }
     }
 
-    /// Why no values meet the target.
+    /// Reason why no values meet the target.
     fn unmet(&self, spelling: &'static Spelling) -> DesignError {
         let [from, to] = self.across.range;
         let value = self.across.present.clamp(from, to);

@@ -1,4 +1,4 @@
-//! Why there is no design, in words.
+//! Reasons why there is no design, in words.
 
 use thiserror::Error;
 
@@ -8,7 +8,7 @@ use crate::error::CaseError;
 use crate::explained::Explained;
 use crate::key::Key;
 
-/// Why there is no design.
+/// Reason why there is no design.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum DesignError {
@@ -29,11 +29,11 @@ pub enum DesignError {
     Bracket {
         /// The option.
         option: &'static str,
-        /// What was given.
+        /// Text that was given.
         written: String,
-        /// What is wrong with it.
+        /// Fault of the text.
         fault: String,
-        /// What is expected.
+        /// Values that are expected.
         expected: String,
     },
     /// A range without inside.
@@ -49,11 +49,11 @@ pub enum DesignError {
     Impossible {
         /// The option.
         option: &'static str,
-        /// What was given.
+        /// Text that was given.
         written: String,
-        /// What was varied.
+        /// Quantity that was varied.
         name: String,
-        /// What it has to be.
+        /// Values that it may have.
         expected: &'static str,
     },
     /// The criteria are the target, and there are none.
@@ -82,31 +82,31 @@ pub enum DesignError {
     /// No value of the range makes a case.
     #[error("no {name} {range} makes a case; at {at}: {why}")]
     NoCase {
-        /// What was varied.
+        /// Quantity that was varied.
         name: String,
         /// The range, "from 1 m to 5 m".
         range: String,
         /// A value of it.
         at: String,
-        /// Why that makes no case.
+        /// Reason why that makes no case.
         why: String,
-        /// What the request was written with.
+        /// Spelling of the request.
         spelling: &'static Spelling,
     },
     /// The target does not depend on the quantity.
     #[error("{name} does not change how far the case is from {target}: whatever its value, {binding}")]
     NoInfluence {
-        /// What was varied.
+        /// Quantity that was varied.
         name: String,
         /// The target.
         target: Target,
-        /// What fails.
+        /// Failure that stays, whatever the value.
         binding: String,
     },
     /// No value meets the target.
     #[error("no {name} {range} meets the target {target}; {best}")]
     Unmet {
-        /// What was varied.
+        /// Quantity that was varied.
         name: String,
         /// The range, "from 1 m to 5 m".
         range: String,
@@ -114,21 +114,21 @@ pub enum DesignError {
         target: Target,
         /// The best that was reached.
         best: String,
-        /// What the request was written with.
+        /// Spelling of the request.
         spelling: &'static Spelling,
     },
     /// The target is met as far as the range reaches on the side where an end was wanted.
     #[error("there is no {extreme} {name} that meets the target {target}: it is met {met}")]
     NoEnd {
-        /// What was varied.
+        /// Quantity that was varied.
         name: String,
         /// The end that was wanted.
         extreme: Extreme,
         /// The target.
         target: Target,
-        /// Where it is met.
+        /// Values at which it is met.
         met: String,
-        /// What to ask for instead.
+        /// Advice on the request to make instead.
         help: String,
     },
     /// No value meets the target, whatever another quantity is.
@@ -140,9 +140,9 @@ pub enum DesignError {
         range: String,
         /// A value of it.
         at: String,
-        /// Why there is none there.
+        /// Reason why there is none there.
         why: String,
-        /// What the request was written with.
+        /// Spelling of the request.
         spelling: &'static Spelling,
     },
     /// Both quantities are the same.
@@ -150,7 +150,7 @@ pub enum DesignError {
     Twice {
         /// The number.
         name: String,
-        /// What the request was written with.
+        /// Spelling of the request.
         spelling: &'static Spelling,
     },
 }
@@ -213,7 +213,7 @@ fn known(Unknown { suggestion, names, .. }: &Unknown) -> String {
     }
 }
 
-/// What helps where a quantity does not change how far a target is.
+/// Help where a quantity does not change how far a target is.
 fn of_no_influence(target: &Target) -> &'static str {
     if matches!(target, Target::Criterion(asked) if asked.key == Key::GreatestNotRest) {
         "of a random quantity its law counts, which goes with the case's value where it has no mean of its own: leave `mean` out and give `cov`, or vary another quantity"

@@ -23,9 +23,9 @@ struct Document<'a> {
     bracket: [f64; 2],
     present: Present<'a>,
     found: Found<'a>,
-    /// What fails just beyond the value found.
+    /// Failure just beyond the value found.
     binding: Option<String>,
-    /// What is to be minded of the value found.
+    /// Warnings on the value found.
     warnings: Vec<String>,
     /// All values that meet the target.
     met: Vec<Met>,
@@ -79,7 +79,7 @@ impl Bound {
     }
 }
 
-/// What a value comes to: of each result, that of the situation in which it is worst.
+/// Results at a value: of each, that of the situation in which it is worst.
 struct Worst<'a>(&'a Assessment);
 
 impl Serialize for Worst<'_> {

@@ -8,7 +8,7 @@ use crate::inputs::Inputs;
 use crate::key::Kind;
 use crate::layout::significant;
 
-/// How many digits a number has where nothing asks for more.
+/// Number of digits where nothing asks for more.
 pub(super) const DIGITS: usize = 4;
 
 /// A quantity that is varied.
@@ -21,13 +21,13 @@ pub(super) struct Quantity {
     pub(super) range: [f64; 2],
 }
 
-/// What a user says of the ends of a range.
+/// Ends of a range, as a user gives them.
 pub(super) struct Ends<'a> {
     /// The options, lower end first.
     pub(super) options: [&'static str; 2],
-    /// What stands there.
+    /// Text that stands there.
     pub(super) written: [Option<&'a str>; 2],
-    /// How many times the present value the range reaches up, and how many times less down, where nothing stands there; no farther than
+    /// Ratio of the upper end of the range to the present value, and of that to the lower end, where nothing stands there; no farther than
     /// the quantity can have.
     pub(super) spread: f64,
 }
@@ -103,7 +103,7 @@ fn read(
     })
 }
 
-/// What is wrong with a text at an option.
+/// Fault of a text at an option.
 pub(super) fn fault(problem: &Problem) -> String {
     match problem {
         Problem::Unit { error, .. } => error.to_string(),

@@ -1,4 +1,4 @@
-//! What a small change of every number of a case does to its safety.
+//! Change of a case's safety by a small change of each of its numbers.
 //!
 //! The change is that of the case with the number 1 % larger, assessed anew: no derivative, which across a kink (another load
 //! governs, another formula holds) would promise what does not come.
@@ -16,7 +16,7 @@ use crate::key::{Key, Table};
 /// By how much, relatively, a number grows.
 const STEP: f64 = 0.01;
 
-/// How a result changes.
+/// Change of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Change {
@@ -39,7 +39,7 @@ impl Change {
         }
     }
 
-    /// Why there is no number, in a word or two; empty where there is one.
+    /// Reason why there is no number, in a word or two; empty where there is one.
     pub fn words(self) -> &'static str {
         match self {
             Change::By(_) => "",
@@ -50,7 +50,7 @@ impl Change {
     }
 }
 
-/// How both safety factors and the load factor change if a number grows by 1 %.
+/// Changes of both safety factors and the load factor if a number grows by 1 %.
 #[derive(Debug, Clone)]
 pub struct Sensitivity {
     /// The number.

@@ -12,16 +12,16 @@ use crate::error::CaseError;
 use crate::layout::digits;
 use crate::rounded::{Decimal, Towards};
 
-/// How near, relatively, an end is to a value that does not meet the target.
+/// Relative distance of an end from a value that does not meet the target.
 const NEAR: f64 = 1e-12;
 
-/// The same where each value takes a probability, which is not exact either.
+/// Relative distance where each value takes a probability, which is not exact either.
 const NEAR_OF_CHANCE: f64 = 1e-8;
 
-/// How many digits a number has at most that is no shorter than it has to be.
+/// Number of digits that a number has at most if it is no shorter than it has to be.
 const ALL_DIGITS: usize = 17;
 
-/// Where a target is looked for.
+/// Search for the values that meet a target.
 pub(super) struct Search<'a> {
     pub(super) varied: &'a Varied<'a>,
     pub(super) quantity: &'a Quantity,
@@ -44,15 +44,15 @@ pub(super) struct End {
     pub(super) value: f64,
     /// The value that is printed: of a few digits, inside the stretch.
     pub(super) rounded: f64,
-    /// How it is printed, with its unit.
+    /// Printed value, with its unit.
     pub(super) text: String,
-    /// What the printed value comes to.
+    /// Assessment of the printed value.
     pub(super) answer: Assessment,
-    /// What there is beyond.
+    /// State just beyond.
     pub(super) beyond: Beyond,
 }
 
-/// What there is beyond an end.
+/// State just beyond an end.
 #[derive(Debug)]
 pub(super) enum Beyond {
     /// It is an end of the range.
@@ -64,7 +64,7 @@ pub(super) enum Beyond {
 }
 
 impl Beyond {
-    /// What fails, in a sentence without its stop; `None` at an end of the range.
+    /// Failure, in a sentence without its stop; `None` at an end of the range.
     pub(super) fn words(&self) -> Option<String> {
         match self {
             Beyond::Range => None,
@@ -73,7 +73,7 @@ impl Beyond {
         }
     }
 
-    /// What fails, in a word; nothing at an end of the range.
+    /// Failure, in a word; nothing at an end of the range.
     pub(super) fn by(&self) -> Option<&'static str> {
         match self {
             Beyond::Range => None,
@@ -192,7 +192,7 @@ impl Search<'_> {
         if is_between && self.attempt(next.value()).met { next } else { rounded }
     }
 
-    /// Why the nearest value that was tried beyond an end does not meet the target; said of the next printed value where that fails
+    /// Reason why the nearest value that was tried beyond an end does not meet the target; said of the next printed value where that fails
     /// by the same.
     fn beyond(&self, fails: f64, next: f64, count: usize) -> Beyond {
         let why = |trial: Trial, count: usize| {
@@ -207,20 +207,20 @@ impl Search<'_> {
         next.filter(|next| next.by() == nearest.by()).unwrap_or(nearest)
     }
 
-    /// Whether a variable load acts at any value that is tried.
+    /// True if a variable load acts at any value that is tried.
     pub(super) fn rises(&self) -> bool {
         let rises = |answer: &Assessment| answer.tried().any(Assessed::rises);
         self.samples().into_iter().any(|value| self.attempt(value).answer.is_ok_and(|answer| rises(&answer)))
     }
 
-    /// What binds, in a word, where the target is nearest to be met.
+    /// Failure that binds, in a word, where the target is nearest to be met.
     pub(super) fn nearest(&self) -> Option<&'static str> {
         let answers = self.samples().into_iter().filter_map(|value| self.attempt(value).answer.ok());
         let best = answers.max_by(|one, other| self.target.score(one).total_cmp(&self.target.score(other)));
         best.map(|answer| self.target.binding(&answer).by)
     }
 
-    /// Why no value meets the target.
+    /// Reason why no value meets the target.
     pub(super) fn unmet(&self, spelling: &'static Spelling) -> DesignError {
         let (mut best, mut worst, mut error): (Option<(f64, Trial)>, _, _) = (None, f64::INFINITY, None);
         let samples = self.samples();

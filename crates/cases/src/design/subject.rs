@@ -1,4 +1,4 @@
-//! What is designed: a case at rest, or one in time with its first instant, of which numbers are varied by key.
+//! Subject of a design: a case at rest, or one in time with its first instant, of which numbers are varied by key.
 
 use crate::assess::{Assessment, InTime};
 use crate::case::Case;
@@ -17,7 +17,7 @@ pub(super) struct Subject {
     pub(super) file: CaseFile,
     /// The case of it.
     pub(super) case: Case,
-    /// The same in time.
+    /// Case in time.
     pub(super) time: Option<InMotion>,
     /// Every number that can be varied, of the first instant and of time.
     pub(super) numbers: Inputs,
@@ -27,7 +27,7 @@ pub(super) struct Subject {
 pub(super) struct InMotion {
     file: CaseFile,
     case: Case,
-    /// What is answered of the first instant: a sentence without its stop.
+    /// Note on the answer for the first instant: a sentence without its stop.
     pub(super) note: String,
     criteria: Vec<MotionCriterion>,
 }
@@ -49,17 +49,17 @@ impl Subject {
         Ok(Subject { case: first.file.case()?, file: first.file, time: Some(time), numbers })
     }
 
-    /// What is answered of the first instant of a case in time.
+    /// Note on the answer for the first instant of a case in time.
     pub(super) fn note(&self) -> Option<String> {
         self.time.as_ref().map(|time| time.note.clone())
     }
 
-    /// Whether something is asked of the motion.
+    /// True if something is asked of the motion.
     pub(super) fn asks_of_motion(&self) -> bool {
         self.time.as_ref().is_some_and(|time| !time.criteria.is_empty())
     }
 
-    /// Whether the motion is followed for a target.
+    /// True if the motion is followed for a target.
     ///
     /// # Errors
     /// If it asks for the motion of a case that has none.

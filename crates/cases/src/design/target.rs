@@ -1,4 +1,4 @@
-//! What a design has to reach.
+//! Target of a design: a bound that it has to reach.
 
 use std::fmt;
 use std::str::FromStr;
@@ -23,7 +23,7 @@ use crate::units::Extent;
 /// Beyond any factor that a design aims at.
 const FAR: f64 = 1e4;
 
-/// What a design has to reach, in every situation of the case and under every acceleration of its base that is tried.
+/// Target that a design has to reach, in every situation of the case and under every acceleration of its base that is tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Target {
@@ -37,7 +37,7 @@ pub enum Target {
     NoSlide,
     /// A criterion as a case file has it.
     Criterion(Criterion),
-    /// The same of the motion of a case in time.
+    /// Criterion of the motion of a case in time.
     Motion(MotionCriterion),
     /// Of the bound of each criterion of the case this share is used at most; at 1 all are met.
     Utilisation(f64),
@@ -71,15 +71,15 @@ pub enum TargetError {
     WrongValue {
         /// The target.
         name: &'static str,
-        /// What is wrong with the value.
+        /// Fault of the value.
         fault: String,
         /// A value that it may have.
         example: String,
     },
-    /// What an assessment does not compute.
+    /// Target that an assessment does not compute.
     #[error("it asks for {of}, which an assessment of the first instant does not have")]
     Unanswerable {
-        /// What it asks for.
+        /// Result that it asks for.
         of: &'static str,
     },
 }
@@ -218,7 +218,7 @@ impl fmt::Display for Target {
     }
 }
 
-/// What keeps an answer from meeting a target.
+/// Failure that keeps an answer from meeting a target.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Binding {
     /// In a word: sliding, rocking, the name of a criterion.
@@ -228,7 +228,7 @@ pub(super) struct Binding {
 }
 
 impl Target {
-    /// Whether all that was tried meets it.
+    /// True if all that was tried meets it.
     pub(super) fn is_met(self, answer: &Assessment) -> bool {
         self.motion_checks(answer).iter().all(|(check, _)| self.is_met_in_time(check))
             && answer.tried().all(|assessed| self.is_met_by(answer, assessed))
@@ -285,7 +285,7 @@ impl Target {
         }
     }
 
-    /// Whether it asks for a probability, alone or among the criteria of the case.
+    /// True if it asks for a probability, alone or among the criteria of the case.
     pub(super) fn asks_for_chance(self, case: &Case) -> bool {
         match self {
             Target::Criterion(criterion) => criterion.is_chance(),
@@ -294,7 +294,7 @@ impl Target {
         }
     }
 
-    /// Whether it asks how far the variable loads may rise.
+    /// True if it asks how far the variable loads may rise.
     pub(super) fn asks_for_rise(self) -> bool {
         matches!(self, Target::Criterion(Criterion { key: Key::LeastLoadFactor, .. }))
     }
@@ -314,7 +314,7 @@ impl Target {
         candidates.find(|(_, verdict)| offends(*verdict))
     }
 
-    /// How good an outcome is, to tell how near a design came.
+    /// Score of an outcome, to tell how near a design came.
     pub(super) fn score(self, answer: &Assessment) -> f64 {
         match self {
             Target::Factor(_) => least(answer, sliding).min(least(answer, overturning)),
@@ -330,7 +330,7 @@ impl Target {
         }
     }
 
-    /// What keeps an answer from meeting it.
+    /// Failure that keeps an answer from meeting it.
     pub(super) fn binding(self, answer: &Assessment) -> Binding {
         let worst = self.motion_checks(answer);
         let in_time = worst.iter().find(|(check, _)| !self.is_met_in_time(check));
@@ -369,7 +369,7 @@ impl Target {
         }
     }
 
-    /// How a criterion of the motion fails where it is met worst.
+    /// Failure of a criterion of the motion where it is met worst.
     fn of_motion(self, answer: &Assessment, check: &MotionCheck, place: usize) -> Binding {
         let place = answer.name(&answer.all[place]).filter(|_| answer.all.len() > 1);
         let place = place.map_or(String::new(), |name| format!(", in {name}"));
@@ -384,7 +384,7 @@ impl Target {
     }
 }
 
-/// Which of both safety factors fails, or why neither means anything.
+/// Failing one of both safety factors, or the reason why neither means anything.
 fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
     let at_least = digits(factor);
     if assessed.outcome.full.is_lifted() {
@@ -401,7 +401,7 @@ fn of_factors(assessed: &Assessed, factor: f64) -> Binding {
     }
 }
 
-/// How a criterion fails where it is met worst.
+/// Failure of a criterion where it is met worst.
 fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Binding {
     let CaseCheck { check, assessed } = worst;
     let place = answer.name(assessed).filter(|_| answer.all.len() > 1);
@@ -436,7 +436,7 @@ fn of_check(answer: &Assessment, worst: &CaseCheck<'_>, target: Target) -> Bindi
     Binding { by, words }
 }
 
-/// What binds where the ground fails.
+/// Word for a failure of the ground.
 const GROUND: &str = "ground";
 
 /// The motion of a mode in a word, or the ground that fails.

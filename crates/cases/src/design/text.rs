@@ -37,7 +37,7 @@ pub(super) fn render(design: &Design) -> String {
     text
 }
 
-/// What a target asks, as it follows "for which".
+/// Condition of a target, as it follows "for which".
 pub(super) fn words(target: Target) -> String {
     match target {
         Target::Rest => "the body rests under the full load".to_owned(),
@@ -106,7 +106,7 @@ fn before_and_after(design: &Design) -> String {
         + &worst.map_or(String::new(), |name| paragraph(&format!("The worst throughout: {name}."), 2))
 }
 
-/// What the target asks for, at present and as found, where the rows above do not have it.
+/// Result that the target asks for, at present and as found, where the rows above do not have it.
 fn asked(target: Target, present: &Assessment, found: &Assessment) -> Option<Vec<String>> {
     let value = |answer: &Assessment| {
         let checks = target.checks(answer);
@@ -134,7 +134,7 @@ fn asked(target: Target, present: &Assessment, found: &Assessment) -> Option<Vec
     Some(row![name, value(present)?, value(found)?])
 }
 
-/// What binds at the end found, how it was rounded, and where else the target is met.
+/// Sentences on the end found: the failure that binds, its rounding, and the other values that meet the target.
 fn binding(design: &Design) -> Vec<String> {
     let found = design.found();
     let mut sentences: Vec<_> = found.beyond.words().map(sentence).into_iter().collect();

@@ -1,4 +1,4 @@
-//! How likely each mode is: what is asked for, and the answer.
+//! Probabilities of the modes: the request, and the answer.
 
 use std::fmt;
 use std::str::FromStr;
@@ -23,14 +23,14 @@ use crate::couple::Variable;
 use crate::layout::digits;
 use crate::units::Dimension;
 
-/// How probabilities are found.
+/// Method by which probabilities are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// Integration between the kinks: all digits, three random numbers at most.
     Integrate,
     /// Scrambled Sobol' points.
     Sobol,
-    /// The same about the design points.
+    /// Scrambled Sobol' points about the design points.
     Importance,
     /// Everything drawn, nothing integrated.
     MonteCarlo,
@@ -80,7 +80,7 @@ impl FromStr for MethodAsked {
     }
 }
 
-/// What is asked for.
+/// Request for probabilities.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Request {
     /// The method; chosen where none is given.
@@ -89,14 +89,14 @@ pub struct Request {
     pub effort: Effort,
     /// The years of a life, before those of the file.
     pub years: Option<f64>,
-    /// Whether waves that begin a rotation are followed by the motion in time.
+    /// True if waves that begin a rotation are followed by the motion in time.
     pub follow: bool,
-    /// Whether the nearest point of every mode is looked for.
+    /// True if the nearest point of every mode is looked for.
     pub form: bool,
 }
 
 impl Request {
-    /// The same with a method that is asked for.
+    /// Request with a method that is asked for.
     pub fn with(self, asked: MethodAsked) -> Request {
         match asked {
             MethodAsked::By(method) => Request { method: Some(method), ..self },
@@ -105,7 +105,7 @@ impl Request {
     }
 }
 
-/// How likely each mode is under one set of loads.
+/// Probabilities of the modes under one set of loads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chances {
     /// The set of loads, in words; none where the case leaves no choice.
@@ -114,9 +114,9 @@ pub struct Chances {
     pub line: (String, bool),
     /// The method that was taken.
     pub method: Method,
-    /// How many points were drawn; of an integration, how often the modes were asked for.
+    /// Number of points drawn; of an integration, number of times the modes were asked for.
     pub points: u64,
-    /// Whether every probability above the floor is as precise as asked.
+    /// True if every probability above the floor is as precise as asked.
     pub precise: bool,
     /// The modes and their probabilities, which add up to one.
     pub modes: Vec<(Happening, Estimate)>,
@@ -126,7 +126,7 @@ pub struct Chances {
     pub not_unique: Estimate,
     /// That nothing presses the body on its base: part of the modes.
     pub lifted: Estimate,
-    /// Where it first leaves rest as the variable loads rise.
+    /// Departure from rest that comes first as the variable loads rise.
     pub first_departure: FirstDeparture,
     /// The nearest point at which the body does not rest; none within reach.
     pub design_point: Option<DesignPoint>,
@@ -140,7 +140,7 @@ pub struct Chances {
     pub course: Vec<(u64, Estimate)>,
 }
 
-/// How likely each mode is to be the first as the variable loads rise without end; the parts add up to one.
+/// Probabilities that each mode is the first as the variable loads rise without end; the parts add up to one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FirstDeparture {
     /// The modes.
@@ -149,11 +149,11 @@ pub struct FirstDeparture {
     pub never: Estimate,
     /// That it moves under the permanent loads alone, or under any share of the others, however small.
     pub at_once: Estimate,
-    /// Whether every probability above the floor is as precise as asked.
+    /// True if every probability above the floor is as precise as asked.
     pub precise: bool,
 }
 
-/// How likely it is over a life that something happens at least once.
+/// Probability that something happens at least once over a life.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LifeChances {
     /// The years.
@@ -162,13 +162,13 @@ pub struct LifeChances {
     pub not_rest: Estimate,
     /// Each mode, at least once.
     pub modes: Vec<(Happening, Estimate)>,
-    /// How it was found: years are integrated, or drawn.
+    /// Method by which it was found: years are integrated, or drawn.
     pub method: Method,
-    /// Whether every probability above the floor is as precise as asked.
+    /// True if every probability above the floor is as precise as asked.
     pub precise: bool,
 }
 
-/// What may come of it.
+/// Outcome of a draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Happening {
     /// A mode begins, or the ground fails.
@@ -183,7 +183,7 @@ impl Happening {
     /// Rest.
     pub const REST: Happening = Happening::Decided(Verdict::REST);
 
-    /// What the body does, or the ground; none where there is no mode.
+    /// Motion of the body, or failure of the ground, in words; none where there is no mode.
     pub fn words(self) -> Option<&'static str> {
         match self {
             Happening::Decided(verdict) => Some(verdict.words()),
@@ -214,7 +214,7 @@ impl Happening {
 pub struct RandomNumber {
     /// Its name, as in the file.
     pub name: String,
-    /// What of its law was cut because no body has such values.
+    /// Share of its law that was cut because no body has such values.
     pub cut: f64,
     /// The dimension of its values, where they have one.
     pub dimension: Option<Dimension>,
@@ -237,9 +237,9 @@ impl RandomNumber {
 pub struct Probability {
     /// The file's name.
     pub(super) case: String,
-    /// What was asked for.
+    /// Request that was answered.
     pub request: Request,
-    /// What is random.
+    /// Random numbers.
     pub random: Vec<RandomNumber>,
     /// The number along which the modes are integrated, and whether in closed form.
     pub line: (String, bool),
@@ -248,9 +248,9 @@ pub struct Probability {
     pub situations: Vec<Chances>,
     /// That any of several situations moves the body; none where there is only one.
     pub joined: Option<Joined>,
-    /// What `[criteria]` asks of the probability.
+    /// Criterion that `[criteria]` sets for the probability.
     pub criterion: Option<ChanceCriterion>,
-    /// How far storms slide the body.
+    /// Slides of the body in storms.
     pub sliding: Option<Sliding>,
     /// Overturning over the peak of a shaking, if it was asked for.
     pub overturning: Option<Overturning>,

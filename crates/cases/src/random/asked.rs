@@ -1,4 +1,4 @@
-//! What a file with a `[random]` table is of: a case, a point of the report's plane, or a storm without a body.
+//! Subjects of a file with a `[random]` table: a case, a point of the report's plane, or a storm without a body.
 
 use super::error::ProbabilityError;
 use super::point;
@@ -9,12 +9,12 @@ use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Table};
 
-/// What is asked about.
+/// Subject that is asked about.
 pub(super) enum Asked {
     /// A `[body]` with its loads, of a case in time at its first instant.
     Case {
         file: Box<CaseFile>,
-        /// What is answered of the first instant, in a sentence.
+        /// Note on the answer for the first instant, in a sentence.
         note: Option<String>,
     },
     /// A `[point]`.
@@ -39,7 +39,7 @@ impl OfPoint {
 }
 
 impl Asked {
-    /// What a file is of; of a storm without a body, over this life.
+    /// Subject of a file; of a storm without a body, over this life.
     pub(super) fn of(file: &CaseFile, years: Option<f64>) -> Result<Asked, CaseError> {
         if let Some(point) = point::of_file(file)? {
             let random = file.random().cloned();

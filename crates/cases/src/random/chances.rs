@@ -23,7 +23,7 @@ use super::problem::Problem;
 const FAR: f64 = 2.5;
 /// Φ(−β) is no probability, but none is so many times as likely.
 const UNLIKELIER: f64 = 1e-2;
-/// How far apart two points about which is drawn lie, in deviations.
+/// Least distance of two points about which is drawn, in deviations.
 const APART: f64 = 0.1;
 
 /// The sets asked for: what excludes each other, and then the others.
@@ -202,7 +202,7 @@ pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, P
 
 /// Departures that are less likely than this are rounding in the answer, not in the body.
 const UNLIKELY: f64 = 1e-9;
-/// How many points at least may be taken for departures, however few the modes need.
+/// Number of points that may be taken for departures at least, however few the modes need.
 const OF_DEPARTURES: u64 = 1 << 17;
 
 fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {

@@ -1,4 +1,4 @@
-//! What `[criteria]` asks of the probability that the body does not stay at rest.
+//! Criterion that `[criteria]` sets for the probability that the body does not stay at rest.
 //!
 //! The upper end of the interval has to be at most the bound, so that a probability that is not known well enough does not pass. Of
 //! several sets of loads that act one by one the worst counts; the accelerations of a base that is shaken both ways are one event,
@@ -16,7 +16,7 @@ use crate::case_file::CaseFile;
 use crate::criteria::{Bound, Criterion};
 use crate::key::Key;
 
-/// How far `p_not_rest` of `[criteria]` is met.
+/// Probability of not resting beside its bound, `p_not_rest` of `[criteria]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChanceCriterion {
     /// The greatest probability that is allowed.
@@ -37,12 +37,12 @@ impl ChanceCriterion {
         Ok(ChanceCriterion { required, not_rest })
     }
 
-    /// What counts: the upper end of the interval.
+    /// Probability that counts: the upper end of the interval.
     pub fn counted(&self) -> f64 {
         self.not_rest.high
     }
 
-    /// Whether it is met.
+    /// True if it is met.
     pub fn is_met(&self) -> bool {
         self.counted() <= self.required
     }

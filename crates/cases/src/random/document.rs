@@ -29,7 +29,7 @@ struct Document<'a> {
     others: Vec<ChancesDocument<'a>>,
     /// That any of several sets of loads moves the body.
     joined: Option<JoinedDocument>,
-    /// What `[criteria]` asks of the probability.
+    /// Criterion that `[criteria]` sets for the probability.
     criterion: Option<CriterionDocument>,
     /// Of a case with storms.
     sliding: Option<SlidingDocument>,
@@ -154,7 +154,7 @@ struct SlidingDocument {
     /// The share of the mean that comes of the worst twentieth of all lives.
     of_worst_twentieth: f64,
     rotating: RotatingDocument,
-    /// What comes of them, where they are followed in time.
+    /// Outcome of the waves that begin a rotation, where they are followed in time.
     followed: Option<FollowedDocument>,
 }
 
@@ -258,7 +258,7 @@ struct ImportanceDocument<'a> {
     if_known_high: Option<f64>,
 }
 
-/// Where a mode is nearest to the medians, by FORM.
+/// Point at which a mode is nearest to the medians, by FORM.
 #[derive(Serialize)]
 struct DesignPointDocument<'a> {
     mode: String,
@@ -268,7 +268,7 @@ struct DesignPointDocument<'a> {
     point: BTreeMap<&'a str, f64>,
     alpha: BTreeMap<&'a str, f64>,
     at_change_of_formula: bool,
-    /// How many starts led there, of how many.
+    /// Number of starts that led there, of how many.
     agreeing: usize,
     starts: usize,
 }
@@ -288,7 +288,7 @@ impl Probability {
         self.json_with(&[])
     }
 
-    /// The same with the files of figures that were written.
+    /// Document with the files of figures that were written.
     pub fn json_with(&self, figures: &[String]) -> String {
         let [worst, others @ ..] = &self.situations[..] else { unreachable!("a case has loads") };
         crate::json(&Document {

@@ -16,15 +16,15 @@ use crate::units::Dimension;
 /// them for any count.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Draws {
-    /// What is random: names, and the units of values, where they have one.
+    /// Random numbers: names, and the units of values, where they have one.
     pub inputs: Vec<(String, Option<&'static str>)>,
     /// The values of each, one for each draw.
     pub values: Vec<Vec<f64>>,
-    /// What each draw makes of the body.
+    /// Outcome of each draw for the body.
     pub drawn: Vec<Drawn>,
 }
 
-/// What a draw makes of the body.
+/// Outcome of a draw for the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drawn {
     /// |X|/P and −M/(X H) of a body that the report's plane is of; none of any other, or where no force acts or nothing presses it
@@ -61,15 +61,15 @@ impl Draws {
 /// by plain Monte Carlo its probability.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WeighedDraws {
-    /// What is random: names, and the units of values, where they have one.
+    /// Random numbers: names, and the units of values, where they have one.
     pub inputs: Vec<(String, Option<&'static str>)>,
     /// The values of each, one for each draw.
     pub values: Vec<Vec<f64>>,
-    /// Which of the [situations](Self::situations) each is of.
+    /// Index of the [situation](Self::situations) of each.
     pub of: Vec<usize>,
     /// The weight of each, in its situation.
     pub weights: Vec<f64>,
-    /// What each makes of the body.
+    /// Outcome of each for the body.
     pub happens: Vec<Happening>,
     /// The sets of loads, as an answer has them; none where there is only one.
     pub situations: Vec<Option<String>>,

@@ -1,4 +1,4 @@
-//! Why there are no probabilities.
+//! Reasons why there are no probabilities.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use super::storm::SlidingError;
 use crate::error::CaseError;
 use crate::explained::Explained;
 
-/// Why there is no answer.
+/// Reason why there are no probabilities.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ProbabilityError {
@@ -27,9 +27,9 @@ pub enum ProbabilityError {
     TooMany {
         /// The method.
         method: Method,
-        /// How many it takes.
+        /// Number of random numbers that the method takes at most.
         most: usize,
-        /// How many there are.
+        /// Number of random numbers there are.
         numbers: usize,
     },
     /// A life of no whole number of years, of which some would have to be drawn.
@@ -38,10 +38,10 @@ pub enum ProbabilityError {
         /// The years.
         years: f64,
     },
-    /// Which of several situations is meant is not said.
+    /// Missing or unknown name of a situation, where there are several.
     #[error("{}; the case has {}", HowAsked(asked.as_deref()), known.join("; "))]
     Situation {
-        /// What was asked for.
+        /// Situation that was asked for.
         asked: Option<String>,
         /// Those there are.
         known: Vec<String>,
@@ -51,7 +51,7 @@ pub enum ProbabilityError {
     Over {
         /// The number.
         name: String,
-        /// What is wrong.
+        /// Reason why there are none.
         what: String,
     },
     /// Storms that cannot be answered.
@@ -95,7 +95,7 @@ impl Explained for ProbabilityError {
     }
 }
 
-/// How a situation was asked for.
+/// Beginning of the message on a situation that is not known, as it was asked for.
 struct HowAsked<'a>(Option<&'a str>);
 
 impl fmt::Display for HowAsked<'_> {

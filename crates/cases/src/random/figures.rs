@@ -24,15 +24,15 @@ use cloud::Draws;
 
 /// The share of the whole that is seen on an axis of equal steps.
 const LEAST_SEEN: f64 = 0.005;
-/// How many points a curve is drawn through.
+/// Number of points that a curve is drawn through.
 const SMOOTH: usize = 96;
 
 /// A figure of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProbabilityFigure {
-    /// What tells it from the others of the case, to be appended to a file's name.
+    /// Suffix of a file's name that tells it from the others of the case.
     pub suffix: &'static str,
-    /// What it is.
+    /// Description in words.
     pub words: &'static str,
     /// The figure.
     pub figure: Figure,
@@ -198,7 +198,7 @@ fn of_probabilities(values: impl Iterator<Item = f64>, least: f64) -> SpectrumAx
     SpectrumAxis { name: "probability", from: from.min(0.1 * to), to, logarithmic: true }
 }
 
-/// How the answer settled as the points were doubled.
+/// Figure of how the answer settled as the points were doubled.
 fn convergence(worst: &Chances, title: &str) -> Option<Figure> {
     let course = &worst.course;
     let (last, answer) = course.last().filter(|(_, e)| course.len() > 2 && e.value > 0.0)?;
@@ -291,7 +291,7 @@ fn along(fragility: &Fragility, floor: f64, title: &str) -> Figure {
     chance_lines(&ChanceLines { title: &title, caption: &caption, across, up, lines: &lines, marks: &[] })
 }
 
-/// What becomes of bodies over the peak of a shaking.
+/// Figure of the bodies that move, rock and overturn, over the peak of a shaking.
 fn overturns(overturning: &Overturning, title: &str) -> Figure {
     let Overturning { records, bodies, points, fit, gravity, .. } = overturning;
     let certain = |p: f64| Chance { value: p, low: p, high: p };
@@ -367,7 +367,7 @@ fn in_markup(unit: &str) -> String {
     raised.collect()
 }
 
-/// The same in plain characters.
+/// Unit in plain characters.
 fn in_words(unit: &str) -> String {
     in_markup(unit).replace("$^2$", "²").replace("$^3$", "³").replace("$^4$", "⁴")
 }
@@ -377,7 +377,7 @@ fn escaped(name: &str) -> String {
     name.replace('$', "")
 }
 
-/// How likely it is that a life slides farther.
+/// Figure of the chance that a life slides farther.
 fn exceedance(sliding: &Sliding, title: &str) -> Option<Figure> {
     // Beyond, lives are too few to tell anything.
     let likely: Vec<_> = sliding.course.iter().filter(|e| e.probability.low > 0.0).collect();

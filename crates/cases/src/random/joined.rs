@@ -17,9 +17,9 @@ use crate::case::Acting;
 /// The chance that any of several sets of loads moves the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joined {
-    /// How many sets of loads there are.
+    /// Number of sets of loads.
     pub count: usize,
-    /// How it was found.
+    /// Method by which it was found.
     pub method: Method,
     /// That the body does not stay at rest under one of them at least.
     pub not_rest: Estimate,

@@ -15,13 +15,13 @@ use crate::case::{Acting, Case, Foundation, Waves};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mechanics {
     pub(super) block: Block,
-    /// What it stands on.
+    /// Base that it stands on.
     pub(super) base: Base,
     /// Of the permanent loads.
     pub(super) permanent: Wrench,
     /// Of the variable loads, which rise on the way to a first departure.
     pub(super) variable: Wrench,
-    /// Which of the waves' formulas applied.
+    /// Set of the waves' formulas that applied.
     pub(super) formulas: u32,
 }
 
@@ -31,25 +31,25 @@ impl Mechanics {
         self.permanent + self.variable
     }
 
-    /// What comes of all loads, a bit for each outcome.
+    /// Outcomes under all loads, a bit for each.
     pub(super) fn outcomes(&self) -> u64 {
         let wrench = self.wrench();
         u64::from(wrench.p <= 0.0) << LIFTED | base::outcomes(&self.base, &self.block, &wrench)
     }
 
-    /// Where it leaves rest as the variable loads rise; none where the numbers do not go together.
+    /// Departure from rest as the variable loads rise; none where the numbers do not go together.
     pub(super) fn departure(&self) -> Option<Departure> {
         self.base.departure(&self.block, &self.permanent, &self.variable).ok()
     }
 }
 
-/// What acts on a block, in its units: what each bias is on, and all else.
+/// Loads on a block, in its units: those that each bias is on, and all else.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Components {
     pub(super) block: Block,
-    /// What it stands on.
+    /// Base that it stands on.
     pub(super) base: Base,
-    /// Which of the waves' formulas applied.
+    /// Set of the waves' formulas that applied.
     pub(super) formulas: u32,
     pub(super) thrust: Wrench,
     pub(super) uplift: Wrench,

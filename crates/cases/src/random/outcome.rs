@@ -1,4 +1,4 @@
-//! What may come of a draw, by number, a bit for each: the modes by their codes, and what else there is.
+//! Outcomes of a draw, by number, a bit for each: the modes by their codes, and what else there is.
 
 use standfast::{Mode, Modes, Verdict};
 use standfast_probability::problem::Pieces;

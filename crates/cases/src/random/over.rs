@@ -123,7 +123,7 @@ impl Probability {
 }
 
 impl Over {
-    /// Whether it asks for overturning over the peak of a shaking, which is none of the numbers of a case.
+    /// True if it asks for overturning over the peak of a shaking, which is none of the numbers of a case.
     pub fn is_of_peak(&self) -> bool {
         self.name == "pga"
     }

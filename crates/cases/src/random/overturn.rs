@@ -38,14 +38,14 @@ const POINTS: u64 = 1 << 10;
 /// So many bodies are drawn however few points there may be.
 const LEAST: u64 = 16;
 
-/// What becomes of random bodies at each peak of the shaking.
+/// Motions of random bodies at each peak of the shaking.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overturning {
     /// The records, by their files; that of the case is called by its place.
     pub records: Vec<String>,
-    /// How many bodies were drawn, each followed under every record.
+    /// Number of bodies drawn, each followed under every record.
     pub bodies: u64,
-    /// How many draws were no body: those are counted as standing.
+    /// Number of draws that were no body: those are counted as standing.
     pub not_a_body: u64,
     /// At each peak, rising.
     pub points: Vec<AtPeak>,
@@ -55,7 +55,7 @@ pub struct Overturning {
     pub gravity: f64,
 }
 
-/// What becomes of random bodies at one peak.
+/// Outcome for random bodies at one peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtPeak {
     /// The largest |acceleration| of the base to the sides, m/s².
@@ -200,7 +200,7 @@ impl Body {
         Some(Body { still, shaken })
     }
 
-    /// What becomes of it on a base that moves so, times a factor.
+    /// Outcome on a base that moves so, times a factor.
     fn under(&self, base: &Base, factor: f64) -> Result<[bool; 3], MotionError> {
         let mut motion = self.still.clone();
         let times = |history: &Option<History>| history.clone().map(|history| history.times_factor(factor));
@@ -218,7 +218,7 @@ impl Body {
     }
 }
 
-/// What may become of a body: its places in what [`Body::under`] tells.
+/// Outcomes for a body, by their places in what [`Body::under`] tells.
 const MOVED: usize = 0;
 const ROCKED: usize = 1;
 const OVERTURNED: usize = 2;
@@ -228,7 +228,7 @@ fn peak_of(base: &Base) -> f64 {
     base.horizontal.as_ref().map_or(0.0, |history| history.peak().abs())
 }
 
-/// What becomes of every body, under every record, at every peak, shared out to threads. What is no body stands.
+/// Outcome for every body, under every record, at every peak, shared out to threads. A draw that is no body stands.
 fn follow(
     bodies: &[Option<Body>],
     bases: &[Base],

@@ -38,7 +38,7 @@ pub struct Problem {
     pub(super) line: Line,
 }
 
-/// What the numbers are of.
+/// Model that the numbers are of.
 #[derive(Debug, Clone)]
 enum Model {
     /// A case, the loads of it that act, and how the base is shaken.
@@ -48,7 +48,7 @@ enum Model {
         acting: Acting,
         /// By what its acceleration of the base is multiplied; none where no earthquake acts.
         shaking: Option<[f64; 2]>,
-        /// Where of the case's numbers wave heights alone are random.
+        /// Shortcut where of the case's numbers wave heights alone are random.
         quick: Option<Box<Quick>>,
     },
     /// A point of the report's plane: γ, k', k, μ.
@@ -132,7 +132,7 @@ impl Problem {
         Ok(Problem { id: unique(), model, random: inputs, laws, years, lines, reaches, line })
     }
 
-    /// What is random, in the order of the file.
+    /// Random numbers, in the order of the file.
     pub fn random(&self) -> &[Input] {
         &self.random
     }
@@ -150,7 +150,7 @@ impl Problem {
         &self.laws
     }
 
-    /// Which loads act, and how the base is shaken, in words; none where the case leaves no choice.
+    /// Loads that act, and the shaking of the base, in words; none where the case leaves no choice.
     pub fn situation(&self) -> Option<String> {
         let Model::Case { case, acting, shaking, .. } = &self.model else { return None };
         let name = case.acting_name(*acting);
@@ -187,15 +187,15 @@ impl Problem {
         self.years.map(|years| Life { years, yearly })
     }
 
-    /// The same along a number that is drawn yearly, as a life needs it; none if there is no such number.
+    /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
     pub(super) fn along_yearly(&self) -> Option<Problem> {
         let line = self.lines.first(&self.random, |place| self.random[place].every == Rate::Year)?;
         Some(Problem { line, ..self.clone() })
     }
 
-    /// The same along the number that matters more, by the nearest point at which the body does not rest (α of each number): where friction
-    /// hardly matters, or is certain, that number of those in which the wrench is linear that has the largest |α|. None if it is the
-    /// number already.
+    /// Problem along the number that matters more, by the nearest point at which the body does not rest (α of each number): where friction
+    /// hardly matters, or is certain, that number of those in which the wrench is linear that has the largest |α|. None if it is the number
+    /// already.
     pub(super) fn along_what_matters(&self, alpha: &[f64]) -> Option<Problem> {
         let own = match self.line {
             Line::Friction(place) | Line::Load(place) if alpha[place].abs() < NEGLIGIBLE => {
@@ -213,12 +213,12 @@ impl Problem {
         (line != self.line && alpha[best].abs() > own).then(|| Problem { line, id: unique(), ..self.clone() })
     }
 
-    /// Whether a number is friction that is put in beside what everything else makes: not where friction to slip has a law of its own.
+    /// True if a number is friction that is put in beside what everything else makes: not where friction to slip has a law of its own.
     pub(super) fn is_apart(&self, place: usize) -> bool {
         self.random[place].is_friction() && self.lines.friction
     }
 
-    /// Whether the base may crush, or the ground fail: what begins on it is not what the report's plane says.
+    /// True if the base may crush, or the ground fail: modes on it are not those of the report's plane.
     pub(super) fn gives_way(&self) -> bool {
         self.case().is_some_and(|(case, _)| case.gives_way())
     }
@@ -238,12 +238,12 @@ impl Problem {
         self.reaches[place]
     }
 
-    /// Whether the number along which modes are known has to be scanned.
+    /// True if the number along which modes are known has to be scanned.
     pub(super) fn is_scanned(&self) -> bool {
         matches!(self.line, Line::Scan(_))
     }
 
-    /// Whether friction, or a load, is integrated in closed form; and the name of that number.
+    /// Name of the number that is integrated, and true if in closed form, as friction and loads are.
     pub(super) fn line_name(&self) -> (&str, bool) {
         let (place, exact) = match self.line {
             Line::Friction(place) | Line::Load(place) => (place, true),
@@ -267,7 +267,7 @@ impl Problem {
         Some(Mechanics { block, base: components.base, permanent, variable, formulas: components.formulas })
     }
 
-    /// The same on the way to the full load: of the report's force, at any size, only the elevation counts.
+    /// Mechanics on the way to the full load: of the report's force, at any size, only the elevation counts.
     pub(super) fn departing(&self, values: &[f64]) -> Option<Mechanics> {
         let mut mechanics = self.mechanics(values)?;
         if let Model::Point(point) = &self.model {
@@ -293,7 +293,7 @@ impl Problem {
         place.map(|place| values[place])
     }
 
-    /// What acts, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
+    /// Components of the loads, unbiased, with these values of all numbers but friction; those of the last call if they are the same.
     pub(super) fn components(&self, values: &[f64]) -> Option<Components> {
         let slow = |place: &usize| self.random[*place].variable().is_some() && !self.is_apart(*place);
         let keys: Vec<f64> = (0..self.random.len()).filter(slow).map(|place| values[place]).collect();
@@ -372,7 +372,7 @@ impl Problem {
 type Assembled = (u64, Vec<f64>, Option<Components>);
 
 thread_local! {
-    /// What was assembled last, of which problem, with which values.
+    /// Last assembly: its problem, its values and its components.
     static LAST: RefCell<Option<Assembled>> = const { RefCell::new(None) };
 }
 
@@ -382,7 +382,7 @@ fn unique() -> u64 {
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
-/// Whether of a case's numbers, beside friction, only heights of waves are random.
+/// True if of a case's numbers, beside friction, only heights of waves are random.
 fn only_heights(inputs: &[Input]) -> bool {
     let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
     let of_case = inputs.iter().filter(|input| !input.is_friction()).filter_map(Input::variable);

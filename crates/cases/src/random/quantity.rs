@@ -1,16 +1,16 @@
-//! What is random: numbers of a case, of the report's plane, of a storm, and what loads are multiplied by.
+//! Random numbers: those of a case, of the report's plane, of a storm, and factors on loads.
 
 use super::read::Rate;
 use super::storm::StormField;
 use crate::couple::Variable;
 use crate::key::{Id, Key, Range};
 
-/// What a random number is.
+/// Quantity that a random number is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Quantity {
     /// A number of the case file, with what goes with it.
     Key(Variable),
-    /// What loads are multiplied by.
+    /// Factor that loads are multiplied by.
     Bias(Bias),
     /// One of the four numbers of the report's problem.
     Point(Coordinate),
@@ -50,7 +50,7 @@ impl Coordinate {
         self.key().name()
     }
 
-    /// Which values it takes.
+    /// Range of its values.
     pub fn range(self) -> Range {
         self.key().info().range().unwrap_or(Range::Finite)
     }
@@ -93,11 +93,11 @@ impl Bias {
 pub struct Input {
     /// Its name, as in the file.
     pub name: String,
-    /// What it is.
+    /// Quantity that is random.
     pub quantity: Quantity,
-    /// How often it is drawn.
+    /// Rate at which it is drawn.
     pub every: Rate,
-    /// What of its law was cut because no body has such values.
+    /// Share of its law that was cut because no body has such values.
     pub cut: f64,
 }
 
@@ -109,12 +109,12 @@ impl Input {
         }
     }
 
-    /// Whether it is this number of the case.
+    /// True if it is this number of the case.
     pub(super) fn is_of(&self, variable: &Variable) -> bool {
         self.variable().is_some_and(|own| own.id() == variable.id())
     }
 
-    /// Whether it is the number with this key, of which the case has one.
+    /// True if it is the number with this key, of which the case has one.
     pub(super) fn is_key(&self, key: Key) -> bool {
         self.variable().is_some_and(|variable| variable.id() == Id::from(key))
     }
@@ -127,12 +127,12 @@ impl Input {
         }
     }
 
-    /// Whether it is friction to slip, with a law of its own.
+    /// True if it is friction to slip, with a law of its own.
     pub(super) fn is_kinetic_friction(&self) -> bool {
         self.is_key(Key::KineticFriction)
     }
 
-    /// Whether the wrench is linear in it.
+    /// True if the wrench is linear in it.
     pub(super) fn is_linear(&self) -> bool {
         match &self.quantity {
             Quantity::Bias(_) | Quantity::Point(Coordinate::K) => true,

@@ -17,7 +17,7 @@ use crate::suggest::closest;
 /// From names and laws as they are written to what they are.
 pub(super) struct Resolve<'a>(pub(super) Names<'a>);
 
-/// What names may stand for.
+/// Subject that names are of: a case, a point of the report's plane, or a storm without a body.
 #[derive(Clone, Copy)]
 pub(super) enum Names<'a> {
     Case(&'a CaseFile, &'a Case),
@@ -79,7 +79,7 @@ impl Resolve<'_> {
         Ok((inputs, Laws::new(laws, copula)))
     }
 
-    /// What a name stands for.
+    /// Quantity that a name stands for.
     fn quantity(&self, named: &Named) -> At<Quantity> {
         let (file, case) = match self.0 {
             Names::Case(file, case) => (file, case),
@@ -144,7 +144,7 @@ impl Resolve<'_> {
         Ok((whole, share))
     }
 
-    /// Where a law is cut, without bound where nothing is said.
+    /// Bounds at which a law is cut, without bound where nothing is said.
     fn bounds(&self, named: &Named, quantity: &Quantity) -> At<(f64, f64)> {
         let bound = |parameter: &Option<Parameter>, none: f64| match parameter {
             Some(parameter) => self.value(named, quantity, parameter),
@@ -305,7 +305,7 @@ pub(super) fn find(file: &CaseFile, case: &Case, name: &str) -> Result<Variable,
     Variable::find(spelled(case, name).as_deref().unwrap_or(name), file.inputs())
 }
 
-/// What a name stands for in a storm without a body.
+/// Quantity that a name stands for in a storm without a body.
 fn of_storm(named: &Named) -> At<Quantity> {
     let biases = [Bias::Thrust, Bias::Uplift];
     if let Some(bias) = biases.into_iter().find(|bias| bias.name() == named.name) {
@@ -319,7 +319,7 @@ fn of_storm(named: &Named) -> At<Quantity> {
     })
 }
 
-/// Which values a random number can have.
+/// Range of the values of a random number.
 fn range(quantity: &Quantity) -> Range {
     match quantity {
         Quantity::Key(variable) => variable.range(),
@@ -344,7 +344,7 @@ fn empty_range(
     (problem, named.span.clone())
 }
 
-/// Whether two names are one number.
+/// True if two names are one number.
 fn same(one: &Quantity, other: &Quantity) -> bool {
     match (one, other) {
         (Quantity::Key(one), Quantity::Key(other)) => one.id() == other.id(),

@@ -1,4 +1,4 @@
-//! How far the body slides over a life of storms: the `[storm]` table.
+//! Sliding of the body over a life of storms: the `[storm]` table.
 //!
 //! ```toml
 //! [storm]
@@ -33,18 +33,18 @@ pub(super) use sea::of_case;
 /// A storm as it is written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Storm {
-    /// How many waves it has.
+    /// Number of waves.
     pub waves: u64,
-    /// How long a wave pushes.
+    /// Duration of a wave's push.
     pub(super) tau0: Tau0,
-    /// How the slide is found.
+    /// Method by which the slide is found.
     pub pulse: Pulse,
-    /// Whether heights are cut at H_max of the sea.
+    /// True if heights are cut at H_max of the sea.
     pub(super) is_cut: bool,
 }
 
 impl Storm {
-    /// Whether the duration of a pulse is Shimosako and Takahashi's.
+    /// True if the duration of a pulse is Shimosako and Takahashi's.
     pub(super) fn has_formula(&self) -> bool {
         self.tau0 == Tau0::Formula
     }
@@ -81,16 +81,16 @@ pub(super) struct Year<W> {
     wave: W,
 }
 
-/// How far a wave slides the body, m.
+/// Slide of the body by a wave, m.
 pub(super) trait Slide {
     fn slide(&self, level: f64) -> f64;
 
-    /// Whether waves that begin a rotation are followed in time.
+    /// True if waves that begin a rotation are followed in time.
     fn follows(&self) -> bool {
         false
     }
 
-    /// What comes of one that does.
+    /// Outcome of a wave that begins a rotation.
     fn turned(&self, level: f64) -> Other {
         let _ = level;
         Other::default()

@@ -12,7 +12,7 @@ use crate::inputs::Inputs;
 use crate::key::{Key, Table};
 use crate::layout::digits;
 
-/// What none of the lines lacks.
+/// Note that every line has.
 const NOT_READ: &str = "recalled; not read in the original";
 
 /// A line of the table and what is said of it above.

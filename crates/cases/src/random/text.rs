@@ -62,7 +62,7 @@ impl Probability {
         text
     }
 
-    /// How far storms slide the body.
+    /// Sentences on the slides of the body in storms.
     fn slides(&self, sliding: &Sliding) -> String {
         let Sliding { years, storm, mean, quantiles, exceedance, rotating, .. } = sliding;
         let of_years = if *years == 1.0 { "1 year".to_owned() } else { format!("{} years", digits(*years)) };
@@ -277,7 +277,7 @@ impl Probability {
         paragraph(&format!("{said}."), 2)
     }
 
-    /// Which number matters.
+    /// Table of the numbers, by how much each matters.
     fn matters(&self, chances: &Chances) -> String {
         let Some(point) = chances.design_point.as_ref().filter(|_| self.random.len() > 1) else {
             return String::new();
@@ -297,7 +297,7 @@ impl Probability {
         format!("\n{}", columns(&rows, 0, &[1, 2, 3]))
     }
 
-    /// Where each mode is nearest to the medians, if that is asked for.
+    /// Table of the points at which each mode is nearest to the medians, if that is asked for.
     fn nearest(&self, chances: &Chances) -> String {
         let Some(points) = &chances.design_points else { return String::new() };
         let names = self.random.iter().map(|number| number.name.clone());

@@ -23,13 +23,13 @@ fn screen_all(columns: Columns<'_>, codes: &mut [u8]) {
     kernel.screen(columns.slice(in_blocks, rest.len()), rest);
 }
 
-/// What the kernel needs beside the columns.
+/// State of the kernel beside the columns.
 #[derive(Default)]
 struct Kernel {
     narrow: Lanes<f32>,
     wide: Lanes<f64>,
-    /// How many of the coming blocks are left to f64, because f32 could not tell much of the last: columns along a boundary, such as a
-    /// search for it asks for.
+    /// Number of coming blocks left to f64, because f32 could not tell much of the last: columns along a boundary, such as a search for it
+    /// asks for.
     left: usize,
 }
 
@@ -130,7 +130,7 @@ impl InstructionSet {
         set.expect("every processor has the baseline")
     }
 
-    /// Whether this processor has it.
+    /// True if this processor has it.
     pub fn is_available(self) -> bool {
         match self {
             InstructionSet::Baseline => true,

@@ -50,7 +50,7 @@ fn position<T: Real>(numbers: &Numbers<T>, corner: Corner) -> T {
     }
 }
 
-/// How many quantities there are of each kind, in their order.
+/// Numbers of quantities of each kind, in their order.
 pub(crate) const REST: usize = 4;
 const SLIDES: usize = 4;
 const CORNER: usize = 12;

@@ -17,7 +17,7 @@ use crate::mode::{Mode, Slip};
 use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
-/// How many conditions are those of rest: pulled to the left and to the right, and the reaction on the base.
+/// Number of conditions of rest: pulled to the left and to the right, and the reaction on the base.
 const REST: usize = 4;
 /// Those of a reaction on the base.
 const ON_BASE: [usize; 2] = [2, 3];

@@ -1,4 +1,4 @@
-//! Which mode a block begins with, for every friction: the same problem read along μ.
+//! Modes that a block begins with, for every friction: the same problem read along μ.
 //!
 //! Every condition of the [contact problem](super) is linear in μ for a fixed ratio of μ_k to μ_s, so each changes its sign at
 //! one friction at most; between two of these the modes are constant, and are decided exactly at one friction. For the report's
@@ -39,7 +39,7 @@ pub fn spans(block: &Block, wrench: &Wrench) -> Result<Vec<Span>, InputError> {
     spans_up_to(block, wrench, LARGEST)
 }
 
-/// The same of frictions up to this one alone, which is above zero; the last span is said to have no end.
+/// Spans of frictions up to this one alone, which is above zero; the last span is said to have no end.
 ///
 /// # Errors
 /// As [`solve`].

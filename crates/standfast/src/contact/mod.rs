@@ -166,7 +166,7 @@ impl Solution {
         self.mode
     }
 
-    /// What was decided otherwise than by the numbers of `block` and `wrench`, which are those of its motions.
+    /// Solution decided otherwise than by the numbers of `block` and `wrench`, which are those of its motions.
     pub(crate) fn decided(block: &Block, wrench: &Wrench, choice: Choice) -> Solution {
         Solution { modes: choice.modes, mode: choice.mode, block: *block, wrench: *wrench }
     }

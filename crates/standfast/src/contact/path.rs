@@ -69,7 +69,7 @@ pub(crate) fn between(
     })
 }
 
-/// Where a load that rises from zero beside `permanent` first moves the block, looked for no further than that.
+/// Departure under a load that rises from zero beside `permanent`: the first motion of the block, and nothing beyond it.
 ///
 /// # Errors
 /// As [`solve`].

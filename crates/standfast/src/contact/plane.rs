@@ -111,7 +111,7 @@ impl Boundary {
         [self.alpha[0], self.alpha[1], self.beta[0], self.beta[1]]
     }
 
-    /// Whether the other boundary is this one times a factor, up to rounding.
+    /// True if the other boundary is this one times a factor, up to rounding.
     fn is_same(&self, other: &Boundary) -> bool {
         let (ours, theirs) = (self.coefficients(), other.coefficients());
         let norm = |c: [f64; 4]| c.iter().map(|x| x * x).sum::<f64>();

@@ -38,9 +38,9 @@
 //! RE   μ ≥ k, k ≤ k_BF        SL   μ < k, and R ≥ P under η = μ, ε = γ|μ + kk'|        BF   else
 //! ```
 //!
-//! What the formulas leave out: level, homogeneous, drained ground, a strip that is long. No shoulder of a berm, no layers, no pore
-//! pressure or its growth under cycles, no seepage from uplift. The friction angle of a mound is uncertain, and R grows 2.3 times
-//! from 35° to 40°: a factor is to be read beside those at φ ± 2° ([`LoadFactors`]). No partial factor is applied.
+//! Limits of the formulas: level, homogeneous, drained ground, a strip that is long. No shoulder of a berm, no layers, no pore pressure or
+//! its growth under cycles, no seepage from uplift. The friction angle of a mound is uncertain, and R grows 2.3 times from 35° to 40°: a
+//! factor is to be read beside those at φ ± 2° ([`LoadFactors`]). No partial factor is applied.
 //!
 //! Sources: EN 1997-1 Annex D for c' = q' = 0 and `hansen` with its terms of q' and γ' were read (the latter in the package groundhog
 //! 0.15, against which `validation/peers` holds it). i_c, N_c of both, and the sense of C in the envelope, are recalled: a positive
@@ -84,7 +84,7 @@ pub enum GroundLaw {
     Hansen,
 }
 
-/// What stands in the place of V₀ and the inclination factors.
+/// Law by which the ground bears: soil, for V₀ and the inclination factors, or an envelope in their place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
     Soil { law: GroundLaw, angle_deg: f64, unit_weight: f64, surcharge: f64, cohesion: f64 },
@@ -95,7 +95,7 @@ enum Kind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ground(Kind);
 
-/// What a base puts on the ground, per metre run.
+/// Reaction of a base on the ground, per metre run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reaction {
     half_width: f64,
@@ -119,7 +119,7 @@ impl Reaction {
         })
     }
 
-    /// What the body of a situation puts on the ground under a load factor if it rests, per metre run; `None` if nothing presses.
+    /// Reaction of the body of a situation that rests under a load factor, per metre run; `None` if nothing presses.
     ///
     /// # Errors
     /// If the base is round.
@@ -232,7 +232,7 @@ impl Ground {
         Ground::envelope_with(centric_resistance, 0.52, 0.35, 0.22)
     }
 
-    /// The same with other slopes of the envelope at no load, and another coupling.
+    /// Ground with other slopes of the envelope at no load, and another coupling.
     ///
     /// # Errors
     /// If V₀, t_h or t_m is not above zero, or C is not from −1 to 1.
@@ -251,8 +251,7 @@ impl Ground {
         }))
     }
 
-    /// The same with an effective pressure of ground beside the base, q' (Pa). It means nothing to an envelope, which is returned as it
-    /// is.
+    /// Ground with an effective pressure of ground beside the base, q' (Pa). It means nothing to an envelope, which is returned as it is.
     ///
     /// # Errors
     /// If it is negative or not finite.
@@ -264,7 +263,7 @@ impl Ground {
         Ok(self)
     }
 
-    /// The same with effective cohesion c' (Pa). It means nothing to an envelope, which is returned as it is.
+    /// Ground with effective cohesion c' (Pa). It means nothing to an envelope, which is returned as it is.
     ///
     /// # Errors
     /// If it is negative or not finite.
@@ -276,7 +275,7 @@ impl Ground {
         Ok(self)
     }
 
-    /// The same at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
+    /// Ground at another angle of friction, `by` degrees more; `None` for an envelope, which has none. It may leave 20° to 50° by that.
     pub fn turned(&self, by: f64) -> Option<Ground> {
         match self.0 {
             Kind::Soil { law, angle_deg, unit_weight, surcharge, cohesion } => {
@@ -410,7 +409,7 @@ impl Ground {
         self.resistance(reaction) / reaction.p
     }
 
-    /// Whether the ground bears the reaction: R ≥ P.
+    /// True if the ground bears the reaction: R ≥ P.
     pub fn bears(&self, reaction: &Reaction) -> bool {
         self.resistance(reaction) >= reaction.p && reaction.p < LARGEST
     }

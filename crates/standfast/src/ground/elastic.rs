@@ -62,7 +62,7 @@ pub struct ElasticBase {
     omega: f64,
 }
 
-/// How the base is pressed as it turns.
+/// State of the contact between base and ground as the body turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum ContactState {
@@ -84,7 +84,7 @@ pub struct LargestMoment {
     pub moment: f64,
     /// The rotation it is reached at, rad.
     pub rotation: f64,
-    /// How the base is pressed there.
+    /// State of the contact there.
     pub state: ContactState,
 }
 
@@ -102,7 +102,7 @@ impl ElasticBase {
         })
     }
 
-    /// The same with the strength q_u (Pa).
+    /// Base with the strength q_u (Pa).
     ///
     /// # Errors
     /// If it is not above zero.
@@ -156,7 +156,7 @@ impl ElasticBase {
         Ok(share.copysign(rotation) * self.p * self.half_width + 0.0)
     }
 
-    /// How the base is pressed at a `rotation` (rad).
+    /// State of the contact at a `rotation` (rad).
     ///
     /// # Errors
     /// If `rotation` is not finite.

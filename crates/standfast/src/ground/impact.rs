@@ -158,7 +158,7 @@ impl Signal<'_> {
     }
 }
 
-/// What ends the linear response.
+/// End of the linear response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum ImpactEvent {
@@ -174,9 +174,9 @@ pub enum ImpactEvent {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EventFound {
-    /// What happens.
+    /// Event that is looked for.
     pub event: ImpactEvent,
-    /// When it happens first, s; `None` if it does not.
+    /// Time at which it first happens, s; `None` if it does not.
     pub time: Option<f64>,
     /// λ, by which the loads that vary have to be multiplied for it to happen at all: infinite if no factor makes it, zero if the
     /// permanent loads do it.
@@ -195,11 +195,11 @@ pub struct ImpactResponse {
     pub d_shear: Option<f64>,
     /// D_moment, of the moment about the middle of the base; `None` if none varies.
     pub d_moment: Option<f64>,
-    /// When the largest shear and the largest moment are borne, s; zero where there is none.
+    /// Times at which the largest shear and the largest moment are borne, s; zero where there is none.
     pub largest_at: [f64; 2],
     /// Slip, lift, and yield if the base has a strength.
     pub events: Vec<EventFound>,
-    /// How long the response was followed, s.
+    /// Time over which the response was followed, s.
     pub until: f64,
 }
 
@@ -211,7 +211,7 @@ impl ImpactResponse {
         first.filter(|event| event.time.is_some())
     }
 
-    /// Where the design point k, k' of the report's plane moves to: D_shear k and (1 + k') D_moment/D_shear − 1.
+    /// Point to which the design point k, k' of the report's plane moves: D_shear k and (1 + k') D_moment/D_shear − 1.
     pub fn moved(&self, k: f64, k_prime: f64) -> Option<[f64; 2]> {
         let (shear, moment) = (self.d_shear?, self.d_moment?);
         Some([shear * k, (1.0 + k_prime) * moment / shear - 1.0])
@@ -254,7 +254,7 @@ impl ElasticBody {
         })
     }
 
-    /// The same with water that a horizontal motion carries along (kg).
+    /// Body with water that a horizontal motion carries along (kg).
     ///
     /// # Errors
     /// If it is negative or not finite.
@@ -420,7 +420,7 @@ impl ElasticBody {
 /// So many of its shortest periods is a body followed at most: a second of work.
 const PERIODS_AT_MOST: f64 = 1e5;
 
-/// What a change of a load moves a mode by, of its static displacement, from a moment on.
+/// Motion of a mode that a change of a load adds, in shares of its static displacement, from a moment on.
 fn moved(ω: &[f64; 3], mode: usize, change: &Change, from: f64) -> Wave {
     let past = from - change.at;
     let (sin, cos) = (ω[mode] * past).sin_cos();

@@ -31,12 +31,12 @@ use crate::wrench::Wrench;
 pub enum LoadEdge {
     /// The friction that just holds a body that does not turn, to stick or (`slips`) to slip.
     Friction {
-        /// Whether it is that to slip.
+        /// True if it is that to slip.
         slips: bool,
     },
     /// The reaction of a body that slides is as near to a corner as the base bears it.
     Reaction {
-        /// Which way it slides.
+        /// Direction in which it slides.
         slip: Slip,
         /// The corner.
         corner: Corner,
@@ -45,14 +45,14 @@ pub enum LoadEdge {
     Turn {
         /// The corner.
         corner: Corner,
-        /// Whether it is that to slip.
+        /// True if it is that to slip.
         slips: bool,
     },
     /// The least or the largest friction with which a body that slides is borne by the ground.
     Bearing {
-        /// Which way it slides.
+        /// Direction in which it slides.
         slip: Slip,
-        /// Whether it is the largest.
+        /// True if it is the largest.
         largest: bool,
     },
 }
@@ -60,7 +60,7 @@ pub enum LoadEdge {
 /// A verdict between two neighbouring boundaries of a [`LoadBand`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadCell {
-    /// What begins; see [`CrushSolution::verdict`](super::strength::CrushSolution::verdict).
+    /// Verdict of the problem; see [`CrushSolution::verdict`](super::strength::CrushSolution::verdict).
     pub verdict: Option<Verdict>,
     /// The boundary below; `None` for the axis, μ = 0.
     pub lower: Option<LoadEdge>,
@@ -79,7 +79,7 @@ pub struct LoadBand {
     pub cells: Vec<LoadCell>,
 }
 
-/// What gives way.
+/// Base that gives way, by crushing or by failure of the ground.
 #[derive(Debug, Clone, Copy)]
 enum Base {
     Crushing(CrushEdges),
@@ -132,9 +132,9 @@ impl Rising {
     }
 }
 
-/// How far below 1 two boundaries may be, as a ratio, to count as one.
+/// Distance of two boundaries, relatively, up to which they count as one.
 const SAME: f64 = 1e-9;
-/// How many columns are looked at.
+/// Number of columns looked at.
 const COLUMNS: usize = 500;
 
 impl GroundLoadPlane {
@@ -167,7 +167,7 @@ impl GroundLoadPlane {
         &self.bands
     }
 
-    /// What begins at (λ, μ), decided as everywhere.
+    /// Verdict at (λ, μ), decided as everywhere.
     ///
     /// # Errors
     /// If a number is out of range.
@@ -286,7 +286,7 @@ impl GroundLoadPlane {
     }
 }
 
-/// What becomes of the body, by the mode that begins on rigid ground.
+/// Mode that begins on rigid ground.
 pub(super) fn rigid(rising: &Rising, factor: f64, friction: f64) -> Result<Option<Mode>, InputError> {
     Ok(contact::solve(&rising.block(friction), &rising.wrench(factor))?.mode())
 }

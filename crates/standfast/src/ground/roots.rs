@@ -1,6 +1,6 @@
 //! Signs at the roots of a polynomial, and the roots themselves.
 //!
-//! Whether a rotation that solves a cubic is held by friction is the sign of a quadratic at the cubic's root. The root is
+//! The sign of a quadratic at a cubic's root decides if friction holds a rotation that solves the cubic. The root is
 //! no f64; the sign is decided without it. In tracked floating point the root is caged: the cubic changes its sign, for
 //! certain, between two numbers 2⁻⁴⁰ apart, and the quadratic keeps its own between them. Where that cannot tell, Tarski's
 //! query does, in whole numbers: with the signed remainders of f and f'h (each the last but one, reduced by the last, with
@@ -17,7 +17,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use crate::approx::{Approx, Signed};
 use crate::exact::{Exact, Real};
 
-/// How many roots of a polynomial above zero have another polynomial positive, zero and negative.
+/// Numbers of roots of a polynomial above zero at which another polynomial is positive, zero and negative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct RootSigns {
     pub(super) positive: usize,
@@ -164,7 +164,7 @@ fn tarski<T: Signed>(f: &[T], h: &[T]) -> Option<isize> {
     Some(changes(&at_zero) - changes(&at_infinity))
 }
 
-/// How often the sign changes along a row, zeros left out.
+/// Number of changes of sign along a row, zeros left out.
 fn changes(signs: &[Ordering]) -> isize {
     let signs: Vec<&Ordering> = signs.iter().filter(|sign| **sign != Equal).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as isize
@@ -184,8 +184,8 @@ pub(super) fn real_roots(f: &[f64], low: f64, high: f64) -> Vec<f64> {
     ends.windows(2).filter_map(|pair| between(at, pair[0], pair[1])).collect()
 }
 
-/// Where a function that is monotone from `low` to `high` is zero, by bisection to neighbouring numbers; `None` if its sign is the
-/// same at both. A zero at `low` does not count.
+/// Zero of a function that is monotone from `low` to `high`, by bisection to neighbouring numbers; `None` if its sign is the same at both.
+/// A zero at `low` does not count.
 pub(super) fn between(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
     let (at_low, at_high) = (f(low), f(high));
     if at_high == 0.0 {

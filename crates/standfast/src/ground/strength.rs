@@ -92,7 +92,7 @@ use crate::quantity::Quantity;
 use crate::verdict::{Decision, Verdict};
 use crate::wrench::Wrench;
 
-/// What a problem is given by. q = `q[0]`/`q[1]`, so that a rigid base and ω are numbers too.
+/// Numbers of a problem. q = `q[0]`/`q[1]`, so that a rigid base and ω are numbers too.
 #[derive(Debug, Clone)]
 struct Numbers<T> {
     b: [T; 2],
@@ -153,7 +153,7 @@ pub struct Stretch {
 }
 
 impl Stretch {
-    /// How wide it is.
+    /// Width of the stretch.
     pub fn width(&self) -> f64 {
         self.to - self.from
     }
@@ -165,7 +165,7 @@ impl Stretch {
 pub struct CrushMotion {
     /// Accelerations and reactions; ξ is where the reaction acts. Of a body that turns, the edge it turns about goes down.
     pub motion: Motion,
-    /// Where the base bears with its strength. Of a body that turns, its crushed part; of one that does not, the least part that
+    /// Stretch on which the base bears with its strength. Of a body that turns, its crushed part; of one that does not, the least part that
     /// carries the reaction, Meyerhof's effective width when no more than P/q is needed. Of no width on a rigid base.
     pub pressed: Stretch,
     /// The neutral point about which the body turns, right of the centre of mass; `None` if it does not turn.
@@ -204,8 +204,8 @@ pub struct CrushSolution {
 }
 
 impl CrushSolution {
-    /// What is reported; see the [module](self) for the order. For μ_s = μ_k and P > 0 there always is something; for μ_s > μ_k
-    /// that is not proven, and `None` would say so.
+    /// Verdict reported; see the [module](self) for the order. For μ_s = μ_k and P > 0 there always is one; for μ_s > μ_k that is not
+    /// proven, and `None` would say so.
     pub fn verdict(&self) -> Option<Verdict> {
         self.verdict
     }

@@ -100,7 +100,7 @@ impl ChartCase {
 /// IV (B, C, E as far ends of lines) are drawn by the figures; these are points with coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum PointName {
-    /// Where rest, slide and rock meet: k = μ = 1/(γ|1+k'|).
+    /// Point at which rest, slide and rock meet: k = μ = 1/(γ|1+k'|).
     A,
     /// μ* crosses AB (4.48, 4.49); chapter IV with Δ > 0.
     BPrime,

@@ -95,7 +95,7 @@ impl LimitState {
         LimitState::SfOverturning,
     ];
 
-    /// What it is called in tables.
+    /// Name in tables.
     pub fn name(self) -> &'static str {
         match self {
             LimitState::Slide => "slide",

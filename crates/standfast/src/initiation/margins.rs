@@ -1,4 +1,4 @@
-//! How far a point is from another mode: the forces and the frictions at which the mode changes.
+//! Distance of a point from another mode: the forces and the frictions at which the mode changes.
 
 use super::{Chart, ChartCase, Point};
 use crate::error::LARGEST;
@@ -61,8 +61,8 @@ impl Margins {
         }
     }
 
-    /// Where the body first leaves rest as the force grows, and into which mode. `None` if no force up to 1e50 moves
-    /// it: one through the base (k' = −1) against as much friction.
+    /// Crossing at which the body first leaves rest as the force grows, and the mode beyond it. `None` if no force up to 1e50 moves it: one
+    /// through the base (k' = −1) against as much friction.
     pub fn leaves_rest(&self) -> Option<Crossing> {
         self.along_k.first().copied()
     }
@@ -89,7 +89,7 @@ fn bounds(crossings: &[Crossing], value: f64, mode: Mode) -> Bounds {
 /// Two values of k or μ that are this close, relatively, may be one crossing computed in two ways.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
-/// How far on either side of a crossing, relatively, its modes are asked for: farther off, what was computed is not it.
+/// Distance to either side of a crossing, relatively, at which its modes are asked for: farther off, the computed crossing is not one.
 const ASIDE: f64 = 1e-12;
 
 /// Every curve that bounds a region of this chart, the vertical at A excepted.

@@ -157,7 +157,7 @@ impl Point {
         others
     }
 
-    /// Whether [`mode`](Point::mode) is the only consistent mode.
+    /// True if [`mode`](Point::mode) is the only consistent mode.
     pub fn is_unique(&self) -> bool {
         self.others().is_empty()
     }
@@ -193,7 +193,7 @@ impl Point {
         Margins::of(self)
     }
 
-    /// How far it is from each inequality that decides its mode, as limit states.
+    /// Distances from the inequalities that decide its mode, as limit states.
     pub fn limit_states(&self) -> LimitStates {
         LimitStates::of(self)
     }

@@ -44,7 +44,7 @@ pub(super) struct Polynomials<T> {
     pub(super) regularity: T,
 }
 
-/// How well the values that a caller needs have to be known.
+/// Digits of the values that a caller needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Need {
     /// Their signs.

@@ -37,7 +37,7 @@ pub struct Step {
     pub mode: Mode,
     /// Its inequalities; all have to hold.
     pub relations: Vec<Relation>,
-    /// Whether they do.
+    /// True if all of them do.
     pub holds: bool,
 }
 
@@ -117,7 +117,7 @@ fn candidates(point: &Point) -> &'static [Mode] {
     }
 }
 
-/// What the inequalities of a point are made of.
+/// Terms of which the inequalities of a point are made.
 struct Terms {
     point: Point,
     chart: Chart,

@@ -1,4 +1,4 @@
-//! What acts on a body, and where: the wrench at the centre of mass follows, for any pose of the body.
+//! Actions on a body, and their places: the wrench at the centre of mass follows, for any pose of the body.
 //!
 //! ```text
 //!         ┌────────Top────────┐
@@ -34,7 +34,7 @@ pub struct Place<T = f64> {
     pub y: T,
 }
 
-/// How a body stands: turned about its centre of mass.
+/// Pose of a body: turned about its centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
     /// Rotation, counter-clockwise, rad.
@@ -75,7 +75,7 @@ pub struct PressureDiagram<T = f64> {
 }
 
 impl<T: Scalar> PressureAt<T> {
-    /// The same in f64.
+    /// Pressure in f64.
     pub(crate) fn rounded(&self) -> PressureAt {
         PressureAt { position: self.position.value(), pressure: self.pressure.value() }
     }
@@ -130,7 +130,7 @@ impl<T: Scalar> PressureDiagram<T> {
     }
 }
 
-/// What acts on a body, and where.
+/// Action on a body, and its place.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Action<T = f64> {
@@ -138,7 +138,7 @@ pub enum Action<T = f64> {
     Weight,
     /// A force at a place of the body, its direction fixed in space; N per metre run.
     Force {
-        /// Where it acts.
+        /// Place at which it acts.
         at: Place<T>,
         /// To the right.
         right: T,
@@ -242,7 +242,7 @@ impl Action {
         }
     }
 
-    /// The same of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    /// Action of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed<T: Scalar>(self) -> Action<T> {
         let of = T::computed;
         match self {
@@ -265,11 +265,12 @@ impl Action {
 /// A force on a body, per metre of its length where the body is so long.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodyForce<T = f64> {
-    /// Where it acts from the centre of mass while the body stands upright, to the right and upwards, m; the place moves with the body.
+    /// Point at which it acts, from the centre of mass while the body stands upright, to the right and upwards, m; the place moves with the
+    /// body.
     pub at: [T; 2],
     /// To the right and upwards while the body stands upright, N.
     pub size: [T; 2],
-    /// Whether its direction turns with the body.
+    /// True if its direction turns with the body.
     pub follows: bool,
 }
 

@@ -30,7 +30,7 @@ impl<T: Scalar> Earthquake<T> {
         Ok(Earthquake { horizontal: acceleration(horizontal)?, vertical: acceleration(vertical)? })
     }
 
-    /// The same with its accelerations times 1 or −1: to the other side, downwards for upwards.
+    /// Earthquake with its accelerations times 1 or −1: to the other side, downwards for upwards.
     pub fn turned(&self, side: f64, way: f64) -> Earthquake<T> {
         Earthquake { horizontal: self.horizontal() * T::of(side), vertical: self.vertical() * T::of(way) }
     }
@@ -70,7 +70,7 @@ impl AddedMass {
     /// No water.
     pub const NONE: AddedMass = AddedMass { mass: 0.0, height: None };
 
-    /// The same of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    /// Added mass of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed<T: Scalar>(self) -> AddedMass<T> {
         AddedMass { mass: T::computed(self.mass), height: self.height.map(T::computed) }
     }
@@ -100,7 +100,7 @@ impl<T: Scalar> AddedMass<T> {
         Ok(AddedMass { mass: InputError::not_negative(Quantity::AddedMass, mass)?, height: None })
     }
 
-    /// The same, pressing on a shaken wall at a height above the base (m).
+    /// Added mass pressing on a shaken wall at a height above the base (m).
     ///
     /// # Errors
     /// If it is negative or not finite.

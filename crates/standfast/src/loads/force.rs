@@ -39,7 +39,7 @@ impl HorizontalForce {
         self.elevation
     }
 
-    /// Where it points.
+    /// Direction in which it points.
     pub fn direction(&self) -> Slip {
         self.direction
     }
@@ -71,7 +71,7 @@ impl HorizontalForce {
 pub struct Reduced {
     /// The point, for a force to the left.
     pub point: Point,
-    /// Whether the force points right, so that modes and motions are to be mirrored.
+    /// True if the force points right, so that modes and motions are to be mirrored.
     pub mirrored: bool,
 }
 
@@ -105,7 +105,7 @@ impl Reduced {
         if self.mirrored { mode.mirrored() } else { mode }
     }
 
-    /// The same in the f64 beside it whose mode is `mode`, where rounding has put it on the other side of a boundary; else as it is.
+    /// Point in the f64 beside it whose mode is `mode`, where rounding has put it on the other side of a boundary; else as it is.
     pub(crate) fn beside(self, mode: Option<Mode>) -> Reduced {
         let moved = |steps: i32| {
             let k = self.point.k() * (1.0 + f64::from(steps) * f64::EPSILON);

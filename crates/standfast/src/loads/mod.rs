@@ -30,7 +30,7 @@ use crate::body::Body;
 use crate::history::History;
 use crate::wrench::Wrench;
 
-/// How a load counts among the [classical actions](crate::ClassicalActions).
+/// Kind of a load among the [classical actions](crate::ClassicalActions).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum LoadKind {
@@ -42,7 +42,7 @@ pub enum LoadKind {
     Horizontal,
 }
 
-/// Where a load comes from.
+/// Source of a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
@@ -57,7 +57,7 @@ pub enum LoadSource {
     StillWater,
     /// Still water that stands on steps and slopes of the left side, or lifts where the body overhangs.
     WaterOnLeft,
-    /// The same of the right side.
+    /// Still water that stands on steps and slopes of the right side, or lifts where the body overhangs.
     WaterOnRight,
     /// Pressures under the base, as given.
     Uplift,
@@ -86,22 +86,22 @@ pub struct LoadId(pub u64);
 /// A load on a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load<T = f64> {
-    /// Which of its maker's loads it is; 0 where nobody asks.
+    /// Number among its maker's loads; 0 where nobody asks.
     pub id: LoadId,
-    /// Where it comes from.
+    /// Source of the load.
     pub source: LoadSource,
-    /// How it counts.
+    /// Kind of the load.
     pub kind: LoadKind,
-    /// What it is called, where its source does not say it.
+    /// Name, where its source does not say it.
     pub name: Option<String>,
-    /// Whether it is there all the time, or grows with the load factor.
+    /// True if it is there all the time, rather than grows with the load factor.
     pub permanent: bool,
     /// The partial factor by which it is multiplied; 1 for the load itself.
     pub factor: T,
-    /// What acts where.
+    /// Action, with its place.
     pub action: Action<T>,
-    /// How its size goes with time, as a share of what acts; `None` of a load of which nothing is said, which a problem of
-    /// rest takes as it is.
+    /// Course of its size in time, as a share of the action; `None` of a load of which nothing is said, which a problem of rest takes as it
+    /// is.
     pub history: Option<History>,
 }
 
@@ -142,41 +142,41 @@ impl<T: Scalar> Load<T> {
         Load::variable(LoadSource::Force, kind, Action::Force { at, right, up })
     }
 
-    /// The same under a name.
+    /// Load under a name.
     pub fn named(self, name: impl Into<String>) -> Load<T> {
         Load { name: Some(name.into()), ..self }
     }
 
-    /// The same as one of its maker's loads.
+    /// Load as one of its maker's loads.
     pub fn with_id(self, id: LoadId) -> Load<T> {
         Load { id, ..self }
     }
 
-    /// The same with a history.
+    /// Load with a history.
     pub fn over_time(self, history: History) -> Load<T> {
         Load { history: Some(history), ..self }
     }
 
-    /// The same multiplied by a partial factor.
+    /// Load multiplied by a partial factor.
     pub fn times(self, factor: T) -> Load<T> {
         Load { factor: self.factor * factor, ..self }
     }
 
-    /// What it amounts to at the centre of mass of `body`, upright, at the acceleration of gravity `gravity` (m/s²).
+    /// Wrench at the centre of mass of `body`, upright, at the acceleration of gravity `gravity` (m/s²).
     pub fn upright(&self, body: &Body<T>, gravity: T) -> Wrench<T> {
         self.action.upright(body, gravity) * self.factor.clone()
     }
 }
 
 impl Load {
-    /// The same of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
+    /// Load of numbers that were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed<T: Scalar>(self) -> Load<T> {
         let Load { id, source, kind, name, permanent, factor, action, history } = self;
         let (factor, action) = (T::computed(factor), action.computed());
         Load { id, source, kind, name, permanent, factor, action, history }
     }
 
-    /// What it amounts to at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
+    /// Wrench at the centre of mass of `body` at the acceleration of gravity `gravity` (m/s²), for its pose.
     pub fn wrench(&self, body: &Body, gravity: f64, pose: Pose) -> Wrench {
         self.action.wrench(body, gravity, pose) * self.factor
     }

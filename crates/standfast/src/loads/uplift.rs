@@ -34,7 +34,7 @@ impl<T: Scalar> Uplift<T> {
         self.right.clone()
     }
 
-    /// Whether it grows with the variable loads.
+    /// True if it grows with the variable loads.
     pub fn grows(&self) -> bool {
         self.grows
     }

@@ -46,7 +46,7 @@ impl<T: Scalar> StillWater<T> {
         self.density.clone()
     }
 
-    /// The same in f64.
+    /// Still water in f64.
     pub fn rounded(&self) -> StillWater {
         StillWater { left: self.left.value(), right: self.right.value(), density: self.density.value() }
     }

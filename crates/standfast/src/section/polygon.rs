@@ -91,7 +91,7 @@ pub(super) fn crossing(outline: &[Vertex]) -> Option<(usize, usize)> {
     pairs.into_iter().find(meets)
 }
 
-/// What of an outline lies on one side of a straight line, where `above` is not above zero, by cutting its sides at the line.
+/// Part of an outline on one side of a straight line, where `above` is not above zero, by cutting its sides at the line.
 pub(super) fn within(outline: &[Vertex], above: impl Fn(Vertex) -> f64) -> Vec<Vertex> {
     let mut cut = Vec::with_capacity(outline.len() + 2);
     for (p, q) in sides(outline) {

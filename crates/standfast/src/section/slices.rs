@@ -4,7 +4,7 @@
 use super::polygon::{side, sides};
 use super::{Part, SectionError, Vertex, slack};
 
-/// What is between two levels that hold no corner, cut across.
+/// Slice between two levels that hold no corner, cut across.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Slice {
     pub(super) bottom: f64,
@@ -16,7 +16,7 @@ pub(super) struct Slice {
 }
 
 impl Slice {
-    /// What of it lies under a level.
+    /// Part of the slice under a level.
     pub(super) fn below(&self, level: f64) -> Option<Slice> {
         if level <= self.bottom {
             return None;
@@ -27,7 +27,7 @@ impl Slice {
     }
 }
 
-/// Where a part is cut by a level: from its left to its right side, at the bottom, in the middle and at the top of a slice.
+/// Cut of a part by a level: from its left to its right side, at the bottom, in the middle and at the top of a slice.
 struct Cut {
     part: usize,
     left: [f64; 3],

@@ -26,10 +26,10 @@ use crate::wrench::Wrench;
 
 use super::Situation;
 
-/// How near to a boundary, as a share of the terms of its condition, rounding in f64 is feared: thousands of roundings.
+/// Distance from a boundary, as a share of the terms of its condition, at which rounding in f64 is feared: thousands of roundings.
 const NEAR: f64 = 1e-12;
 
-/// Where a body stands on the boundary of rest.
+/// Place of a body on the boundary of rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Boundary {
     /// By the numbers as they are written: the body rests, and does not with the least more load.
@@ -47,7 +47,7 @@ pub(super) struct Written {
     variable: Wrench<Ball>,
 }
 
-/// What begins under written numbers.
+/// Choice of a mode by the numbers as they are written.
 pub(super) struct WrittenChoice {
     pub(super) choice: Choice,
     pub(super) boundary: Option<Boundary>,
@@ -79,7 +79,7 @@ impl Written {
         self.permanent.clone() + self.variable.clone() * factor.clone()
     }
 
-    /// What begins under a load factor.
+    /// Choice of a mode under a load factor.
     pub(super) fn choice(&self, factor: &Ball) -> WrittenChoice {
         let wrench = self.wrench(factor);
         let conditions = conditions(&self.under(wrench.clone()));
@@ -132,7 +132,7 @@ impl Written {
         self.permanent.p.value().abs().max(f64::MIN_POSITIVE)
     }
 
-    /// What the conditions of rest leave under the full load: of sliding, about O and about O'; and P.
+    /// Margins of the conditions of rest under the full load: of sliding, about O and about O'; and P.
     fn margins(&self) -> ([Ball; 3], Ball) {
         let [b1, b2, d, _, _, _, mu_s, _, x, p, m] = self.under(self.wrench(&Ball::of(1.0)));
         let push = if x.value() < 0.0 { -x.clone() } else { x.clone() };
@@ -196,8 +196,8 @@ pub(super) fn settle_relation(relation: &mut Relation) {
     }
 }
 
-/// Whether a condition under the permanent or under the full load is within rounding of its boundary. What was added up may be off by
-/// [`NEAR`] of the sizes of the parts; arms are no longer than the body is wide and high.
+/// True if a condition under the permanent or under the full load is within rounding of its boundary. Sums may be off by [`NEAR`] of the
+/// sizes of the parts; arms are no longer than the body is wide and high.
 pub(super) fn is_near(situation: &Situation) -> bool {
     let body = situation.body();
     let reach = body.width() + body.height() + body.base_width();

@@ -15,7 +15,7 @@ static SHARE: LazyLock<f64> = LazyLock::new(|| {
     share
 });
 
-/// How many of `full` random points a test takes.
+/// Number of random points that a test takes of `full`.
 pub fn tries(full: u32) -> u32 {
     (f64::from(full) * *SHARE).ceil() as u32
 }

@@ -44,9 +44,9 @@ pub(super) fn draw(boundary: &Boundary) -> Option<Figure> {
 struct Axis<'a> {
     quantity: &'a Quantity,
     unit: &'static str,
-    /// How many SI units make one.
+    /// Number of SI units that make one.
     scale: f64,
-    /// What it is; of a table that a case may have several times, of which.
+    /// Description; of a table that a case may have several times, with its name.
     words: String,
 }
 

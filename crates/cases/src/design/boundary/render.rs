@@ -67,7 +67,7 @@ fn table(boundary: &Boundary) -> String {
     columns(&rows, 2, &[0, 1])
 }
 
-/// Where there is none, or more than one stretch.
+/// Sentence on the columns of more than one stretch; `None` if there are none.
 fn gaps(boundary: &Boundary) -> Option<String> {
     let several = boundary.columns.iter().filter(|column| column.stretches.len() > 1).count();
     (several > 0).then(|| {
@@ -139,12 +139,12 @@ struct Varied<'a> {
     bracket: [f64; 2],
 }
 
-/// What meets the target at a value of the quantity `and`.
+/// Values that meet the target at a value of the quantity `and`.
 #[derive(Serialize)]
 struct Values {
     value: f64,
     met: Vec<Met>,
-    /// What binds where it is nearest to be met, if it is nowhere.
+    /// Failure that binds, in a word, where it is nearest to be met, if it is nowhere.
     binds: Option<&'static str>,
 }
 

@@ -1,4 +1,4 @@
-//! Which mode holds where in a view: polygons of a function that names a mode at each place.
+//! Areas of a view in which each mode holds: polygons of a function that names a mode at each place.
 
 use standfast::Mode;
 use standfast_figures::CloudPanel;
@@ -7,7 +7,7 @@ use standfast_figures::CloudPanel;
 pub(super) const FINE: usize = 120;
 /// And for one that is not.
 pub(super) const COARSE: usize = 48;
-/// How often what lies between two places is halved: a boundary then stands to a fraction of a line's width.
+/// Number of times that the stretch between two places is halved: a boundary then stands to a fraction of a line's width.
 const HALVED: usize = 9;
 
 /// A mode with the stretch of a row on which it holds.

@@ -13,17 +13,17 @@ use crate::layout::digits;
 use crate::random::answer::{Chances, Happening};
 use crate::random::problem::Problem;
 
-/// What a heavy tail leaves outside of a picture, at each end.
+/// Share of a heavy tail that is left outside of a picture, at each end.
 const TAIL: f64 = 0.005;
-/// How many draws a cloud has.
+/// Number of draws in a cloud.
 const DRAWS: u64 = 1000;
 /// Draws of the random numbers, and where they lie.
 pub(super) struct Draws {
     values: Vec<Vec<f64>>,
     modes: Vec<Option<Mode>>,
-    /// Whether the ground fails under any of them.
+    /// True if the ground fails under any of them.
     fails: bool,
-    /// Where in effective coordinates each draw lies that has a place there.
+    /// Places in effective coordinates of the draws, where they have one.
     places: Vec<Option<Place>>,
 }
 
@@ -32,7 +32,7 @@ pub(super) struct Draws {
 struct Place {
     /// γ, k, k', μ.
     at: [f64; 4],
-    /// Whether the force acts to the right, where modes are those of a mirror.
+    /// True if the force acts to the right, where modes are those of a mirror.
     right: bool,
 }
 
@@ -158,7 +158,7 @@ impl Draws {
     }
 }
 
-/// What the modes behind draws are of, where several views each leave out what the others show.
+/// Sentence on the modes behind draws, where several views each leave out those that the others show.
 fn behind(ups: &[usize], medians: &[f64; 4]) -> String {
     if ups.len() == 1 {
         return "Behind them the modes.".to_owned();
@@ -175,7 +175,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// How many places lie outside of a view, in words.
+/// Number of places outside of a view, in words.
 fn outside(panels: &[CloudPanel<'_>]) -> String {
     let beyond = |axis: &SpectrumAxis<'_>, x: f64| x < axis.from || x > axis.to;
     let out = |panel: &CloudPanel<'_>| {
@@ -203,7 +203,7 @@ fn panel<'a>((across, xs): (&'a str, &[f64]), (up, ys): (&'a str, &[f64])) -> Cl
 }
 
 impl Problem {
-    /// Where a draw lies in effective coordinates, if the report's plane is of the body.
+    /// Place of a draw in effective coordinates, if the report's plane is of the body.
     fn place(&self, values: &[f64]) -> Option<Place> {
         let mechanics = self.mechanics(values)?;
         let [k, k_prime] = mechanics.effective()?;

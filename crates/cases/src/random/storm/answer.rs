@@ -1,4 +1,4 @@
-//! How far storms slide the body over a life.
+//! Slides of the body over a life of storms.
 
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::Inputs as Laws;
@@ -19,13 +19,13 @@ pub struct Sliding {
     pub years: f64,
     /// The mean over lives, integrated.
     pub mean: Estimate,
-    /// Whether the mean is as precise as it is asked to be.
+    /// True if the mean is as precise as it is asked to be.
     pub precise: bool,
     /// The chance that a wave of any storm slides the body, integrated.
     pub wave: Estimate,
     /// The mean number of waves of a life that do.
     pub waves: Estimate,
-    /// How many lives were drawn.
+    /// Number of lives drawn.
     pub lives: u64,
     /// That any wave of a life slides the body.
     pub ever: Estimate,
@@ -33,13 +33,13 @@ pub struct Sliding {
     pub quantiles: Vec<Quantile>,
     /// The chance that the slide of a life exceeds a value.
     pub exceedance: Vec<Exceeded>,
-    /// The same at slides between the least and the greatest that can be told, by equal factors.
+    /// Chances of exceeding slides between the least and the greatest that can be told, by equal factors.
     pub course: Vec<Exceeded>,
     /// The share of the mean that comes of the worst twentieth of all lives.
     pub of_worst: f64,
     /// The mean over the lives drawn: not the answer, but a check of both.
     pub drawn: Estimate,
-    /// What comes of waves that begin a rotation, where they are followed in time.
+    /// Outcome of waves that begin a rotation, where they are followed in time.
     pub followed: Option<Followed>,
     /// Waves that begin a rotation, for which the slide of a pulse says nothing.
     pub rotating: Rotating,
@@ -63,7 +63,7 @@ pub struct Exceeded {
     pub probability: Estimate,
 }
 
-/// What comes of waves that begin a rotation, followed in time; of the lives drawn.
+/// Outcome of waves that begin a rotation, followed in time; of the lives drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Followed {
     /// The mean slide that they add to a life, m.
@@ -81,7 +81,7 @@ pub struct Rotating {
     pub life: Estimate,
 }
 
-/// Why there are no slides.
+/// Reason why there are no slides.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SlidingError {
@@ -96,7 +96,7 @@ pub enum SlidingError {
     /// More than one set of loads.
     #[error("the case has a [storm] and leaves a choice of loads: {what}")]
     Choice {
-        /// What leaves it.
+        /// Part of the case that leaves it.
         what: &'static str,
     },
     /// Two frictions.
@@ -153,14 +153,14 @@ impl Explained for SlidingError {
 const SHARES: [f64; 6] = [0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
 /// The slides whose exceedance is told, m: practice speaks of 0.10 and 0.30.
 const EXCEEDED: [f64; 2] = [0.10, 0.30];
-/// What part of all lives is the worst.
+/// Share of all lives that counts as the worst.
 const WORST: f64 = 0.05;
 /// The mean is a smooth integral, and quick to have to this.
 const PRECISION: f64 = 2e-3;
 
 /// A tenth of a millimetre is no slide that anybody sees.
 const LEAST: f64 = 1e-4;
-/// How many slides a decade has in the course of the exceedance.
+/// Number of slides in a decade in the course of the exceedance.
 const EACH_DECADE: f64 = 16.0;
 
 /// The chance that the slide of a life exceeds slides by equal factors, up to the greatest that was drawn.

@@ -1,4 +1,4 @@
-//! How far one pulse of thrust slides a body.
+//! Slide of a body by one pulse of thrust.
 //!
 //! ```text
 //!        F_S = P + μU                 m S'' = F_S f(t) − R while it slides, R = μW'
@@ -19,7 +19,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-/// How the slide of a pulse is found.
+/// Method by which the slide of a pulse is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pulse {
     /// A symmetric triangle, exactly.

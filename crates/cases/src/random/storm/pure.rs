@@ -86,12 +86,12 @@ impl StormField {
         self.key().name()
     }
 
-    /// What it measures; none of a plain number.
+    /// Dimension of its values; none of a plain number.
     pub fn dimension(self) -> Option<Dimension> {
         self.key().info().dimension()
     }
 
-    /// Which values it takes.
+    /// Range of its values.
     pub(in crate::random) fn range(self) -> Range {
         self.key().info().range().unwrap_or(Range::Positive)
     }

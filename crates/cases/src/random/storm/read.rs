@@ -1,4 +1,4 @@
-//! What a `[storm]` table says.
+//! Contents of a `[storm]` table.
 
 use standfast::number::exact;
 

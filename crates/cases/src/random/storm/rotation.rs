@@ -11,7 +11,7 @@ use standfast_probability::sums::Other;
 use crate::case::{Acting, Case, Waves};
 use crate::random::quantity::Bias;
 
-/// What comes of the wave: how far the body has slid at the end, and whether it overturned. None if it cannot be followed.
+/// Outcome of the wave: slide of the body at the end, and overturning. None if it cannot be followed.
 pub(super) fn wave(
     case: &Case,
     waves: &Waves,

@@ -18,7 +18,7 @@ use crate::random::quantity::Bias;
 pub(in crate::random) struct SeaStorm<'a> {
     pub(in crate::random) problem: &'a Problem,
     pub(in crate::random) storm: &'a Storm,
-    /// Whether waves that begin a rotation are followed in time.
+    /// True if waves that begin a rotation are followed in time.
     pub(in crate::random) follow: bool,
 }
 
@@ -38,7 +38,7 @@ pub(in crate::random) struct GodaWave {
     followed: Option<Box<Case>>,
 }
 
-/// What a wave does to the body.
+/// Effect of a wave on the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Effect {
     Nothing,
@@ -84,7 +84,7 @@ impl GodaWave {
         permanent + variable
     }
 
-    /// How long the wave pushes, s.
+    /// Duration of the wave's push, s.
     fn duration(&self, height: f64, goda: &Goda) -> f64 {
         match self.tau0 {
             Tau0::Given(tau0) => tau0,

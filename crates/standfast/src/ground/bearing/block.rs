@@ -27,9 +27,9 @@ pub struct BearingBlock {
     force: f64,
 }
 
-/// What begins just beyond a load factor is looked for so far beyond it, relatively.
+/// Step beyond a load factor, relative to it, at which the verdict just beyond is looked for.
 const BEYOND: f64 = 1e-9;
-/// How many frictions are looked at for one with which the ground bears a body that slides.
+/// Number of frictions looked at for one with which the ground bears a body that slides.
 const STEPS: u32 = 16;
 
 impl BearingBlock {
@@ -129,7 +129,7 @@ impl BearingBlock {
         Ok(spans)
     }
 
-    /// Where a load that rises from zero beside `permanent` first moves the block, or makes the ground fail under it.
+    /// Departure under a load that rises from zero beside `permanent`: first motion of the block, or failure of the ground under it.
     ///
     /// # Errors
     /// As [`contact::solve`].
@@ -142,7 +142,7 @@ impl BearingBlock {
         self.departure_before(self.failure(block, permanent, variable), block, permanent, variable)
     }
 
-    /// The same where the [least load factor at which the ground fails](BearingBlock::failure) is known: it is one for all frictions.
+    /// Departure where the [least load factor at which the ground fails](BearingBlock::failure) is known: it is one for all frictions.
     ///
     /// # Errors
     /// As [`contact::solve`].
@@ -207,7 +207,7 @@ impl Borne<'_> {
         self.path.excess(Some((self.slip, mu)), 0.0)
     }
 
-    /// Whether the reaction lies against the push.
+    /// True if the reaction lies against the push.
     fn is_behind(&self, mu: f64) -> bool {
         self.path.sliding_reaction(0.0, self.slip, mu).is_some_and(|at| at.x() * at.e() < 0.0)
     }

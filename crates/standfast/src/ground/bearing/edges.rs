@@ -18,7 +18,7 @@ pub(in crate::ground) struct FailingEdges {
 
 /// The friction to slip up to which is looked: no formula bears a body that slides with more.
 pub(super) const MOST_INCLINED: f64 = 10.0;
-/// How many frictions are looked at for one with which the ground bears the body.
+/// Number of frictions looked at for one with which the ground bears the body.
 const STEPS: u32 = 60;
 
 impl FailingEdges {

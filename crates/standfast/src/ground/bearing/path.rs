@@ -30,7 +30,7 @@ const FARTHEST: f64 = 1e6;
 /// The width of a stretch in which a dip of R/P below 1 may be missed, as a share of its load factor.
 const NARROWEST: f64 = 1e-9;
 
-/// What a situation puts on the ground along its loads that rise: geometry of the base, and wrenches of one metre of the body.
+/// Footing of a situation under its loads that rise: geometry of the base, and wrenches of one metre of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Footing {
     /// Half of the base, and its middle right of the centre of mass, m.
@@ -137,12 +137,12 @@ impl GroundPath {
         &self.ground
     }
 
-    /// What the base of a body at rest puts on the ground under a load factor; `None` if nothing presses.
+    /// Reaction on the ground of a body at rest under a load factor; `None` if nothing presses.
     pub fn reaction(&self, factor: f64) -> Option<Reaction> {
         self.footing.reaction(factor)
     }
 
-    /// The same of a body that slides with the friction `mu` towards `slip`.
+    /// Reaction of a body that slides with the friction `mu` towards `slip`.
     pub fn sliding_reaction(&self, factor: f64, slip: Slip, mu: f64) -> Option<Reaction> {
         self.footing.sliding(factor, slip, mu)
     }
@@ -194,7 +194,7 @@ impl GroundPath {
         self.reaction(factor).map_or(1.0, |reaction| ground.factor(&reaction) - 1.0)
     }
 
-    /// Where the ground first fails between two load factors, at the lower of which it does not; stretches are halved, the lower half
+    /// First load factor at which the ground fails between two, at the lower of which it does not; stretches are halved, the lower half
     /// first, until one is certain to be borne, or so narrow that rounding decides.
     fn first_failure(&self, ground: &Ground, low: f64, high: f64, narrowest: f64) -> Option<f64> {
         if self.is_borne(ground, low, high) {
@@ -214,7 +214,7 @@ impl GroundPath {
         self.first_failure(ground, middle, high, narrowest)
     }
 
-    /// Whether the ground is certain to bear every reaction between two load factors: P and X are lines of λ, and e and η rise or fall all
+    /// True if the ground is certain to bear every reaction between two load factors: P and X are lines of λ, and e and η rise or fall all
     /// the way as long as P presses, so that the least R there is no less than that of the worst of both ends taken together.
     fn is_borne(&self, ground: &Ground, low: f64, high: f64) -> bool {
         match (self.reaction(low), self.reaction(high)) {
@@ -230,7 +230,7 @@ impl GroundPath {
         self.load_factor(&self.ground)
     }
 
-    /// Where the ground fails as the variable loads rise.
+    /// Load factors at which the ground fails as the variable loads rise.
     pub fn load_factors(&self) -> LoadFactors {
         let turned = |by: f64| self.ground.turned(by).map(|ground| self.load_factor(&ground));
         LoadFactors { given: self.load_factor(&self.ground), less: turned(-2.0), more: turned(2.0) }

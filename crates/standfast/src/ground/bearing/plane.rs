@@ -117,7 +117,7 @@ impl BearingPlane {
         self.ground.factor(&reaction)
     }
 
-    /// What happens at (k, μ).
+    /// Verdict and factor R/P at (k, μ).
     ///
     /// # Errors
     /// If `k` or `mu` is negative or not finite.

@@ -15,7 +15,7 @@ use crate::verdict::{Decision, Verdict};
 pub struct BearingOutcome {
     /// The answer as of any base: rest, sliding, or the ground fails.
     pub outcome: Outcome,
-    /// Where the ground fails under a body that friction holds.
+    /// Load factors at which the ground fails under a body that friction holds.
     pub load_factors: LoadFactors,
 }
 
@@ -53,7 +53,7 @@ impl On {
         On { path, friction }
     }
 
-    /// How a mode of the rigid problem presses the ground: at rest, or sliding with a friction; `None` of one that turns, or flies.
+    /// Slip and friction with which a mode of the rigid problem presses the ground, neither of rest; `None` of one that turns, or flies.
     fn pressing(&self, mode: Mode) -> Option<Option<(Slip, f64)>> {
         match (mode, mode.corner(), mode.slip()) {
             (Mode::Rest, ..) => Some(None),

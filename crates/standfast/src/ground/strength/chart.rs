@@ -71,7 +71,7 @@ pub struct CrushStrip {
     pub upper: Option<CrushEdge>,
 }
 
-/// Where a mode holds: strips in the order of k.
+/// Region of the plane in which a mode holds: strips in the order of k.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrushRegion {
     /// The mode.
@@ -98,8 +98,7 @@ impl CrushEdge {
 }
 
 impl CrushStrip {
-    /// Whether (k, μ) lies in the strip or on its edge, in floating point. Which mode owns an edge is
-    /// [`CrushPoint::verdict`]'s to say.
+    /// True if (k, μ) lies in the strip or on its edge, in floating point. The mode that owns an edge is [`CrushPoint::verdict`]'s to say.
     pub fn contains(&self, k: f64, mu: f64) -> bool {
         let below = self.upper.is_none_or(|upper| mu <= upper.at(k));
         self.from <= k && k <= self.to && self.lower.at(k) <= mu && below
@@ -107,7 +106,7 @@ impl CrushStrip {
 }
 
 impl CrushRegion {
-    /// Whether (k, μ) lies in the region or on its edge, in floating point.
+    /// True if (k, μ) lies in the region or on its edge, in floating point.
     pub fn contains(&self, k: f64, mu: f64) -> bool {
         self.strips.iter().any(|strip| strip.contains(k, mu))
     }
@@ -263,8 +262,8 @@ impl CrushChart {
         [A, C, D, E].into_iter().filter_map(|name| self.point(name)).collect()
     }
 
-    /// Where μ* crosses a line of the plane, right of A and from left to right: the roots of a polynomial of the fourth degree in α.
-    /// Of a hyperbola it is the tangent at k = 0.
+    /// Points at which μ* crosses a line of the plane, right of A and from left to right: the roots of a polynomial of the fourth degree in
+    /// α. Of a hyperbola it is the tangent at k = 0.
     pub fn rock_crossings(&self, line: Curve) -> Vec<RockEdgePoint> {
         let (slope, intercept) = (line.slope(0.0), line.at(0.0));
         let times = |f: &[f64], g: &[f64]| {

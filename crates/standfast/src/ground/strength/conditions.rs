@@ -1,4 +1,4 @@
-//! Which modes are consistent on a base of strength q, and which of them is reported.
+//! Consistent modes on a base of strength q, and the one of them that is reported.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -20,7 +20,7 @@ pub(super) fn enumerate(given: &impl Given) -> Decision {
     found.expect("exact signs are always known")
 }
 
-/// Whether the base cannot carry P: P ≥ q (b₁ + b₂).
+/// True if the base cannot carry P: P ≥ q (b₁ + b₂).
 pub(super) fn is_overloaded<T: RootSigned>(n: &Numbers<T>) -> Option<bool> {
     let [q0, q1] = n.q.clone();
     let reserve = q0 * (n.b[0].clone() + n.b[1].clone()) - q1 * n.p.clone();
@@ -37,7 +37,7 @@ fn reserve<T: Real>(n: &Numbers<T>, corner: Corner, about: T) -> T {
     T::of(2.0) * q0 * (about + n.edge(corner) * n.p.clone()) - q1 * n.p.clone() * n.p.clone()
 }
 
-/// Whether a reaction P with the moment `about` C acts where the base can bear it.
+/// True if a reaction P with the moment `about` C acts where the base can bear it.
 fn is_borne<T: RootSigned>(n: &Numbers<T>, about: &T) -> Option<bool> {
     for corner in CORNERS {
         if reserve(n, corner, about.clone()).sign()? == Less {

@@ -57,7 +57,7 @@ impl Polynomial {
     }
 }
 
-/// What is rounding beside the sum of a polynomial's terms, determinants and all.
+/// Rounding beside the sum of a polynomial's terms, determinants and all, as a share of it.
 const ROUNDING: f64 = 1e-10;
 /// Half the distance of two numbers that are told apart, relatively.
 const APART: f64 = 32.0 * f64::EPSILON;

@@ -1,4 +1,4 @@
-//! What begins on a base that crushes, for every friction: the same problem read along μ, for a fixed ratio of μ_k to μ_s.
+//! Verdicts on a base that crushes, for every friction: the same problem read along μ, for a fixed ratio of μ_k to μ_s.
 //!
 //! The modes change at a friction where one of these is so (b, σ of the edge, s of the slip, v and a of the
 //! [turn](super::turning)):
@@ -127,10 +127,10 @@ fn meeting(given: &Loaded, corner: Corner, slip: Slip) -> Vec<f64> {
     real_roots(&quartic, 0.0, most).into_iter().filter(|v| *v > 0.0).map(at).collect()
 }
 
-/// How far beyond the load factor at which rest ends it is looked for what begins, relatively.
+/// Step beyond the load factor at which rest ends, relative to it, at which the verdict is looked for.
 const BEYOND: f64 = 1e-9;
 
-/// Where a load that rises from zero beside `permanent` first moves the block: the end of rest in closed form, and what begins just beyond it.
+/// Departure under a load that rises from zero beside `permanent`: the end of rest in closed form, and the verdict just beyond it.
 ///
 /// # Errors
 /// As [`solve`].

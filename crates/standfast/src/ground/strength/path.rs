@@ -23,7 +23,7 @@ use crate::wrench::Wrench;
 struct Quadratic([f64; 3]);
 
 impl Quadratic {
-    /// Where it is zero, ascending, without cancellation; what does not exist is not a number.
+    /// Zeros, ascending, without cancellation; one that does not exist is not a number.
     fn zeros(self) -> [f64; 2] {
         let [a, b, c] = self.0;
         let sum = -(b + b.signum() * (b * b - 4.0 * a * c).sqrt()) / 2.0;
@@ -60,7 +60,7 @@ fn conditions(block: &Block, permanent: &Wrench, variable: &Wrench, strength: f6
     all
 }
 
-/// How many of the [`conditions`] are those of rest.
+/// Number of the [`conditions`] that are those of rest.
 const REST: usize = 4;
 
 /// A stretch of load factors.
@@ -87,7 +87,7 @@ pub fn rest_range(
     range(block, permanent, variable, strength, 0..REST)
 }
 
-/// The same of the conditions at both edges alone: where the base bears the reaction of a body that friction holds.
+/// Load factors at which the base bears the reaction of a body that friction holds: the conditions at both edges alone.
 ///
 /// # Errors
 /// As [`solve`](super::solve).
@@ -100,7 +100,7 @@ pub fn bearing_range(
     range(block, permanent, variable, strength, SLIPS.len()..REST)
 }
 
-/// Where these of the conditions hold.
+/// Load factors at which these of the conditions hold.
 fn range(
     block: &Block,
     permanent: &Wrench,
@@ -196,11 +196,11 @@ pub fn stages(
 #[derive(Debug, Clone, Copy)]
 struct End {
     at: f64,
-    /// Whether it is the zero of a condition that stands alone.
+    /// True if it is the zero of a condition that stands alone.
     is_closed: bool,
 }
 
-/// Where what `holds` at `low` and not at `high` ends: a number at which it does not, and does at the one before.
+/// End of a stretch on which `holds` is true at `low` and not at `high`: a number at which it is not, and is at the one before.
 fn end_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = low + (high - low) / 2.0;

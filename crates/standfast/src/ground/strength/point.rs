@@ -131,7 +131,7 @@ impl CrushPoint {
         enumerate(self).modes
     }
 
-    /// Whether [`verdict`](CrushPoint::verdict) is the only consistent mode.
+    /// True if [`verdict`](CrushPoint::verdict) is the only consistent mode.
     pub fn is_unique(&self) -> bool {
         self.others().is_empty()
     }

@@ -20,7 +20,7 @@ pub struct CrushMargins {
 }
 
 impl CrushMargins {
-    /// Where the body leaves rest as k grows; `None` if no force moves it.
+    /// Crossing at which the body leaves rest as k grows; `None` if no force moves it.
     pub fn leaves_rest(&self) -> Option<Crossing> {
         self.along_k.iter().copied().find(|crossing| crossing.from == Mode::Rest)
     }
@@ -53,7 +53,7 @@ impl CrushPoint {
         Some(Trace { steps, others: self.others() })
     }
 
-    /// Where the mode changes as the force or the friction varies; nothing where ω ≥ 1 and all is BF.
+    /// Crossings at which the mode changes as the force or the friction varies; none if ω ≥ 1 and all is BF.
     pub fn margins(&self) -> CrushMargins {
         let (k, mu) = (self.point.k(), self.point.mu());
         let Ok(chart) = CrushChart::new(self.point.gamma(), self.point.k_prime(), self.omega) else {
@@ -107,7 +107,7 @@ fn changes(mut values: Vec<f64>, mode: impl Fn(f64) -> Option<Mode>) -> Vec<Cros
     found
 }
 
-/// What the inequalities of a point are made of.
+/// Terms of which the inequalities of a point are made.
 struct Terms {
     point: CrushPoint,
     chart: CrushChart,

@@ -111,7 +111,7 @@ pub(super) struct Rate {
     pub(super) softness: f64,
     /// δ = Δ/2q₀: the moment left over at a = 0.
     pub(super) surplus: f64,
-    /// Where the edge begins to be pressed: 0 for P > 0.
+    /// Least angular acceleration a, at which the edge begins to be pressed: 0 for P > 0.
     pub(super) least: f64,
 }
 
@@ -145,7 +145,7 @@ impl Rate {
         1.0 / (1.0 + self.softness * a)
     }
 
-    /// Whether the left side rises with a for certain, whatever the rounding: the equation has one root at most.
+    /// True if the left side rises with a for certain, whatever the rounding: the equation has one root at most.
     pub(super) fn is_monotone(&self) -> bool {
         if self.friction >= 0.0 {
             return true;

@@ -38,7 +38,7 @@ pub struct Goda {
     pub alpha_4: f64,
     /// α_I, Takahashi's impulsive coefficient, whether used or not.
     pub alpha_impulsive: f64,
-    /// What α_I was computed from.
+    /// Terms from which α_I was computed.
     pub impulsive: Impulsive,
     /// α*, the larger of α₂ and α_I, or α₂.
     pub alpha_star: f64,
@@ -60,10 +60,10 @@ pub struct Goda {
     pub uplift: f64,
     /// M_U, N·m/m: its moment about the heel.
     pub uplift_moment: f64,
-    /// Which of the formulas that limit each other applied, as one number: how waves break, 2d/H_max in α₂, α_I or α₂, the crest
-    /// or η*, a base below all pressure. Where it changes the pressures have a kink.
+    /// Set of the formulas that applied where several limit each other, as one number: how waves break, 2d/H_max in α₂, α_I or α₂, the
+    /// crest or η*, a base below all pressure. Pressures have a kink where it changes.
     pub formulas: u32,
-    /// What leaves the range of the formulas.
+    /// Conditions outside the range of the formulas.
     pub warnings: Vec<Warning>,
 }
 
@@ -116,7 +116,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
     Ok(goda)
 }
 
-/// What follows from the wavelengths L₀ and L and the heights H_1/3 and H_max, but for warnings.
+/// Pressures that follow from the wavelengths L₀ and L and the heights H_1/3 and H_max, but for warnings.
 fn pressures(
     sea: &Sea,
     (l0, l): (f64, f64),

@@ -13,13 +13,13 @@ pub struct DesignHeights {
     pub breaking_depth: f64,
     /// H_max, m.
     pub maximum: f64,
-    /// Whether waves may break on the slope, h/L₀ < 0.2; deeper water only shoals.
+    /// True if waves may break on the slope, h/L₀ < 0.2; deeper water only shoals.
     pub may_break: bool,
     /// The terms of H_1/3 at h.
     pub significant_terms: BreakingTerms,
     /// The terms of H_max at h_b.
     pub maximum_terms: BreakingTerms,
-    /// Which of the formulas that limit each other applied; see [`Goda::formulas`](super::Goda::formulas).
+    /// Set of the formulas that applied where several limit each other; see [`Goda::formulas`](super::Goda::formulas).
     pub formulas: u32,
 }
 
@@ -41,7 +41,7 @@ impl DesignHeights {
         DesignHeights::shoaled(sea, shoaling(sea.period, sea.water_depth, sea.gravity), height)
     }
 
-    /// The same with K_s, which depends on the sea alone.
+    /// Heights for the equivalent deep-water height H₀' (m) and K_s, which depends on the sea alone.
     pub(super) fn shoaled(sea: &Sea, k_s: f64, height: f64) -> DesignHeights {
         let Sea { water_depth: h, sea_bottom_slope: t, period, gravity, .. } = *sea;
         let l0 = deep_water_wavelength(period, gravity);

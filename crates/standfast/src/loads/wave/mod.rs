@@ -71,7 +71,7 @@ pub struct Sea {
     pub gravity: f64,
 }
 
-/// How the waves are given.
+/// Heights of the waves, as they are given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Heights {
     /// The equivalent deep-water height H₀' (m), from which the heights at the wall are computed.
@@ -105,11 +105,11 @@ pub struct Section {
 pub struct Choices {
     /// λ₁, λ₂, λ₃: factors on the standing, the breaking and the uplift pressure; 1 for a plain wall.
     pub lambda: [f64; 3],
-    /// Whether α* takes Takahashi's impulsive coefficient α_I into account.
+    /// True if α* takes Takahashi's impulsive coefficient α_I into account.
     pub impulsive: bool,
     /// By how much the waves are turned towards the normal, at most to it: 0 to 15 degrees.
     pub turn_deg: f64,
-    /// Whether the waves press under the base; not, where it is sealed.
+    /// True if the waves press under the base; false where it is sealed.
     pub uplift: bool,
 }
 

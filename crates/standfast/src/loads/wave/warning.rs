@@ -1,4 +1,4 @@
-//! What leaves the range in which the formulas were found.
+//! Conditions outside the range in which the formulas were found.
 
 use std::fmt;
 
