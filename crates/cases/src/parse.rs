@@ -44,7 +44,7 @@ pub struct CaseFile {
 pub struct Entry {
     /// The key; the first number's of a list.
     pub id: Id,
-    /// Where its value stands in the text; empty, at its end, of what follows from other entries.
+    /// Span of its value in the text; empty, at its end, of what follows from other entries.
     pub span: Span<usize>,
     /// The value as it would be written, of what follows from other entries.
     follows: Option<String>,
@@ -82,7 +82,7 @@ impl CaseFile {
         CaseFile::parse(name, text)?.with_files(read)
     }
 
-    /// The same with the files that it names, which `read` reads.
+    /// Adds the files that it names, which `read` reads.
     ///
     /// # Errors
     /// If one cannot be read.
@@ -90,7 +90,7 @@ impl CaseFile {
         self.with_some_files(read, &|_| true)
     }
 
-    /// The same with those under some keys.
+    /// Adds the files under the keys that `which` picks, and those that `[random]` names.
     ///
     /// # Errors
     /// As [`with_files`](CaseFile::with_files).
@@ -156,7 +156,7 @@ impl CaseFile {
         }
     }
 
-    /// What errors call it.
+    /// Its name in errors.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -166,19 +166,19 @@ impl CaseFile {
         &self.text
     }
 
-    /// What it says.
+    /// Its inputs.
     pub fn inputs(&self) -> &Inputs {
         &self.inputs
     }
 
-    /// The same with other values, as if they stood where those of the file do; an entry without value goes.
+    /// Copies the file with other values, as if they stood where those of the file do; an entry without value goes.
     pub fn varied(&self, inputs: Inputs) -> CaseFile {
         let mut file = CaseFile { inputs, ..self.clone() };
         file.entries.retain(|entry| file.inputs.get(entry.id).is_some());
         file
     }
 
-    /// The same with an entry that follows from others, as it would be written.
+    /// Adds an entry that follows from others, as it would be written.
     pub(crate) fn with_entry(mut self, id: Id, written: String) -> CaseFile {
         let end = self.text.len();
         self.entries.push(Entry { id, span: end..end, follows: Some(written) });
@@ -199,12 +199,12 @@ impl CaseFile {
         Ok(case)
     }
 
-    /// Why a probability that is asked for is not found, shown at the criterion.
+    /// Error that a probability asked for is not found, shown at the criterion.
     pub(crate) fn no_chance(&self, why: String) -> CaseError {
         self.error(Fault::new(Problem::NoChance { why }, Key::GreatestNotRest))
     }
 
-    /// What the mechanics refuses of the case, shown at the number that brings it about.
+    /// Refusal of the case by the mechanics, shown at the number that brings it about.
     pub fn refused(&self, error: InputError) -> CaseError {
         self.error(fault(&self.inputs, error))
     }
@@ -215,12 +215,12 @@ impl CaseFile {
         CaseError::new(&self.name, &self.text, problem, spans)
     }
 
-    /// Which of its numbers are random, where it says so.
+    /// Its random numbers, where it has some.
     pub fn random(&self) -> Option<&Random> {
         self.random.as_ref()
     }
 
-    /// What is wrong with its random numbers, shown in the text.
+    /// Fault of its random numbers, shown in the text.
     pub(crate) fn random_error(&self, problem: RandomProblem, span: Span<usize>) -> CaseError {
         CaseError::new(&self.name, &self.text, problem.into(), vec![span])
     }
@@ -230,7 +230,7 @@ impl CaseFile {
         self.headers.iter().map(|((table, _), span)| (*table, span.clone()))
     }
 
-    /// What the motion refuses of the case, shown at the number that brings it about.
+    /// Refusal of the case by the motion, shown at the number that brings it about.
     pub(crate) fn motion_refused(&self, error: MotionError) -> CaseError {
         self.error(crate::case::motion_fault(&self.inputs, error))
     }
@@ -252,7 +252,7 @@ impl CaseFile {
         (!comment.is_empty()).then_some(comment)
     }
 
-    /// Where a place stands; a key that is not there, at its table.
+    /// Span of a place; a key that is not there, at its table.
     fn span(&self, place: Place) -> Span<usize> {
         let of_table = |table: Table, index| {
             let whole = 0..self.text.len();
@@ -341,7 +341,7 @@ impl CaseFile {
     }
 }
 
-/// What forces and masses of a document are of, which its units depend on wherever they stand; see [`Inputs::units`].
+/// Whole body or metre run, which the units of a document depend on wherever they stand; see [`Inputs::units`].
 fn units(top: &DeTable<'_>) -> Option<Extent> {
     if top.contains_key(Table::Block.name()) {
         return None;
@@ -383,7 +383,7 @@ fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) 
     At { problem: Problem::NoTable { table, found: type_of(value.get_ref()), expected }, span: value.span() }
 }
 
-/// What a value of a document is, in words.
+/// Type of a value of a document, in words.
 pub(crate) fn type_of(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",
@@ -405,7 +405,7 @@ pub(crate) fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// What gives the duration of an impulsive wave beside a time: the waves, by formulas of Shimosako and Takahashi.
+/// Keys whose duration of an impulsive wave the waves may give by formulas of Shimosako and Takahashi, and the word for it.
 pub(crate) const BY_WAVES: ([Id; 2], &str) = (
     [
         Id { table: Table::WaveHistory, index: 0, key: Key::HistoryDuration },
@@ -600,7 +600,7 @@ impl Field<'_> {
         (digits > f64::DIGITS as usize).then(|| Ball::decimal(text))?.map(|number| number.times_ten_to(power))
     }
 
-    /// What a history reaches, with its unit: g is the standard acceleration of gravity.
+    /// Peak of a history, with its unit: g is the standard acceleration of gravity.
     fn reached(&self) -> Result<f64, At> {
         if self.dimension().is_none() {
             return Err(self.wrong_type(expected_type(Kind::Plain(Range::Finite))));
