@@ -82,7 +82,7 @@ pub struct Assessed {
     pub index: usize,
     /// The loads of the case that act.
     pub acting: Acting,
-    /// Whole body or metre run, which its forces and moments are of.
+    /// Extent of its forces and moments: a metre run or the whole body.
     pub extent: Extent,
     /// The acceleration of the base.
     pub earthquake: Option<Earthquake>,
