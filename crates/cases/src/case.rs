@@ -63,7 +63,7 @@ pub struct Case<T = f64> {
     pub note: Option<String>,
     /// Acceleration of gravity, m/s².
     pub gravity: T,
-    /// Whole body or metre run, which forces, masses and moments are of.
+    /// Extent of forces, masses and moments: a metre run or the whole body.
     pub extent: Extent,
     /// The body.
     pub body: Body<T>,

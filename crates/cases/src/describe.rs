@@ -18,7 +18,7 @@ pub struct Scale {
     pub length: f64,
     /// m g, N per metre run or of the whole object.
     pub weight: f64,
-    /// Whole body or metre run, which forces are of.
+    /// Extent of forces: a metre run or the whole body.
     pub extent: Extent,
 }
 

@@ -341,7 +341,7 @@ impl CaseFile {
     }
 }
 
-/// Whole body or metre run, which the units of a document depend on wherever they stand; see [`Inputs::units`].
+/// Extent of a document, a metre run or the whole body, on which its units depend wherever they stand; see [`Inputs::units`].
 fn units(top: &DeTable<'_>) -> Option<Extent> {
     if top.contains_key(Table::Block.name()) {
         return None;

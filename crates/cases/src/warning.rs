@@ -38,7 +38,7 @@ pub enum Warning {
     MeanDensity {
         /// Mass over volume, kg/m³.
         density: f64,
-        /// Whole body or metre run, which the mass is of.
+        /// Extent of the mass: a metre run or the whole body.
         extent: Extent,
         /// True if its volume is that of parts.
         of_parts: bool,
@@ -49,7 +49,7 @@ pub enum Warning {
         id: Id,
         /// kg/m³.
         density: f64,
-        /// Whole body or metre run.
+        /// Extent of the body: a metre run or the whole of it.
         extent: Extent,
     },
     /// The water is lighter or heavier than water is.
@@ -119,7 +119,7 @@ pub enum Warning {
         buoyant: f64,
         /// m g, N.
         weight: f64,
-        /// Whole body or metre run, which both are of.
+        /// Extent of both: a metre run or the whole body.
         extent: Extent,
     },
     /// The weight less buoyancy is not the weight less the water that the section displaces.
@@ -130,7 +130,7 @@ pub enum Warning {
         weight: f64,
         /// ρ g × area of the base × depth of the base, N.
         displaced: f64,
-        /// Whole body or metre run, which they are of.
+        /// Extent of the forces: a metre run or the whole body.
         extent: Extent,
     },
     /// The weight less buoyancy is not that of the parts.
