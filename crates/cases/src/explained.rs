@@ -16,10 +16,10 @@ use crate::layout::wrapped;
 /// The widest line of a text that is shown whole, in columns with the line's number.
 const WIDTH: usize = 100;
 
-/// What stands before a line, in columns, with a number of six digits.
+/// Columns before a line, with a number of six digits.
 const MARGIN: usize = 9;
 
-/// How much is underlined of a line that is longer, in columns, so that the renderer has room to cut it at both sides.
+/// Columns that are underlined of a line that is longer, so that the renderer has room to cut it at both sides.
 const UNDERLINED: usize = 72;
 
 /// An error with what a reader needs besides its message.
@@ -29,7 +29,7 @@ pub trait Explained: Error {
         None
     }
 
-    /// What to do. The first line is a sentence; those after it are an example, to be copied.
+    /// Advice. The first line is a sentence; those after it are an example, to be copied.
     fn help(&self) -> Option<String> {
         None
     }
@@ -43,7 +43,7 @@ pub trait Explained: Error {
 /// A text with the places in it that an error is about.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt<'a> {
-    /// What the text is called, as the name of its file.
+    /// Name of the text, as that of its file.
     pub name: &'a str,
     /// The whole text.
     pub text: &'a str,
@@ -159,7 +159,7 @@ fn fitting(text: &str, places: &[Range<usize>]) -> Vec<Range<usize>> {
     places.iter().filter_map(part).collect()
 }
 
-/// How many columns a line takes at most.
+/// Number of columns that a line takes at most.
 fn columns(line: &str) -> usize {
     let width = |sign: char| match sign {
         '\t' => 4,
@@ -206,7 +206,7 @@ mod tests {
         }
     }
 
-    /// What is drawn below the message of an error of these places.
+    /// Drawing below the message of an error of these places.
     fn shown<const N: usize>(text: &str, places: [Range<usize>; N]) -> String {
         let message = "wrong".into();
         let drawn =
