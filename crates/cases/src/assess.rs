@@ -38,10 +38,10 @@ pub use loads::{Component, left_out, share};
 pub use text::criteria_met;
 pub(crate) use text::heading;
 
-/// How far a rising load is followed where nothing else is said, as a multiple of the full load.
+/// Load factor up to which a rising load is followed where nothing else is said, as a multiple of the full load.
 pub const UP_TO: f64 = 2.0;
 
-/// How many situations are shown one by one, with figures, where not all are asked for: those that govern.
+/// Number of governing situations that are shown one by one, with figures, where not all are asked for.
 pub const GOVERNING: usize = 8;
 
 /// The answer to a case.
@@ -51,16 +51,16 @@ pub struct Assessment {
     pub case: Case,
     /// Its situations: one for each combination, or each force that acts alone, or the only one.
     pub all: Vec<Assessed>,
-    /// What belongs to time, of a case that says how its loads go with it: [`of_file`](Assessment::of_file) has it.
+    /// The part of the answer in time, of a case with histories: [`of_file`](Assessment::of_file) has it.
     pub in_time: Option<InTime>,
 }
 
 /// A case in time beside its first instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InTime {
-    /// What is answered of the first instant: a sentence without its stop.
+    /// A sentence, without its stop, on what is answered of the first instant.
     pub note: String,
-    /// What is asked of the motion.
+    /// Criteria of the motion.
     pub criteria: Vec<MotionCriterion>,
     /// The motion in every situation, the worst first; empty where it was not followed, because nothing is asked of it.
     pub motions: Vec<(BlockCase, Followed)>,
@@ -80,13 +80,13 @@ pub enum AnyCheck<'a> {
 pub struct Assessed {
     /// Its place among the situations of the case.
     pub index: usize,
-    /// Which of the case's loads act.
+    /// The loads of the case that act.
     pub acting: Acting,
-    /// What its forces and moments are of.
+    /// Extent of its forces and moments: a metre run or the whole body.
     pub extent: Extent,
     /// The acceleration of the base.
     pub earthquake: Option<Earthquake>,
-    /// Whether that is the worst of those that are tried, which is reported.
+    /// True if that is the worst of those that are tried, which is reported.
     pub is_reported: bool,
     /// The body under its loads.
     pub situation: Situation,
@@ -97,7 +97,7 @@ pub struct Assessed {
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
     /// for it.
     pub not_rest: Option<Estimate>,
-    /// The same under the other accelerations of the base, none of them worse as a whole.
+    /// The answers under the other accelerations of the base, none of them worse as a whole.
     pub others: Vec<Assessed>,
 }
 
@@ -110,14 +110,14 @@ pub struct CaseCheck<'a> {
     pub assessed: &'a Assessed,
 }
 
-/// What to show of an answer.
+/// View of an answer: how much of it is shown, and in which words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// How far the path of a rising load is followed, as a multiple of the full load.
+    /// Load factor up to which the path of a rising load is followed, as a multiple of the full load.
     pub up_to: f64,
-    /// Whether every situation is shown one by one, or of more than [`GOVERNING`] those that govern.
+    /// True if every situation is shown one by one; else of more than [`GOVERNING`] those that govern.
     pub all: bool,
-    /// How the text spells options.
+    /// Face that spells the options in the text.
     pub face: Face,
 }
 
@@ -131,7 +131,7 @@ impl Default for View {
 /// The multiples of the full load up to which a rising load may be followed: up to the full load at least.
 const FOLLOWED: RangeInclusive<f64> = 1.0..=1e6;
 
-/// How far a rising load is followed, if it may be followed so far.
+/// Load factor up to which a rising load is followed, if it may be followed so far.
 ///
 /// # Errors
 /// If it is not a number from 1 to 1e6; the error says what is expected.
@@ -173,7 +173,7 @@ impl Assessment {
         Assessment::following(file, None)
     }
 
-    /// The same with the motion of a case in time followed, where `follow` says how.
+    /// Answers a case file with the motion of a case in time followed as `follow` says; not followed if that is `None`.
     ///
     /// # Errors
     /// As [`of_file`](Assessment::of_file).
@@ -187,7 +187,7 @@ impl Assessment {
         if asks { assessment.with_chance(file) } else { Ok(assessment) }
     }
 
-    /// The same with the chance of every situation that the body does not stay at rest; the file is that of the case.
+    /// Adds to every situation the chance that the body does not stay at rest; the file is that of the case.
     ///
     /// # Errors
     /// If it is not found.
@@ -240,7 +240,7 @@ impl Assessment {
         shown
     }
 
-    /// What a situation is called: its force that acts alone, or its combination.
+    /// The name of a situation: its force that acts alone, or its combination.
     pub fn name(&self, assessed: &Assessed) -> Option<String> {
         self.case.acting_name(assessed.acting)
     }
@@ -250,7 +250,7 @@ impl Assessment {
         self.checks_of(&self.case.criteria)
     }
 
-    /// The same of other criteria than those of the case.
+    /// Other criteria than those of the case, each where it is met worst; the governing one first.
     pub fn checks_of(&self, criteria: &[Criterion]) -> Vec<CaseCheck<'_>> {
         worst_checks(criteria, || self.tried())
     }
@@ -260,7 +260,7 @@ impl Assessment {
         self.in_time.as_ref().map_or_else(Vec::new, |in_time| self.motion_checks_of(&in_time.criteria))
     }
 
-    /// The same of other criteria than those of the case.
+    /// Other criteria than those of the case, each in the situation whose motion meets it worst; the governing one first.
     pub(crate) fn motion_checks_of(&self, criteria: &[MotionCriterion]) -> Vec<(MotionCheck, usize)> {
         let Some(in_time) = &self.in_time else { return Vec::new() };
         let checks = worst_motion_checks(criteria, &in_time.motions).into_iter();
@@ -293,7 +293,7 @@ impl Assessment {
         checks
     }
 
-    /// Whether all criteria are met; `None` where there is none.
+    /// True if all criteria are met; `None` where there is none.
     pub fn met(&self) -> Option<bool> {
         let checks = self.all_checks();
         (!checks.is_empty()).then(|| checks.iter().all(AnyCheck::is_met))
@@ -328,7 +328,7 @@ impl AnyCheck<'_> {
         }
     }
 
-    /// What it asks for, in words.
+    /// The quantity it asks for, in words.
     pub fn words(&self) -> &'static str {
         match self {
             AnyCheck::Instant(CaseCheck { check, .. }) => check.criterion.words(),
@@ -354,7 +354,7 @@ impl AnyCheck<'_> {
         }
     }
 
-    /// Whether it is met.
+    /// True if it is met.
     pub fn is_met(&self) -> bool {
         match self {
             AnyCheck::Instant(CaseCheck { check, .. }) => check.met,
@@ -370,7 +370,7 @@ impl AnyCheck<'_> {
         }
     }
 
-    /// Whether it is of another acceleration of the base than the one that is reported.
+    /// True if it is of another acceleration of the base than the one that is reported.
     pub fn is_of_another_shaking(&self) -> bool {
         matches!(self, AnyCheck::Instant(CaseCheck { assessed, .. }) if !assessed.is_reported)
     }
@@ -447,7 +447,7 @@ impl Assessed {
         self.outcome.departure
     }
 
-    /// Whether a load of the situation varies.
+    /// True if a load of the situation varies.
     pub fn rises(&self) -> bool {
         !self.outcome.path.is_empty()
     }
@@ -457,12 +457,12 @@ impl Assessed {
         Stage::up_to(&self.outcome.path, largest)
     }
 
-    /// Whether the base decides the response: it crushes, or the ground under it fails.
+    /// True if the base decides the response: it crushes, or the ground under it fails.
     pub fn is_on_ground(&self) -> bool {
         self.ground.as_ref().is_some_and(|ground| ground.limit.is_some())
     }
 
-    /// Whether a combination multiplies a load by another factor than 1.
+    /// True if a combination multiplies a load by another factor than 1.
     pub fn is_factored(&self) -> bool {
         self.situation.loads().iter().any(|load| load.factor != 1.0)
     }
@@ -506,11 +506,11 @@ fn worst_checks<'a, T: Iterator<Item = &'a Assessed>>(
     checks
 }
 
-/// How bad a situation is; the lesser the worse, the first number that differs counts.
+/// Severity of a situation; the lesser the worse, the first number that differs counts.
 struct Severity([f64; 4]);
 
 impl Severity {
-    /// What two numbers may differ by that are the same but for rounding.
+    /// Relative difference up to which two numbers are the same but for rounding.
     const ROUNDING: f64 = 1e-9;
 
     fn compare(one: &Severity, two: &Severity) -> Ordering {

@@ -57,13 +57,13 @@ use crate::units::Extent;
 /// A case: one body and the loads on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case<T = f64> {
-    /// What the case is called.
+    /// Title of the case.
     pub title: Option<String>,
-    /// Where its numbers come from.
+    /// Note on the source of its numbers.
     pub note: Option<String>,
     /// Acceleration of gravity, m/s².
     pub gravity: T,
-    /// What forces, masses and moments are of.
+    /// Extent of forces, masses and moments: a metre run or the whole body.
     pub extent: Extent,
     /// The body.
     pub body: Body<T>,
@@ -77,9 +77,9 @@ pub struct Case<T = f64> {
     pub friction: T,
     /// Coulomb friction μ to slip.
     pub kinetic_friction: T,
-    /// What the base can bear; `None` of one that is rigid.
+    /// Strength and stiffness of the base; `None` of one that is rigid.
     pub ground: Option<Foundation>,
-    /// How water takes part in the weight.
+    /// Part that water takes in the weight.
     pub weight: Weight<T>,
     /// Still water.
     pub water: Option<StillWater<T>>,
@@ -87,9 +87,9 @@ pub struct Case<T = f64> {
     pub uplift: Option<Uplift<T>>,
     /// Acceleration of the base, as given.
     pub earthquake: Option<Earthquake<T>>,
-    /// Whether it may be to the other side as well.
+    /// True if it may be to the other side as well.
     pub both_sides: bool,
-    /// Whether it may be downwards as well as upwards.
+    /// True if it may be downwards as well as upwards.
     pub both_ways: bool,
     /// Waves.
     pub wave: Option<Waves>,
@@ -99,17 +99,17 @@ pub struct Case<T = f64> {
     pub pressures: Vec<FacePressure<T>>,
     /// Forces.
     pub forces: Vec<PointForce<T>>,
-    /// Which loads act together, times which factors.
+    /// Loads that act together, and their factors.
     pub combinations: Vec<Combination>,
-    /// What is asked of the results.
+    /// Criteria on the results.
     pub criteria: Vec<Criterion>,
-    /// What it says of its motion in time; `None` of one at rest, and of one whose histories are those of loads on springs.
+    /// Its motion in time; `None` of one at rest, and of one whose histories are those of loads on springs.
     pub motion: Option<CaseMotion>,
-    /// What it was made of, whose decimals decide where f64 cannot.
+    /// Inputs it was made of, whose decimals decide where f64 cannot.
     pub(crate) inputs: Arc<Inputs>,
 }
 
-/// Which of a case's loads act in a situation.
+/// Loads of a case that act in a situation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Acting {
     /// All: the case leaves no choice.
@@ -120,7 +120,7 @@ pub enum Acting {
     Combination(usize),
 }
 
-/// What the weight of the body stands for.
+/// Meaning of the weight of the body: with or without buoyancy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Weight<T = f64> {
     /// m g; water under the base is a load of its own.
@@ -147,7 +147,7 @@ pub struct Waves {
     pub choices: Choices,
     /// The pressures, forces and moments.
     pub goda: Goda,
-    /// How thrust and uplift vary in time.
+    /// Variation of thrust and uplift in time.
     pub history: Option<standfast::History>,
 }
 
@@ -160,7 +160,7 @@ impl Case {
         Case::sharing(Arc::new(inputs.clone()))
     }
 
-    /// The same of inputs that are shared.
+    /// The case of inputs that are shared.
     pub(crate) fn sharing(inputs: Arc<Inputs>) -> Result<Case, Fault> {
         Case::in_scalars(inputs)
     }
@@ -186,7 +186,7 @@ impl Case {
 }
 
 impl<T: Scalar> Case<T> {
-    /// The same in any arithmetic.
+    /// The case of inputs in any arithmetic.
     fn in_scalars(shared: Arc<Inputs>) -> Result<Case<T>, Fault> {
         let inputs = &*shared;
         let given = Given { inputs };
@@ -353,7 +353,7 @@ impl<T: Scalar> Case<T> {
         loads
     }
 
-    /// What a combination multiplies a load by: one that it does not name acts as it is if it is permanent, and else not.
+    /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not.
     fn factor(&self, combination: &Combination, of: Of, load: &Load<T>) -> f64 {
         let name = match of {
             Of::Table(table) => table.in_combination(),
@@ -366,12 +366,12 @@ impl<T: Scalar> Case<T> {
 }
 
 impl Case {
-    /// Whether its base may crush, or the ground under it fail.
+    /// True if its base may crush, or the ground under it fail.
     pub fn gives_way(&self) -> bool {
         self.ground.is_some_and(|ground| ground.limit.is_some())
     }
 
-    /// Which loads act together: in each combination; or else beside each force that acts alone; or else all.
+    /// Loads that act together: in each combination; or else beside each force that acts alone; or else all.
     pub fn acting(&self) -> Vec<Acting> {
         if !self.combinations.is_empty() {
             return (0..self.combinations.len()).map(Acting::Combination).collect();
@@ -393,7 +393,7 @@ impl Case {
         self.shakings_if(acting, [false; 2])
     }
 
-    /// The same where the acceleration to the sides, or upwards, may be another than the case's, which may be zero.
+    /// Signs of the accelerations that are tried where the one to the sides, or upwards, may be another than the case's, which may be zero.
     pub(crate) fn shakings_if(&self, acting: Acting, moved: [bool; 2]) -> Vec<[f64; 2]> {
         let acts = self.earthquake_factor(acting) != 0.0;
         let Some(given) = self.earthquake.filter(|_| acts) else { return Vec::new() };
@@ -405,7 +405,7 @@ impl Case {
         sides.iter().flat_map(|side| ways.iter().map(move |way| [*side, *way])).collect()
     }
 
-    /// What an earthquake is multiplied by: the factor of a combination, which may be zero.
+    /// Factor on the earthquake: that of a combination, which may be zero.
     pub fn earthquake_factor(&self, acting: Acting) -> f64 {
         match (acting, Table::Earthquake.in_combination()) {
             (Acting::Combination(index), Some(name)) => self.combinations[index].factor(name).unwrap_or(0.0),
@@ -434,7 +434,7 @@ impl Case {
         places
     }
 
-    /// What a situation is called: its force that acts alone or its combination, or the number of it, counted from one.
+    /// The name of a situation: its force that acts alone or its combination, or the number of it, counted from one.
     pub fn acting_name(&self, acting: Acting) -> Option<String> {
         match acting {
             Acting::All => None,
@@ -449,7 +449,7 @@ impl Case {
     }
 }
 
-/// What a load is of: what a combination calls it by.
+/// Source of a load, by which a combination names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Of {
     /// A table of the case.

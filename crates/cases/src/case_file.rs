@@ -91,17 +91,17 @@ impl CaseFile {
         Ok(case)
     }
 
-    /// Why a probability that is asked for is not found, shown at the criterion.
+    /// Error that a probability asked for is not found, shown at the criterion.
     pub fn no_chance(&self, why: String) -> CaseError {
         self.error(Fault::new(Problem::NoChance { why }, Key::GreatestNotRest))
     }
 
-    /// What the mechanics refuses of the case, shown at the number that brings it about.
+    /// Refusal of the case by the mechanics, shown at the number that brings it about.
     pub fn refused(&self, error: InputError) -> CaseError {
         self.error(fault(self.inputs(), error))
     }
 
-    /// What the motion refuses of the case, shown at the number that brings it about.
+    /// Refusal of the case by the motion, shown at the number that brings it about.
     pub fn motion_refused(&self, error: MotionError) -> CaseError {
         self.error(motion_fault(self.inputs(), error))
     }

@@ -28,9 +28,9 @@ pub struct Variable {
     moves: Moves,
     /// The mass where the file gives the density.
     by_density: bool,
-    /// Whether a level of the sea moves the water on the other side as well.
+    /// True if a level of the sea moves the water on the other side as well.
     both_sides: bool,
-    /// What its forces and masses are of; `None` where numbers have no units.
+    /// Extent of its forces and masses; `None` where numbers have no units.
     units: Option<Extent>,
 }
 
@@ -45,7 +45,7 @@ pub struct Unknown {
     pub names: Vec<String>,
 }
 
-/// What does not go with a body or water that is changed.
+/// Note on the numbers that stay when the body or the water is changed.
 pub const STAYS: &str = "What [[load]] and [[pressure]] give keeps its elevations above the base, its distances from O and its \
     values; a pressure does not grow with its face.";
 
@@ -102,7 +102,7 @@ impl Variable {
         Variable { name: id.to_string(), id, moves, by_density: false, both_sides, units }
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -123,7 +123,7 @@ impl Variable {
         if by_key == *self { self.id.to_string() } else { self.name.clone() }
     }
 
-    /// What it measures; `None` for a plain number.
+    /// Its dimension; `None` for a plain number.
     pub fn dimension(&self) -> Option<Dimension> {
         dimension(Id { key: self.key(), ..self.id }, self.units)
     }
@@ -152,12 +152,12 @@ impl Variable {
         })
     }
 
-    /// Which values its key takes.
+    /// Range of the values of its key.
     pub fn range(&self) -> Range {
         self.id.key.info().range().unwrap_or(Range::Finite)
     }
 
-    /// What goes with it, in sentences.
+    /// Notes on the numbers that go with it, in sentences.
     pub fn notes(&self, inputs: &Inputs, case: &Case) -> Vec<String> {
         let has = |key: Key| inputs.number(key).is_some();
         let mut notes = Vec::new();
@@ -288,8 +288,7 @@ pub(crate) fn change<'a>(
     }
 }
 
-/// What goes with a named mass or density beside what its body's size has moved already: the weight it adds or takes away, and
-/// the inertia.
+/// Moves weight and inertia with a named mass or density, beside what its body's size has moved already.
 fn weigh<'a>(
     varied: &mut Inputs,
     inputs: &Inputs,
@@ -336,7 +335,7 @@ pub(crate) fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Ve
     keys
 }
 
-/// What goes with varied numbers.
+/// Numbers that go with varied ones, and their changes.
 #[derive(Default)]
 struct Moved {
     levels: Vec<(Key, f64)>,

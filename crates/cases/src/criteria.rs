@@ -1,4 +1,4 @@
-//! What is asked of the results of a case, and how far it is met: required factors, allowable pressures, modes not allowed.
+//! Criteria on the results of a case, and their checks: required factors, allowable pressures, modes not allowed.
 //!
 //! A criterion is a result of the [one list](crate::results) with a bound, or the modes that are not allowed. Its utilisation is required/value where the value has
 //! to be at least, value/required where it has to be at most: up to 1 it is met.
@@ -14,7 +14,7 @@ use crate::layout::{apart, digits, plain};
 use crate::results::{ResultName, ResultValue};
 use crate::units::Dimension;
 
-/// What is asked of a result.
+/// Criterion on a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Criterion {
     /// The key under which it is asked; its name is that of the result, with `_max` behind it for one of the ground.
@@ -34,16 +34,16 @@ pub enum Bound {
     NoneOf(Modes),
 }
 
-/// How far a criterion is met in a situation.
+/// Check of a criterion in a situation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
     /// The criterion.
     pub criterion: Criterion,
     /// The value of the result, [infinite](ResultValue::Number) or [none](ResultValue::Nothing) where it is that.
     pub value: ResultValue,
-    /// What of the bound is used; infinite where there is no value that could meet it, `None` for modes.
+    /// Utilisation of the bound; infinite where there is no value that could meet it, `None` for modes.
     pub utilisation: Option<f64>,
-    /// Whether it is met.
+    /// True if it is met.
     pub met: bool,
 }
 
@@ -83,7 +83,7 @@ impl Criterion {
         Table::Criteria.keys().filter_map(|key| Criterion::of(key, inputs.get(key)?)).collect()
     }
 
-    /// What a value under a key of `[criteria]` asks for; `None` if the key is none of these.
+    /// Criterion of a value under a key of `[criteria]`; `None` if the key is none of these.
     pub(crate) fn of(key: Key, value: &Value) -> Option<Criterion> {
         let bound = match value {
             Value::Number(bound) if key == Key::GreatestNotRest => Bound::AtMost(*bound),
@@ -94,7 +94,7 @@ impl Criterion {
         Some(Criterion { key, bound })
     }
 
-    /// Whether it asks for a probability, which takes random numbers.
+    /// True if it asks for a probability, which takes random numbers.
     pub(crate) fn is_chance(&self) -> bool {
         self.key == Key::GreatestNotRest
     }
@@ -104,7 +104,7 @@ impl Criterion {
         self.key.name()
     }
 
-    /// What is asked for, in words.
+    /// The quantity that is asked for, in words.
     pub fn words(&self) -> &'static str {
         let words = self.key.info().words;
         words.split_once(": ").map_or(words, |(_, words)| words)
@@ -119,7 +119,7 @@ impl Criterion {
         }
     }
 
-    /// How far a situation meets it.
+    /// Check of it in a situation.
     pub fn check(self, assessed: &Assessed) -> Check {
         let value = match self.asked().map(|asked| asked.result) {
             // Where a body that never leaves rest, or does not rest at all, would be is no number of the list.
@@ -145,7 +145,7 @@ impl Criterion {
         Check { criterion: self, value, utilisation, met }
     }
 
-    /// What it asks for; `None` where that is no number.
+    /// Number that it asks for; `None` where that is no number.
     fn asked(&self) -> Option<&'static Asked> {
         NUMBERS.iter().find(|asked| asked.key == self.key)
     }
@@ -210,7 +210,7 @@ impl Check {
         }
     }
 
-    /// What of the bound is used, as it is read.
+    /// The utilisation as it is read.
     pub fn utilisation_words(&self) -> String {
         match self.utilisation {
             // A number that rounds to 1 is not to be read as met when it is not.
@@ -223,7 +223,7 @@ impl Check {
         }
     }
 
-    /// Why it is not met: `SF_sliding is 1.165, not ≥ 1.2`.
+    /// Reason why it is not met: `SF_sliding is 1.165, not ≥ 1.2`.
     pub fn failure(&self, assessed: &Assessed) -> String {
         let (name, value) = (self.criterion.name(), self.value_words(assessed));
         match self.criterion.bound {
@@ -232,12 +232,12 @@ impl Check {
         }
     }
 
-    /// Whether it is met, in words.
+    /// "met" or "not met".
     pub fn met_words(&self) -> &'static str {
         if self.met { "met" } else { "not met" }
     }
 
-    /// How pressing it is: modes that are not allowed first, then by utilisation.
+    /// Urgency of the check: modes that are not allowed first, then by utilisation.
     pub(crate) fn urgency(&self) -> f64 {
         match (self.utilisation, self.met) {
             (Some(utilisation), _) => utilisation,

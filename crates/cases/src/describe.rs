@@ -9,7 +9,7 @@ use crate::case::Case;
 use crate::layout::{apart, columns, digits, paragraph, row};
 use crate::units::{Dimension, Extent};
 
-/// What the non-dimensional numbers of a point are measured in: m, m g, g, B and g/B of the real body.
+/// Units of the non-dimensional numbers of a point: m, m g, g, B and g/B of the real body.
 #[derive(Debug, Clone, Copy)]
 pub struct Scale {
     /// g, m/s².
@@ -18,7 +18,7 @@ pub struct Scale {
     pub length: f64,
     /// m g, N per metre run or of the whole object.
     pub weight: f64,
-    /// What forces are of.
+    /// Extent of forces: a metre run or the whole body.
     pub extent: Extent,
 }
 
@@ -30,7 +30,7 @@ impl Scale {
     }
 }
 
-/// Whether the answer is unique, in sentences.
+/// Sentences on the uniqueness of the answer.
 pub fn uniqueness(reduced: &Reduced) -> String {
     let others = reduced.others();
     if others.is_empty() {
@@ -75,13 +75,13 @@ pub struct MotionPart {
     pub key: &'static str,
     /// Its symbol in plain characters.
     pub symbol: &'static str,
-    /// What it is of, and in which direction.
+    /// Quantity and direction, in words.
     pub words: &'static str,
     /// Its value.
     pub of: fn(&Motion) -> f64,
-    /// What it is measured in where it is non-dimensional.
+    /// Unit of the non-dimensional value.
     pub unit: &'static str,
-    /// What a real body's measures; `None` for a rotation.
+    /// Dimension of the value of a real body; `None` for a rotation.
     pub dimension: Option<Dimension>,
 }
 
@@ -138,9 +138,9 @@ pub fn motion(motion: &Motion) -> String {
     columns(&rows, 2, &[2])
 }
 
-/// Where the mode changes along both axes of the plane.
+/// Changes of the mode along both axes of the plane.
 pub struct Changes {
-    /// Where the body leaves rest as the force grows.
+    /// Change at which the body leaves rest as the force grows.
     pub leaves_rest: Option<Crossing>,
     /// All changes as the force grows.
     pub along_k: Vec<Crossing>,
@@ -150,11 +150,11 @@ pub struct Changes {
     pub k: f64,
     /// The point's friction.
     pub mu: f64,
-    /// Whether the force points right, so that modes are to be mirrored.
+    /// True if the force points right, so that modes are to be mirrored.
     pub mirrored: bool,
 }
 
-/// Where the mode changes as the friction grows.
+/// Changes of the mode as the friction grows, in words.
 pub fn along_mu(reduced: &Reduced, indent: usize) -> String {
     Changes::of(reduced).as_mu_grows(indent)
 }
@@ -224,10 +224,10 @@ impl Changes {
     }
 }
 
-/// What the accelerations at onset are of a body whose base is shaken.
+/// Note on the accelerations at onset of a body whose base is shaken.
 pub const RELATIVE: &str = "Accelerations are relative to the base, which the earthquake itself accelerates.";
 
-/// Why the answer to a force that points right speaks of mirrored modes.
+/// Note on the mirrored modes in the answer to a force that points right.
 pub const MIRRORED: &str = "The force points to the right, the mirror image of the report's problem: k, k' and the \
      inequalities are those of the same force to the left; the modes and motions below are of the real body, with \
      left and right, O and O' exchanged. O is the bottom left corner, O' the bottom right.";

@@ -1,4 +1,4 @@
-//! How options are spelt.
+//! Spelling of options.
 
 /// By which face one speaks to the library, and so how its options are spelt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -12,7 +12,7 @@ pub enum Face {
 }
 
 impl Face {
-    /// How one says that our column is called so in the table.
+    /// Option that reads a column of the table, called `theirs`, as `ours`.
     pub fn map(self, ours: &str, theirs: &str) -> String {
         match self {
             Face::Program => format!("--map \"{ours}={theirs}\""),
@@ -20,7 +20,7 @@ impl Face {
         }
     }
 
-    /// How one says that a text and its figures are to show every situation.
+    /// Option that has a text and its figures show every situation.
     pub fn all(self) -> &'static str {
         match self {
             Face::Program => "--all",

@@ -54,23 +54,23 @@ pub struct GivenBase {
     pub vertical: Option<Record>,
 }
 
-/// What to find beside the motion itself.
+/// Request for more than the motion itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Follow {
-    /// Whether to run once more with inputs changed a little.
+    /// True if it is run once more with inputs changed a little.
     pub sensitivity: bool,
-    /// Whether to keep the whole motion, for its [series](series_csv) and its [figures](BlockCase::figures).
+    /// True if the whole motion is kept, for its [series](series_csv) and its [figures](BlockCase::figures).
     pub series: bool,
 }
 
 /// The motion of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Followed {
-    /// What became of the body.
+    /// Outcome for the body.
     pub outcome: Outcome,
     /// The larger change of slide, in B, and of max |θ| for a relative change of friction and of d, if it was asked for.
     pub sensitivity: Option<f64>,
-    /// What may be a slip, or leaves the range of the model.
+    /// Warnings of possible slips, and of values outside the range of the model.
     pub warnings: Vec<MotionWarning>,
 }
 
@@ -79,7 +79,7 @@ pub struct Followed {
 pub struct MotionWarning {
     /// Its name.
     pub name: &'static str,
-    /// What is so, with its number.
+    /// The finding, with its number.
     pub words: String,
 }
 
@@ -116,7 +116,7 @@ impl BlockCase {
     }
 }
 
-/// What the motion itself gives reason to warn of.
+/// Warnings that the motion itself gives reason for.
 fn found(case: &BlockCase, outcome: &Outcome) -> Vec<MotionWarning> {
     let mut warnings = Vec::new();
     let block = &case.problem.block;

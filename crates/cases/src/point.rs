@@ -61,7 +61,7 @@ impl PlacedPoint {
         }
     }
 
-    /// Where the mode changes along k and along μ, and where the body leaves rest.
+    /// Changes of the mode along k and along μ, and the departure from rest.
     fn changes(&self) -> Changes {
         match self.crushing {
             None => Changes::of(&self.reduced),

@@ -15,10 +15,10 @@ use crate::layout::wrapped;
 /// The widest line of a text that is shown whole, in columns with the line's number.
 const WIDTH: usize = 100;
 
-/// What stands before a line, in columns, with a number of six digits.
+/// Columns before a line, with a number of six digits.
 const MARGIN: usize = 9;
 
-/// How much is underlined of a line that is longer, in columns, so that the renderer has room to cut it at both sides.
+/// Columns that are underlined of a line that is longer, so that the renderer has room to cut it at both sides.
 const UNDERLINED: usize = 72;
 
 /// An error as a user sees it: the message, the line with the place underlined, and what to do. Nothing ends the last line.
@@ -128,7 +128,7 @@ fn fitting(text: &str, places: &[Range<usize>]) -> Vec<Range<usize>> {
     places.iter().filter_map(part).collect()
 }
 
-/// How many columns a line takes at most.
+/// Number of columns that a line takes at most.
 fn columns(line: &str) -> usize {
     let width = |sign: char| match sign {
         '\t' => 4,
@@ -167,7 +167,7 @@ mod tests {
         }
     }
 
-    /// What is drawn below the message of an error of these places.
+    /// Drawing below the message of an error of these places.
     fn shown<const N: usize>(text: &str, places: [Range<usize>; N]) -> String {
         let message = "wrong".into();
         let drawn =

@@ -51,7 +51,7 @@ pub(crate) fn number_or_word<S: Serializer>(number: &f64, serializer: S) -> Resu
     }
 }
 
-/// What a result's values are.
+/// Kind of the values of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ResultKind {
     /// Numbers; `None` for those without unit.
@@ -71,9 +71,9 @@ pub enum ResultKind {
 pub struct ResultInfo {
     /// Its name.
     pub name: &'static str,
-    /// What its values are.
+    /// Kind of its values.
     pub kind: ResultKind,
-    /// What it is, in words.
+    /// Its meaning, in words.
     pub words: &'static str,
     of: fn(&Assessed) -> ResultValue,
 }
@@ -258,7 +258,7 @@ impl ResultName {
         (self.info().of)(assessed)
     }
 
-    /// Whether only a case with a `[ground]` has it.
+    /// True if only a case with a `[ground]` has it.
     pub fn is_of_ground(self) -> bool {
         (ResultName::Omega..=ResultName::FirstEventTime).contains(&self)
     }
@@ -319,7 +319,7 @@ fn impact(assessed: &Assessed, of: fn(&ImpactResponse) -> Option<f64>) -> Result
     perhaps(response.and_then(of))
 }
 
-/// What first ends the linear response of an elastic base, and when.
+/// First event that ends the linear response of an elastic base, and its time.
 fn first_event(assessed: &Assessed) -> Option<(&'static str, f64)> {
     let elastic = assessed.ground.as_ref()?.elastic.as_ref()?;
     let found = elastic.impact.as_ref()?.first_event()?;
@@ -335,7 +335,7 @@ pub(crate) fn event(event: ImpactEvent) -> &'static str {
     }
 }
 
-/// Whether a body leaves rest, in a word.
+/// Departure from rest, in a word.
 fn departure(departure: &Departure) -> &'static str {
     match departure {
         Departure::Never => "never",
@@ -349,7 +349,7 @@ fn factor(full: &Response, factor: f64) -> ResultValue {
     if full.is_lifted() { ResultValue::Nothing } else { ResultValue::Number(factor) }
 }
 
-/// What the inequalities of rest leave under the full load.
+/// Margins of the inequalities of rest under the full load.
 fn margins(assessed: &Assessed) -> Margins {
     assessed.outcome.margins
 }

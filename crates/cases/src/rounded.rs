@@ -1,4 +1,4 @@
-//! Which number of a few digits is on the safe side of a bound?
+//! Numbers of a few digits on the safe side of a bound.
 
 /// A decimal number with so many significant digits, which a text shows to the last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -43,7 +43,7 @@ pub struct Sweep {
     inputs: Inputs,
     case: Case,
     factors: Vec<Factor>,
-    /// What goes with the numbers that vary, as it is in the case.
+    /// Numbers that go with those that vary, as they are in the case.
     moved: Vec<(Key, Value)>,
 }
 
@@ -64,15 +64,15 @@ pub struct Answer {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SweepResult {
-    /// Which situation governs, by its name.
+    /// Name of the governing situation.
     Situation,
     /// The acceleration of the base that is the worst of those tried, to the right, m/s².
     EarthquakeHorizontal,
-    /// The same upwards.
+    /// The acceleration of the base that is the worst of those tried, upwards, m/s².
     EarthquakeVertical,
-    /// Whether all criteria are met.
+    /// True if all criteria are met.
     Met,
-    /// What of the governing criterion is used.
+    /// Utilisation of the governing criterion.
     Utilisation,
     /// The governing criterion.
     Criterion,
@@ -139,7 +139,7 @@ impl Sweep {
         &self.factors
     }
 
-    /// What goes with the numbers that vary, in sentences.
+    /// Notes on the numbers that go with those that vary, in sentences.
     pub fn notes(&self) -> Vec<String> {
         notes(&self.factors.iter().map(Factor::variable).collect::<Vec<_>>(), &self.inputs, &self.case)
     }
@@ -192,7 +192,7 @@ impl Sweep {
         Ok(Answer::of(assessment))
     }
 
-    /// Which of the numbers that vary a fault is about; none if it is about others.
+    /// Places of the varied numbers that a fault is about; none if it is about others.
     pub fn blamed(&self, fault: &Fault) -> Vec<usize> {
         let places = || std::iter::once(fault.at).chain(fault.and);
         let is_it = |factor: &Factor| places().any(|place| place == factor.variable().id().into());
@@ -208,7 +208,7 @@ fn in_time(inputs: &Inputs) -> Option<Table> {
     Table::ALL.into_iter().filter(|_| inputs.is_in_time()).find(of_time)
 }
 
-/// What goes with variables of a case, in sentences.
+/// Notes on the numbers that go with variables of a case, in sentences.
 pub(crate) fn notes(variables: &[&Variable], inputs: &Inputs, case: &Case) -> Vec<String> {
     let mut notes = Vec::new();
     let names: Vec<_> = moved(inputs, case, variables).into_iter().map(|key| key.to_string()).collect();
@@ -238,7 +238,7 @@ impl Answer {
         &self.assessment
     }
 
-    /// What of the case with these values is unusual, and may be a slip.
+    /// Warnings of the case with these values.
     pub fn warnings(&self) -> Vec<Warning> {
         self.assessment.case.warnings()
     }
@@ -310,7 +310,7 @@ impl SweepResult {
         }
     }
 
-    /// What its values are; for the situation, which is one of the [names](Sweep::situations) of the case, a number that is its
+    /// Kind of its values; for the situation, which is one of the [names](Sweep::situations) of the case, a number that is its
     /// place among them.
     pub fn kind(self) -> ResultKind {
         use crate::units::Dimension::Acceleration;
@@ -326,7 +326,7 @@ impl SweepResult {
         }
     }
 
-    /// What it is, in words.
+    /// Its meaning, in words.
     pub fn words(self) -> &'static str {
         match self {
             SweepResult::Situation => {

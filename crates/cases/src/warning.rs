@@ -1,5 +1,5 @@
-//! What in a case is possible, but so unusual that it may be a slip: a name, the value that triggered it, what is usual, and
-//! the key it came from. What is tried, and its limits, stand in `found`.
+//! Warnings of values in a case that are possible, but so unusual that they may be slips: a name, the value that triggered it,
+//! the usual one, and the key it came from. The tests and their limits stand in `found`.
 
 mod found;
 
@@ -22,9 +22,9 @@ pub enum Warning {
     BaseBeyondBody {
         /// On which side.
         side: Slip,
-        /// How far the base reaches from mid-width, m.
+        /// Reach of the base from mid-width, m.
         edge: f64,
-        /// How far it reaches beyond the body, m.
+        /// Reach of the base beyond the body, m.
         beyond: f64,
     },
     /// The buoyant weight acts beside the base.
@@ -38,9 +38,9 @@ pub enum Warning {
     MeanDensity {
         /// Mass over volume, kg/m³.
         density: f64,
-        /// What it is the density of.
+        /// Extent of the mass: a metre run or the whole body.
         extent: Extent,
-        /// Whether its volume is that of parts.
+        /// True if its volume is that of parts.
         of_parts: bool,
     },
     /// A part is lighter or heavier than what is built.
@@ -49,12 +49,12 @@ pub enum Warning {
         id: Id,
         /// kg/m³.
         density: f64,
-        /// What the body is.
+        /// Extent of the body: a metre run or the whole of it.
         extent: Extent,
     },
     /// The water is lighter or heavier than water is.
     WaterDensity {
-        /// Where it is given.
+        /// Key that gives it.
         key: Key,
         /// kg/m³.
         density: f64,
@@ -82,7 +82,7 @@ pub enum Warning {
         id: Id,
         /// Its distance to the right of O, m.
         distance: f64,
-        /// How far it acts beside the body, m.
+        /// Distance from the body, m.
         beside: f64,
     },
     /// An allowable bearing pressure that nothing stands on.
@@ -92,7 +92,7 @@ pub enum Warning {
     },
     /// Ground that is softer, weaker, lighter or heavier than ground is.
     UnusualGround {
-        /// What of it.
+        /// Key of the property.
         key: Key,
         /// In SI units.
         value: f64,
@@ -103,7 +103,7 @@ pub enum Warning {
         key: Key,
         /// m/s².
         acceleration: f64,
-        /// The same in multiples of the acceleration of gravity.
+        /// The acceleration in multiples of that of gravity.
         share: f64,
     },
     /// The largest wave does not go with the significant one.
@@ -119,7 +119,7 @@ pub enum Warning {
         buoyant: f64,
         /// m g, N.
         weight: f64,
-        /// What both are of.
+        /// Extent of both: a metre run or the whole body.
         extent: Extent,
     },
     /// The weight less buoyancy is not the weight less the water that the section displaces.
@@ -130,7 +130,7 @@ pub enum Warning {
         weight: f64,
         /// ρ g × area of the base × depth of the base, N.
         displaced: f64,
-        /// What they are of.
+        /// Extent of the forces: a metre run or the whole body.
         extent: Extent,
     },
     /// The weight less buoyancy is not that of the parts.
@@ -182,7 +182,7 @@ impl Warning {
         }
     }
 
-    /// Whether it is about waves.
+    /// True if it is about waves.
     pub fn is_about_waves(&self) -> bool {
         match self {
             Warning::Wave(_) | Warning::WaveHeightRatio { .. } => true,

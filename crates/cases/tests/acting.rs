@@ -1,4 +1,4 @@
-//! Which loads act: pressures along faces, forces at points, combinations, both directions of an earthquake; held against
+//! Loads that act: pressures along faces, forces at points, combinations, both directions of an earthquake; held against
 //! Goda's diagram, sums by hand and mirror images.
 
 use standfast::{Departure, Mode, Verdict, Wrench};
@@ -319,7 +319,7 @@ fn a_bound_that_is_reached_is_met() {
     assert!(assess(&text(factor.next_up())).met() == Some(false));
 }
 
-/// Where there is no value, nothing meets a bound; what never leaves rest meets any load factor.
+/// Missing values meet no bound; a body that never leaves rest meets any load factor.
 #[test]
 fn criteria_of_bodies_that_do_not_rest() {
     let criteria = "[criteria]\nSF_sliding = 0.1\nSF_overturning = 0.1\nbearing_max = 1e9\ncontact_share = 0.01\nload_factor = 0.1\n";
@@ -360,7 +360,7 @@ fn a_force_acts_where_it_says() {
     assert!(same(&wrench, &Wrench { x: 0.0, p: 180e3 * 9.81 + 10e3, m: 30e3 }));
 }
 
-/// What is asked decides what is worst: without criteria the push, which leaves rest first, and with a bearing pressure the weight
+/// Criteria decide the worst situation: without them the push, which leaves rest first, and with a bearing pressure the weight
 /// that is put on an edge.
 #[test]
 fn criteria_decide_what_is_worst() {

@@ -1,4 +1,4 @@
-//! What is asked of the probability that a body does not stay at rest, against laws written out by hand.
+//! Criteria on the probability that a body does not stay at rest, against laws written out by hand.
 
 use standfast_cases::design::{Design, Extreme, Request as DesignRequest, Spelling};
 use standfast_cases::random::{
@@ -152,7 +152,7 @@ fn a_range_that_falls_is_refused() {
     }
 }
 
-/// What was never met has a bound, not 0.
+/// Chances of events that never happened have a bound, not 0.
 #[test]
 fn a_chance_if_known_that_was_never_met_is_a_bound() {
     let text = format!(
@@ -166,7 +166,7 @@ fn a_chance_if_known_that_was_never_met_is_a_bound() {
     assert!(known.contains("below "), "{printed}");
 }
 
-/// What a template prints, appended to the case, is read and answered; every law has its source, and no source is said to be read.
+/// Templates, appended to the case, are read and answered; every law has its source, and no source is said to be read.
 #[test]
 fn a_template_answers_with_every_example() {
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
@@ -269,7 +269,7 @@ fn storm(random: &str, waves: u32) -> String {
     text.replace("[wave]", &format!("[storm]\nwaves = {waves}\ntau0 = 1.5\ncut = false\n\n[wave]"))
 }
 
-/// Where no wave turns the body nothing is followed, and the numbers are those without.
+/// Storms whose waves turn no body: nothing is followed, and the numbers are those without.
 #[test]
 fn following_rotations_changes_nothing_where_there_are_none() {
     let text = storm("friction = { uniform = { from = 0.35, to = 0.4 } }", 50).replace("cut = false\n", "");

@@ -51,7 +51,7 @@ impl Block {
         }
     }
 
-    /// What presses it down, in 10⁻⁶ N: (ρ h − ρ_w level) w g.
+    /// Force that presses it down, in 10⁻⁶ N: (ρ h − ρ_w level) w g.
     fn pressing(&self) -> i128 {
         (self.density * self.height - 1030 * self.level) * self.width * 981
     }

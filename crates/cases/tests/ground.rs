@@ -44,7 +44,7 @@ fn example(name: &str) -> String {
     std::fs::read_to_string(path).unwrap()
 }
 
-/// What the specification says of cases that are known on rigid ground: the ground fails before the body slides, or nearly with it.
+/// Cases known on rigid ground, as in the specification: the ground fails before the body slides, or nearly with it.
 #[test]
 fn the_ground_under_goda_s_caisson_and_the_caisson_in_air() {
     let goda = example("goda-2000");
@@ -222,7 +222,7 @@ fn a_crushing_base_is_the_point_of_its_plane() {
     assert!(["RE", "SL", "RO", "SRO-", "BF"].iter().all(|mode| modes.contains_key(mode)), "{modes:?}");
 }
 
-/// What acts on a base from the other side, eccentric, in both directions and in combinations gives the mirrored answer.
+/// Loads from the other side, eccentric, in both directions and in combinations give the mirrored answer.
 #[test]
 fn both_sides_and_combinations() {
     let ground = ["[ground]\nstrength = 800e3\n", "[ground]\nfriction_angle_deg = 36\nunit_weight = 11e3\n"];

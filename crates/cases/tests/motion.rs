@@ -139,7 +139,7 @@ fn alternatives_one_by_one() {
     assert_eq!(answers[2].1.outcome.slide, 0.0);
 }
 
-/// What is wrong is said with its place.
+/// Faults are said with their places.
 #[test]
 fn wrong_cases() {
     let body = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n";
@@ -361,7 +361,7 @@ fn a_duration_by_the_waves() {
     assert!(followed.warnings.iter().any(|warning| warning.name == "uplift-kept"));
 }
 
-/// What is possible but surely a slip is said of a case in metres as of a block: a record in cm/s² read as m/s², points too far apart for so
+/// Likely slips are named of a case in metres as of a block: a record in cm/s² read as m/s², points too far apart for so
 /// small a body, an impact without loss.
 #[test]
 fn slips_are_named_in_both_kinds_of_case() {

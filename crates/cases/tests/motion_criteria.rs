@@ -1,4 +1,4 @@
-//! What is asked of a motion, and designs for it: against closed forms, and against cases written out and read again.
+//! Criteria on a motion, and designs for it: against closed forms, and against cases written out and read again.
 
 use standfast_cases::design::{Design, Extreme, Request, Spelling};
 use standfast_cases::motion::{BlockCase, Follow, Followed};

@@ -17,7 +17,7 @@ fn number(assessment: &Assessment, result: ResultName) -> f64 {
     }
 }
 
-/// The same results, but for forces and moments that are `times` as large.
+/// Asserts that two cases have the same results, the forces and moments of the second `times` as large.
 fn same(one: &str, two: &str, times: f64) {
     let (one, two) = (assess(one), assess(two));
     for result in ResultName::ALL {
@@ -155,7 +155,7 @@ fn a_drum_by_hand() {
     assert!(text.contains("diameter 2B") && text.contains("wobbles") && text.contains("20 kN ←"));
 }
 
-/// What is wrong with parts is shown at the part, or at both.
+/// Faults of parts are shown at the part, or at both.
 #[test]
 fn faults_of_parts_are_shown_where_they_are() {
     let with = |parts: &str| format!("[body]\nfriction = 0.6\n{parts}{LOAD}");

@@ -9,7 +9,7 @@ use standfast_cases::random::{
 use standfast_probability::normal::below;
 use standfast_probability::sample::{Effort, Estimate};
 
-/// Why there is no answer to a text.
+/// Reason why there is no answer to a text.
 fn refused_of(text: &str) -> ProbabilityError {
     let file = CaseFile::parse("case.toml", text).map_err(ProbabilityError::from);
     file.and_then(|file| Probability::of(&file, Request::default())).unwrap_err()

@@ -1,4 +1,4 @@
-//! What a draw makes of a body, against `assess` of the same case with the drawn numbers typed in: for every kind of number that can be
+//! Draws of a body, against `assess` of the same case with the drawn numbers typed in: for every kind of number that can be
 //! random, some hundred draws each. Nothing is taken from the tables of what goes with a number: the text says it by hand.
 
 use std::collections::BTreeMap;

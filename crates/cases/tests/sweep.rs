@@ -110,7 +110,7 @@ fn every_answer_is_that_of_the_file_written_out() {
     assert!(answered > 1000 && refused > 20, "{answered} answered, {refused} refused");
 }
 
-/// What the rows before did leaves no trace.
+/// Earlier rows leave no trace in an answer.
 #[test]
 fn the_order_of_answers_does_not_matter() {
     let file = CaseFile::parse("goda", EXAMPLES[2].1).unwrap();

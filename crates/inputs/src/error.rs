@@ -1,4 +1,4 @@
-//! What can be wrong with a case, and how it is said in the file's own text.
+//! Errors of a case, and the way they are shown in the file's own text.
 
 mod fault;
 mod help;
@@ -18,7 +18,7 @@ pub use fault::{CaseError, Fault, Place};
 use help::parts;
 pub use help::{expected_type, names};
 
-/// What is wrong.
+/// Fault of a case file.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Problem {
@@ -47,13 +47,13 @@ pub enum Problem {
     Unanswerable {
         /// The criterion.
         name: &'static str,
-        /// What it asks for.
+        /// The quantity it asks for, in words.
         of: &'static str,
     },
     /// A criterion of a probability that is not found.
     #[error("the criterion `p_not_rest` asks for a probability: {why}")]
     NoChance {
-        /// Why there is none.
+        /// Reason why there is none.
         why: String,
     },
     /// A key that has to be there.
@@ -103,11 +103,11 @@ pub enum Problem {
     Unit {
         /// The key.
         key: Key,
-        /// What it measures; `None` for a plain number.
+        /// The dimension of its numbers; `None` for a plain number.
         dimension: Option<Dimension>,
         /// The value as it stands in the file.
         written: String,
-        /// What is wrong with it.
+        /// The error in its unit.
         error: UnitError,
     },
     /// A value that the key cannot have.
@@ -117,7 +117,7 @@ pub enum Problem {
         key: Key,
         /// The value as it stands in the file, or the number that was tried.
         written: String,
-        /// What it has to be.
+        /// Values it may have, in words.
         expected: &'static str,
     },
     /// The force does not hit the body.
@@ -139,9 +139,9 @@ pub enum Problem {
     Lengths {
         /// The key of the positions.
         along: Key,
-        /// How many positions.
+        /// Number of positions.
         positions: usize,
-        /// How many pressures.
+        /// Number of pressures.
         pressures: usize,
     },
     /// A pressure beside the face.
@@ -151,9 +151,9 @@ pub enum Problem {
         along: Key,
         /// The position, m.
         position: f64,
-        /// Where the face begins, m.
+        /// Start of the face, m.
         from: f64,
-        /// Where it ends, m.
+        /// End of the face, m.
         to: f64,
     },
     /// A combination of a load that there is not.
@@ -221,7 +221,7 @@ pub enum Problem {
         /// The table that may stand several times.
         table: Table,
     },
-    /// What the body table says of a body of parts, beside them.
+    /// A key of the body table that the parts give already.
     #[error("[body] has `{}`, which follows from the parts", key.name())]
     FollowsFromParts {
         /// The key.
@@ -236,9 +236,9 @@ pub enum Problem {
     /// Lists of corners that do not go together.
     #[error("`x` and `y` have {x} and {y} numbers; expected as many of each, three at least")]
     Corners {
-        /// How many x.
+        /// Number of x.
         x: usize,
-        /// How many y.
+        /// Number of y.
         y: usize,
     },
     /// An outline that is no part's.
@@ -246,7 +246,7 @@ pub enum Problem {
     Part {
         /// Its place, from zero.
         index: usize,
-        /// What is wrong with it.
+        /// The error of the section.
         error: SectionError,
     },
     /// Parts that are no section.
@@ -373,9 +373,9 @@ pub enum Problem {
     NeedsGround {
         /// The criterion.
         key: Key,
-        /// What it asks for.
+        /// The quantity it asks for, in words.
         of: &'static str,
-        /// What is not there.
+        /// The missing input, in words.
         lacks: &'static str,
     },
     /// A load in time where nothing takes it.
@@ -387,7 +387,7 @@ pub enum Problem {
         table: Table,
         /// Its place among them.
         index: usize,
-        /// What is not there.
+        /// The missing stiffness.
         lacks: &'static str,
     },
     /// A permanent load that varies in time.
@@ -409,7 +409,7 @@ pub enum Problem {
         key: Key,
         /// The shape.
         shape: &'static str,
-        /// What it has.
+        /// Keys that the shape takes.
         takes: Vec<&'static str>,
     },
     /// A history that cannot be.
@@ -417,7 +417,7 @@ pub enum Problem {
     History {
         /// Its table.
         table: Table,
-        /// What is wrong with it.
+        /// The error of the history.
         error: HistoryError,
     },
     /// A file that a history names and that cannot be read.
@@ -425,15 +425,15 @@ pub enum Problem {
     Unread {
         /// The file.
         name: String,
-        /// Why not.
+        /// Reason why it cannot be read.
         why: String,
     },
     /// A file that is no record, or not one of what it should be.
     #[error("{words}")]
     Record {
-        /// What is wrong with it.
+        /// The fault of the record, in words.
         words: String,
-        /// What to do.
+        /// Advice on the fault.
         help: Option<&'static str>,
     },
     /// Both are given in a table.
@@ -449,13 +449,13 @@ pub enum Problem {
     /// A duration that the waves give, of another shape than theirs.
     #[error("duration = \"{words}\" is that of a triangle")]
     ByWavesShape {
-        /// What gives the duration.
+        /// The word that takes the duration from the waves.
         words: &'static str,
     },
     /// A duration that the waves give beside a rise.
     #[error("`rise` does not go with duration = \"{words}\", whose peak is in the middle")]
     ByWavesRise {
-        /// What gives the duration.
+        /// The word that takes the duration from the waves.
         words: &'static str,
     },
     /// An earthquake at the first instant beside a base that moves.
@@ -467,7 +467,7 @@ pub enum Problem {
     /// A body that is asked to overturn.
     #[error("`overturned` is true; expected false: that the body does not overturn")]
     AskedToOverturn,
-    /// What the motion in time cannot be followed for.
+    /// A case whose motion in time cannot be followed.
     #[error("{0}")]
     Motion(MotionError),
     /// A motion on a base that crushes.
@@ -479,7 +479,7 @@ pub enum Problem {
         /// The strength, Pa.
         strength: f64,
     },
-    /// What stands in place of a body, where a body is needed.
+    /// A table that stands in place of a body, where a body is needed.
     #[error("{}", without_body(*table))]
     NoCase {
         /// Its table.
@@ -516,7 +516,7 @@ pub enum Problem {
     Impossible {
         /// The key.
         key: Key,
-        /// What the library says.
+        /// The error of the library.
         error: InputError,
     },
     /// Numbers beyond what can be computed, by themselves or together.
@@ -524,7 +524,7 @@ pub enum Problem {
     Mechanics(InputError),
 }
 
-/// What is answered of a table that stands in place of a body.
+/// Sentence on the answer to a table that stands in place of a body.
 fn without_body(table: Table) -> &'static str {
     match table {
         Table::Block => "a [block] has no first instant to assess: its motion is followed in time",

@@ -12,7 +12,7 @@ pub trait Explained: Error {
         None
     }
 
-    /// What to do. The first line is a sentence; those after it are an example, to be copied.
+    /// Advice. The first line is a sentence; those after it are an example, to be copied.
     fn help(&self) -> Option<String> {
         None
     }
@@ -26,7 +26,7 @@ pub trait Explained: Error {
 /// A text with the places in it that an error is about.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt<'a> {
-    /// What the text is called, as the name of its file.
+    /// Name of the text, as that of its file.
     pub name: &'a str,
     /// The whole text.
     pub text: &'a str,

@@ -1,4 +1,4 @@
-//! What a case file says, as typed values under their keys, without its text: what is varied, millions of times if need be.
+//! Values of a case file, typed, under their keys and without its text: they are varied, millions of times if need be.
 
 use standfast::{Ball, Modes, Scalar};
 
@@ -60,7 +60,7 @@ pub struct Inputs {
     values: Vec<(Id, Value)>,
     /// Numbers with more decimals than an f64 says, as they are written.
     decimals: Vec<(Id, Ball)>,
-    /// How many tables of each kind there are, in the order of [`Table::ALL`].
+    /// Number of tables of each kind, in the order of [`Table::ALL`].
     tables: [usize; Table::ALL.len()],
 }
 
@@ -111,7 +111,7 @@ impl Inputs {
         }
     }
 
-    /// What is true or false under a key.
+    /// Truth value under a key.
     pub fn truth(&self, id: impl Into<Id>) -> Option<bool> {
         match self.get(id)? {
             Value::Truth(truth) => Some(*truth),
@@ -164,7 +164,7 @@ impl Inputs {
         self.values.iter().map(|(id, value)| (*id, value))
     }
 
-    /// Whether anything stands in a table, the `index`-th of its kind.
+    /// True if anything stands in a table, the `index`-th of its kind.
     pub fn has_at(&self, table: Table, index: usize) -> bool {
         self.values.iter().any(|(id, _)| (id.table, id.index) == (table, index))
     }
@@ -192,12 +192,12 @@ impl Inputs {
         self.values.binary_search_by_key(&id, |(id, _)| *id)
     }
 
-    /// How many tables of a kind there are.
+    /// Number of tables of a kind.
     pub fn count(&self, table: Table) -> usize {
         self.tables[table as usize]
     }
 
-    /// Whether there is a table of a kind.
+    /// True if there is a table of a kind.
     pub fn has(&self, table: Table) -> bool {
         self.count(table) > 0
     }
@@ -213,7 +213,7 @@ impl Inputs {
         Table::ALL.into_iter().filter(|table| of(*table)).for_each(|table| self.tables[table as usize] = 0);
     }
 
-    /// Whether loads or the base go with time, or the body is a `[block]`, so that there is a motion to follow. Histories of loads on a
+    /// True if loads or the base go with time, or the body is a `[block]`, so that there is a motion to follow. Histories of loads on a
     /// `[ground]`, and no `[motion]`, are those of an elastic base.
     pub fn is_in_time(&self) -> bool {
         let histories = [Table::WaveHistory, Table::LoadHistory];
@@ -222,18 +222,18 @@ impl Inputs {
             || (!self.has(Table::Ground) && histories.iter().any(|table| self.has(*table)))
     }
 
-    /// What its forces, masses and moments are of: the whole object where its length is given, or it is a cylinder.
+    /// Extent of its forces, masses and moments: the whole object where its length is given, or it is a cylinder.
     pub fn extent(&self) -> Extent {
         let whole = self.get(Key::Length).is_some() || self.choice(Key::Shape) == Some("cylinder");
         if whole { Extent::Whole } else { Extent::PerMetre }
     }
 
-    /// What the numbers under a key measure; `None` for plain numbers and for what is no number.
+    /// Dimension of the numbers under a key; `None` for plain numbers and for what is no number.
     pub fn dimension(&self, id: impl Into<Id>) -> Option<Dimension> {
         dimension(id.into(), self.units())
     }
 
-    /// What its numbers with units are of; `None` of a body in pure numbers, which have no units.
+    /// Extent of its numbers with units; `None` of a body in pure numbers, which have no units.
     pub fn units(&self) -> Option<Extent> {
         (!self.has(Table::Block)).then(|| self.extent())
     }
@@ -252,7 +252,7 @@ impl Inputs {
     }
 }
 
-/// What the numbers under a key measure in a case with such units.
+/// Dimension of the numbers under a key in a case with such units.
 pub fn dimension(id: Id, units: Option<Extent>) -> Option<Dimension> {
     let of_base = matches!(id.table, Table::BaseHorizontal | Table::BaseVertical);
     let dimension = match id.key.info().kind {

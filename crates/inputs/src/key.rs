@@ -15,13 +15,13 @@ use crate::units::Dimension;
 /// A table of a case file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Table {
-    /// What stands above all tables.
+    /// The top of the file, above all tables.
     Top,
     /// The body and its friction.
     Body,
-    /// What the body is made of.
+    /// A part that the body is made of.
     Part,
-    /// What the base can bear.
+    /// The ground: strength and stiffness of the base.
     Ground,
     /// Waves from the right.
     Wave,
@@ -37,17 +37,17 @@ pub enum Table {
     Pressure,
     /// Forces.
     Load,
-    /// Which loads act together, times which factors.
+    /// Loads that act together, and their factors.
     Combination,
-    /// What is asked of the results.
+    /// Criteria on the results.
     Criteria,
     /// The motion in time.
     Motion,
-    /// What happens when a corner meets the base.
+    /// Impact of a corner on the base.
     Impact,
-    /// How the motion begins.
+    /// State in which the motion begins.
     Initial,
-    /// How the base moves.
+    /// Motion of the base.
     Base,
     /// Its acceleration to the right over time.
     BaseHorizontal,
@@ -67,7 +67,7 @@ pub enum Table {
     BlockLoad,
     /// One of these over time.
     BlockLoadHistory,
-    /// What histories of all tables have; no table of a file itself.
+    /// Keys that the histories of all tables have; no table of a file itself.
     History,
 }
 
@@ -122,7 +122,7 @@ impl Table {
         Table::ALL.into_iter().filter(move |table| table.parent() == Some(self))
     }
 
-    /// Whether it says how something goes with time.
+    /// True if it is a history: a quantity over time.
     pub const fn is_history(self) -> bool {
         matches!(
             self,
@@ -134,7 +134,7 @@ impl Table {
         )
     }
 
-    /// Whether it belongs to the motion in time alone.
+    /// True if it belongs to the motion in time alone.
     pub const fn is_of_motion(self) -> bool {
         matches!(
             self,
@@ -192,7 +192,7 @@ impl Table {
         }
     }
 
-    /// What a combination calls the loads of this table; `None` for one whose loads have names of their own, or that has none.
+    /// The name of its loads in a combination; `None` for one whose loads have names of their own, or that has none.
     pub fn in_combination(self) -> Option<&'static str> {
         match self {
             Table::Body => Some("weight"),
@@ -234,7 +234,7 @@ impl Table {
         }
     }
 
-    /// What it is for, in words.
+    /// Its purpose, in words.
     pub fn words(self) -> &'static str {
         match self {
             Table::Top => "above all tables",
@@ -292,7 +292,7 @@ impl Table {
         }
     }
 
-    /// Whether a file may have it more than once.
+    /// True if a file may have it more than once.
     pub fn repeats(self) -> bool {
         matches!(self, Table::Part | Table::Pressure | Table::Load | Table::Combination | Table::BlockLoad)
     }
@@ -339,7 +339,7 @@ impl Table {
     }
 }
 
-/// Which numbers a key takes.
+/// Range of the numbers that a key takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
     /// Any finite number.
@@ -357,7 +357,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Whether a number is in the range.
+    /// True if a number is in the range.
     pub fn contains(self, value: f64) -> bool {
         let in_range = match self {
             Range::Finite => true,
@@ -393,7 +393,7 @@ impl Range {
     }
 }
 
-/// What a key takes.
+/// Kind of value that a key takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Words.
@@ -406,7 +406,7 @@ pub enum Kind {
     InGravity,
     /// One of so many numbers without unit in a list.
     OneOf(usize, Range),
-    /// What a history reaches: an acceleration of the base of a body, else a number without unit.
+    /// Peak of a history: an acceleration of the base of a body, else a number without unit.
     Reached,
     /// Numbers without unit in a list.
     Plains,
@@ -418,7 +418,7 @@ pub enum Kind {
     Choice {
         /// The words.
         of: &'static [&'static str],
-        /// The same in a sentence.
+        /// The words as they stand in a sentence.
         words: &'static str,
     },
     /// Numbers with a unit, or without one in SI units, in a list.
@@ -429,7 +429,7 @@ pub enum Kind {
     ModeList,
 }
 
-/// What goes with a number when it is varied.
+/// Quantities that go with a number when it is varied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Moves {
     /// Nothing.
@@ -459,18 +459,18 @@ pub struct KeyInfo {
     pub table: Table,
     /// Its name there.
     pub name: &'static str,
-    /// What it takes.
+    /// Kind of value it takes.
     pub kind: Kind,
     /// Its symbol in calculations; empty for what is no number.
     pub symbol: &'static str,
-    /// What it is.
+    /// Its meaning, in words.
     pub words: &'static str,
     /// A value as it may stand in a file.
     pub example: &'static str,
     /// The quantity and, behind a colon, what is taken for it where the file is silent; `None` where the key has to be there,
     /// or nothing is taken.
     pub silent: Option<&'static str>,
-    /// What goes with it when it is varied.
+    /// Quantities that go with it when it is varied.
     pub moves: Moves,
     /// The library's quantities that this key gives.
     pub gives: &'static [Quantity],
@@ -489,7 +489,7 @@ impl KeyInfo {
         KeyInfo { gives, ..self }
     }
 
-    /// What its numbers measure in a case per metre run, see [`Inputs::dimension`](crate::Inputs::dimension) for any; `None` for
+    /// Dimension of its numbers in a case per metre run, see [`Inputs::dimension`](crate::Inputs::dimension) for any; `None` for
     /// plain numbers and for what is no number.
     pub fn dimension(&self) -> Option<Dimension> {
         match self.kind {
@@ -499,7 +499,7 @@ impl KeyInfo {
         }
     }
 
-    /// Which numbers it takes; `None` for what is no number.
+    /// Range of the numbers it takes; `None` for what is no number.
     pub fn range(&self) -> Option<Range> {
         match self.kind {
             Kind::Measured(_, range) | Kind::Plain(range) => Some(range),
@@ -875,7 +875,7 @@ listed! {
     Baseline = key(History, "baseline", BASELINES, "", "what is taken off the record: its mean, or the line of least squares", "\"linear\"");
 }
 
-/// What says of whom and for whom a calculation sheet is, in the order of its title block: a case file may have each as a key,
+/// Keys that say of whom and for whom a calculation sheet is, in the order of its title block: a case file may have each as a key,
 /// `standfast sheet` as an option, which goes before the file.
 pub const TITLE_BLOCK: [Key; 6] =
     [Key::Project, Key::Client, Key::SheetNumber, Key::Revision, Key::Author, Key::Checker];
@@ -892,7 +892,7 @@ impl Key {
         name.split_once('[').map_or(name, |(list, _)| list)
     }
 
-    /// Whether it asks something of the motion in time.
+    /// True if it asks something of the motion in time.
     pub fn is_of_motion(self) -> bool {
         matches!(self, Key::GreatestSlide | Key::GreatestTheta | Key::NotOverturned)
     }

@@ -17,7 +17,7 @@ macro_rules! listed {
             /// All of them, in the order of the list.
             pub const ALL: &'static [$name] = &[$($name::$variant,)*];
 
-            /// What is said of it.
+            /// Entry of the name in the list.
             pub const fn info(self) -> &'static $info {
                 match self {
                     $($name::$variant => {

@@ -41,7 +41,7 @@ pub struct CaseText {
 pub struct Entry {
     /// The key; the first number's of a list.
     pub id: Id,
-    /// Where its value stands in the text; empty, at its end, of what follows from other entries.
+    /// Span of its value in the text; empty, at its end, of what follows from other entries.
     pub span: Span<usize>,
     /// The value as it would be written, of what follows from other entries.
     follows: Option<String>,
@@ -79,7 +79,7 @@ impl CaseText {
         CaseText::parse(name, text)?.with_files(read)
     }
 
-    /// The same with the files that it names, which `read` reads.
+    /// Adds the files that it names, which `read` reads.
     ///
     /// # Errors
     /// If one cannot be read.
@@ -87,7 +87,7 @@ impl CaseText {
         self.with_some_files(read, &|_| true)
     }
 
-    /// The same with those under some keys.
+    /// Adds the files under the keys that `which` picks, and those that `[random]` names.
     ///
     /// # Errors
     /// As [`with_files`](CaseText::with_files).
@@ -154,7 +154,7 @@ impl CaseText {
         }
     }
 
-    /// What errors call it.
+    /// Its name in errors.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -164,19 +164,19 @@ impl CaseText {
         &self.text
     }
 
-    /// What it says.
+    /// Its inputs.
     pub fn inputs(&self) -> &Inputs {
         &self.inputs
     }
 
-    /// The same with other values, as if they stood where those of the file do; an entry without value goes.
+    /// Copies the file with other values, as if they stood where those of the file do; an entry without value goes.
     pub fn varied(&self, inputs: Inputs) -> CaseText {
         let mut file = CaseText { inputs, ..self.clone() };
         file.entries.retain(|entry| file.inputs.get(entry.id).is_some());
         file
     }
 
-    /// The same with an entry that follows from others, as it would be written.
+    /// Adds an entry that follows from others, as it would be written.
     pub fn with_entry(mut self, id: Id, written: String) -> CaseText {
         let end = self.text.len();
         self.entries.push(Entry { id, span: end..end, follows: Some(written) });
@@ -189,12 +189,12 @@ impl CaseText {
         CaseError::new(&self.name, &self.text, problem, spans)
     }
 
-    /// Which of its numbers are random, where it says so.
+    /// Its random numbers, where it has some.
     pub fn random(&self) -> Option<&Random> {
         self.random.as_ref()
     }
 
-    /// What is wrong with its random numbers, shown in the text.
+    /// Fault of its random numbers, shown in the text.
     pub fn random_error(&self, problem: RandomProblem, span: Span<usize>) -> CaseError {
         CaseError::new(&self.name, &self.text, problem.into(), vec![span])
     }
@@ -221,7 +221,7 @@ impl CaseText {
         (!comment.is_empty()).then_some(comment)
     }
 
-    /// Where a place stands; a key that is not there, at its table.
+    /// Span of a place; a key that is not there, at its table.
     fn span(&self, place: Place) -> Span<usize> {
         let of_table = |table: Table, index| {
             let whole = 0..self.text.len();
@@ -310,7 +310,7 @@ impl CaseText {
     }
 }
 
-/// What forces and masses of a document are of, which its units depend on wherever they stand; see [`Inputs::units`].
+/// Extent of a document, a metre run or the whole body, on which its units depend wherever they stand; see [`Inputs::units`].
 fn units(top: &DeTable<'_>) -> Option<Extent> {
     if top.contains_key(Table::Block.name()) {
         return None;
@@ -352,7 +352,7 @@ fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) 
     At { problem: Problem::NoTable { table, found: type_of(value.get_ref()), expected }, span: value.span() }
 }
 
-/// What a value of a document is, in words.
+/// Type of a value of a document, in words.
 pub fn type_of(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",
@@ -374,7 +374,7 @@ pub fn plain_number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// What gives the duration of an impulsive wave beside a time: the waves, by formulas of Shimosako and Takahashi.
+/// Keys whose duration of an impulsive wave the waves may give by formulas of Shimosako and Takahashi, and the word for it.
 pub const BY_WAVES: ([Id; 2], &str) = (
     [
         Id { table: Table::WaveHistory, index: 0, key: Key::HistoryDuration },
@@ -569,7 +569,7 @@ impl Field<'_> {
         (digits > f64::DIGITS as usize).then(|| Ball::decimal(text))?.map(|number| number.times_ten_to(power))
     }
 
-    /// What a history reaches, with its unit: g is the standard acceleration of gravity.
+    /// Peak of a history, with its unit: g is the standard acceleration of gravity.
     fn reached(&self) -> Result<f64, At> {
         if self.dimension().is_none() {
             return Err(self.wrong_type(expected_type(Kind::Plain(Range::Finite))));

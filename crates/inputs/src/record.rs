@@ -22,7 +22,7 @@ enum Content {
     Record(Record),
 }
 
-/// Which column of the file, and the step from value to value.
+/// Column of the file, and the step from value to value.
 type Chosen = (Option<String>, Option<f64>);
 
 impl RecordFile {
@@ -36,7 +36,7 @@ impl RecordFile {
         RecordFile { name: name.into(), content: Content::Record(record) }
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(&self) -> &str {
         &self.name
     }

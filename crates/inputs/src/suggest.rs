@@ -1,6 +1,6 @@
 //! "Did you mean …?"
 
-/// How alike two words have to be, from 0 to 1, for one to be suggested in place of the other.
+/// Likeness of two words, from 0 to 1, from which one is suggested in place of the other.
 const ALIKE: f64 = 0.6;
 
 /// The candidate most like `word`, upper and lower case alike, if any is like it.
@@ -16,7 +16,7 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// What people call a column otherwise, in small letters: the four numbers of the report's problem, and the eleven of the
+/// Other names that people give a column, in small letters: the four numbers of the report's problem, and the eleven of the
 /// general contact problem.
 const OTHER_NAMES: [(&str, &[&str]); 15] = [
     ("gamma", &["γ", "slenderness", "h/b"]),

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::digits::{digits, shortened};
 
-/// What forces, masses and moments of a case are of.
+/// Extent of forces, masses and moments of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Extent {
     /// One metre of a long body.
@@ -55,7 +55,7 @@ impl Extent {
         self.of(Dimension::Inertia).written(moment)
     }
 
-    /// What a quantity of a case of this extent measures.
+    /// Dimension of a quantity in a case of this extent.
     pub const fn of(self, dimension: Dimension) -> Dimension {
         match (self, dimension) {
             (Extent::Whole, Dimension::Mass) => Dimension::WholeMass,
@@ -67,7 +67,7 @@ impl Extent {
     }
 }
 
-/// What a number measures, and so which units fit it.
+/// Dimension of a number, which has the units that fit it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
     /// m.
@@ -126,7 +126,7 @@ impl Unit {
         format!("{digits}e{exponent}").parse().unwrap_or(f64::NAN)
     }
 
-    /// How many of it an SI value is.
+    /// An SI value as a number of this unit.
     pub fn of_si(self, value: f64) -> f64 {
         let factor = 10f64.powi(self.0.abs());
         if self.0 < 0 { value * factor } else { value / factor }
@@ -200,7 +200,7 @@ impl Dimension {
         }
     }
 
-    /// The same with powers raised, for reading.
+    /// The SI unit with powers raised, for reading.
     pub fn symbol(self) -> String {
         self.si().replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
     }
@@ -275,7 +275,7 @@ pub fn in_gravity(text: &str) -> Option<f64> {
     split(text.trim()).filter(|(_, unit)| *unit == "g").map(|(share, _)| share)
 }
 
-/// Why a text is no quantity.
+/// Reason why a text is no quantity.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum UnitError {
     /// There is no number at its beginning.
@@ -350,7 +350,7 @@ mod tests {
         }
     }
 
-    /// What is read is a unit that is understood, of that size.
+    /// Units on paper are understood, each with its size.
     #[test]
     fn units_on_paper_are_understood() {
         use Dimension::{

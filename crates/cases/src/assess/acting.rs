@@ -1,4 +1,4 @@
-//! Which loads act in a situation, and which others were tried, for reading.
+//! Loads that act in a situation, and the others that were tried, for reading.
 
 use standfast::Verdict;
 
@@ -108,7 +108,7 @@ fn point_force(case: &Case, force: &PointForce) -> Vec<Vec<String>> {
     rows
 }
 
-/// What acts beside what.
+/// Note on the loads that act beside others.
 pub(super) fn notes(case: &Case, assessed: &Assessed) -> String {
     let words = match assessed.acting {
         Acting::Alone(_) if case.forces.iter().filter(|force| force.acts_alone()).count() > 1 => {

@@ -14,7 +14,7 @@ pub fn corner(corner: Corner) -> &'static str {
     }
 }
 
-/// Why there is no bearing pressure, in words; `None` where there is one.
+/// Reason why there is no bearing pressure, in words; `None` where there is one.
 pub fn no_bearing(bearing: Bearing) -> Option<&'static str> {
     match bearing {
         Bearing::Pressed { .. } => None,
@@ -89,7 +89,7 @@ pub(super) fn factors(assessed: &Assessed) -> String {
     text
 }
 
-/// Why there is no factor against overturning of a body that is pressed off its middle all the same.
+/// Reason why there is no factor against overturning of a body that is pressed off its middle all the same.
 pub fn no_factor(assessed: &Assessed) -> Option<&'static str> {
     let stability = &assessed.outcome.stability;
     let base = assessed.situation.body().base_width();
@@ -100,7 +100,7 @@ pub fn no_factor(assessed: &Assessed) -> Option<&'static str> {
     )
 }
 
-/// How the classical factor against overturning and that in effective coordinates go together.
+/// Relation of the classical factor against overturning to that in effective coordinates, in words.
 pub fn two_factors(reduced: &Reduced) -> &'static str {
     match reduced.point.k_prime() <= -1.0 {
         false => {
@@ -138,7 +138,7 @@ pub fn gross_formula(gross: &GrossOverturning, uplift: f64) -> &'static str {
     }
 }
 
-/// What the factor by gross moments counts, with its formula.
+/// Words on the factor by gross moments, with its formula.
 fn gross_words(gross: &GrossOverturning, assessed: &Assessed) -> String {
     let formula = gross_formula(gross, assessed.outcome.actions.uplift);
     let buoyancy = match gross.buoyancy {

@@ -6,15 +6,15 @@ use super::Assessed;
 use crate::describe;
 use crate::layout::{columns, digits, paragraph, row};
 
-/// Why a load may be no point of the report's diagram.
+/// Reason why a load may be no point of the report's diagram.
 pub const NO_POINT: &str = "The load is no point of the report's diagram, which needs a uniform body with one friction and no \
     added mass, pressed on its base and pushed sideways; it is answered by the general contact problem.";
 
-/// What is said of the coordinates of a load on ground that can fail.
+/// Note on the coordinates of a load on ground that can fail.
 const RIGID_PLANE: &str = "The report's diagram of these γ and k' is that of rigid ground: its inequalities, margins and changes of mode are not those \
     of this base, and are not given.";
 
-/// The same of a load that has none.
+/// Note on a load without coordinates, on ground that can fail.
 const NO_POINT_ON_GROUND: &str = "The load is no point of the report's diagram; it is answered by the general contact problem on this base.";
 
 impl Assessed {

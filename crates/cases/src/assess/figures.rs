@@ -16,17 +16,17 @@ use crate::layout::digits;
 /// A figure of a case.
 #[derive(Debug, Clone)]
 pub struct CaseFigure {
-    /// What tells it from the others of the case, to be appended to a file's name; may be empty.
+    /// Suffix that tells it from the others of the case, to be appended to a file's name; may be empty.
     pub suffix: String,
-    /// What it is.
+    /// Its content, in words.
     pub words: String,
-    /// What it shows.
+    /// Its kind.
     pub drawn: Drawn,
     /// The figure.
     pub figure: Figure,
 }
 
-/// What a figure of a case shows.
+/// Kind of figure of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drawn {
     /// The k–μ diagram, with the design points of the loads that share it.

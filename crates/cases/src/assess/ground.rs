@@ -13,16 +13,16 @@ use crate::case::{Case, Foundation, Limit};
 pub(super) use text::render as text;
 pub use text::{left_out, state};
 
-/// What a situation's base bears.
+/// Response of the base in a situation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OnGround {
-    /// What the base cannot bear.
+    /// Limit of what the base can bear.
     pub limit: Option<Limit>,
-    /// What a body at rest puts on it under the full load, per metre run; `None` if nothing presses.
+    /// Reaction of a body at rest under the full load, per metre run; `None` if nothing presses.
     pub reaction: Option<Reaction>,
     /// ω = P/(2B q_u) of a base that crushes.
     pub omega: Option<f64>,
-    /// How a base that crushes is pressed as the mode under the full load begins.
+    /// Motion, and pressed part of the base, as the mode under the full load begins on a base that crushes.
     pub crush: Option<CrushMotion>,
     /// R, N per metre run or of the whole object: what the ground bears at the reaction's eccentricity and inclination.
     pub resistance: Option<f64>,
@@ -30,15 +30,15 @@ pub struct OnGround {
     pub factor: Option<f64>,
     /// R − P, N per metre run or of the whole object.
     pub margin: Option<f64>,
-    /// Where R/P falls to 1 as the variable loads rise.
+    /// Load factors at which R/P falls to 1 as the variable loads rise.
     pub load_factors: Option<LoadFactors>,
     /// |X|/P at which R/P is 1 if both X and the moment grow as they stand to each other under the full load.
     pub k_bf: Option<f64>,
-    /// What is elastic of it.
+    /// Elastic part of the response.
     pub elastic: Option<Elastic>,
 }
 
-/// What is elastic of a base.
+/// Elastic part of the response of a base.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elastic {
     /// Under P of the full load, per metre run.
@@ -56,7 +56,7 @@ pub struct Elastic {
     pub periods: Option<[f64; 3]>,
     /// The response to loads in time; `None` where none is given.
     pub impact: Option<ImpactResponse>,
-    /// Where that takes the point of the full load in the k–μ plane: k and k'; `None` where other loads push or turn the body too.
+    /// Point in the k–μ plane to which that moves the one of the full load: k and k'; `None` where other loads push or turn the body too.
     pub moved: Option<[f64; 2]>,
 }
 
@@ -133,7 +133,7 @@ impl OnGround {
         self.margin = Some((resistance - reaction.p()) * length);
     }
 
-    /// How far inside its edge a base that crushes is pressed by a body about to turn, or that turns, m: the place of the reaction.
+    /// Distance of the reaction from the edge of a base that crushes, of a body that turns or is about to, m.
     pub fn pivot(&self) -> Option<f64> {
         let (omega, reaction) = (self.omega?, self.reaction?);
         match self.crush.as_ref().filter(|crush| crush.neutral.is_some()) {
@@ -143,7 +143,7 @@ impl OnGround {
         }
     }
 
-    /// How far inside its edge the point is about which a body turns on a base that crushes, m; `None` of one that does not turn.
+    /// Distance of the neutral point, about which a body turns, from the edge of a base that crushes, m; `None` of one that does not turn.
     pub fn neutral(&self) -> Option<f64> {
         self.crush.as_ref().filter(|crush| crush.neutral.is_some()).map(|crush| crush.pressed.width())
     }
@@ -209,7 +209,7 @@ impl Elastic {
     }
 }
 
-/// Where the loads in time take the point of the full load, if nothing else pushes or turns the body.
+/// Point to which the loads in time move that of the full load, if nothing else pushes or turns the body.
 fn moved(situation: &Situation, reaction: &Reaction, impact: &ImpactResponse) -> Option<[f64; 2]> {
     let others = situation.loads().iter().filter(|load| load.history.is_none());
     let alone = others.map(|load| situation.wrench_of(load)).all(|wrench| wrench.x == 0.0 && wrench.m == 0.0);

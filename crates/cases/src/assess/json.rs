@@ -29,14 +29,14 @@ struct Document<'a> {
     title: Option<&'a str>,
     note: Option<&'a str>,
     gravity: f64,
-    /// What forces, masses and moments are of: `per-metre` or `whole`.
+    /// Extent of forces, masses and moments: `per-metre` or `whole`.
     extent: &'static str,
     body: Body<'a>,
     weight_counted_as: &'static str,
     water: Option<Water>,
     wave: Option<Wave>,
     warnings: Vec<Warning>,
-    /// Whether all criteria are met; null where there is none.
+    /// True if all criteria are met; null where there is none.
     met: Option<bool>,
     /// Each criterion in the situation that meets it worst, the governing one first.
     criteria: Vec<Criterion>,
@@ -133,7 +133,7 @@ struct Situation<'a> {
     criteria: Vec<Criterion>,
     #[serde(flatten)]
     results: Results<'a>,
-    /// What the base bears; null of a rigid one.
+    /// Response of the base; null of a rigid one.
     ground: Option<Ground<'a>>,
     mode_words: Option<&'static str>,
     because: Vec<RelationDocument>,
@@ -143,7 +143,7 @@ struct Situation<'a> {
     components: Vec<Component>,
     path: Vec<PathStage>,
     report: Option<Report>,
-    /// Why there is no report.
+    /// Reason why there is no report.
     no_report: Option<&'static str>,
 }
 
@@ -261,7 +261,7 @@ struct Criterion {
     earthquake: Option<Earthquake>,
 }
 
-/// What the first instant, or the motion, has.
+/// Value of a result of the first instant, or of the motion.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Found {

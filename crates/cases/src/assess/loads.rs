@@ -8,20 +8,20 @@ use crate::case::{Case, Weight};
 use crate::layout::{columns, digits, paragraph, row};
 use crate::units::Extent;
 
-/// What added mass leaves out.
+/// Note on the effect that added mass leaves out.
 const ADDED_MASS: &str = "Added mass counts against horizontal acceleration of the centre of mass; that it acts at \
     another height, and so couples sway and rotation, is left out.";
 
-/// What an earthquake does to water, and is not counted where the added mass is given as such.
+/// Note on the water pressure in an earthquake, which is not counted where the added mass is given as such.
 const SHAKEN_WATER: &str = "The pressure of the water on the shaken wall is not among the loads, because its height is \
     not given: give sides in [added_mass] in place of the mass, or add it as a [[load]].";
 
-/// What the answer to a cylinder leaves out.
+/// Note on the motion that the answer to a cylinder leaves out.
 const WOBBLE: &str = "The answer is that of the plane of the loads. A cylinder may leave it: once it rocks it rolls on its rim and \
     wobbles, in which it comes down later, and elsewhere, than the plane motion says. When it begins to move is not changed by \
     that.";
 
-/// What the answer to a case leaves out, in sentences.
+/// Notes on the effects that the answer to a case leaves out, in sentences.
 pub fn left_out(case: &Case) -> Vec<&'static str> {
     let mut notes = Vec::new();
     if case.body.plan() == Plan::Circle {
@@ -36,7 +36,7 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
     notes
 }
 
-/// What a load is called.
+/// Name of a load; words on its source, if it has none.
 pub(crate) fn load_words(load: &Load) -> String {
     if let Some(name) = &load.name {
         return name.clone();
@@ -63,7 +63,7 @@ pub(crate) fn load_words(load: &Load) -> String {
     words.to_owned()
 }
 
-/// Whether a force points upwards.
+/// True if a force points upwards.
 fn lifts(load: &Load) -> bool {
     matches!(load.action, Action::Force { up, .. } if up > 0.0)
 }
@@ -72,7 +72,7 @@ fn lifts(load: &Load) -> bool {
 /// both sides is one load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Component {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// The load; the first of those that are one.
     pub load: Load,
@@ -98,7 +98,7 @@ impl Assessed {
 }
 
 impl Case {
-    /// How water takes part in the weight, in words.
+    /// Part that water takes in the weight, in words.
     pub fn weight_words(&self) -> &'static str {
         match (self.weight, &self.water) {
             (Weight::Buoyant { .. }, _) => "buoyant weight, as given",
@@ -172,7 +172,7 @@ fn parts(case: &Case) -> Vec<Vec<String>> {
     rows.collect()
 }
 
-/// Whether a load is permanent or variable, and the factor it is multiplied by.
+/// Words on a load: permanent or variable, and its factor.
 pub fn share(load: &Load) -> String {
     let share = if load.permanent { "permanent" } else { "variable" };
     if load.factor == 1.0 { share.to_owned() } else { format!("{share} × {}", digits(load.factor)) }

@@ -49,7 +49,7 @@ pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
     Ok(standfast_figures::section(&section))
 }
 
-/// Where the base bears as what begins under the full load begins; `None` if nothing presses, the resultant misses the base, or the body
+/// Reaction of the base as the mode under the full load begins; `None` if nothing presses, the resultant misses the base, or the body
 /// flies.
 fn reaction(case: &Case, assessed: &Assessed, ground: &OnGround) -> Option<BaseReaction> {
     let body = &case.body;
@@ -84,7 +84,7 @@ fn pressed_width(reaction: &BaseReaction) -> Option<Measure> {
     (to > from).then(|| Measure { ends: (from, to), label: format!("{name} {}", metres(to - from)) })
 }
 
-/// What is said of the reaction below the drawing.
+/// Words on the reaction, below the drawing.
 fn reaction_words(assessment: &Assessment, assessed: &Assessed, reaction: Option<&BaseReaction>) -> String {
     let of = assessment.name(assessed).map_or(String::new(), |name| format!(" of {name}"));
     let Some(reaction) = reaction else {
@@ -188,7 +188,7 @@ fn mound(wave: &Waves) -> Option<Mound> {
     (bed <= 0.0).then_some(Mound { bed, berm, berm_width: wave.section.berm_width })
 }
 
-/// What a load amounts to, in words: its name, size and direction.
+/// Name, size and direction of a load, in words.
 fn words(extent: Extent, situation: &Situation, load: &Load, sideways: bool) -> String {
     let wrench = situation.wrench_of(load);
     let (size, way) = match sideways {

@@ -57,7 +57,7 @@ pub(super) fn render(assessment: &Assessment, view: &View) -> String {
     text
 }
 
-/// What is asked of the results, the governing criterion first.
+/// Criteria as text, the governing one first.
 fn criteria(assessment: &Assessment, checks: &[AnyCheck<'_>]) -> String {
     let several = assessment.all.len() > 1;
     let mut rows = vec![row!["criterion", "required", "value", "utilisation", "", ""]];
@@ -76,7 +76,7 @@ fn criteria(assessment: &Assessment, checks: &[AnyCheck<'_>]) -> String {
     columns(&rows, 2, &[3]) + &paragraph(&criteria_met(assessment), 2)
 }
 
-/// Whether the criteria are met, in a sentence.
+/// Sentence on the criteria that are met, or not.
 pub fn criteria_met(assessment: &Assessment) -> String {
     met_words(assessment.all_checks().iter().map(|check| (check.name(), check.is_met())))
 }

@@ -1,4 +1,4 @@
-//! What the body does under the full load at once, and while it rises, in sentences: those of every face.
+//! Sentences on the body under the full load at once, and while it rises: those of every face.
 
 use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
@@ -14,7 +14,7 @@ pub fn predicate(verdict: Option<Verdict>) -> String {
     }
 }
 
-/// What is said of ground that fails.
+/// Note on ground that fails.
 const NO_MOTION: &str = "The ground cannot bear the reaction; how the body then moves is not computed.";
 
 /// The state under the full load, applied at once.
@@ -74,7 +74,7 @@ fn unique(assessed: &Assessed) -> String {
     format!("The answer is unique, and exactly on the boundary: with the least more load the body {beyond}.")
 }
 
-/// Whether the answer is the only one, and which it is if not.
+/// Sentences on the uniqueness of the answer, and on the other modes if it is not unique.
 fn uniqueness(assessed: &Assessed) -> String {
     let mode = match assessed.verdict() {
         None => {
@@ -125,7 +125,7 @@ pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
     columns(&rows, 2, &[0, 1])
 }
 
-/// What happens while the variable loads rise: where the body leaves rest, and how that differs from the full load at once.
+/// Sentences on the rise of the variable loads: departure from rest, and its difference from the full load at once.
 pub fn path(assessed: &Assessed) -> Vec<String> {
     const NONE: &str = "No variable load acts; nothing rises.";
     match assessed.outcome.departure {
@@ -135,7 +135,7 @@ pub fn path(assessed: &Assessed) -> Vec<String> {
     }
 }
 
-/// Which loads rise, and whether they do so together.
+/// Sentence on the loads that rise, alone or together.
 fn rising(assessed: &Assessed) -> String {
     let variable = assessed.components().into_iter().filter(|component| !component.load.permanent);
     let names: Vec<_> = variable.map(|component| component.name).collect();
@@ -145,7 +145,7 @@ fn rising(assessed: &Assessed) -> String {
     }
 }
 
-/// Where the body leaves rest as the loads rise.
+/// Sentence on the departure from rest as the loads rise.
 fn leaving(departure: &Departure) -> String {
     match *departure {
         Departure::Never => "No multiple of the variable loads moves the body.".to_owned(),
@@ -210,7 +210,7 @@ fn difference(assessed: &Assessed) -> String {
     }
 }
 
-/// Where a body leaves rest, in a word or as per cent of the load.
+/// Departure from rest, in a word or as per cent of the load.
 pub fn departure_word(departure: &Departure) -> String {
     match *departure {
         Departure::Never => "never".to_owned(),

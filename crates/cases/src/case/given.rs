@@ -13,10 +13,10 @@ use crate::error::{Fault, Place, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Id, Key, Table};
 
-/// How far lengths that have to be equal may differ, m.
+/// Difference up to which lengths count as equal, m.
 const SAME_LENGTH: f64 = 1e-6;
 
-/// How far densities that have to be equal may differ, kg/m³.
+/// Difference up to which densities count as equal, kg/m³.
 const SAME_DENSITY: f64 = 1e-6;
 
 /// Inputs, read with what goes wrong.
@@ -62,7 +62,7 @@ impl Given<'_> {
         self.inputs.scalar(key)
     }
 
-    /// The same where there has to be one.
+    /// The number under a key that has to be there, in any arithmetic.
     pub(crate) fn needed<T: Scalar>(&self, key: Key) -> Result<T, Fault> {
         self.scalar(key).ok_or_else(|| self.missing(key, 0))
     }
@@ -79,7 +79,7 @@ impl Given<'_> {
         Fault::new(Problem::MissingKey { table: id.table, key: id.key }, Place::Table(id.table, id.index))
     }
 
-    /// What a table says, if there is one.
+    /// Reads a table, if there is one.
     pub(super) fn in_table<T>(
         &self,
         table: Table,
@@ -88,7 +88,7 @@ impl Given<'_> {
         self.inputs.has(table).then(|| read(self)).transpose()
     }
 
-    /// What the library refuses, shown at the key of a table that gives the quantity, or at the number that is too large.
+    /// Refusal by the library, shown at the key of a table that gives the quantity, or at the number that is too large.
     pub(super) fn blame(&self, table: Table, error: InputError) -> Fault {
         self.blame_one_of(table.keys(), 0, error)
             .unwrap_or_else(|| Fault::new(Problem::Mechanics(error), table))
@@ -353,12 +353,12 @@ impl Given<'_> {
     }
 }
 
-/// What the motion refuses of the case of inputs, at the number that brings it about.
+/// Refusal of the case of inputs by the motion, at the number that brings it about.
 pub(crate) fn motion_fault(inputs: &Inputs, error: MotionError) -> Fault {
     Given { inputs }.motion_refused(error)
 }
 
-/// What the mechanics refuses of the case of inputs, at the number that brings it about.
+/// Refusal of the case of inputs by the mechanics, at the number that brings it about.
 pub(crate) fn fault(inputs: &Inputs, error: InputError) -> Fault {
     Given { inputs }.blame(Table::Top, error)
 }

@@ -1,4 +1,4 @@
-//! What the base of a case can bear.
+//! Strength and stiffness of the base of a case.
 
 use standfast::ground::bearing::{Ground, GroundLaw};
 use standfast::{Body, History, Plan};
@@ -9,10 +9,10 @@ use super::motion::CaseMotion;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 
-/// What a base is that is not rigid.
+/// Base that is not rigid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foundation {
-    /// What it cannot bear; `None` if nothing is said of that.
+    /// Its limit; `None` if nothing is said of that.
     pub limit: Option<Limit>,
     /// k_n, N/m³.
     pub stiffness: Option<f64>,
@@ -117,7 +117,7 @@ impl Given<'_> {
         ground.map_err(|error| self.blame(Table::Ground, error))
     }
 
-    /// Whether the case can answer what is asked of its ground, and has what loads in time need.
+    /// Refuses criteria that the ground of the case cannot answer, and loads in time without the stiffnesses they need.
     pub(super) fn answerable(&self, ground: Option<&Foundation>) -> Result<(), Fault> {
         let limit = ground.is_some_and(|ground| ground.limit.is_some());
         let stiffness = ground.is_some_and(|ground| ground.stiffness.is_some());

@@ -43,7 +43,7 @@ pub fn history_shapes() -> impl Iterator<Item = (&'static str, &'static [Key], &
     SHAPES.into_iter()
 }
 
-/// What a history is of.
+/// Quantity that varies in a history.
 #[derive(Clone, Copy)]
 pub(crate) enum HistoryOf<'a> {
     /// The acceleration of the base under a body.
@@ -288,7 +288,7 @@ impl Field<'_> {
         Ok(ReadHistory { history, warnings, step: longest })
     }
 
-    /// What the values of a record are multiplied by: 1 of pure numbers, and of shares of the load's own force.
+    /// Factor on the values of a record: 1 of pure numbers, and of shares of the load's own force.
     fn unit_of(&self, name: &str, record: &Record, column: Option<&str>) -> Result<f64, Fault> {
         let wrong = |words: String, help: Option<&'static str>| {
             Fault::new(Problem::Record { words, help }, self.id(Key::RecordFile))
@@ -318,12 +318,12 @@ impl Field<'_> {
         }
     }
 
-    /// Whether something says what the values of a record are multiplied by.
+    /// True if the factor or the peak of a record is given.
     fn is_scaled(&self) -> bool {
         self.has(Key::RecordFactor) || self.has(Key::TargetPeak)
     }
 
-    /// What the library refuses, shown at the key it is about.
+    /// Refusal by the library, shown at the key it is about.
     fn refused(&self, error: HistoryError) -> Fault {
         let key = match error {
             HistoryError::Value { name, .. } => self.table.keys().find(|key| key.name() == name),
@@ -349,7 +349,7 @@ fn cut(values: &[f64], what: &str) -> Option<MotionWarning> {
     })
 }
 
-/// What the values of a record of a load are multiplied by: 1 of shares of the load's own force; a force is that force itself.
+/// Factor on the values of a record of a load: 1 of shares of the load's own force; of a force, its unit over that force.
 fn of_own_force(
     own: Option<(f64, Extent)>,
     name: &str,

@@ -12,40 +12,40 @@ use crate::key::{Id, Key, Table};
 /// A pressure along a face.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FacePressure<T = f64> {
-    /// What it is called.
+    /// Its name.
     pub name: Option<String>,
     /// The face it presses on, inwards.
     pub face: Face,
     /// The pressure as it acts, scaled.
     pub diagram: PressureDiagram<T>,
-    /// What the pressures of the file are multiplied by.
+    /// Factor on the pressures of the file.
     pub scale: T,
-    /// Whether it is there all the time.
+    /// True if it is there all the time.
     pub permanent: bool,
 }
 
 /// A force at a point of the body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointForce<T = f64> {
-    /// What it is called.
+    /// Its name.
     pub name: Option<String>,
     /// N per metre run.
     pub magnitude: T,
-    /// Where it points.
+    /// Its direction.
     pub direction: Direction,
     /// Above the base, m.
     pub elevation: T,
     /// To the right of O, m; `None` at mid-width.
     pub distance: Option<T>,
-    /// Whether it is there all the time.
+    /// True if it is there all the time.
     pub permanent: bool,
-    /// Whether it acts with all other loads, rather than alone of those that do.
+    /// True if it acts with all other loads, rather than alone of those that do.
     pub together: bool,
-    /// How it varies in time.
+    /// Variation in time.
     pub history: Option<History>,
 }
 
-/// Where a force points.
+/// Direction of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// Horizontally.
@@ -59,7 +59,7 @@ pub enum Direction {
 /// Loads that act together, each times a factor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combination {
-    /// What it is called.
+    /// Its name.
     pub name: Option<String>,
     /// The factors by the names of loads, or of tables: weight, water, uplift, wave, earthquake.
     pub factors: Vec<(String, f64)>,
@@ -85,7 +85,7 @@ impl<T: Scalar> FacePressure<T> {
 }
 
 impl<T: Scalar> PointForce<T> {
-    /// Whether it is an alternative to the others that act alone.
+    /// True if it is an alternative to the others that act alone.
     pub fn acts_alone(&self) -> bool {
         !self.permanent && !self.together
     }
@@ -272,12 +272,12 @@ impl Given<'_> {
         Ok(Combination { name, factors: factors.to_vec() })
     }
 
-    /// What the library refuses, shown at the key of one of several tables.
+    /// Refusal by the library, shown at the key of one of several tables.
     fn blame_in(&self, table: Table, index: usize, error: InputError) -> Fault {
         let fault = self.blame_one_of(table.keys(), index, error);
         fault.unwrap_or_else(|| Fault::new(Problem::Mechanics(error), Place::Table(table, index)))
     }
 }
 
-/// How far a pressure may reach beyond its face by rounding, m.
+/// Distance by which a pressure may reach beyond its face through rounding, m.
 const SLACK: f64 = 1e-6;

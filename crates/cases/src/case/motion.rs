@@ -8,20 +8,20 @@ use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 use crate::motion::{MotionCriterion, MotionWarning};
 
-/// What a case says of its motion in time.
+/// Motion of a case in time, as its file gives it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseMotion {
-    /// How the base moves, m/s².
+    /// Motion of the base, m/s².
     pub base: Base,
-    /// What happens when a corner meets it.
+    /// Impact of a corner on the base.
     pub impact: Impact,
-    /// How the motion begins.
+    /// State in which the motion begins.
     pub initial: Initial,
-    /// When to stop at the latest, s.
+    /// Time at which to stop at the latest, s.
     pub t_max: Option<f64>,
-    /// What is asked of it.
+    /// Criteria on the motion.
     pub criteria: Vec<MotionCriterion>,
-    /// What may be a slip in its histories.
+    /// Warnings of possible slips in its histories.
     pub(crate) warnings: Vec<MotionWarning>,
     /// The longest step between the points of a record, s.
     pub(crate) step: Option<f64>,
@@ -83,7 +83,7 @@ impl Given<'_> {
         }
     }
 
-    /// What the motion refuses, shown at the key it is about.
+    /// Refusal by the motion, shown at the key it is about.
     pub(crate) fn motion_refused(&self, error: MotionError) -> Fault {
         let named = |name: &str| {
             let tables = [Table::Motion, Table::Impact, Table::Initial, Table::Block];

@@ -8,7 +8,7 @@ use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 
-/// What of the body table follows from its parts.
+/// Keys of the body table that follow from its parts.
 pub const OF_PARTS: [Key; 9] = [
     Key::Width,
     Key::Height,
@@ -21,7 +21,7 @@ pub const OF_PARTS: [Key; 9] = [
     Key::MomentOfInertia,
 ];
 
-/// What gives a part as a rectangle or trapezoid, the first four always.
+/// Keys that give a part as a rectangle or trapezoid, the first four always.
 const TRAPEZOID: [Key; 6] =
     [Key::PartLeft, Key::PartWidth, Key::PartBottom, Key::PartHeight, Key::PartTopLeft, Key::PartTopWidth];
 

@@ -20,30 +20,30 @@ use crate::key::{Id, Key, Table};
 pub struct BlockCase {
     /// Its title.
     pub title: Option<String>,
-    /// Which of the alternative loads or combinations acts, where there are several.
+    /// Name of the alternative load or combination that acts, where there are several.
     pub situation: Option<String>,
     /// The problem.
     pub problem: Problem,
     /// The crest above the base, for its figures; of a `[block]` twice that of C.
     pub height: f64,
-    /// Whether water presses up on the base.
+    /// True if water presses up on the base.
     pub uplift: bool,
-    /// Whether it is in SI units.
+    /// True if it is in SI units.
     pub si: bool,
     /// The loads at their peaks, of a body.
     pub peaks: Vec<LoadPeak>,
-    /// What is asked of the motion.
+    /// Criteria on the motion.
     pub criteria: Vec<MotionCriterion>,
-    /// What may be a slip.
+    /// Warnings of possible slips.
     pub warnings: Vec<MotionWarning>,
 }
 
 /// A load of a body at its peak, about its centre of mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadPeak {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// Whether it is there all the time.
+    /// True if it is there all the time.
     pub permanent: bool,
     /// The load, N and N·m, or per metre run; the greatest of its history times what the case has of it.
     pub wrench: Wrench,

@@ -1,4 +1,4 @@
-//! What is asked of a motion, and how far it is met: `slide`, `max_theta` and `overturned` under `[criteria]`.
+//! Criteria on a motion, and their checks: `slide`, `max_theta` and `overturned` under `[criteria]`.
 //!
 //! A bound is met by a motion that was followed to its end: of a body that still moves when the time is up nobody knows how far it gets.
 
@@ -15,7 +15,7 @@ use crate::layout::{apart, digits, plain};
 
 pub use standfast_inputs::key::MOTION_CRITERIA;
 
-/// What is asked of a motion.
+/// Criterion on a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionCriterion {
     /// The displacement along the base at the end is this at most, to either side.
@@ -26,31 +26,31 @@ pub enum MotionCriterion {
     NotOverturned,
 }
 
-/// What a motion has of what is asked.
+/// Value of a motion that a criterion is about.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionValue {
     /// A length, or an angle in radians.
     Number(f64),
-    /// Whether it overturns.
+    /// True if it overturns.
     Truth(bool),
     /// There is none: the body has overturned, or was not followed to the end of its motion.
     None,
 }
 
-/// How far a motion meets a criterion.
+/// Check of a criterion against a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionCheck {
     /// The criterion.
     pub criterion: MotionCriterion,
-    /// What the motion has.
+    /// Value of the motion.
     pub value: MotionValue,
-    /// What of the bound is used, value/required; infinite where there is no value that could meet it, `None` where nothing is measured.
+    /// Utilisation, value/required; infinite where there is no value that could meet it, `None` where nothing is measured.
     pub utilisation: Option<f64>,
-    /// Whether it is met.
+    /// True if it is met.
     pub met: bool,
-    /// How the motion ended.
+    /// End of the motion.
     pub end: End,
-    /// Whether quantities are in SI units.
+    /// True if quantities are in SI units.
     pub si: bool,
 }
 
@@ -64,7 +64,7 @@ impl MotionCriterion {
         }
     }
 
-    /// What is asked for, in words.
+    /// The quantity that is asked for, in words.
     pub fn words(self) -> &'static str {
         match self {
             MotionCriterion::Slide(_) => "displacement along the base at the end, to either side",
@@ -111,7 +111,7 @@ impl MotionCriterion {
         }
     }
 
-    /// How far a motion meets it.
+    /// Check of it against a motion.
     pub fn check(self, si: bool, outcome: &Outcome) -> MotionCheck {
         let value = match self {
             MotionCriterion::Slide(_) if outcome.overturned() => MotionValue::None,
@@ -162,7 +162,7 @@ impl MotionCheck {
         }
     }
 
-    /// What of the bound is used, as it is read.
+    /// The utilisation as it is read.
     pub fn utilisation_words(&self) -> String {
         match self.utilisation {
             Some(f64::INFINITY) => "infinite".to_owned(),
@@ -173,12 +173,12 @@ impl MotionCheck {
         }
     }
 
-    /// Whether it is met, in words.
+    /// "met" or "not met".
     pub fn met_words(&self) -> &'static str {
         if self.met { "met" } else { "not met" }
     }
 
-    /// Why it is not met: `slide is 0.1004 m, not ≤ 0.1 m`.
+    /// Reason why it is not met: `slide is 0.1004 m, not ≤ 0.1 m`.
     pub fn failure(&self) -> String {
         let name = self.criterion.name();
         match (self.value, self.end) {
@@ -190,7 +190,7 @@ impl MotionCheck {
         }
     }
 
-    /// How pressing it is.
+    /// Urgency of the check: its utilisation, 1 at least of one that is not met, infinite where nothing is measured.
     pub(crate) fn urgency(&self) -> f64 {
         match (self.utilisation, self.met) {
             (Some(utilisation), true) => utilisation,
@@ -207,14 +207,14 @@ impl BlockCase {
         self.checks_of(&self.criteria, outcome)
     }
 
-    /// The same of other criteria than those of the case.
+    /// Checks of other criteria than those of the case, the governing one first.
     pub(crate) fn checks_of(&self, criteria: &[MotionCriterion], outcome: &Outcome) -> Vec<MotionCheck> {
         let mut checks: Vec<_> = criteria.iter().map(|criterion| criterion.check(self.si, outcome)).collect();
         checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
         checks
     }
 
-    /// Whether all criteria are met; `None` where there is none.
+    /// True if all criteria are met; `None` where there is none.
     pub fn met(&self, outcome: &Outcome) -> Option<bool> {
         (!self.criteria.is_empty()).then(|| self.checks(outcome).iter().all(|check| check.met))
     }
@@ -236,7 +236,7 @@ pub(crate) fn worst_checks(
     checks
 }
 
-/// How many of some criteria are met, in a sentence.
+/// Sentence on how many criteria are met, or which are not.
 pub(crate) fn met_words<'a>(checks: impl Iterator<Item = (&'a str, bool)>) -> String {
     let checks: Vec<_> = checks.collect();
     let failed: Vec<_> = checks.iter().filter(|(_, met)| !met).map(|(name, _)| *name).collect();

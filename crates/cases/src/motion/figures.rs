@@ -21,9 +21,9 @@ const PICTURES: f64 = 800.0;
 /// A figure of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionFigure {
-    /// What tells it from the others of the case, to be appended to a file's name.
+    /// Suffix that tells it from the others of the case, to be appended to a file's name.
     pub suffix: &'static str,
-    /// What it is.
+    /// Its content, in words.
     pub words: &'static str,
     /// The figure.
     pub figure: Figure,
@@ -112,7 +112,7 @@ impl Samples {
         }
     }
 
-    /// Where the body is at the beginning, where it leaves rest, at its largest slide and rotation, at the end, and between them.
+    /// Positions of the body as it leaves rest, at its largest slide and rotation, at the end, and between them.
     fn moments(&self, outcome: &Outcome) -> Vec<MotionPose> {
         let leaves = self.states.iter().find(|(_, mode)| *mode != Mode::Rest).map_or(0.0, |(t, _)| *t);
         let rests = self.states.last().map_or(self.end, |(t, _)| *t);
@@ -135,7 +135,7 @@ impl Samples {
         chosen.into_iter().filter_map(|t| pose(outcome, t)).collect()
     }
 
-    /// Where the body is so often that an eye sees it move; once where it rests.
+    /// Positions of the body, so many that an eye sees it move; of a rest only the first and the last.
     fn frames(&self, outcome: &Outcome) -> Vec<MotionPose> {
         let step = (1.0 / PER_SECOND).max(self.end / PICTURES);
         let count = (self.end / step).ceil();

@@ -34,12 +34,12 @@ impl FirstInstant {
 }
 
 impl CaseFile {
-    /// Whether its loads or its base go with time, so that there is a motion to follow.
+    /// True if its loads or its base go with time, so that there is a motion to follow.
     pub fn is_in_time(&self) -> bool {
         self.inputs().is_in_time()
     }
 
-    /// The same on a base that moves as is given, in place of what it says of that.
+    /// The file with a base that moves as is given, in place of what it says of that.
     pub fn on_base(&self, given: &GivenBase) -> CaseFile {
         let mut file = self.clone();
         let records = [(Table::BaseHorizontal, &given.horizontal), (Table::BaseVertical, &given.vertical)];
@@ -139,7 +139,7 @@ fn without_time(inputs: &Inputs) -> Inputs {
 }
 
 impl CaseFile {
-    /// What is asked of the motion.
+    /// Criteria on the motion.
     ///
     /// # Errors
     /// If the body is asked to overturn.

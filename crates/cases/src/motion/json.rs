@@ -81,7 +81,7 @@ impl<'a> From<&'a MotionWarning> for WarningEntry<'a> {
     }
 }
 
-/// How a motion ended, in a word.
+/// End of a motion, in a word.
 pub(super) fn end_word(end: End) -> &'static str {
     match end {
         End::AtRest => "rest",

@@ -45,7 +45,7 @@ pub const RESULTS: [&str; 16] = [
 /// Those that say how far the criteria are met.
 const OF_CRITERIA: [&str; 3] = ["met", "utilisation", "criterion"];
 
-/// Why a column varies nothing that it should.
+/// Reason why a column varies nothing that it should.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ColumnError {
@@ -54,7 +54,7 @@ pub enum ColumnError {
     NoFactor {
         /// The column.
         column: String,
-        /// What is wrong.
+        /// The error of the name or the unit.
         error: Box<NoFactor>,
     },
     /// It has the name of a key that the file does not have.
@@ -104,7 +104,7 @@ impl Explained for ColumnError {
     }
 }
 
-/// What a column varies.
+/// Entry that a column varies.
 #[derive(Debug, Clone)]
 enum Varied {
     /// A number, with what goes with it.
@@ -132,9 +132,9 @@ pub struct MotionRows {
     varied: Vec<(usize, Varied)>,
     /// The columns, as the table calls them.
     columns: Vec<String>,
-    /// Whether something is asked of the motion.
+    /// True if there are criteria on the motion.
     asks: bool,
-    /// What goes with what varies, in sentences.
+    /// Notes on the numbers that go with those that vary, in sentences.
     notes: Vec<String>,
     /// The files that rows name, each read once.
     records: Mutex<BTreeMap<String, Result<Arc<RecordFile>, String>>>,
@@ -184,7 +184,7 @@ impl MotionRows {
         })
     }
 
-    /// What goes with what varies, in sentences.
+    /// Notes on the numbers that go with those that vary, in sentences.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -251,7 +251,7 @@ impl MotionRows {
     /// The results of a row, in the order of [`RESULTS`]: those of the worst situation.
     ///
     /// # Errors
-    /// What is wrong with the row, in words.
+    /// Fault of the row, in words.
     pub fn answer(&self, cells: &[&str], file: &ReadFile<'_>) -> Result<Vec<String>, String> {
         let inputs = self.with(cells, file)?;
         let cases = motions(&inputs).map_err(|fault| fault.to_string())?;
@@ -282,7 +282,7 @@ impl MotionRows {
     }
 }
 
-/// What a column varies, if anything.
+/// Entry that a column varies, if any.
 fn find(column: &str, inputs: &Inputs) -> Result<Option<Varied>, ColumnError> {
     let (name, unit) = heading(column);
     let word = |kind| matches!(kind, Kind::Text | Kind::File | Kind::Truth | Kind::Choice { .. });

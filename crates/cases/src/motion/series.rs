@@ -13,7 +13,7 @@ pub fn series(outcome: &Outcome, dt: f64) -> impl Iterator<Item = (f64, Position
     (0..=count).map(move |i| i as f64 * dt).map_while(|t| Some((t, outcome.at(t)?)))
 }
 
-/// The same as CSV.
+/// The motion every `dt` as CSV.
 pub fn series_csv(outcome: &Outcome, dt: f64) -> String {
     let mut text = SERIES.join(",") + "\n";
     for (t, at) in series(outcome, dt) {

@@ -1,4 +1,4 @@
-//! What is possible of a body in time but may be a slip.
+//! Slips that may be in a case in time whose values are possible.
 
 use standfast_motion::{History, Impact, Problem};
 
@@ -13,7 +13,7 @@ const COARSE: f64 = 0.05;
 /// A body keeps less of its rate at an impact than this.
 const LOSSLESS: f64 = 0.999;
 
-/// What may be a slip in a problem whose histories have points up to `step` apart, if they have points.
+/// Possible slips in a problem whose histories have points up to `step` apart, if they have points.
 pub(super) fn slips(problem: &Problem, step: Option<f64>) -> Vec<MotionWarning> {
     let mut slips = Vec::new();
     let gravity = problem.gravity;

@@ -24,7 +24,7 @@ pub struct Steps {
     pub from: f64,
     /// The last, greater.
     pub to: f64,
-    /// How many, two at least.
+    /// Number of them, two at least.
     pub count: usize,
 }
 
@@ -76,7 +76,7 @@ impl FromStr for Steps {
     }
 }
 
-/// Which spectrum.
+/// Kind of spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpectrumKind {
     /// Uniform blocks over size and slenderness.
@@ -114,10 +114,10 @@ impl FromStr for SpectrumKind {
     }
 }
 
-/// What to find.
+/// Request for a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectrumRequest {
-    /// Which spectrum.
+    /// Kind of the spectrum.
     pub kind: SpectrumKind,
     /// The half diagonals of a rocking spectrum; from a quarter of that of the case to its eightfold if left out.
     pub size: Option<Steps>,
@@ -127,7 +127,7 @@ pub struct SpectrumRequest {
     pub ratio: Option<Steps>,
     /// The factors on the shaking of an overturning curve; 0.05 to 5 if left out.
     pub scale: Option<Steps>,
-    /// How many threads work; the answer does not depend on it.
+    /// Number of threads that work; the answer does not depend on it.
     pub threads: usize,
 }
 
@@ -138,7 +138,7 @@ impl SpectrumRequest {
     }
 }
 
-/// Why there is no spectrum of a case.
+/// Reason why there is no spectrum of a case.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SpectrumError {
@@ -147,14 +147,14 @@ pub enum SpectrumError {
         "a spectrum is of bodies on a base that moves, and the case has no [motion.base] with `horizontal`"
     )]
     NoShaking,
-    /// What is asked for belongs to another kind.
+    /// An option that belongs to another kind.
     #[error("{option} does not belong to the {kind} spectrum; it has {has}")]
     Foreign {
-        /// What was given.
+        /// The option given.
         option: &'static str,
         /// The kind.
         kind: &'static str,
-        /// What that kind has.
+        /// Options of that kind.
         has: &'static str,
     },
     /// Loads that belong to the one body of the case.
@@ -168,7 +168,7 @@ pub enum SpectrumError {
     /// Too many motions.
     #[error("{count} motions are asked for; expected {MOST} at most")]
     Many {
-        /// How many.
+        /// Number of motions.
         count: usize,
     },
     /// A motion that is refused.
@@ -178,7 +178,7 @@ pub enum SpectrumError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// Why.
+        /// The error of the motion.
         error: MotionError,
     },
 }
@@ -186,11 +186,11 @@ pub enum SpectrumError {
 /// A spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
-    /// Which.
+    /// Its kind.
     pub kind: SpectrumKind,
     /// The title of the case.
     pub title: Option<String>,
-    /// Whether it is in SI units.
+    /// True if it is in SI units.
     pub si: bool,
     /// g of the case.
     pub gravity: f64,
@@ -198,7 +198,7 @@ pub struct Spectrum {
     pub peak: f64,
     /// The points.
     pub points: SpectrumPoints,
-    /// What may be a slip, or leaves the range of the model.
+    /// Warnings of possible slips, and of values outside the range of the model.
     pub warnings: Vec<super::MotionWarning>,
 }
 
@@ -218,14 +218,14 @@ pub enum SpectrumPoints {
     Newmark {
         /// Yield accelerations over the peak.
         ratios: Vec<f64>,
-        /// How far the block slides.
+        /// Slides of the block.
         slides: Vec<Slid>,
     },
     /// Over the strength of the shaking.
     Overturning {
         /// Factors.
         scales: Vec<f64>,
-        /// What becomes of the body.
+        /// Motions of the body.
         bodies: Vec<Rocked>,
         /// The stretches of factors at which it overturns; there may be narrower ones between the factors.
         stretches: Vec<[f64; 2]>,
@@ -330,7 +330,7 @@ impl BlockCase {
     }
 }
 
-/// What is told of a spectrum under way.
+/// Progress of a spectrum under way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Progressed {
     /// So many more motions are to be followed.
@@ -346,7 +346,7 @@ fn steps(given: Option<Steps>, silent: Steps) -> Steps {
     })
 }
 
-/// What does not belong to the kind.
+/// Refuses an option that does not belong to the kind.
 fn foreign(request: &SpectrumRequest) -> Result<(), SpectrumError> {
     let SpectrumRequest { kind, size, slenderness, ratio, scale, .. } = request;
     let given = [

@@ -51,7 +51,7 @@ impl BlockCase {
 pub type Rows = Vec<Vec<String>>;
 
 impl BlockCase {
-    /// What becomes of the body, in a sentence.
+    /// Outcome for the body, in a sentence.
     pub fn verdict(&self, followed: &Followed) -> String {
         verdict(&followed.outcome, self.seconds())
     }
@@ -71,7 +71,7 @@ impl BlockCase {
         energy(&followed.outcome)
     }
 
-    /// Whether the answer is unique, in a sentence.
+    /// Sentence on the uniqueness of the answer.
     pub fn uniqueness(&self, followed: &Followed) -> String {
         uniqueness(&followed.outcome)
     }
@@ -86,7 +86,7 @@ fn number(x: f64) -> String {
     significant(x, 7)
 }
 
-/// What becomes of the body, in a sentence.
+/// Outcome for the body, in a sentence.
 pub(super) fn verdict(outcome: &Outcome, s: &str) -> String {
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
@@ -124,7 +124,7 @@ pub(super) fn verdict(outcome: &Outcome, s: &str) -> String {
     format!("{begins} {}. {ends}{past}", first.state.words())
 }
 
-/// What is asked of the motion, the governing criterion first.
+/// Criteria on the motion as text, the governing one first.
 fn criteria(case: &BlockCase, outcome: &Outcome) -> String {
     let checks = case.checks(outcome);
     let mut rows = vec![row!["criterion", "required", "value", "utilisation", ""]];
@@ -141,7 +141,7 @@ fn criteria(case: &BlockCase, outcome: &Outcome) -> String {
     columns(&rows, 2, &[3]) + &paragraph(&met, 2)
 }
 
-/// What is said of a number that is not zero.
+/// Words on a number that is not zero; none if it is.
 fn when(number: f64, words: impl Fn() -> String) -> String {
     if number == 0.0 { String::new() } else { words() }
 }
@@ -214,7 +214,7 @@ fn energy(outcome: &Outcome) -> Vec<Vec<String>> {
     ]
 }
 
-/// What the balance of energy lacks; not the rounding errors, which are others on another machine.
+/// Residual of the balance of energy; not the rounding errors, which are others on another machine.
 fn lacks(outcome: &Outcome) -> String {
     let terms =
         [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.kinetic, outcome.potential];

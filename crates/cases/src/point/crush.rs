@@ -10,7 +10,7 @@ use crate::layout::digits;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crushing {
     pub(super) point: CrushPoint,
-    /// Whether the force points right, so that modes and motions are to be mirrored.
+    /// True if the force points right, so that modes and motions are to be mirrored.
     pub(super) mirrored: bool,
 }
 
@@ -56,7 +56,7 @@ pub(super) struct OnBase {
 }
 
 impl Crushing {
-    /// Where the base bears, in a sentence.
+    /// Sentence on the part of the base that bears.
     pub(super) fn words(&self) -> String {
         let omega = self.point.omega();
         let share = digits(100.0 * omega);
@@ -92,7 +92,7 @@ impl Crushing {
         }
     }
 
-    /// Whether the answer is unique, in sentences.
+    /// Sentences on the uniqueness of the answer.
     pub(super) fn uniqueness(&self) -> String {
         let bound = match self.point.bound() {
             infinite if infinite.is_infinite() => "one mode only is consistent under any friction".to_owned(),

@@ -18,7 +18,7 @@ pub struct Factor {
     unit: Counted,
 }
 
-/// What a plain number counts.
+/// Unit that a plain number counts.
 #[derive(Debug, Clone, Copy)]
 enum Counted {
     /// SI units, or nothing.
@@ -31,7 +31,7 @@ enum Counted {
     StandardGravity,
 }
 
-/// Why a name is no number that can vary.
+/// Reason why a name is no number that can vary.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NoFactor {
@@ -156,7 +156,7 @@ impl Factor {
         inputs.get(found).is_none().then(|| Id::from(found).to_string())
     }
 
-    /// The same where gravity varies as well: what counts it is then not said in other units.
+    /// The factor where gravity varies as well: multiples of gravity are then not said in other units.
     pub(super) fn under_any_gravity(self) -> Factor {
         match self.unit {
             Counted::Gravity(_) => Factor { unit: Counted::Gravity(None), ..self },
@@ -169,7 +169,7 @@ impl Factor {
         &self.variable
     }
 
-    /// Whether its values count the acceleration of gravity, and are not in SI units.
+    /// True if its values count the acceleration of gravity, and are not in SI units.
     pub fn counts_gravity(&self) -> bool {
         matches!(self.unit, Counted::Gravity(_))
     }
@@ -221,7 +221,7 @@ impl Factor {
         }
     }
 
-    /// What its values have to be, in words.
+    /// Values that it takes, in words.
     pub fn expected(&self) -> String {
         match self.unit {
             Counted::Gravity(None) => {
@@ -241,7 +241,7 @@ impl Factor {
     }
 }
 
-/// How many times the acceleration of gravity an acceleration is: the share that gives it back, where a float does.
+/// Acceleration as a multiple of that of gravity: the share that gives it back, where a float does.
 fn share(acceleration: f64, gravity: f64) -> f64 {
     let share = acceleration / gravity;
     let near = [share, share.next_up(), share.next_down()];

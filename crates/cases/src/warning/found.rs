@@ -1,4 +1,4 @@
-//! Which warnings a case has, and their limits.
+//! Warnings that a case has, and their limits.
 
 use std::fmt;
 
@@ -12,13 +12,13 @@ use crate::error::Place;
 use crate::key::{Id, Key};
 use crate::units::Extent;
 
-/// What is usual, both ends included.
+/// Usual range of a value, both ends included.
 pub(super) struct Usual {
     from: f64,
     to: f64,
 }
 
-/// What a number that was multiplied and divided again may be off by.
+/// Relative error of a number that was multiplied and divided again.
 const ROUNDING: f64 = 1e-12;
 
 impl Usual {
@@ -44,7 +44,7 @@ pub(super) const DENSITY: Usual = Usual { from: 1000.0, to: 3000.0 };
 /// Of objects, from an empty cabinet or tank to bronze, kg/m³.
 pub(super) const OBJECT: Usual = Usual { from: 50.0, to: 9000.0 };
 
-/// How far a weight less buoyancy may be from that of the parts, as a share.
+/// Difference that a weight less buoyancy may have from that of the parts, as a share.
 const OF_PARTS: f64 = 0.01;
 
 /// Of water, from warm and fresh to brine, kg/m³.
@@ -62,13 +62,13 @@ pub(super) const FRICTION: f64 = 1.0;
 /// The largest acceleration of the ground, in multiples of that of gravity.
 pub(super) const SHAKING: f64 = 1.0;
 
-/// How far a force on the body's edge may be beside it by rounding, m.
+/// Distance from the body's edge that a force on it may have by rounding, m.
 const SLACK: f64 = 1e-6;
 
 /// The smallest pressure that the ground of a structure is asked to bear, kPa: soft clay's.
 pub(super) const BEARING: f64 = 20.0;
 
-/// What a base bears before it crushes, from soft clay to the strongest stone, kPa.
+/// Strength at which a base crushes, from soft clay to the strongest stone, kPa.
 pub(super) const STRENGTH: Usual = Usual { from: 20.0, to: 1e6 };
 
 /// Pressure over settlement, from the softest ground under a wide base to a joint in stone, MN/m³.
@@ -77,20 +77,20 @@ pub(super) const STIFFNESS: Usual = Usual { from: 0.1, to: 1e6 };
 /// Effective unit weight of ground, from peat under water to dense gravel above it, kN/m³.
 pub(super) const UNIT_WEIGHT: Usual = Usual { from: 1.0, to: 30.0 };
 
-/// How far a weight may be off by the rounding of its digits, as a share of m g.
+/// Error of a weight by the rounding of its digits, as a share of m g.
 const ROUNDED: f64 = 1e-3;
 
-/// How far the buoyancy that was taken off may be from that of the rectangle under water, as a share of it: toes, slots and
+/// Difference that the buoyancy taken off may have from that of the rectangle under water, as a share of it: toes, slots and
 /// sloping faces change what a caisson displaces by less than a quarter, while to forget the buoyancy or to take it off twice
 /// changes it by the whole. An error of a quarter of the buoyancy moves the factor against sliding of a caisson by some 15 %.
 const SHAPE: f64 = 0.25;
 
-/// The same as a share of m g, for a body that stands in shallow water: there the buoyancy is less than what a rounded mass
+/// Difference as a share of m g, for a body that stands in shallow water: there the buoyancy is less than what a rounded mass
 /// is off.
 const SHALLOW: f64 = 0.02;
 
 impl Case {
-    /// What is unusual about it.
+    /// Warnings of unusual values in it.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = self.base();
         warnings.extend(self.numbers());

@@ -1,4 +1,4 @@
-//! Where something is wrong with a case, and the error that shows it in the file's own text.
+//! Places of faults in a case, and the error that shows them in the file's own text.
 
 use std::ops::Range as Span;
 
@@ -8,7 +8,7 @@ use super::Problem;
 use crate::explained::{Excerpt, Explained};
 use crate::key::{Id, Key, Table};
 
-/// Where in a case something is wrong.
+/// Place of a fault in a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// The value under a key.
@@ -39,9 +39,9 @@ impl From<Table> for Place {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{problem}")]
 pub struct Fault {
-    /// What is wrong.
+    /// The problem.
     pub problem: Problem,
-    /// Where.
+    /// Its place.
     pub at: Place,
     /// The other place, where two do not agree.
     pub and: Option<Place>,
@@ -83,7 +83,7 @@ impl CaseError {
         CaseError { problem, file: Box::new(file) }
     }
 
-    /// What is wrong.
+    /// The problem.
     pub fn problem(&self) -> &Problem {
         &self.problem
     }

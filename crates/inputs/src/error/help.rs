@@ -1,4 +1,4 @@
-//! What helps against what is wrong with a case.
+//! Advice on what is wrong with a case.
 
 use standfast::Quantity;
 use standfast::section::{SectionError, Vertex};
@@ -17,7 +17,7 @@ const SKELETON: &str = "a case file has a body and one or more loads, for exampl
     [[load]]\nforce = \"450 kN/m\"\nelevation = \"8 m\"";
 
 impl Problem {
-    /// What to do.
+    /// Advice on the problem.
     pub fn help(&self) -> Option<String> {
         let help = match self {
             Problem::Random(_) => return None,
@@ -207,7 +207,7 @@ impl Problem {
         Some(help)
     }
 
-    /// What a number has to be that is not in a key's range.
+    /// Problem of a number that is not in a key's range.
     pub fn out_of_range(key: Key, range: Range, number: f64) -> Problem {
         Problem::OutOfRange { key, written: plain(number), expected: range.words() }
     }
@@ -218,7 +218,7 @@ fn line(key: Key) -> String {
     format!("{} = {}", key.entry(), key.info().example)
 }
 
-/// What is wrong with parts together, counted from one as they stand in the file.
+/// Fault of parts together, counted from one as they stand in the file.
 pub fn parts(error: SectionError) -> String {
     let place = |at: Vertex| format!("x = {} m, {} m above the base", digits(at.x), digits(at.y));
     match error {
@@ -253,7 +253,7 @@ pub fn parts(error: SectionError) -> String {
     }
 }
 
-/// What to do about a unit of whole objects in a case per metre run, and the other way round.
+/// Advice on a unit of whole objects in a case per metre run, and the other way round.
 fn other_extent(dimension: Dimension, unit: &str) -> Option<&'static str> {
     const PER_METRE: [Dimension; 3] = [Dimension::Mass, Dimension::Force, Dimension::Inertia];
     let fits = |dimension: Dimension| dimension.parse(&format!("1 {unit}")).is_ok();
@@ -300,7 +300,7 @@ fn known(table: Table, name: &str) -> String {
     }
 }
 
-/// What a key takes, as the type that is expected of its value.
+/// Type of value that a key takes, in words.
 pub fn expected_type(kind: Kind) -> &'static str {
     match kind {
         Kind::Text | Kind::File => "a text in quotes",

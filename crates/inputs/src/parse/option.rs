@@ -1,4 +1,4 @@
-//! What does a value say that is given at an option? What it says behind its key in a case file.
+//! Values given at an option, which say there what they say behind their keys in a case file.
 
 use std::borrow::Cow;
 
@@ -34,7 +34,7 @@ mod tests {
     use crate::key::Key;
     use crate::parse::CaseText;
 
-    /// The same texts in a file, in quotes where they are no numbers, and at an option.
+    /// Texts say the same in a file, in quotes where they are no numbers, and at an option.
     #[test]
     fn an_option_says_what_a_file_says() {
         let keys =

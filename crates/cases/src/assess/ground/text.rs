@@ -32,7 +32,7 @@ const IN_TIME: &str = "In time the base is linear and without damping up to its 
 
 const OFF_MIDDLE: &str = "The centre of mass is off the middle of the base: sway, rocking and heave are one motion, and no periods are given.";
 
-/// What the answer leaves out of the ground, in sentences.
+/// Notes on the effects of the ground that the answer leaves out, in sentences.
 pub fn left_out(case: &Case) -> Vec<&'static str> {
     let Some(foundation) = &case.ground else { return Vec::new() };
     let mut notes = Vec::new();
@@ -59,7 +59,7 @@ pub fn left_out(case: &Case) -> Vec<&'static str> {
     notes
 }
 
-/// How an elastic base is pressed, in words.
+/// Contact state of an elastic base, in words.
 pub fn state(state: ContactState) -> &'static str {
     match state {
         ContactState::Full => "all of the base is pressed, elastically",
@@ -121,7 +121,7 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
     text
 }
 
-/// What presses on the base, and what it bears.
+/// Rows of the reaction and of the resistance to it.
 fn reaction(assessed: &Assessed, ground: &OnGround) -> Vec<Vec<String>> {
     let metres = |length: f64| format!("{} m", digits(length));
     let mut rows = Vec::new();
@@ -167,7 +167,7 @@ fn reaction(assessed: &Assessed, ground: &OnGround) -> Vec<Vec<String>> {
     rows
 }
 
-/// What is elastic.
+/// Rows of the elastic response.
 fn of_springs(elastic: &Elastic) -> Vec<Vec<String>> {
     let mut rows = Vec::new();
     if let Some(rotation) = elastic.rotation {

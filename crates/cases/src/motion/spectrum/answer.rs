@@ -171,7 +171,7 @@ impl Spectrum {
         if self.si { " m" } else { "" }
     }
 
-    /// What was done and what came of it, in sentences.
+    /// Sentences on the motions followed and on their outcome.
     pub(super) fn words(&self) -> String {
         let peak = format!("{} g", significant(self.peak / self.gravity, 3));
         match &self.points {

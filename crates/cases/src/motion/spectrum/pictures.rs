@@ -5,7 +5,7 @@ use standfast_motion::spectrum::{Rocked, Slid};
 
 use super::{Spectrum, SpectrumPoints};
 
-/// How far a block turned: the greatest share of the angle of balance of each class, with its colour and words.
+/// Classes of the rotation of a block: the greatest share of the angle of balance of each, with its colour and words.
 const CLASSES: [(f64, &str, &str); 7] = [
     (0.0, "#f1f4f7", "does not rock"),
     (0.1, "#dcebf6", "$|θ| ≤ 0.1 α$"),
