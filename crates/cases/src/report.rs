@@ -7,7 +7,7 @@ use std::iter;
 use std::ops::Range;
 
 use annotate_snippets::renderer::Renderer;
-use annotate_snippets::{AnnotationKind, Group, Level, Snippet, normalize_untrusted_str};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Snippet, Title, normalize_untrusted_str};
 
 use crate::explained::{Excerpt, Explained};
 use crate::layout::wrapped;
@@ -21,23 +21,25 @@ const MARGIN: usize = 9;
 /// Columns that are underlined of a line that is longer, so that the renderer has room to cut it at both sides.
 const UNDERLINED: usize = 72;
 
-/// An error as a user sees it: the message, the line with the place underlined, and what to do. Nothing ends the last line.
+/// An error as a user sees it: the message on a line, the line of the text with the place underlined, and what to do. Nothing ends the
+/// last line.
 pub fn report(error: &dyn Explained) -> String {
-    drawn(error, Level::ERROR.no_name(), &Renderer::plain())
+    drawn(error, |message| Level::ERROR.no_name().primary_title(message), Renderer::plain())
 }
 
-/// A [`report`] for a terminal: in colours, and with `error: ` before it.
+/// A [`report`] for a terminal: with `error: ` before it, the message wrapped, and in colours.
 pub fn coloured(error: &dyn Explained) -> String {
-    drawn(error, Level::ERROR, &Renderer::styled())
+    let title = |message: String| wrapped(&message, "error: ".len()).join("\n");
+    drawn(error, |message| Level::ERROR.primary_title(title(message)), Renderer::styled())
 }
 
-fn drawn(mut error: &dyn Explained, level: Level<'_>, renderer: &Renderer) -> String {
+fn drawn(mut error: &dyn Explained, title: impl Fn(String) -> Title<'static>, renderer: Renderer) -> String {
     while let Some(cause) = error.passed_on() {
         error = cause;
     }
-    let title = level.primary_title(wrapped(&error.to_string(), "error: ".len()).join("\n"));
+    let title = title(error.to_string());
     let help = error.help().map(|help| Group::with_title(Level::HELP.secondary_title(said(&help))));
-    let renderer = renderer.clone().term_width(WIDTH);
+    let renderer = renderer.term_width(WIDTH);
     let drawn = match error.excerpt().map(|excerpt| Lines::of(&excerpt)) {
         Some(lines) => {
             let wrong = title.element(lines.snippet());
@@ -89,7 +91,7 @@ impl<'a> Lines<'a> {
         Lines { name: excerpt.name, first, text: text[from..to].to_owned() + "\n", places }
     }
 
-    fn snippet(&self) -> Snippet<'_, annotate_snippets::Annotation<'_>> {
+    fn snippet(&self) -> Snippet<'_, Annotation<'_>> {
         let kinds = iter::once(AnnotationKind::Primary).chain(iter::repeat(AnnotationKind::Context));
         let underlined = kinds.zip(&self.places).map(|(kind, place)| kind.span(place.clone()));
         Snippet::source(&self.text).path(self.name).line_start(self.first).annotations(underlined)
@@ -291,12 +293,12 @@ mod tests {
             "",
             "      width = 15  # m",
         ]);
-        assert_eq!(report(&error), format!("{message}\n{help}"));
+        assert_eq!(report(&error), format!("{}\n{help}", error.message));
         error.text = Some("width = 15".into());
         error.places = Vec::from([0..5]);
         let place = lines([" --> t.toml:1:1", "  |", "1 | width = 15", "  | ^^^^^", "  |"]);
-        assert_eq!(report(&error), format!("{message}\n{place}\n{help}"));
-        // The program's has what it is before it, and colours, and no other words.
+        assert_eq!(report(&error), format!("{}\n{place}\n{help}", error.message));
+        // The program's has what it is before it, its message wrapped, and colours.
         let plain: String = coloured(&error)
             .split('\u{1b}')
             .map(|part| part.split_once('m').map_or(part, |(_, text)| text))

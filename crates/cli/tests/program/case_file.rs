@@ -75,7 +75,7 @@ fn errors_of_a_case_from_standard_input_say_where_it_comes_from() {
         words(&output.stderr)
     };
     assert!(said(b"").contains("standard input is empty"));
-    assert!(said(b"[body]\nwidth = \"15 kg\"\n").contains("[standard input:2:9]"));
+    assert!(said(b"[body]\nwidth = \"15 kg\"\n").contains("--> standard input:2:9\n"));
     assert!(said(b"[body]\n# \xff\n").contains("standard input is not UTF-8 text: line 2"));
     assert_eq!(files(folder.path()), [""; 0]);
 }
@@ -101,18 +101,18 @@ fn an_error_is_short_where_the_file_is_not() {
         ("[".repeat(many), ":1:"),
         (format!("a = {}", "[".repeat(many)), ":1:"),
         (format!("a = {}1", "{b = ".repeat(many)), ":1:"),
-        (format!("{long} = 1\n"), ":1:1]"),
-        (format!("[body]\nwidth = \"1 {long}\"\n"), ":2:9]"),
-        (format!("body = {{ title = \"{long}\", width = 1 }}\n"), ":1:10]"),
-        (format!("load = {{ name = \"{long}\" }}\n"), ":1:8]"),
+        (format!("{long} = 1\n"), ":1:1\n"),
+        (format!("[body]\nwidth = \"1 {long}\"\n"), ":2:9\n"),
+        (format!("body = {{ title = \"{long}\", width = 1 }}\n"), ":1:10\n"),
+        (format!("load = {{ name = \"{long}\" }}\n"), ":1:8\n"),
         (format!("body = {{ width = {}1 }}\n", " ".repeat(many)), ":1:"),
-        (format!("title = \"{long}\" x\n"), &format!(":1:{}]", many + ahead - 2)),
+        (format!("title = \"{long}\" x\n"), &format!(":1:{}\n", many + ahead - 2)),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let output = run(folder.path(), &["assess", "-"], text.as_bytes());
         assert_eq!(output.status.code(), Some(1), "{}", &text[..40]);
         let said = words(&output.stderr);
         assert!(said.len() < 2500, "{} bytes: {}…", said.len(), said.chars().take(2000).collect::<String>());
-        assert!(said.contains(&format!("[standard input{place}")), "{said}");
+        assert!(said.contains(&format!("--> standard input{place}")), "{said}");
     }
 }

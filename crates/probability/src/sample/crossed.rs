@@ -1,7 +1,6 @@
 //! The share of hits of rows and columns that are all crossed: every body under every record.
 
-use statrs::function::beta::beta_reg;
-
+use super::beta::beta_reg;
 use super::interval::{Estimate, where_reached};
 
 impl Estimate {
