@@ -95,5 +95,5 @@ fn one_file_calls_the_parser_of_case_files() {
     }
     let mut found = Vec::new();
     ["crates", "python", "web"].iter().for_each(|directory| calls(&root().join(directory), &mut found));
-    assert_eq!(found, ["crates/cases/src/parse.rs"]);
+    assert_eq!(found, ["crates/inputs/src/parse.rs"]);
 }
