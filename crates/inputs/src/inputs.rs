@@ -45,10 +45,10 @@ impl Value {
 /// The values of a case file.
 ///
 /// ```
-/// use standfast_inputs::{CaseFile, Key};
+/// use standfast_inputs::{CaseText, Key};
 ///
 /// let text = "[body]\nwidth = 1\nheight = 2\nmass = 5e3\nfriction = 0.6\n[[load]]\nforce = 7\nelevation = 1\n";
-/// let mut inputs = CaseFile::parse("case.toml", text)?.inputs().clone();
+/// let mut inputs = CaseText::parse("case.toml", text)?.inputs().clone();
 /// assert_eq!(inputs.number(Key::Width), Some(1.0));
 /// inputs.set(Key::Width, 1.5);
 /// assert_eq!(inputs.number(Key::Width), Some(1.5));

@@ -160,8 +160,13 @@ impl Written {
             overturning_about_heel: left(&about_heel),
             overturning_about_toe: left(&about_toe),
         };
-        if pressing.sign() == Some(Ordering::Greater) && (is_zero(&about_heel) || is_zero(&about_toe)) {
-            let arm = if is_zero(&about_heel) { 0.0 } else { body.base_width() };
+        if pressing.sign() == Some(Ordering::Greater) {
+            // From the nearer corner, beside which it may stand.
+            let arm = |margin: &Ball| {
+                if is_zero(margin) { 0.0 } else { (margin.clone() / pressing.clone()).value() }
+            };
+            let [from_heel, from_toe] = [&about_heel, &about_toe].map(arm);
+            let arm = if from_heel <= from_toe { from_heel } else { body.base_width() - from_toe };
             stability.bear(body, pressing.value(), arm);
         }
         settle(&mut stability.sliding, &sliding);
@@ -201,25 +206,27 @@ pub(super) fn settle_relation(relation: &mut Relation) {
 pub(super) fn is_near(situation: &Situation) -> bool {
     let body = situation.body();
     let reach = body.width() + body.height() + body.base_width();
-    let mut size = [[0.0; 3]; 2];
+    // What acts, and the sizes of its parts: the permanent loads, and all.
+    let mut sums = [(Wrench::ZERO, Wrench::ZERO); 2];
     for load in situation.loads() {
-        let Wrench { x, p, m } = situation.wrench_of(load);
+        let wrench = situation.wrench_of(load);
+        let [x, p] = [wrench.x.abs(), wrench.p.abs()];
         // A force whose moment about the centre of mass is small may have come of large parts.
-        let [x, p, m] = [x.abs(), p.abs(), m.abs() + (x.abs() + p.abs()) * reach];
-        let places = if load.permanent { 0..2 } else { 1..2 };
-        for sum in &mut size[places] {
-            *sum = [sum[0] + x, sum[1] + p, sum[2] + m];
+        let size = Wrench { x, p, m: wrench.m.abs() + (x + p) * reach };
+        for sum in &mut sums[usize::from(!load.permanent)..] {
+            *sum = (sum.0 + wrench, sum.1 + size);
         }
     }
-    let sums = situation.sums();
     let block = situation.reduced_block().0;
-    [sums.permanent, sums.permanent + sums.variable].into_iter().zip(size).any(|(wrench, [x, p, m])| {
-        let numbers = contact::numbers(&block, &situation.reduced_wrench(&wrench)).map(Approx::of);
-        let off = situation.reduced_wrench(&Wrench { x, p, m });
-        let about = |number: Approx, off: f64| Approx::around(number.value(), NEAR * off);
-        let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers;
-        let numbers =
-            [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, about(x, off.x), about(p, off.p), about(m, off.m)];
+    sums.into_iter().any(|(wrench, size)| {
+        let mut numbers = contact::numbers(&block, &situation.reduced_wrench(&wrench)).map(Approx::of);
+        let off = situation.reduced_wrench(&size);
+        for (number, off) in numbers[WRENCH..].iter_mut().zip([off.x, off.p, off.m]) {
+            *number = Approx::around(number.value(), NEAR * off);
+        }
         conditions(&numbers).iter().any(|condition| condition.sign().is_none())
     })
 }
+
+/// Where X, P and M begin among the numbers.
+const WRENCH: usize = 8;
