@@ -386,9 +386,7 @@ impl AnyCheck<'_> {
 impl Assessed {
     /// A situation under the worst of the accelerations of the base that are tried.
     fn of(case: &Case, index: usize, acting: Acting) -> Result<Assessed, InputError> {
-        let shaken = |shaking: Option<[f64; 2]>| {
-            let earthquake = shaking.and_then(|signs| case.shaken(signs));
-            let situation = case.decided(acting, shaking)?;
+        let answer = |situation: Situation, earthquake| {
             let (outcome, ground) = match &case.ground {
                 Some(foundation) => {
                     let (outcome, ground) = OnGround::of(case, foundation, &situation)?;
@@ -409,6 +407,16 @@ impl Assessed {
                 not_rest: None,
                 others,
             })
+        };
+        let shaken = |shaking: Option<[f64; 2]>| {
+            let earthquake = shaking.and_then(|signs| case.shaken(signs));
+            let assessed: Assessed = answer(case.decided(acting, shaking)?, earthquake)?;
+            let is_near = |criterion: &Criterion| criterion.is_near(&assessed);
+            // A factor on its bound, too, is told by the numbers as they are written.
+            if assessed.situation.is_as_written() || !case.criteria.iter().any(is_near) {
+                return Ok(assessed);
+            }
+            answer(case.as_written(assessed.situation, acting, shaking), earthquake)
         };
         let tried = case.shakings(acting).into_iter().map(|signs| {
             let assessed = shaken(Some(signs))?;

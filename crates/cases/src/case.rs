@@ -172,16 +172,23 @@ impl Case {
     /// If the numbers of a changed case are out of range.
     pub fn decided(&self, acting: Acting, shaking: Option<[f64; 2]>) -> Result<Situation, InputError> {
         let situation = self.situation(acting, shaking.and_then(|signs| self.shaken(signs)))?;
-        if !situation.is_near_boundary() {
-            return Ok(situation);
-        }
+        Ok(if situation.is_near_boundary() { self.as_written(situation, acting, shaking) } else { situation })
+    }
+
+    /// The situation decided by the numbers as they are written.
+    pub(crate) fn as_written(
+        &self,
+        situation: Situation,
+        acting: Acting,
+        shaking: Option<[f64; 2]>,
+    ) -> Situation {
         let written = Case::<Ball>::in_scalars(Arc::clone(&self.inputs)).ok();
         let written = written
             .and_then(|case| case.situation(acting, shaking.and_then(|signs| case.shaken(signs))).ok());
-        Ok(match written {
+        match written {
             Some(written) => situation.as_written(&written),
             None => situation,
-        })
+        }
     }
 }
 

@@ -119,6 +119,16 @@ impl Criterion {
         }
     }
 
+    /// True if rounding could put the value in a situation on the other side of the bound.
+    pub(crate) fn is_near(self, assessed: &Assessed) -> bool {
+        match (self.bound, self.check(assessed).value) {
+            (Bound::AtLeast(bound) | Bound::AtMost(bound), ResultValue::Number(value)) => {
+                (value - bound).abs() <= 1e-12 * bound.abs()
+            }
+            _ => false,
+        }
+    }
+
     /// Check of it in a situation.
     pub fn check(self, assessed: &Assessed) -> Check {
         let value = match self.asked().map(|asked| asked.result) {

@@ -32,7 +32,7 @@
 use crate::ball::{Ball, Scalar};
 use crate::body::Body;
 use crate::contact::path::stages;
-use crate::contact::{self, Block, Solution, plane};
+use crate::contact::{self, Block, Choice, Solution, plane};
 use crate::departure::Departure;
 use crate::error::InputError;
 use crate::exact::Real;
@@ -352,18 +352,14 @@ impl Situation {
     ) -> Result<Response, InputError> {
         let weight = self.body.mass() * self.gravity;
         let half_width = self.body.width() / 2.0;
-        let response = |solution: Solution, effective, boundary| {
-            let motion = solution.mode().and_then(|mode| solution.motion(mode));
-            let motion = motion.map(|motion| motion.scaled(self.gravity, half_width, weight));
-            let (verdict, modes) = (solution.mode().map(Verdict::Begins), solution.modes);
-            Response { wrench, verdict, modes, effective, motion, boundary }
-        };
+        let scaled = |motion: Motion| motion.scaled(self.gravity, half_width, weight);
         Ok(match (&self.written, effective) {
             (Some(written), _) => {
-                let WrittenChoice { choice, boundary } = written.choice(&Ball::of(factor));
-                let (block, reduced) = (self.reduced_block().0, self.reduced_wrench(&wrench));
-                let solution = Solution::decided(&block, &reduced, choice);
-                response(solution, effective.map(|reduced| reduced.beside(solution.mode())), boundary)
+                let factor = Ball::of(factor);
+                let WrittenChoice { choice: Choice { modes, mode }, boundary } = written.choice(&factor);
+                let motion = mode.map(|mode| scaled(written.motion(&factor, mode)));
+                let effective = effective.map(|reduced| reduced.beside(mode));
+                Response { wrench, verdict: mode.map(Verdict::Begins), modes, effective, motion, boundary }
             }
             // The report's closed form, scaled by P.
             (None, Some(reduced)) => {
@@ -374,21 +370,34 @@ impl Situation {
                 let (verdict, motion) = (Some(Verdict::Begins(reduced.mode())), Some(motion));
                 Response { wrench, verdict, modes, effective, motion, boundary: None }
             }
-            (None, None) => response(self.solve(&wrench)?, effective, None),
+            (None, None) => {
+                let solution = self.solve(&wrench)?;
+                let motion = solution.mode().and_then(|mode| solution.motion(mode)).map(scaled);
+                let verdict = solution.mode().map(Verdict::Begins);
+                Response { wrench, verdict, modes: solution.modes, effective, motion, boundary: None }
+            }
         })
     }
 
-    /// The conditions of the mode of a response of this situation, with the numbers of its motion; those that are on their
-    /// boundary to the digits of f64 are said to be there, where the response is.
+    /// The conditions of the mode of a response of this situation, with the numbers of its motion. Where written numbers decide, those
+    /// that f64 cannot tell from their boundary are said to be on it.
     pub fn explain(&self, response: &Response) -> Vec<Relation> {
         let Some(mode) = response.mode() else { return Vec::new() };
-        let choice = contact::Choice { modes: response.modes, mode: Some(mode) };
-        let reduced = self.reduced_wrench(&response.wrench);
-        let mut relations = Solution::decided(&self.reduced_block().0, &reduced, choice).explain(mode);
-        if response.boundary.is_some() {
-            relations.iter_mut().for_each(written::settle_relation);
-        }
+        let (true, Some(motion)) = (self.is_as_written(), &response.motion) else {
+            return self
+                .solve(&response.wrench)
+                .map_or_else(|_| Vec::new(), |solution| solution.explain(mode));
+        };
+        let [weight, half_width] = [self.body.mass() * self.gravity, self.body.width() / 2.0];
+        let motion = motion.scaled(1.0 / self.gravity, 1.0 / half_width, 1.0 / weight);
+        let mut relations = contact::relations(&self.reduced_block().0, mode, &motion);
+        relations.iter_mut().for_each(written::settle_relation);
         relations
+    }
+
+    /// True if the numbers that were written decide it.
+    pub fn is_as_written(&self) -> bool {
+        self.written.is_some()
     }
 
     /// True if rounding in f64 could put it on the other side of a boundary, under its permanent loads or under the full load: it is then
@@ -416,7 +425,7 @@ impl Situation {
     /// If a number is out of range.
     pub fn path(&self) -> Result<Vec<Stage>, InputError> {
         if let Some(written) = &self.written {
-            return written.path();
+            return Ok(written.path());
         }
         let Sums { permanent, variable, .. } = self.sums();
         stages(&self.reduced_block().0, &self.reduced_wrench(&permanent), &self.reduced_wrench(&variable))

@@ -26,7 +26,7 @@ impl Assessed {
             return self.because_of_ground();
         }
         match &full.effective {
-            Some(reduced) if full.boundary.is_none() => reduced.point.explain().deciding().to_vec(),
+            Some(reduced) if !self.situation.is_as_written() => reduced.point.explain().deciding().to_vec(),
             _ => self.situation.explain(full),
         }
     }

@@ -67,11 +67,13 @@ fn unique(assessed: &Assessed) -> String {
     if assessed.outcome.full.boundary != Some(Boundary::Exact) {
         return "The answer is unique.".to_owned();
     }
-    let beyond = match assessed.outcome.departure {
-        Departure::At { factor: 1.0, verdict } => predicate(verdict),
-        _ => "moves".to_owned(),
-    };
-    format!("The answer is unique, and exactly on the boundary: with the least more load the body {beyond}.")
+    match assessed.outcome.departure {
+        Departure::At { factor: 1.0, verdict } => format!(
+            "The answer is unique, and exactly on the boundary: with the least more load the body {}.",
+            predicate(verdict)
+        ),
+        _ => "The answer is unique, and exactly on the boundary of rest.".to_owned(),
+    }
 }
 
 /// Sentences on the uniqueness of the answer, and on the other modes if it is not unique.

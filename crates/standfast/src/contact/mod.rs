@@ -65,6 +65,7 @@ pub mod path;
 pub mod plane;
 
 use crate::approx::Approx;
+use crate::ball::{Ball, Scalar};
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
 use crate::mode::{Corner, Mode, Modes, Slip};
@@ -166,14 +167,12 @@ impl Solution {
         self.mode
     }
 
-    /// Solution decided otherwise than by the numbers of `block` and `wrench`, which are those of its motions.
-    pub(crate) fn decided(block: &Block, wrench: &Wrench, choice: Choice) -> Solution {
-        Solution { modes: choice.modes, mode: choice.mode, block: *block, wrench: *wrench }
-    }
-
     /// The motion of a consistent mode, in the units of the input; `None` for a mode that is not consistent.
     pub fn motion(&self, mode: Mode) -> Option<Motion> {
-        self.modes.contains(mode).then(|| motion(&self.block, &self.wrench, mode))
+        self.modes.contains(mode).then(|| {
+            let numbers = numbers(&self.block, &self.wrench);
+            motion(&numbers, mode, |corner, slip| rotation(numbers, corner, slip))
+        })
     }
 
     /// The conditions of a consistent mode with the numbers of its motion; empty for a mode that is not consistent. That
@@ -201,7 +200,7 @@ pub fn solve(block: &Block, wrench: &Wrench) -> Result<Solution, InputError> {
     check(block, wrench)?;
     let numbers = numbers(block, wrench);
     let choice = decide(|| numbers.map(Approx::of), || numbers.map(Exact::of));
-    Ok(Solution::decided(block, wrench, choice))
+    Ok(Solution { modes: choice.modes, mode: choice.mode, block: *block, wrench: *wrench })
 }
 
 /// Refuses what no block and no wrench can be.
@@ -251,39 +250,67 @@ fn rotation(numbers: Numbers<f64>, corner: Corner, slip: Option<Slip>) -> f64 {
     }
 }
 
-/// The motion of a consistent mode.
-fn motion(block: &Block, wrench: &Wrench, mode: Mode) -> Motion {
-    let Block { b1, b2, d, rho2, m_x, m_y, mu_k, .. } = *block;
-    let Wrench { x, p, m } = *wrench;
+/// α of a mode that turns about a corner, in decimals.
+fn rotation_in_decimals(numbers: &Numbers<Ball>, corner: Corner, slip: Option<Slip>) -> Ball {
+    let Rotation { moment, inertia } = match slip {
+        Some(slip) => Rotation::slipping(numbers, corner, slip),
+        None => Rotation::rocking(numbers, corner),
+    };
+    moment / inertia
+}
+
+/// The motion of a consistent mode, and its conditions, by numbers in decimals.
+pub(crate) fn motion_in_decimals(numbers: &Numbers<Ball>, mode: Mode) -> Motion {
+    motion(numbers, mode, |corner, slip| rotation_in_decimals(numbers, corner, slip))
+}
+
+/// The conditions of a mode with the numbers of its motion.
+pub(crate) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relation> {
+    explain::relations(block, mode, motion)
+}
+
+/// The motion of a consistent mode, whose α about a corner is worked out by `rotation`.
+fn motion<T: Scalar>(
+    numbers: &Numbers<T>,
+    mode: Mode,
+    rotation: impl FnOnce(Corner, Option<Slip>) -> T,
+) -> Motion {
+    let [b1, b2, d, rho2, m_x, m_y, _, mu_k, x, p, m] = numbers.clone();
+    let zero = || T::of(0.0);
     let s = mode.slip().map_or(0.0, Slip::sign);
     let (x_ddot, y_ddot, α, f_x, f_y, xi) = match (mode, mode.corner()) {
-        (Mode::Rest, _) => (0.0, 0.0, 0.0, -x, p, (x * d - m) / p),
-        (Mode::Flight, _) => (x / m_x, -p / m_y, m / rho2, 0.0, 0.0, 0.0),
+        (Mode::Rest, _) => (zero(), zero(), zero(), -x.clone(), p.clone(), (x * d.clone() - m) / p),
+        (Mode::Flight, _) => (x / m_x, -p / m_y, m / rho2, zero(), zero(), zero()),
         (_, None) => {
-            let f_x = -s * mu_k * p;
-            ((x + f_x) / m_x, 0.0, 0.0, f_x, p, -(f_x * d + m) / p)
+            let f_x = T::of(-s) * mu_k * p.clone();
+            let xi = -(f_x.clone() * d.clone() + m) / p.clone();
+            ((x + f_x.clone()) / m_x, zero(), zero(), f_x, p, xi)
         }
         (_, Some(corner)) => {
-            let r = if corner == Corner::O { -b1 } else { b2 };
-            let α = rotation(numbers(block, wrench), corner, mode.slip());
-            let n = p - m_y * r * α;
+            let r = if corner == Corner::O { -b1.clone() } else { b2.clone() };
+            let α = rotation(corner, mode.slip());
+            let n = p - m_y * r.clone() * α.clone();
+            let up = -r.clone() * α.clone();
             if mode.slip().is_some() {
-                let f_x = -s * mu_k * n;
-                ((x + f_x) / m_x, -r * α, α, f_x, n, r)
+                let f_x = T::of(-s) * mu_k * n.clone();
+                ((x + f_x.clone()) / m_x, up, α, f_x, n, r)
             } else {
-                (-d * α, -r * α, α, -x - m_x * d * α, n, r)
+                let f_x = -x - m_x * d.clone() * α.clone();
+                (-d.clone() * α.clone(), up, α, f_x, n, r)
             }
         }
     };
+    let rocks = matches!(mode, Mode::RockO | Mode::RockOPrime);
+    let slip = if rocks { zero() } else { x_ddot.clone() + d * α.clone() };
     Motion {
-        x_ddot,
-        y_ddot,
-        theta_ddot: α,
-        f_x,
-        f_y,
-        xi: if f_y == 0.0 { 0.0 } else { xi },
-        slip: if matches!(mode, Mode::RockO | Mode::RockOPrime) { 0.0 } else { x_ddot + d * α },
-        lift_o: y_ddot - b1 * α,
-        lift_o_prime: y_ddot + b2 * α,
+        slip: slip.value(),
+        lift_o: (y_ddot.clone() - b1 * α.clone()).value(),
+        lift_o_prime: (y_ddot.clone() + b2 * α.clone()).value(),
+        x_ddot: x_ddot.value(),
+        y_ddot: y_ddot.value(),
+        theta_ddot: α.value(),
+        f_x: f_x.value(),
+        f_y: f_y.value(),
+        xi: if f_y.value() == 0.0 { 0.0 } else { xi.value() },
     }
 }

@@ -8,7 +8,6 @@ use super::conditions::{COUNT, conditions};
 use super::{Block, numbers, solve};
 use crate::departure::Departure;
 use crate::error::{InputError, LARGEST};
-use crate::mode::{Mode, Modes};
 use crate::neighbour::Neighbour;
 use crate::stage::Stage;
 use crate::verdict::Verdict;
@@ -19,15 +18,8 @@ use crate::wrench::Wrench;
 /// # Errors
 /// As [`solve`].
 pub fn stages(block: &Block, permanent: &Wrench, variable: &Wrench) -> Result<Vec<Stage>, InputError> {
-    merged(pieces(block, permanent, variable))
-}
-
-/// The stretches of one load, one by one, as stages.
-pub(crate) fn merged(
-    pieces: impl Iterator<Item = Result<Stage, InputError>>,
-) -> Result<Vec<Stage>, InputError> {
     let mut stages = Vec::new();
-    for piece in pieces {
+    for piece in pieces(block, permanent, variable) {
         piece?.join(&mut stages);
     }
     Ok(stages)
@@ -39,17 +31,7 @@ fn pieces(
     permanent: &Wrench,
     variable: &Wrench,
 ) -> impl Iterator<Item = Result<Stage, InputError>> {
-    between(crossings(block, permanent, variable).collect(), |factor| {
-        let solution = solve(block, &(*permanent + *variable * factor))?;
-        Ok((solution.mode(), solution.modes))
-    })
-}
-
-/// The stretches between load factors, with what is decided inside each.
-pub(crate) fn between(
-    mut ends: Vec<f64>,
-    decided: impl Fn(f64) -> Result<(Option<Mode>, Modes), InputError>,
-) -> impl Iterator<Item = Result<Stage, InputError>> {
+    let mut ends: Vec<f64> = crossings(block, permanent, variable).collect();
     ends.sort_by(f64::total_cmp);
     // One crossing, computed from two conditions.
     ends.dedup_by(|later, earlier| *later - *earlier <= 16.0 * f64::EPSILON * *later);
@@ -62,8 +44,8 @@ pub(crate) fn between(
             f64::INFINITY => 2.0 * from,
             to => from + (to - from) / 2.0,
         };
-        let (mode, modes) = decided(inside)?;
-        let stage = Stage { from, to, verdict: mode.map(Verdict::Begins), modes };
+        let solution = solve(block, &(*permanent + *variable * inside))?;
+        let stage = Stage { from, to, verdict: solution.mode().map(Verdict::Begins), modes: solution.modes };
         from = to;
         Ok(stage)
     })

@@ -12,42 +12,51 @@
 use std::cmp::Ordering;
 
 use crate::approx::{Approx, Signed};
-use crate::ball::{Ball, Scalar};
+use crate::ball::{Ball, COMPUTED, Scalar};
 use crate::body::Body;
-use crate::contact::path::{between, merged};
 use crate::contact::{self, Choice, Numbers, REST, conditions};
-use crate::error::{InputError, LARGEST};
+use crate::error::LARGEST;
 use crate::exact::{Exact, Real};
+use crate::loads::LoadKind;
 use crate::mode::{Corner, Mode, Modes};
+use crate::motion::Motion;
+use crate::neighbour::Neighbour;
 use crate::relation::Relation;
 use crate::stability::{GrossOverturning, Margins, Stability};
 use crate::stage::Stage;
+use crate::verdict::Verdict;
 use crate::wrench::Wrench;
 
 use super::Situation;
 
-/// Distance from a boundary, as a share of the terms of its condition, at which rounding in f64 is feared: thousands of roundings.
+/// Distance to a boundary, as a share of the terms of its condition, within which rounding in f64 is feared: thousands of roundings.
 const NEAR: f64 = 1e-12;
 
-/// Place of a body on the boundary of rest.
+/// Boundary of rest that a body stands on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// By the numbers as they are written: the body rests, and does not with the least more load.
+    /// By the numbers as they are written: the body rests, on the edge of it.
     Exact,
     /// To the digits that its numbers are known to; the answer is not unique.
     ToTheDigits,
 }
 
-/// The numbers of the contact problem as they are written, in metres and newtons.
+/// The numbers of the contact problem as they are written, with lengths in half-widths and forces in m g.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Written {
     /// b₁, b₂, d, ρ², m_x, m_y, μ_s, μ_k.
     block: [Ball; 8],
     permanent: Wrench<Ball>,
     variable: Wrench<Ball>,
+    /// Moment of the horizontal forces about the base under the full load, counter-clockwise.
+    turning: Ball,
+    /// m g, N per metre run.
+    weight: Ball,
+    /// B, m.
+    half_width: Ball,
 }
 
-/// Choice of a mode by the numbers as they are written.
+/// Modes that begin under written numbers.
 pub(super) struct WrittenChoice {
     pub(super) choice: Choice,
     pub(super) boundary: Option<Boundary>,
@@ -57,17 +66,30 @@ impl Written {
     /// The numbers of a situation.
     pub(super) fn of(situation: &Situation<Ball>) -> Written {
         let (body, sums) = (&situation.body, situation.sums());
+        let half_width = body.width() / Ball::of(2.0);
+        let weight = body.mass() * situation.gravity();
+        let in_half_widths = |length: Ball| length / half_width.clone();
+        let reduced = |wrench: &Wrench<Ball>| Wrench {
+            x: wrench.x.clone() / weight.clone(),
+            p: wrench.p.clone() / weight.clone(),
+            m: in_half_widths(wrench.m.clone() / weight.clone()),
+        };
         let block = [
-            body.heel_distance(),
-            body.toe_distance(),
-            body.centroid_height(),
-            body.moment_of_inertia() / body.mass(),
+            in_half_widths(body.heel_distance()),
+            in_half_widths(body.toe_distance()),
+            in_half_widths(body.centroid_height()),
+            in_half_widths(in_half_widths(body.moment_of_inertia() / body.mass())),
             Ball::of(1.0) + situation.added_mass() / body.mass(),
             Ball::of(1.0),
             situation.static_friction(),
             situation.kinetic_friction(),
         ];
-        Written { block, permanent: sums.permanent, variable: sums.variable }
+        let [.., horizontal] = &sums.by_kind;
+        debug_assert_eq!(LoadKind::Horizontal as usize, sums.by_kind.len() - 1);
+        let push = reduced(&(sums.permanent.clone() + sums.variable.clone())).x;
+        let turning = reduced(horizontal).m - push * block[2].clone();
+        let (permanent, variable) = (reduced(&sums.permanent), reduced(&sums.variable));
+        Written { block, permanent, variable, turning, weight, half_width }
     }
 
     fn under(&self, Wrench { x, p, m }: Wrench<Ball>) -> Numbers<Ball> {
@@ -75,67 +97,81 @@ impl Written {
         [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m]
     }
 
-    fn wrench(&self, factor: &Ball) -> Wrench<Ball> {
-        self.permanent.clone() + self.variable.clone() * factor.clone()
+    fn at(&self, factor: &Ball) -> Numbers<Ball> {
+        self.under(self.permanent.clone() + self.variable.clone() * factor.clone())
     }
 
-    /// Choice of a mode under a load factor.
+    /// The modes that begin under a load factor.
     pub(super) fn choice(&self, factor: &Ball) -> WrittenChoice {
-        let wrench = self.wrench(factor);
-        let conditions = conditions(&self.under(wrench.clone()));
-        let signs = conditions.each_ref().map(Ball::sign);
+        let numbers = self.at(factor);
+        let signs = conditions(&numbers).each_ref().map(Ball::sign);
         // What is not known is on its boundary.
         let mut choice = Choice::of_signs(&signs.map(|sign| sign.unwrap_or(Ordering::Equal)));
-        if signs.iter().any(Option::is_none) {
-            let beside = self.beside(&wrench).flat_map(|modes| modes.iter().collect::<Vec<_>>());
+        let (of_rest, rests) = (&signs[..REST], choice.mode == Some(Mode::Rest));
+        if of_rest.contains(&None) || (!rests && signs.contains(&None)) {
+            let beside = beside(&numbers).flat_map(|modes| modes.iter().collect::<Vec<_>>());
+            // Whether the body can rest is known, where the conditions of rest are.
+            let rest_is_open = of_rest.contains(&None);
+            let beside = beside.filter(|mode| *mode != Mode::Rest || rest_is_open);
             choice.modes = choice.modes.iter().chain(beside).collect();
             let boundary = (choice.modes.len() > 1).then_some(Boundary::ToTheDigits);
             return WrittenChoice { choice, boundary };
         }
-        let at_an_edge = signs[..REST].contains(&Some(Ordering::Equal)) && choice.mode == Some(Mode::Rest);
+        let at_an_edge = rests && of_rest.contains(&Some(Ordering::Equal));
         WrittenChoice { choice, boundary: at_an_edge.then_some(Boundary::Exact) }
     }
 
-    /// The modes of a push and a moment a little less and a little more, in f64: far enough away for it to tell.
-    fn beside(&self, wrench: &Wrench<Ball>) -> impl Iterator<Item = Modes> {
-        let numbers = self.under(wrench.clone()).map(|number| number.value());
-        let sides = [1.0 - 4.0 * NEAR, 1.0 + 4.0 * NEAR];
-        sides.into_iter().flat_map(move |push| sides.map(|turn| (push, turn))).map(move |(push, turn)| {
-            let [.., x, _, m] = numbers;
-            let mut numbers = numbers;
-            (numbers[8], numbers[10]) = (x * push, m * turn);
-            contact::decide(|| numbers.map(Approx::of), || numbers.map(Exact::of)).modes
-        })
+    /// The motion of a mode under a load factor, in half-widths and m g.
+    pub(super) fn motion(&self, factor: &Ball, mode: Mode) -> Motion {
+        contact::motion_in_decimals(&self.at(factor), mode)
     }
 
     /// The stages of the variable loads that rise from nothing without end.
-    pub(super) fn path(&self) -> Result<Vec<Stage>, InputError> {
+    pub(super) fn path(&self) -> Vec<Stage> {
+        let ends = self.crossings();
+        let mut stages = Vec::new();
+        for place in 0..=ends.len() {
+            let from = place.checked_sub(1).map(|before| &ends[before]);
+            let to = ends.get(place);
+            // Beyond the last crossing any load factor will do.
+            let inside = match (from, to) {
+                (None, None) => Ball::of(1.0),
+                (Some(from), None) => from.exact.clone() * Ball::of(2.0),
+                (from, Some(to)) => {
+                    let from = from.map_or(Ball::of(0.0), |from| from.exact.clone());
+                    (from + to.exact.clone()) / Ball::of(2.0)
+                }
+            };
+            let Choice { mode, modes } = self.choice(&inside).choice;
+            let [from, to] =
+                [from.map_or(0.0, |end| end.rounded), to.map_or(f64::INFINITY, |end| end.rounded)];
+            Stage { from, to, verdict: mode.map(Verdict::Begins), modes }.join(&mut stages);
+        }
+        stages
+    }
+
+    /// The load factors above zero at which a condition changes its sign, in their order.
+    fn crossings(&self) -> Vec<Crossing> {
         let [start, slope] =
             [&self.permanent, &self.variable].map(|wrench| conditions(&self.under(wrench.clone())));
         let largest = [&self.variable.x, &self.variable.p, &self.variable.m].map(|part| part.value().abs());
-        let largest = largest.into_iter().fold(0.0, f64::max) / self.scale();
-        let ends = start.into_iter().zip(slope).filter_map(|(start, slope)| {
-            let factor = -start / slope;
-            let is_one = (factor.clone() - Ball::of(1.0)).sign().is_none_or(Ordering::is_eq);
-            let end = if is_one { 1.0 } else { factor.value() };
-            (factor.sign() == Some(Ordering::Greater) && end * largest < LARGEST / 4.0).then_some(end)
-        });
-        let decided = |factor| {
-            let Choice { mode, modes } = self.choice(&Ball::of(factor)).choice;
-            Ok((mode, modes))
-        };
-        merged(between(ends.collect(), decided))
+        let largest = largest.into_iter().fold(0.0, f64::max);
+        let mut ends: Vec<Crossing> = start
+            .into_iter()
+            .zip(slope)
+            .filter_map(|(start, slope)| Crossing::of(start, slope))
+            .filter(|crossing| crossing.rounded * largest < LARGEST / 4.0)
+            .collect();
+        let apart = |one: &Crossing, two: &Crossing| (one.exact.clone() - two.exact.clone()).sign();
+        ends.sort_by(|one, two| apart(one, two).unwrap_or(Ordering::Equal));
+        ends.dedup_by(|later, earlier| apart(later, earlier).is_none_or(Ordering::is_eq));
+        ends
     }
 
-    /// The size of its forces.
-    fn scale(&self) -> f64 {
-        self.permanent.p.value().abs().max(f64::MIN_POSITIVE)
-    }
-
-    /// Margins of the conditions of rest under the full load: of sliding, about O and about O'; and P.
+    /// The conditions of rest under the full load, each as what it leaves: of sliding, about O and about O'; with P.
     fn margins(&self) -> ([Ball; 3], Ball) {
-        let [b1, b2, d, _, _, _, mu_s, _, x, p, m] = self.under(self.wrench(&Ball::of(1.0)));
-        let push = if x.value() < 0.0 { -x.clone() } else { x.clone() };
+        let [b1, b2, d, _, _, _, mu_s, _, x, p, m] = self.at(&Ball::of(1.0));
+        let push = magnitude(&x);
         let moment = x * d - m;
         ([mu_s * p.clone() - push, b1 * p.clone() + moment.clone(), b2 * p.clone() - moment], p)
     }
@@ -149,48 +185,96 @@ impl Written {
         (margins, stability, gross): (&mut Margins, &mut Stability, &mut GrossOverturning),
     ) {
         let ([sliding, about_o, about_o_prime], pressing) = self.margins();
-        let [about_heel, about_toe] = match heel {
-            Corner::O => [about_o, about_o_prime],
-            Corner::OPrime => [about_o_prime, about_o],
+        let ([about_heel, about_toe], turning) = match heel {
+            Corner::O => ([about_o, about_o_prime], self.turning.clone()),
+            Corner::OPrime => ([about_o_prime, about_o], -self.turning.clone()),
         };
-        let is_zero = |margin: &Ball| margin.sign().is_none_or(Ordering::is_eq);
-        let left = |margin: &Ball| if is_zero(margin) { 0.0 } else { margin.value() };
+        let moment = self.weight.clone() * self.half_width.clone();
         *margins = Margins {
-            sliding: left(&sliding),
-            overturning_about_heel: left(&about_heel),
-            overturning_about_toe: left(&about_toe),
+            sliding: left(&sliding, &self.weight),
+            overturning_about_heel: left(&about_heel, &moment),
+            overturning_about_toe: left(&about_toe, &moment),
         };
         if pressing.sign() == Some(Ordering::Greater) {
             // From the nearer corner, beside which it may stand.
-            let arm = |margin: &Ball| {
-                if is_zero(margin) { 0.0 } else { (margin.clone() / pressing.clone()).value() }
-            };
+            let arm = |margin: &Ball| left(&(margin.clone() / pressing.clone()), &self.half_width);
             let [from_heel, from_toe] = [&about_heel, &about_toe].map(arm);
             let arm = if from_heel <= from_toe { from_heel } else { body.base_width() - from_toe };
-            stability.bear(body, pressing.value(), arm);
+            stability.bear(body, left(&pressing, &self.weight), arm);
         }
-        settle(&mut stability.sliding, &sliding);
-        for (factor, margin) in [
-            (&mut stability.overturning_about_heel, &about_heel),
-            (&mut stability.overturning_about_toe, &about_toe),
-            (&mut gross.about_heel, &about_heel),
-            (&mut gross.about_toe, &about_toe),
-        ] {
-            settle(factor, margin);
+        let push = magnitude(&self.at(&Ball::of(1.0))[WRENCH]);
+        settle(&mut stability.sliding, &sliding, &push);
+        settle(&mut stability.overturning_about_heel, &about_heel, &turning);
+        settle(&mut stability.overturning_about_toe, &about_toe, &-turning);
+        for (factor, margin) in [(&mut gross.about_heel, &about_heel), (&mut gross.about_toe, &about_toe)] {
+            if (*factor - 1.0).abs() <= 1e-9 {
+                *factor = beside_one(*factor, margin);
+            }
         }
     }
 }
 
-/// Puts a factor that rounding may have put beside 1 on the side that its margin says.
-fn settle(factor: &mut f64, margin: &Ball) {
-    if (*factor - 1.0).abs() > 1e-9 {
-        return;
+/// A load factor at which a condition changes its sign.
+struct Crossing {
+    exact: Ball,
+    /// In f64, on the side of 1 on which it is.
+    rounded: f64,
+}
+
+impl Crossing {
+    /// The crossing above zero of a condition that is `start` under the permanent loads and grows by `slope`.
+    fn of(start: Ball, slope: Ball) -> Option<Crossing> {
+        let exact = -start.clone() / slope.clone();
+        if exact.sign() != Some(Ordering::Greater) {
+            return None;
+        }
+        let rounded = match (start.clone() + slope).sign() {
+            None | Some(Ordering::Equal) => 1.0,
+            // It has its sign yet under the full load.
+            full if full == start.sign() => exact.value().max(1.0 + f64::EPSILON),
+            _ => exact.value().min(1.0 - f64::EPSILON / 2.0),
+        };
+        Some(Crossing { exact, rounded })
     }
-    *factor = match margin.sign() {
+}
+
+fn magnitude(number: &Ball) -> Ball {
+    if number.value() < 0.0 { -number.clone() } else { number.clone() }
+}
+
+/// What is left of a number times its unit: nothing, where its sign is not known.
+fn left(number: &Ball, unit: &Ball) -> f64 {
+    let is_zero = number.sign().is_none_or(Ordering::is_eq);
+    if is_zero { 0.0 } else { (number.clone() * unit.clone()).value() }
+}
+
+/// Puts a factor, resistance over `action`, where the written numbers have it; one that is none of the two stays.
+fn settle(factor: &mut f64, margin: &Ball, action: &Ball) {
+    if action.sign() == Some(Ordering::Greater) && *factor > 0.0 {
+        let exact = (margin.clone() + action.clone()) / action.clone();
+        *factor = beside_one(exact.value(), margin);
+    }
+}
+
+/// A factor on the side of 1 that its margin says.
+fn beside_one(factor: f64, margin: &Ball) -> f64 {
+    match margin.sign() {
         None | Some(Ordering::Equal) => 1.0,
         Some(Ordering::Less) => factor.min(1.0 - f64::EPSILON / 2.0),
         Some(Ordering::Greater) => factor.max(1.0),
-    };
+    }
+}
+
+/// The modes of a push and a moment a little less and a little more, in f64: far enough away for it to tell.
+fn beside(numbers: &Numbers<Ball>) -> impl Iterator<Item = Modes> {
+    let numbers = numbers.each_ref().map(Ball::value);
+    let sides = [1.0 - 16.0 * COMPUTED, 1.0 + 16.0 * COMPUTED];
+    sides.into_iter().flat_map(move |push| sides.map(|turn| (push, turn))).map(move |(push, turn)| {
+        let mut beside = numbers;
+        beside[WRENCH] *= push;
+        beside[WRENCH + 2] *= turn;
+        contact::decide(|| beside.map(Approx::of), || beside.map(Exact::of)).modes
+    })
 }
 
 /// Puts both sides of an inequality that rounding parts on one number.
