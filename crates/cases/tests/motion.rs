@@ -110,7 +110,7 @@ fn body_and_block_agree() {
     let (one, two) = (follow(body), follow(block));
     let (one, two) = (&one[0].1.outcome, &two[0].1.outcome);
     assert!(one.events.len() > 5);
-    let story = |outcome: &standfast_motion::Outcome| {
+    let story = |outcome: &standfast_motion::MotionOutcome| {
         outcome.events.iter().map(|e| (e.why, e.state)).collect::<Vec<_>>()
     };
     assert_eq!(story(one), story(two));

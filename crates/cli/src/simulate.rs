@@ -3,7 +3,9 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use standfast_cases::motion::{Follow, Outcome, Position, SERIES, all_json, follow_all, series, series_csv};
+use standfast_cases::motion::{
+    Follow, MotionOutcome, Position, SERIES, all_json, follow_all, series, series_csv,
+};
 use standfast_cases::{CaseError, Explained};
 use standfast_tables::{TableFormat, WrittenColumn, written};
 use thiserror::Error;
@@ -156,7 +158,7 @@ fn series_format(file: &Path) -> Result<TableFormat, SimulateError> {
 }
 
 /// The motion every `dt` as a table in the format that the file's name asks for.
-fn series_bytes(outcome: &Outcome, dt: f64, file: &Path) -> Result<Vec<u8>, SimulateError> {
+fn series_bytes(outcome: &MotionOutcome, dt: f64, file: &Path) -> Result<Vec<u8>, SimulateError> {
     let format = series_format(file)?;
     if format == TableFormat::Csv {
         return Ok(series_csv(outcome, dt).into_bytes());

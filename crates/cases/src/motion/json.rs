@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use standfast::Mode;
-use standfast_motion::{End, Outcome};
+use standfast_motion::{End, MotionOutcome};
 
 use super::criteria::{MotionCheck, MotionCriterion, MotionValue};
 use super::{BlockCase, Followed, MotionWarning};
@@ -93,7 +93,7 @@ pub(super) fn end_word(end: End) -> &'static str {
 }
 
 /// The largest |θ| over that of balance, of the side to which it is nearer to it.
-pub(super) fn of_balance(case: &BlockCase, outcome: &Outcome) -> f64 {
+pub(super) fn of_balance(case: &BlockCase, outcome: &MotionOutcome) -> f64 {
     let block = &case.problem.block;
     outcome.max_theta / (block.b1.min(block.b2) / block.d).atan()
 }

@@ -15,9 +15,9 @@
 //! ([`Estimate::of_pairs`]). A lognormal curve is fitted as to any fragility.
 
 use standfast::Wrench;
-use standfast::loads::{Load as StaticLoad, LoadSource, Pose};
+use standfast::loads::{Load, LoadSource, Pose};
 use standfast_motion::{
-    Base, History, Keep, Load, MotionError, Problem as Motion, is_own_weight, shaken_water, simulate,
+    BaseMotion, History, Keep, LoadInTime, MotionError, MotionProblem, is_own_weight, shaken_water, simulate,
 };
 use standfast_probability::sample::{self, Estimate};
 
@@ -102,12 +102,12 @@ impl Overturning {
                 .ok_or_else(|| over.wrong(format!("cannot read {record}: it is not read yet")))?;
             let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
             let history = record.history(1.0).map_err(|error| over.wrong(error.to_string()))?;
-            bases.push(Base { horizontal: Some(history), vertical: None });
+            bases.push(BaseMotion { horizontal: Some(history), vertical: None });
         }
         let records =
             if bases.is_empty() { vec!["that of the case".to_owned()] } else { random.records.clone() };
         if bases.is_empty() {
-            bases.push(Base { horizontal: Some(own.clone()), vertical: motion.base.vertical.clone() });
+            bases.push(BaseMotion { horizontal: Some(own.clone()), vertical: motion.base.vertical.clone() });
         }
         let gravity = motion.gravity;
         let peaks = over.values(|text| peak(text, gravity))?;
@@ -147,7 +147,7 @@ fn varies_not(problem: &Problem, over: &Over) -> Result<(), ProbabilityError> {
     let Some((case, _)) = problem.case() else { return Err(ProbabilityError::NoBody) };
     let case = Case { earthquake: None, ..case.clone() };
     let situation = case.situation(Acting::All, None).map_err(|error| over.wrong(error.to_string()))?;
-    let acts = |load: &&StaticLoad| {
+    let acts = |load: &&Load| {
         load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO && !is_own_weight(load)
     };
     match situation.loads().iter().filter(acts).find(|load| !load.permanent) {
@@ -171,20 +171,20 @@ fn peak(text: &str, gravity: f64) -> Result<f64, String> {
 /// A body that was drawn.
 struct Body {
     /// It under its permanent loads, on a base that does not move.
-    still: Motion,
+    still: MotionProblem,
     /// The water that moves along, per unit of the base's acceleration to the right; its history is to be that of the base.
-    shaken: Vec<Load>,
+    shaken: Vec<LoadInTime>,
 }
 
 impl Body {
     /// The body that values make, for the rest as in `motion`; none if they do not go together.
-    fn of(problem: &Problem, motion: &Motion, values: &[f64]) -> Option<Body> {
+    fn of(problem: &Problem, motion: &MotionProblem, values: &[f64]) -> Option<Body> {
         // The peaks of the shaking, which the first instant has as an earthquake, come with time.
         let case = Case { earthquake: None, ..problem.case_with(values)? };
         let situation = case.situation(Acting::All, None).ok()?;
-        let stands = Motion::standing(&situation).ok()?;
-        let mut still = Motion { block: stands.block, loads: stands.loads, ..motion.clone() };
-        still.base = Base { horizontal: None, vertical: None };
+        let stands = MotionProblem::standing(&situation).ok()?;
+        let mut still = MotionProblem { block: stands.block, loads: stands.loads, ..motion.clone() };
+        still.base = BaseMotion { horizontal: None, vertical: None };
         if let Some(place) = problem.random().iter().position(Input::is_friction) {
             let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };
             (still.block.mu_s, still.block.mu_k) = (values[place], values[place] * ratio);
@@ -201,12 +201,13 @@ impl Body {
     }
 
     /// Outcome on a base that moves so, times a factor.
-    fn under(&self, base: &Base, factor: f64) -> Result<[bool; 3], MotionError> {
+    fn under(&self, base: &BaseMotion, factor: f64) -> Result<[bool; 3], MotionError> {
         let mut motion = self.still.clone();
         let times = |history: &Option<History>| history.clone().map(|history| history.times_factor(factor));
-        motion.base = Base { horizontal: times(&base.horizontal), vertical: times(&base.vertical) };
+        motion.base = BaseMotion { horizontal: times(&base.horizontal), vertical: times(&base.vertical) };
         if let Some(history) = &motion.base.horizontal {
-            let along = self.shaken.iter().map(|load| Load { history: history.clone(), ..load.clone() });
+            let along =
+                self.shaken.iter().map(|load| LoadInTime { history: history.clone(), ..load.clone() });
             motion.loads.extend(along);
         }
         let outcome = simulate(&motion, Keep::default())?;
@@ -224,14 +225,14 @@ const ROCKED: usize = 1;
 const OVERTURNED: usize = 2;
 
 /// The largest |acceleration| of a base to the sides.
-fn peak_of(base: &Base) -> f64 {
+fn peak_of(base: &BaseMotion) -> f64 {
     base.horizontal.as_ref().map_or(0.0, |history| history.peak().abs())
 }
 
 /// Outcome for every body, under every record, at every peak, shared out to threads. A draw that is no body stands.
 fn follow(
     bodies: &[Option<Body>],
-    bases: &[Base],
+    bases: &[BaseMotion],
     peaks: &[f64],
     threads: usize,
 ) -> Result<Vec<Vec<Vec<[bool; 3]>>>, MotionError> {

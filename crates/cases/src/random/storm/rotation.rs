@@ -5,7 +5,7 @@
 
 use standfast::loads::{LoadSource, Pose};
 use standfast::wave::Goda;
-use standfast_motion::{History, Keep, Problem, is_own_weight, simulate};
+use standfast_motion::{History, Keep, MotionProblem, is_own_weight, simulate};
 use standfast_probability::sums::Other;
 
 use crate::case::{Acting, Case, Waves};
@@ -23,7 +23,7 @@ pub(super) fn wave(
     let case = Case { wave: Some(Waves { goda, ..waves.clone() }), ..case.clone() };
     let situation = case.situation(Acting::All, None).ok()?;
     let body = situation.body();
-    let mut problem = Problem::standing(&situation).ok()?;
+    let mut problem = MotionProblem::standing(&situation).ok()?;
     (problem.block.mu_s, problem.block.mu_k) = (mu_s, mu_k);
     for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
         if load.wrench(body, case.gravity, Pose::UPRIGHT) == standfast::Wrench::ZERO {
