@@ -3,7 +3,7 @@
 //! In air that is the report's problem. With water or uplift it is the situation's, under the full load applied at once; where that is
 //! a point of the report's plane, in effective coordinates, the report's inequalities decide it.
 
-use standfast::initiation::{Margins, Step};
+use standfast::initiation::{PointMargins, Step};
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{Mode, Modes, Motion, Outcome, Situation};
@@ -94,7 +94,7 @@ impl Answer {
     }
 
     /// The changes of mode beside the point, if the loads have one.
-    pub fn margins(&self) -> Option<Margins> {
+    pub fn margins(&self) -> Option<PointMargins> {
         self.point.map(|reduced| reduced.point.margins())
     }
 }

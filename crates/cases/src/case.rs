@@ -142,7 +142,7 @@ pub struct Waves {
     /// The wave heights as they are given.
     pub heights: Heights,
     /// The caisson and its berm.
-    pub section: wave::Section,
+    pub section: wave::CaissonSection,
     /// The choices in the formulas.
     pub choices: Choices,
     /// The pressures, forces and moments.

@@ -153,7 +153,7 @@ pub enum Warning {
         of_waves: f64,
     },
     /// The waves leave the range of the formulas.
-    Wave(wave::Warning),
+    Wave(wave::WaveWarning),
 }
 
 impl Warning {

@@ -14,7 +14,7 @@
 
 use std::ops::Range as Span;
 
-use standfast_probability::copula::Measure;
+use standfast_probability::copula::CorrelationMeasure;
 use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -36,7 +36,7 @@ pub struct Random {
     /// Records of shakings, each as likely, in the place of the case's own.
     pub records: Vec<String>,
     /// Correlations of two of them together: their places, and the correlation.
-    pub correlations: Vec<(usize, usize, Measure)>,
+    pub correlations: Vec<(usize, usize, CorrelationMeasure)>,
     /// Span of each correlation in the file.
     pub correlation_spans: Vec<Span<usize>>,
     /// Span of the table in the file.
@@ -477,9 +477,9 @@ fn read_correlations(item: &Item<'_>, random: &mut Random) -> At<()> {
                     pair = Some(read_pair(value, random)?);
                     continue;
                 }
-                "rank" => Measure::Rank(number()?),
-                "linear" => Measure::Linear(number()?),
-                "normal" => Measure::Normal(number()?),
+                "rank" => CorrelationMeasure::Rank(number()?),
+                "linear" => CorrelationMeasure::Linear(number()?),
+                "normal" => CorrelationMeasure::Normal(number()?),
                 _ => {
                     let allowed = ["between", "rank", "linear", "normal"].map(str::to_owned).to_vec();
                     let what = "[[random.correlation]]".to_owned();

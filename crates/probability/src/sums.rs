@@ -11,7 +11,7 @@ use crate::integrate::Life;
 use crate::life::{Values, stream};
 use crate::normal;
 use crate::points::{Sobol, Stream};
-use crate::problem::Inputs;
+use crate::problem::RandomVector;
 use crate::sample::{Averages, Effort, Estimate, SCRAMBLES, Sampled, shared_out};
 
 /// Amounts that each event of one year may add.
@@ -59,7 +59,7 @@ pub struct OfEvent {
 /// Means of one year's events: what they add in all, the chance that one adds anything, and that one is of the other kind. The first
 /// is what has to be as precise as the effort asks. A few years add most, far out in what is drawn: nine tenths of the points are
 /// taken where a first look has found the sum to come from, and each is weighed by what it is taken too often.
-pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort) -> Sampled {
+pub fn expected<S: Sums>(inputs: &RandomVector, sums: &S, events: f64, effort: &Effort) -> Sampled {
     let n = inputs.laws().len();
     let yearly = vec![false; n];
     let of = |values: &mut Values, u: &[f64]| {
@@ -164,7 +164,7 @@ pub struct Lives {
 ///
 /// # Panics
 /// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
-pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effort: &Effort) -> Lives {
+pub fn lives<S: Sums>(inputs: &RandomVector, sums: &S, events: u64, life: &Life, effort: &Effort) -> Lives {
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();

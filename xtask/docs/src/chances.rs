@@ -14,7 +14,7 @@ use standfast_figures::{
 };
 use standfast_probability::form::design_point;
 use standfast_probability::law::Law;
-use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 
 /// Examples shown: the path in `examples`, without extension, the number along which it is asked, and the number of points.
 const EXAMPLES: [(&str, Option<&str>, u64); 4] = [
@@ -109,7 +109,7 @@ fn kink(root: &Path) -> io::Result<Figure> {
     let lognormal = |mean: f64, cov: f64| Law::lognormal(mean, cov * mean).map_err(io::Error::other);
     let laws =
         vec![lognormal(0.636, 0.15)?.into(), lognormal(0.91, 0.19)?.into(), lognormal(0.77, 0.25)?.into()];
-    let inputs = Inputs::independent(laws);
+    let inputs = RandomVector::independent(laws);
     let sea = Law::gumbel_of_mean(4.5, 0.9).map_err(io::Error::other)?;
     let sea = standfast_probability::law::Distribution::truncated(sea, 1.0, f64::INFINITY)
         .map_err(io::Error::other)?;

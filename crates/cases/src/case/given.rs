@@ -302,7 +302,7 @@ impl Given<'_> {
             let problem = Problem::CaissonWidth { width, base: caisson_width };
             return Err(Fault::new(problem, Key::CaissonWidth).and(self.base_key()));
         }
-        let section = wave::Section {
+        let section = wave::CaissonSection {
             base_depth: self.required(Key::BaseDepth)?,
             depth_above_berm: self.required(Key::DepthAboveBerm)?,
             crest_height: self.required(Key::CrestHeight)?,
@@ -323,7 +323,7 @@ impl Given<'_> {
         };
         let goda =
             goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
-        let wave::Section { base_depth, crest_height, .. } = section;
+        let wave::CaissonSection { base_depth, crest_height, .. } = section;
         if (base_depth + crest_height - body.height()).abs() > SAME_LENGTH {
             let problem = Problem::Height { base_depth, crest_height, height: body.height() };
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));

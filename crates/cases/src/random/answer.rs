@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use standfast::Verdict;
-use standfast_probability::form::{DesignPoint, generalized};
+use standfast_probability::form::{FormPoint, generalized};
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::asked::{Asked, problems_of};
@@ -129,9 +129,9 @@ pub struct Chances {
     /// Departure from rest that comes first as the variable loads rise.
     pub first_departure: FirstDeparture,
     /// The nearest point at which the body does not rest; none within reach.
-    pub design_point: Option<DesignPoint>,
+    pub design_point: Option<FormPoint>,
     /// The nearest point of every mode that has one within reach, and of numbers that do not go together; none unless asked for.
-    pub design_points: Option<Vec<(Happening, DesignPoint)>>,
+    pub design_points: Option<Vec<(Happening, FormPoint)>>,
     /// The probability of not resting if one number were known to have its median, for each.
     pub known: Vec<Estimate>,
     /// Over the years of a life.

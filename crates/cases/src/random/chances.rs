@@ -2,13 +2,13 @@
 
 use std::borrow::Cow;
 
-use standfast_probability::form::{DesignPoint, design_point, distance, local_design_points};
+use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
 use standfast_probability::integrate::{
     Integrated, MOST_DIMENSIONS, integrate, integrate_above, integrate_known, integrate_life,
 };
 use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
-use standfast_probability::problem::{Inputs as Laws, Outcomes};
+use standfast_probability::problem::{Outcomes, RandomVector};
 use standfast_probability::sample::{
     Effort, Estimate, Sampled, importance, monte_carlo, sampled_known, sobol,
 };
@@ -48,12 +48,12 @@ pub(super) fn event(
 }
 
 /// The nearest points at which the body does not rest (or if it does not at the medians, at which it rests), and the problem along the number that matters there.
-fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
+fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<FormPoint>) {
     let of = |which| local_design_points(problem.laws(), problem, which);
     let mut points = of(not_rest());
     // Where it moves at the medians, what is looked for is the nearest point at which it does not.
     if points.first().is_some_and(|point| point.beta == 0.0) {
-        points = of(1 << REST).into_iter().map(DesignPoint::turned).collect();
+        points = of(1 << REST).into_iter().map(FormPoint::turned).collect();
     }
     let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
     (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
@@ -61,9 +61,9 @@ fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
 
 /// The method asked for, or the one that suits so many numbers and the nearest points at which the body does not rest.
 pub(super) fn method(
-    laws: &Laws,
+    laws: &RandomVector,
     request: &Request,
-    points: &[DesignPoint],
+    points: &[FormPoint],
 ) -> Result<Method, ProbabilityError> {
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
@@ -86,7 +86,7 @@ pub(super) fn method(
 /// The probabilities of sets of outcomes by a method; about these points where it takes any.
 pub(super) fn by<O: Outcomes>(
     method: Method,
-    laws: &Laws,
+    laws: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     about: &[Vec<f64>],
@@ -102,11 +102,11 @@ pub(super) fn by<O: Outcomes>(
 
 /// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode that may be likelier than
 /// the floor, so that none of them is missed and none takes points from the others that need not be precise; each once.
-pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Vec<Vec<f64>> {
+pub(super) fn about(problem: &Problem, points: &[FormPoint], floor: f64) -> Vec<Vec<f64>> {
     let of_modes = of_each(problem).into_iter().map(|(_, point)| point);
     let likely = of_modes.filter(|point| point.first_order() >= UNLIKELIER * floor);
     let mut about: Vec<Vec<f64>> = Vec::new();
-    for DesignPoint { u, .. } in points.iter().cloned().chain(likely) {
+    for FormPoint { u, .. } in points.iter().cloned().chain(likely) {
         if about.iter().all(|other| distance(other, &u) > APART) {
             about.push(u);
         }
@@ -115,7 +115,7 @@ pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Ve
 }
 
 /// The nearest point of every happening but rest, in which a body is when nothing happens.
-fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
+fn of_each(problem: &Problem) -> Vec<(Happening, FormPoint)> {
     let found = |outcome: usize| {
         let point = design_point(problem.laws(), problem, 1 << outcome)?;
         Some((Happening::of(outcome), point))
@@ -126,7 +126,7 @@ fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
 /// The method, and the probabilities of all sets.
 fn sampled(
     problem: &Problem,
-    points: &[DesignPoint],
+    points: &[FormPoint],
     request: &Request,
 ) -> Result<(Method, Sampled), ProbabilityError> {
     let laws = problem.laws();

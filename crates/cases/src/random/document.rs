@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use standfast_probability::form::DesignPoint;
+use standfast_probability::form::FormPoint;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{Chances, Happening, Probability, RandomNumber};
@@ -337,7 +337,7 @@ impl Probability {
             }
         });
         let named = |of: &[f64]| -> BTreeMap<&'a str, f64> { names().zip(of.iter().copied()).collect() };
-        let of_mode = |(happening, point): &(Happening, DesignPoint)| DesignPointDocument {
+        let of_mode = |(happening, point): &(Happening, FormPoint)| DesignPointDocument {
             mode: happening.name(),
             beta: point.beta,
             first_order: point.first_order(),

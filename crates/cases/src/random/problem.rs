@@ -8,7 +8,7 @@ use standfast::loads::Earthquake;
 use standfast::wave::Heights;
 use standfast::{Point, Wrench};
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
@@ -30,7 +30,7 @@ pub struct Problem {
     id: u64,
     model: Model,
     random: Vec<Input>,
-    laws: Laws,
+    laws: RandomVector,
     years: Option<f64>,
     lines: Lines,
     /// Of each number a value that it has as good as never more than.
@@ -67,7 +67,7 @@ pub(super) enum Line {
 }
 
 /// Of each number the value beyond which no method looks, twelve deviations from the median.
-fn reaches(laws: &Laws) -> Vec<f64> {
+fn reaches(laws: &RandomVector) -> Vec<f64> {
     laws.laws().iter().map(|law| law.value(12.0)).collect()
 }
 
@@ -146,7 +146,7 @@ impl Problem {
     }
 
     /// The laws of the random numbers and how they are correlated.
-    pub fn laws(&self) -> &Laws {
+    pub fn laws(&self) -> &RandomVector {
         &self.laws
     }
 

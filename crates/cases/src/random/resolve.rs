@@ -2,7 +2,7 @@
 
 use standfast_probability::copula::{Copula, CopulaError, Correlation};
 use standfast_probability::law::{Distribution, Law, LawError};
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 
 use super::quantity::{Bias, Coordinate, Input, Quantity};
 use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
@@ -28,7 +28,7 @@ pub(super) enum Names<'a> {
 
 impl Resolve<'_> {
     /// The random numbers, and their laws.
-    pub(super) fn all(&self, random: &Random) -> At<(Vec<Input>, Laws)> {
+    pub(super) fn all(&self, random: &Random) -> At<(Vec<Input>, RandomVector)> {
         let mut inputs: Vec<Input> = Vec::new();
         let mut laws = Vec::new();
         for named in &random.named {
@@ -76,7 +76,7 @@ impl Resolve<'_> {
                 other => (RandomProblem::Other(other.to_string()), random.span.clone()),
             }
         })?;
-        Ok((inputs, Laws::new(laws, copula)))
+        Ok((inputs, RandomVector::new(laws, copula)))
     }
 
     /// Quantity that a name stands for.

@@ -1,6 +1,6 @@
 //! Waves: heights at the wall, Goda's pressures with Takahashi's impulsive coefficient, their resultants.
 
-use standfast::wave::{BreakingTerms, Goda, Heights, Impulsive, Sea, Section};
+use standfast::wave::{BreakingTerms, CaissonSection, Goda, Heights, Impulsive, Sea};
 use standfast_cases::Case;
 use standfast_cases::case::Waves;
 
@@ -27,7 +27,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
 
 /// The numbers of the sea and of the section.
 fn given(steps: &mut Steps, case: &Case, Waves { sea, section, choices, .. }: &Waves) {
-    let Section { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
+    let CaissonSection { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
     for (name, value, unit) in [
         ("h", sea.water_depth, METRE),
         ("i", sea.sea_bottom_slope, NONE),

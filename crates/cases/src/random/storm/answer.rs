@@ -1,7 +1,7 @@
 //! Slides of the body over a life of storms.
 
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::{Effort, Estimate};
 use standfast_probability::sums::{Lives, OfLife, expected, lives};
 use thiserror::Error;
@@ -185,7 +185,7 @@ const MOST_FOLLOWED: f64 = 1e5;
 pub(in crate::random) fn sliding<S: Storms>(
     storm: &Storm,
     storms: &S,
-    laws: &Laws,
+    laws: &RandomVector,
     life: &Life,
     request: &Request,
 ) -> Result<Sliding, SlidingError> {

@@ -21,7 +21,7 @@
 
 use standfast::{Mode, Verdict};
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{SlidingError, sliding};
@@ -103,7 +103,7 @@ pub(in crate::random) struct PureStorm {
     values: [f64; 6],
     tau0: f64,
     pub(in crate::random) random: Vec<Input>,
-    pub(in crate::random) laws: Laws,
+    pub(in crate::random) laws: RandomVector,
     years: Option<f64>,
 }
 

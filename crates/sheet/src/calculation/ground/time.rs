@@ -2,7 +2,7 @@
 
 use standfast::Wrench;
 use standfast::ground::impact::{ImpactEvent, ImpactResponse};
-use standfast::history::{Change, History};
+use standfast::history::{History, HistoryChange};
 use standfast_cases::assess::ground::Elastic;
 
 use super::super::loads::{grouped, parts, sum};
@@ -186,7 +186,7 @@ impl Sheet<'_> {
 
 /// A change of a load in time, with the number in its names.
 struct Numbered {
-    change: Change,
+    change: HistoryChange,
     number: usize,
 }
 
@@ -228,7 +228,7 @@ fn course(changes: &[Numbered], mode: usize, when: &str, at: f64) -> String {
 
 fn response(changes: &[Numbered], ω: f64, at: f64) -> f64 {
     let before = changes.iter().map(|numbered| numbered.change).filter(|change| change.at < at);
-    let one = |Change { at: from, step, slope }: Change| {
+    let one = |HistoryChange { at: from, step, slope }: HistoryChange| {
         let past = at - from;
         slope * (past - (ω * past).sin() / ω) + step * (1.0 - (ω * past).cos())
     };

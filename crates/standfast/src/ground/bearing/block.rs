@@ -3,7 +3,7 @@
 use super::Ground;
 use super::edges::MOST_INCLINED;
 use super::path::{Footing, GroundPath};
-use super::situated::On;
+use super::situated::SituatedGround;
 use crate::contact::departure::by_friction;
 use crate::contact::{self, Block, friction, path};
 use crate::departure::{Departure, DepartureSpan, parting};
@@ -68,7 +68,7 @@ impl BearingBlock {
     pub fn decide(&self, block: &Block, wrench: &Wrench) -> Result<Decision, InputError> {
         let mode = contact::solve(block, wrench)?.mode();
         let path = self.path(block, wrench, &Wrench::ZERO);
-        Ok(On::new(path, block.mu_k).decide(mode, 0.0))
+        Ok(SituatedGround::new(path, block.mu_k).decide(mode, 0.0))
     }
 
     /// The spans of friction from zero without end: those of the rigid base, parted where the ground begins or ceases to bear a body
@@ -119,7 +119,9 @@ impl BearingBlock {
                     }
                 }
                 // At one friction as at any other: neither rest nor what turns asks the ground of it.
-                mode => add(span.from, span.to, On::new(path, 0.0).decide(mode, 0.0), span.boundary),
+                mode => {
+                    add(span.from, span.to, SituatedGround::new(path, 0.0).decide(mode, 0.0), span.boundary)
+                }
             }
         }
         spans.truncate(spans.iter().take_while(|span| span.from < up_to).count().max(1));
@@ -153,7 +155,7 @@ impl BearingBlock {
         permanent: &Wrench,
         variable: &Wrench,
     ) -> Result<Departure, InputError> {
-        let on = On::new(self.path(block, permanent, variable), block.mu_k);
+        let on = SituatedGround::new(self.path(block, permanent, variable), block.mu_k);
         let rigid = path::departure(block, permanent, variable)?;
         let verdict = |factor: f64| on.decide(rigid.mode(), factor).verdict;
         let failure = Some(Verdict::BearingFailure);
