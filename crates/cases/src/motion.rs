@@ -35,7 +35,8 @@ pub use json::all_json;
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
-    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps, in_order,
+    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, SpectrumSteps,
+    in_order,
 };
 pub use text::Rows;
 
@@ -65,7 +66,7 @@ pub struct Follow {
 
 /// The motion of a case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Followed {
+pub struct FollowedMotion {
     /// Outcome for the body.
     pub outcome: MotionOutcome,
     /// The larger change of slide, in B, and of max |θ| for a relative change of friction and of d, if it was asked for.
@@ -88,7 +89,10 @@ pub struct MotionWarning {
 ///
 /// # Errors
 /// If a problem is refused.
-pub fn follow_all(cases: Vec<BlockCase>, follow: &Follow) -> Result<Vec<(BlockCase, Followed)>, MotionError> {
+pub fn follow_all(
+    cases: Vec<BlockCase>,
+    follow: &Follow,
+) -> Result<Vec<(BlockCase, FollowedMotion)>, MotionError> {
     let follow = |case: BlockCase| case.follow(follow).map(|followed| (case, followed));
     let mut answers = cases.into_iter().map(follow).collect::<Result<Vec<_>, _>>()?;
     let rank = |outcome: &MotionOutcome| (!outcome.overturned(), !outcome.past_balance);
@@ -108,12 +112,12 @@ impl BlockCase {
     ///
     /// # Errors
     /// If the problem is refused.
-    pub fn follow(&self, follow: &Follow) -> Result<Followed, MotionError> {
+    pub fn follow(&self, follow: &Follow) -> Result<FollowedMotion, MotionError> {
         let outcome = simulate(&self.problem, Keep { steps: follow.series })?;
         let sensitivity = if follow.sensitivity { Some(sensitivity(&self.problem)?) } else { None };
         let mut warnings = self.warnings.clone();
         warnings.extend(found(self, &outcome));
-        Ok(Followed { outcome, sensitivity, warnings })
+        Ok(FollowedMotion { outcome, sensitivity, warnings })
     }
 }
 

@@ -12,14 +12,14 @@ use standfast::{InputError, Point};
 
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
-use standfast_cases::motion::{SpectrumKind, Steps};
-use standfast_cases::random::{MethodAsked, Over};
+use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
+use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
 use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
 
 use crate::design::BoundaryFile;
-use crate::draw::{KMu, Picture, PictureFile};
+use crate::draw::{KMu, PictureFile, PictureFormat};
 use crate::format::Format;
 use crate::probability::DrawsFile;
 use crate::sheet::SheetFile;
@@ -359,7 +359,7 @@ pub struct ProbabilityArgs {
     /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values; pga of a case with
     /// [motion.base]: overturning in time, the shaking scaled to each peak
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
-    pub over: Option<Over>,
+    pub over: Option<ValueRange>,
     /// Write draws of the random numbers, each with its weight and mode: .csv, .parquet, .arrow or .xlsx; those counted by monte-carlo,
     /// beside other methods 65 536 independent ones at most
     #[arg(long, value_name = "FILE")]
@@ -429,16 +429,16 @@ pub struct SpectrumArgs {
     pub kind: SpectrumKind,
     /// Half diagonals of the blocks, at equal factors [default: a quarter of the case's to its eightfold, 41 of them]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub size: Option<Steps>,
+    pub size: Option<SpectrumSteps>,
     /// Heights of the blocks over their widths, at equal steps [default: 2,8,31]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub slenderness: Option<Steps>,
+    pub slenderness: Option<SpectrumSteps>,
     /// Yield accelerations over the peak of the shaking, at equal steps [default: 0.02,0.98,49]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub ratio: Option<Steps>,
+    pub ratio: Option<SpectrumSteps>,
     /// Factors on the shaking, at equal steps [default: 0.05,5,199]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub scale: Option<Steps>,
+    pub scale: Option<SpectrumSteps>,
     /// Write every point to a CSV file; - writes to standard output in place of the answer
     #[arg(long, value_name = "OUT.csv")]
     pub csv: Option<PathBuf>,
@@ -610,7 +610,7 @@ pub struct FiguresArgs {
     pub numbers: Vec<FigureId>,
     /// What to write
     #[arg(long = "as", value_enum, default_value = "svg", value_name = "KIND")]
-    pub picture: Picture,
+    pub picture: PictureFormat,
     /// Pixels of a png per unit of the svg
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true, value_parser = scale)]
     pub scale: f32,

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 use standfast_cases::assess::InTime;
 use standfast_cases::layout::digits;
-use standfast_cases::motion::{BlockCase, FirstInstant, Followed, LoadPeak, MotionFigure, Rows};
+use standfast_cases::motion::{BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionFigure, Rows};
 use standfast_cases::{Case, CaseFile};
 
 /// At most so many situations are shown one by one.
@@ -33,7 +33,7 @@ pub fn motions(in_time: &InTime, case: &Case) -> Markup {
     }
 }
 
-fn motion(block: &BlockCase, followed: &Followed, case: &Case) -> Markup {
+fn motion(block: &BlockCase, followed: &FollowedMotion, case: &Case) -> Markup {
     html! {
         @if let Some(situation) = &block.situation { h3 { "Motion under " (situation) } }
         p.verdict data-motion=(followed.outcome.overturned()) { (block.verdict(followed)) }

@@ -2,7 +2,7 @@
 
 use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
-use super::{Assessed, OnGround, View};
+use super::{Assessed, AssessmentView, OnGround};
 use crate::layout::{columns, digits, row};
 use crate::units::Extent;
 
@@ -108,7 +108,7 @@ fn uniqueness(assessed: &Assessed) -> String {
 }
 
 /// The stages of the rising load; of a lone force in air with its force and k.
-pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
+pub(super) fn stages(assessed: &Assessed, view: &AssessmentView) -> String {
     let in_air = assessed.situation.in_air();
     let mut rows = vec![row!["from", "to", "mode", "", ""]];
     rows.extend(assessed.path_up_to(view.up_to).iter().map(|stage| {

@@ -3,9 +3,9 @@
 use standfast::loads::{BodyPoint, Face, HorizontalForce, Load, PressureAt, PressureDiagram};
 use standfast::{Body, History, InputError, Quantity, Scalar, Slip};
 
-use super::given::Given;
 use super::history::HistoryOf;
 use super::motion::CaseMotion;
+use super::reader::Reader;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 
@@ -123,7 +123,7 @@ impl Direction {
     }
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// A force.
     pub(super) fn force<T: Scalar>(
         &self,

@@ -2,7 +2,7 @@
 
 use standfast_motion::{BaseMotion, Impact, Initial, MotionError};
 
-use super::Given;
+use super::Reader;
 use super::history::{HistoryOf, ReadHistory};
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
@@ -36,7 +36,7 @@ impl CaseMotion {
     }
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// The motion in time; `of` is what the accelerations of the base are of.
     pub(crate) fn motion(&self, of: HistoryOf<'_>) -> Result<CaseMotion, Fault> {
         let mut motion = CaseMotion {

@@ -21,11 +21,11 @@ const SAME_DENSITY: f64 = 1e-6;
 
 /// Inputs, read with what goes wrong.
 #[derive(Clone, Copy)]
-pub(crate) struct Given<'a> {
+pub(crate) struct Reader<'a> {
     pub(crate) inputs: &'a Inputs,
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// Every number is in the range of its key.
     pub(crate) fn ranges(&self) -> Result<(), Fault> {
         for (id, number) in self.inputs.numbers() {
@@ -355,12 +355,12 @@ impl Given<'_> {
 
 /// Refusal of the case of inputs by the motion, at the number that brings it about.
 pub(crate) fn motion_fault(inputs: &Inputs, error: MotionError) -> Fault {
-    Given { inputs }.motion_refused(error)
+    Reader { inputs }.motion_refused(error)
 }
 
 /// Refusal of the case of inputs by the mechanics, at the number that brings it about.
 pub(crate) fn fault(inputs: &Inputs, error: InputError) -> Fault {
-    Given { inputs }.blame(Table::Top, error)
+    Reader { inputs }.blame(Table::Top, error)
 }
 
 /// Two keys that have to agree and do not.

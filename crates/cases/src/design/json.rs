@@ -4,7 +4,7 @@
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-use super::sensitivity::{Change, Sensitivity};
+use super::sensitivity::{Sensitivity, SensitivityChange};
 use super::set::{End, Stretch};
 use super::{Design, farthest, load_factor, overturns, steepest};
 use crate::assess::{Assessed, Assessment, SCHEMA};
@@ -22,7 +22,7 @@ struct Document<'a> {
     wanted: String,
     bracket: [f64; 2],
     present: Present<'a>,
-    found: Found<'a>,
+    found: FoundValue<'a>,
     /// Failure just beyond the value found.
     binding: Option<String>,
     /// Warnings on the value found.
@@ -43,7 +43,7 @@ struct Present<'a> {
 
 /// The value found as it is printed, on the safe side of the boundary, and what it comes to.
 #[derive(Serialize)]
-struct Found<'a> {
+struct FoundValue<'a> {
     value: f64,
     boundary: f64,
     printed: &'a str,
@@ -147,7 +147,7 @@ pub(super) fn render(design: &Design) -> String {
         wanted: request.extreme.to_string(),
         bracket: quantity.range,
         present: Present { value: quantity.present, results: Worst(present) },
-        found: Found {
+        found: FoundValue {
             value: found.rounded,
             boundary: found.value,
             printed: &found.text,
@@ -164,7 +164,7 @@ pub(super) fn render(design: &Design) -> String {
 impl<'a> Row<'a> {
     fn of(sensitivity: &'a Sensitivity) -> Row<'a> {
         let Sensitivity { variable, value, sliding, overturning, load_factor, motion } = sensitivity;
-        let [slide, max_theta] = motion.map_or([None; 2], |motion| motion.map(Change::number));
+        let [slide, max_theta] = motion.map_or([None; 2], |motion| motion.map(SensitivityChange::number));
         Row {
             input: variable.name(),
             value: *value,

@@ -91,7 +91,7 @@ struct Trial {
 }
 
 /// An end before it is rounded: the outermost value that meets the target, and one beyond that does not.
-struct Found {
+struct ExactEnd {
     meets: f64,
     fails: Option<f64>,
 }
@@ -140,8 +140,8 @@ impl Search<'_> {
     }
 
     /// Brings a value that fails, if there is one, and one that meets the target together.
-    fn boundary(&self, fails: Option<f64>, mut meets: f64) -> Found {
-        let Some(mut fails) = fails else { return Found { meets, fails } };
+    fn boundary(&self, fails: Option<f64>, mut meets: f64) -> ExactEnd {
+        let Some(mut fails) = fails else { return ExactEnd { meets, fails } };
         // Near zero, what counts is the size of the range.
         let [from, to] = self.quantity.range;
         let size = 1e-3 * from.abs().max(to.abs());
@@ -150,12 +150,12 @@ impl Search<'_> {
             let middle = fails + (meets - fails) / 2.0;
             if self.attempt(middle).met { meets = middle } else { fails = middle }
         }
-        Found { meets, fails: Some(fails) }
+        ExactEnd { meets, fails: Some(fails) }
     }
 
     /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the
     /// target: what is printed is read again and assessed.
-    fn end(&self, found: &Found, inwards: Towards, other: f64) -> End {
+    fn end(&self, found: &ExactEnd, inwards: Towards, other: f64) -> End {
         let Quantity { variable, .. } = self.quantity;
         let is_inside = |value: f64| match inwards {
             Towards::More => value <= other,
@@ -183,7 +183,7 @@ impl Search<'_> {
     }
 
     /// One digit less, where the boundary is known to lie farther out only and that meets the target, too.
-    fn tight(&self, rounded: Decimal, found: &Found, outwards: Towards) -> Decimal {
+    fn tight(&self, rounded: Decimal, found: &ExactEnd, outwards: Towards) -> Decimal {
         let next = rounded.next(outwards);
         let is_between = found.fails.is_some_and(|fails| match outwards {
             Towards::Less => fails < next.value(),

@@ -5,7 +5,8 @@ use standfast::Verdict;
 use super::quantity::{DIGITS, with_unit};
 use super::set::{Beyond, End, Stretch};
 use super::{
-    Change, Design, Extreme, Target, farthest, least, load_factor, overturning, overturns, sliding, steepest,
+    Design, Extreme, SensitivityChange, Target, farthest, least, load_factor, overturning, overturns,
+    sliding, steepest,
 };
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
@@ -189,7 +190,7 @@ fn sensitivities(design: &Design) -> String {
     if in_time {
         rows[0].extend(row!["slide", "|θ|"]);
     }
-    let signed = |change: Change| match change.number() {
+    let signed = |change: SensitivityChange| match change.number() {
         Some(change) => format!("{change:+.5}"),
         None => change.words().to_owned(),
     };

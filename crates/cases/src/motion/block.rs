@@ -9,7 +9,7 @@ use super::MotionWarning;
 use super::criteria::MotionCriterion;
 use super::slips::slips;
 use crate::assess::load_words;
-use crate::case::{Acting, Case, CaseMotion, Foundation, Given, HistoryOf, said_by};
+use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, said_by};
 use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::Inputs;
@@ -68,14 +68,14 @@ impl CaseFile {
 /// As [`CaseFile::motions`].
 pub(crate) fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
     if inputs.has(Table::Block) {
-        return Ok(vec![block_case(&Given { inputs })?]);
+        return Ok(vec![block_case(&Reader { inputs })?]);
     }
     // Histories on a [ground] are those of a motion where one is followed.
     let mut moving = inputs.clone();
     if !inputs.is_in_time() {
         moving.add_table(Table::Motion);
     }
-    let given = Given { inputs: &moving };
+    let given = Reader { inputs: &moving };
     let mut case = Case::of(&moving)?;
     let motion = match case.motion.take() {
         Some(motion) => motion,
@@ -89,7 +89,7 @@ pub(crate) fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
 }
 
 /// One situation of a body in metres.
-fn body_case(given: &Given<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
+fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
     let situation = case.situation(acts, None).map_err(|error| given.motion_refused(error.into()))?;
     let (body, gravity) = (situation.body(), situation.gravity());
     let acts_at_all = |wrench: Wrench| wrench != Wrench::ZERO;
@@ -136,7 +136,7 @@ fn body_case(given: &Given<'_>, case: &Case, motion: &CaseMotion, acts: Acting) 
 }
 
 /// A body in pure numbers.
-fn block_case(given: &Given<'_>) -> Result<BlockCase, Fault> {
+fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
     let inputs = given.inputs;
     alone(inputs)?;
     given.ranges()?;
@@ -205,7 +205,7 @@ fn alone(inputs: &Inputs) -> Result<(), Fault> {
     }
 }
 
-fn block(given: &Given<'_>) -> Result<Block, Fault> {
+fn block(given: &Reader<'_>) -> Result<Block, Fault> {
     let or = |key, other: f64| given.number(key).unwrap_or(other);
     let (b1, b2, d) = (given.required(Key::B1)?, given.required(Key::B2)?, given.required(Key::D)?);
     let rho2 = match given.number(Key::Rho2) {

@@ -7,7 +7,7 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 use standfast_motion::{End, MotionOutcome};
 
-use super::{BlockCase, Followed};
+use super::{BlockCase, FollowedMotion};
 use crate::error::{Fault, Problem};
 use crate::inputs::Inputs;
 use crate::key::Key;
@@ -227,7 +227,7 @@ impl BlockCase {
 /// Each criterion in the situation that meets it worst, with the place of that; the governing one first.
 pub(crate) fn worst_checks(
     criteria: &[MotionCriterion],
-    answers: &[(BlockCase, Followed)],
+    answers: &[(BlockCase, FollowedMotion)],
 ) -> Vec<(MotionCheck, usize)> {
     let worst = |criterion: &MotionCriterion| {
         let checks = answers.iter().enumerate();

@@ -8,7 +8,7 @@ use standfast_figures::{
 use standfast_motion::{MotionOutcome, Position, Why};
 
 use super::text::verdict;
-use super::{BlockCase, Followed};
+use super::{BlockCase, FollowedMotion};
 
 /// As many samples of slide and rotation as the page has places for, and some more.
 const SAMPLES: usize = 2400;
@@ -31,7 +31,7 @@ pub struct MotionFigure {
 
 impl BlockCase {
     /// Histories, positions and the motion as a picture that moves, if the whole motion was kept (see [`Follow`](super::Follow)).
-    pub fn figures(&self, followed: &Followed) -> Vec<MotionFigure> {
+    pub fn figures(&self, followed: &FollowedMotion) -> Vec<MotionFigure> {
         let outcome = &followed.outcome;
         if outcome.steps.is_empty() {
             return Vec::new();

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::{BlockCase, Follow, Followed, GivenBase, MotionCriterion, follow_all};
+use super::{BlockCase, Follow, FollowedMotion, GivenBase, MotionCriterion, follow_all};
 use crate::assess::{Assessment, InTime};
 use crate::case::Case;
 use crate::case_file::CaseFile;
@@ -87,7 +87,7 @@ impl CaseFile {
     ///
     /// # Errors
     /// If a load that varies has no history, or the problem is refused.
-    pub fn follow(&self, follow: &Follow) -> Result<Vec<(BlockCase, Followed)>, CaseError> {
+    pub fn follow(&self, follow: &Follow) -> Result<Vec<(BlockCase, FollowedMotion)>, CaseError> {
         follow_all(self.motions()?, follow).map_err(|error| self.motion_refused(error))
     }
 

@@ -7,7 +7,7 @@ use standfast_motion::{End, Event, MotionOutcome, Why};
 
 use super::criteria::met_words;
 use super::json::of_balance;
-use super::{BlockCase, Followed};
+use super::{BlockCase, FollowedMotion};
 use crate::layout::{columns, paragraph, row, significant};
 
 /// So many events are shown one by one.
@@ -15,7 +15,7 @@ const SHOWN: usize = 24;
 
 impl BlockCase {
     /// The answer in words, then in numbers, in the units of the case; `all` shows every event.
-    pub fn text(&self, followed: &Followed, all: bool) -> String {
+    pub fn text(&self, followed: &FollowedMotion, all: bool) -> String {
         let outcome = &followed.outcome;
         let mut text = String::new();
         if let Some(title) = &self.title {
@@ -52,27 +52,27 @@ pub type Rows = Vec<Vec<String>>;
 
 impl BlockCase {
     /// Outcome for the body, in a sentence.
-    pub fn verdict(&self, followed: &Followed) -> String {
+    pub fn verdict(&self, followed: &FollowedMotion) -> String {
         verdict(&followed.outcome, self.seconds())
     }
 
     /// The numbers of the answer: what each is, the number with its unit, and when or how much of what it is.
-    pub fn number_rows(&self, followed: &Followed) -> Rows {
+    pub fn number_rows(&self, followed: &FollowedMotion) -> Rows {
         numbers(self, followed)
     }
 
     /// The events: when, why, and the state that goes on; of more than 24 the first and the last.
-    pub fn event_rows(&self, followed: &Followed) -> Rows {
+    pub fn event_rows(&self, followed: &FollowedMotion) -> Rows {
         event_rows(&followed.outcome, false, self.seconds(), "")
     }
 
     /// The balance of energy, J/kg of a body.
-    pub fn energy_rows(&self, followed: &Followed) -> Rows {
+    pub fn energy_rows(&self, followed: &FollowedMotion) -> Rows {
         energy(&followed.outcome)
     }
 
     /// Sentence on the uniqueness of the answer.
-    pub fn uniqueness(&self, followed: &Followed) -> String {
+    pub fn uniqueness(&self, followed: &FollowedMotion) -> String {
         uniqueness(&followed.outcome)
     }
 
@@ -146,7 +146,7 @@ fn when(number: f64, words: impl Fn() -> String) -> String {
     if number == 0.0 { String::new() } else { words() }
 }
 
-fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
+fn numbers(case: &BlockCase, followed: &FollowedMotion) -> Vec<Vec<String>> {
     let outcome = &followed.outcome;
     let s = case.seconds();
     let [m, rad] = if case.si { [" m", " rad"] } else { ["", ""] };

@@ -21,12 +21,12 @@ use standfast_motion::{
 };
 use standfast_probability::sample::{self, Estimate};
 
-use super::answer::Request;
-use super::asked::{Asked, problems_of};
+use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
-use super::over::{Fit, Over};
-use super::problem::Problem;
-use super::quantity::{Bias, Input};
+use super::fragility::{Fit, ValueRange};
+use super::problem::ChanceProblem;
+use super::quantity::{Bias, RandomInput};
+use super::subject::{ChanceSubject, problems_of};
 use crate::assess::load_words;
 use crate::case::{Acting, Case};
 use crate::case_file::CaseFile;
@@ -48,7 +48,7 @@ pub struct Overturning {
     /// Number of draws that were no body: those are counted as standing.
     pub not_a_body: u64,
     /// At each peak, rising.
-    pub points: Vec<AtPeak>,
+    pub points: Vec<PeakChances>,
     /// A lognormal curve through the chances of overturning.
     pub fit: Option<Fit>,
     /// g of the case, m/s².
@@ -57,7 +57,7 @@ pub struct Overturning {
 
 /// Outcome for random bodies at one peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AtPeak {
+pub struct PeakChances {
     /// The largest |acceleration| of the base to the sides, m/s².
     pub peak: f64,
     /// That the body slips or turns at all.
@@ -73,12 +73,18 @@ impl Overturning {
     ///
     /// # Errors
     /// If the base does not move, the case has loads beside its weight, or a motion is refused.
-    pub fn of(file: &CaseFile, request: &Request, over: &Over) -> Result<Overturning, ProbabilityError> {
+    pub fn of(
+        file: &CaseFile,
+        request: &ChanceRequest,
+        over: &ValueRange,
+    ) -> Result<Overturning, ProbabilityError> {
         let wrong = |what: &str| over.wrong(what);
-        let asked = Asked::of(file, request.years)?;
-        let Asked::Case { file: case_file, .. } = &asked else { return Err(ProbabilityError::NoBody) };
+        let asked = ChanceSubject::of(file, request.years)?;
+        let ChanceSubject::Case { file: case_file, .. } = &asked else {
+            return Err(ProbabilityError::NoBody);
+        };
         let problem = &problems_of(case_file, None)?[0];
-        let shaken = |input: &Input| {
+        let shaken = |input: &RandomInput| {
             input.variable().is_some_and(|variable| variable.id().key.info().table == Table::Earthquake)
         };
         if problem.random().iter().any(shaken) {
@@ -126,10 +132,10 @@ impl Overturning {
             let of_record = |bodies: &Vec<[bool; 3]>| bodies.iter().map(|became| became[which]).collect();
             Estimate::of_pairs(&at.iter().map(of_record).collect::<Vec<Vec<bool>>>())
         };
-        let points: Vec<AtPeak> = peaks
+        let points: Vec<PeakChances> = peaks
             .iter()
             .zip(&followed)
-            .map(|(peak, at)| AtPeak {
+            .map(|(peak, at)| PeakChances {
                 peak: *peak,
                 moved: chance(at, MOVED),
                 rocked: chance(at, ROCKED),
@@ -143,7 +149,7 @@ impl Overturning {
 }
 
 /// That beside the shaking nothing varies.
-fn varies_not(problem: &Problem, over: &Over) -> Result<(), ProbabilityError> {
+fn varies_not(problem: &ChanceProblem, over: &ValueRange) -> Result<(), ProbabilityError> {
     let Some((case, _)) = problem.case() else { return Err(ProbabilityError::NoBody) };
     let case = Case { earthquake: None, ..case.clone() };
     let situation = case.situation(Acting::All, None).map_err(|error| over.wrong(error.to_string()))?;
@@ -178,14 +184,14 @@ struct Body {
 
 impl Body {
     /// The body that values make, for the rest as in `motion`; none if they do not go together.
-    fn of(problem: &Problem, motion: &MotionProblem, values: &[f64]) -> Option<Body> {
+    fn of(problem: &ChanceProblem, motion: &MotionProblem, values: &[f64]) -> Option<Body> {
         // The peaks of the shaking, which the first instant has as an earthquake, come with time.
         let case = Case { earthquake: None, ..problem.case_with(values)? };
         let situation = case.situation(Acting::All, None).ok()?;
         let stands = MotionProblem::standing(&situation).ok()?;
         let mut still = MotionProblem { block: stands.block, loads: stands.loads, ..motion.clone() };
         still.base = BaseMotion { horizontal: None, vertical: None };
-        if let Some(place) = problem.random().iter().position(Input::is_friction) {
+        if let Some(place) = problem.random().iter().position(RandomInput::is_friction) {
             let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };
             (still.block.mu_s, still.block.mu_k) = (values[place], values[place] * ratio);
         }

@@ -23,7 +23,7 @@ mod sea;
 use standfast_probability::legendre::panel;
 use standfast_probability::sums::{OfEvent, Other, Sums};
 
-pub use answer::{Exceeded, Followed, Quantile, Rotating, Sliding, SlidingError};
+pub use answer::{Exceedance, FollowedWaves, Quantile, RotatingWaves, Sliding, SlidingError};
 pub use pulse::Pulse;
 pub use pure::StormField;
 pub(super) use pure::{PureStorm, of_file};

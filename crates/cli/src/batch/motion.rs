@@ -9,7 +9,7 @@ use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::heading;
-use standfast_tables::{Face, OnError, TableFormat, WrittenColumn, column_warnings, written};
+use standfast_tables::{Interface, OnError, TableFormat, WrittenColumn, column_warnings, written};
 use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
@@ -185,7 +185,8 @@ pub fn motions(
     let mut said = paragraph(&format!("varied: {}", words.collect::<Vec<_>>().join(", ")), 0);
     let places: Vec<usize> = varied.iter().map(|(place, _)| *place).collect();
     for warning in column_warnings(&file, &header, &places) {
-        said += &paragraph(&format!("warning: {} ({})", warning.words(Face::Program), warning.name()), 0);
+        said +=
+            &paragraph(&format!("warning: {} ({})", warning.words(Interface::Program), warning.name()), 0);
     }
     rows.notes().iter().for_each(|note| said += &paragraph(note, 0));
     if let Some(first) = first {
