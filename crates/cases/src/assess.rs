@@ -31,7 +31,7 @@ use crate::motion::{
 use crate::random::{ProbabilityError, not_rest};
 use crate::units::Extent;
 pub use figures::{CaseFigure, FigureKind};
-pub use ground::OnGround;
+pub use ground::BaseResponse;
 pub(crate) use json::{SCHEMA, optional_number_or_word};
 pub(crate) use loads::load_words;
 pub use loads::{Component, left_out, share};
@@ -52,12 +52,12 @@ pub struct Assessment {
     /// Its situations: one for each combination, or each force that acts alone, or the only one.
     pub all: Vec<Assessed>,
     /// The part of the answer in time, of a case with histories: [`of_file`](Assessment::of_file) has it.
-    pub in_time: Option<InTime>,
+    pub in_time: Option<MotionAssessment>,
 }
 
 /// A case in time beside its first instant.
 #[derive(Debug, Clone, PartialEq)]
-pub struct InTime {
+pub struct MotionAssessment {
     /// A sentence, without its stop, on what is answered of the first instant.
     pub note: String,
     /// Criteria of the motion.
@@ -93,7 +93,7 @@ pub struct Assessed {
     /// The answer on its base.
     pub outcome: Outcome,
     /// The share of its base in the answer, where the case says what that bears.
-    pub ground: Option<OnGround>,
+    pub ground: Option<BaseResponse>,
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
     /// for it.
     pub not_rest: Option<Estimate>,
@@ -391,7 +391,7 @@ impl Assessed {
             let situation = case.decided(acting, shaking)?;
             let (outcome, ground) = match &case.ground {
                 Some(foundation) => {
-                    let (outcome, ground) = OnGround::of(case, foundation, &situation)?;
+                    let (outcome, ground) = BaseResponse::of(case, foundation, &situation)?;
                     (outcome, Some(ground))
                 }
                 None => (situation.outcome()?, None),

@@ -31,7 +31,7 @@ use crate::inputs::Inputs;
 use crate::layout::digits;
 use crate::motion::{MotionCriterion, MotionValue};
 use quantity::{Ends, Quantity};
-use set::{Beyond, End, Search, Stretch};
+use set::{End, OuterState, Search, Stretch};
 use standfast::{Departure, Mode};
 use subject::Subject;
 
@@ -297,7 +297,7 @@ impl Design {
         let Some(at) = request.extreme.outermost(&stretches) else {
             return Err(search.unmet(request.spelling));
         };
-        if matches!(request.extreme.of(&stretches[at]).beyond, Beyond::Range) {
+        if matches!(request.extreme.of(&stretches[at]).beyond, OuterState::Range) {
             return Err(no_end(&request, &quantity, &stretches[at]));
         }
         let sensitivities = sensitivity::all(&varied, Some(&present));
@@ -384,7 +384,7 @@ fn no_end(request: &DesignRequest, quantity: &Quantity, stretch: &Stretch) -> De
     let across = request.extreme.other();
     let boundary = across.of(stretch);
     let (met, help) = match boundary.beyond {
-        Beyond::Range => (format!("from {from} to {to}, in the whole range"), farther),
+        OuterState::Range => (format!("from {from} to {to}, in the whole range"), farther),
         _ => {
             let met = match request.extreme {
                 Extreme::Least => format!("from {from}, where the range begins, to {}", boundary.text),

@@ -561,7 +561,7 @@ pub struct DiagramArgs {
     pub omega: Option<f64>,
     /// The plane of ground that fails, by this law of its bearing resistance
     #[arg(long, value_enum, value_name = "LAW", requires = "share")]
-    pub law: Option<GroundBy>,
+    pub law: Option<BearingLaw>,
     /// Share u = P/V0 of the vertical resistance of the ground, centric and upright, that the weight takes
     #[arg(long, value_name = "U", allow_hyphen_values = true, value_parser = share, requires = "law")]
     pub share: Option<f64>,
@@ -578,7 +578,7 @@ pub struct DiagramArgs {
 
 /// A law of bearing resistance; of ground without surcharge and cohesion, so that u says all of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum GroundBy {
+pub enum BearingLaw {
     /// EN 1997-1 Annex D
     Ec7,
     /// API RP 2GEO, after Brinch Hansen
@@ -587,13 +587,13 @@ pub enum GroundBy {
     Envelope,
 }
 
-impl GroundBy {
+impl BearingLaw {
     /// Some ground of this law; its size is set by u.
     pub fn ground(self) -> Ground {
         let ground = match self {
-            GroundBy::Ec7 => Ground::new(GroundLaw::Ec7, 35.0, 1.0),
-            GroundBy::Hansen => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
-            GroundBy::Envelope => Ground::envelope(1.0),
+            BearingLaw::Ec7 => Ground::new(GroundLaw::Ec7, 35.0, 1.0),
+            BearingLaw::Hansen => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
+            BearingLaw::Envelope => Ground::envelope(1.0),
         };
         ground.expect("these are numbers of a ground")
     }
@@ -686,7 +686,7 @@ fn omega(text: &str) -> Result<f64, String> {
 /// u of ground that fails.
 fn share(text: &str) -> Result<f64, String> {
     let value: f64 = text.trim().parse().map_err(|_| "expected a number".to_owned())?;
-    let plane = BearingPlane::of_share(GroundBy::Ec7.ground(), 1.0, 0.0, value);
+    let plane = BearingPlane::of_share(BearingLaw::Ec7.ground(), 1.0, 0.0, value);
     plane.map(|_| value).map_err(|error| format!("expected {}", error.expected))
 }
 

@@ -19,7 +19,7 @@ use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
 use crate::features::{Feature, LeftOut};
-use crate::files_read::{FilesRead, ReadAs};
+use crate::files_read::{FilePurpose, FilesRead};
 use crate::progress::Bar;
 use crate::write::{Pending, WriteError};
 
@@ -197,7 +197,7 @@ fn open(
         return Ok((TableInput::Stream(Box::new(io::stdin())), None));
     }
     let unread = |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
-    let file = read.open(path, ReadAs::Table).map_err(unread)?;
+    let file = read.open(path, FilePurpose::Table).map_err(unread)?;
     let metadata = file.metadata().map_err(unread)?;
     if metadata.is_dir() {
         return Err(unread(io::ErrorKind::IsADirectory.into()));

@@ -8,7 +8,7 @@ use standfast_probability::normal::below;
 use standfast_probability::points::Stream;
 use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::Effort;
-use standfast_probability::sums::{OfEvent, Sums, expected, lives as sums_of_lives};
+use standfast_probability::sums::{EventMeans, Sums, expected, lives as sums_of_lives};
 
 /// Fails where a resistance, the first input, is below the sum of the others; the line is one of them.
 struct Fails {
@@ -112,10 +112,10 @@ impl Sums for Exceeds {
     fn year(&self, values: &[f64]) -> Option<f64> {
         Some((values[0] - values[1]).max(0.0))
     }
-    fn of_event(&self, level: &f64) -> OfEvent {
+    fn of_event(&self, level: &f64) -> EventMeans {
         // Of a lack of memory the mean is that of all, and one event in ten of the others is of another kind.
         let adds = (-level).exp();
-        OfEvent { mean: adds, adds, other: 0.1 * (1.0 - adds) }
+        EventMeans { mean: adds, adds, other: 0.1 * (1.0 - adds) }
     }
     fn amount(&self, _: &f64, share: f64) -> f64 {
         -share.ln()

@@ -1,7 +1,7 @@
 //! The motion in time of a case: what it is asked of, what becomes of the body, and what the model leaves out.
 
 use maud::{Markup, html};
-use standfast_cases::assess::InTime;
+use standfast_cases::assess::MotionAssessment;
 use standfast_cases::layout::digits;
 use standfast_cases::motion::{BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionFigure, Rows};
 use standfast_cases::{Case, CaseFile};
@@ -20,7 +20,7 @@ pub fn inputs(file: &CaseFile, first: &FirstInstant) -> Markup {
 }
 
 /// Motions of the body, in each situation.
-pub fn motions(in_time: &InTime, case: &Case) -> Markup {
+pub fn motions(in_time: &MotionAssessment, case: &Case) -> Markup {
     let all = &in_time.motions;
     html! {
         p.note {
@@ -98,7 +98,7 @@ fn table(name: &str, head: &[&str], rows: &Rows) -> Markup {
 }
 
 /// Histories and positions of the worst situation; what moves has no place on paper.
-pub fn figures(in_time: &InTime) -> Vec<MotionFigure> {
+pub fn figures(in_time: &MotionAssessment) -> Vec<MotionFigure> {
     let worst = in_time.motions.first();
     let figures = worst.map_or_else(Vec::new, |(block, followed)| block.figures(followed));
     figures.into_iter().filter(|figure| figure.suffix != "-animation").collect()

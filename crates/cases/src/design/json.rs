@@ -28,7 +28,7 @@ struct Document<'a> {
     /// Warnings on the value found.
     warnings: Vec<String>,
     /// All values that meet the target.
-    met: Vec<Met>,
+    met: Vec<MetRange>,
     notes: Vec<String>,
     sensitivity_per_percent: Vec<Row<'a>>,
 }
@@ -53,7 +53,7 @@ struct FoundValue<'a> {
 
 /// Neighbouring values that meet the target.
 #[derive(Serialize)]
-pub(super) struct Met {
+pub(super) struct MetRange {
     from: Bound,
     to: Bound,
 }
@@ -67,9 +67,9 @@ struct Bound {
     binding: Option<String>,
 }
 
-impl Met {
-    pub(super) fn of(stretch: &Stretch) -> Met {
-        Met { from: Bound::of(&stretch.least), to: Bound::of(&stretch.greatest) }
+impl MetRange {
+    pub(super) fn of(stretch: &Stretch) -> MetRange {
+        MetRange { from: Bound::of(&stretch.least), to: Bound::of(&stretch.greatest) }
     }
 }
 
@@ -155,7 +155,7 @@ pub(super) fn render(design: &Design) -> String {
         },
         binding: found.beyond.words(),
         warnings: design.warnings(),
-        met: stretches.iter().map(Met::of).collect(),
+        met: stretches.iter().map(MetRange::of).collect(),
         notes: design.notes(),
         sensitivity_per_percent: sensitivities.iter().map(Row::of).collect(),
     })

@@ -49,12 +49,12 @@ pub(super) struct End {
     /// Assessment of the printed value.
     pub(super) answer: Assessment,
     /// State just beyond.
-    pub(super) beyond: Beyond,
+    pub(super) beyond: OuterState,
 }
 
 /// State just beyond an end.
 #[derive(Debug)]
-pub(super) enum Beyond {
+pub(super) enum OuterState {
     /// It is an end of the range.
     Range,
     /// The target fails at this value.
@@ -63,22 +63,22 @@ pub(super) enum Beyond {
     NoCase(String, String),
 }
 
-impl Beyond {
+impl OuterState {
     /// Failure, in a sentence without its stop; `None` at an end of the range.
     pub(super) fn words(&self) -> Option<String> {
         match self {
-            Beyond::Range => None,
-            Beyond::Fails(at, binding) => Some(format!("at {at}, {}", binding.words)),
-            Beyond::NoCase(at, why) => Some(format!("at {at} the case makes no sense: {why}")),
+            OuterState::Range => None,
+            OuterState::Fails(at, binding) => Some(format!("at {at}, {}", binding.words)),
+            OuterState::NoCase(at, why) => Some(format!("at {at} the case makes no sense: {why}")),
         }
     }
 
     /// Failure, in a word; nothing at an end of the range.
     pub(super) fn by(&self) -> Option<&'static str> {
         match self {
-            Beyond::Range => None,
-            Beyond::Fails(_, binding) => Some(binding.by),
-            Beyond::NoCase(..) => Some("no case"),
+            OuterState::Range => None,
+            OuterState::Fails(_, binding) => Some(binding.by),
+            OuterState::NoCase(..) => Some("no case"),
         }
     }
 }
@@ -169,7 +169,7 @@ impl Search<'_> {
             let trial = self.attempt(value);
             let answer = trial.answer.ok().filter(|_| trial.met)?;
             let beyond = match found.fails {
-                None => Beyond::Range,
+                None => OuterState::Range,
                 Some(fails) => self.beyond(fails, rounded.next(inwards.other()).value(), count),
             };
             // A short number between the two last values tried, 4 beside 4.000000000003, is the boundary as far as it is known.
@@ -194,12 +194,12 @@ impl Search<'_> {
 
     /// Reason why the nearest value that was tried beyond an end does not meet the target; said of the next printed value where that fails
     /// by the same.
-    fn beyond(&self, fails: f64, next: f64, count: usize) -> Beyond {
+    fn beyond(&self, fails: f64, next: f64, count: usize) -> OuterState {
         let why = |trial: Trial, count: usize| {
             let at = with_unit(trial.value, &self.quantity.variable, count);
             match trial.answer {
-                Ok(answer) => Beyond::Fails(at, self.target.binding(&answer)),
-                Err(error) => Beyond::NoCase(at, error.to_string()),
+                Ok(answer) => OuterState::Fails(at, self.target.binding(&answer)),
+                Err(error) => OuterState::NoCase(at, error.to_string()),
             }
         };
         let nearest = why(self.attempt(fails), ALL_DIGITS);

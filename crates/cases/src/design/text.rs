@@ -3,7 +3,7 @@
 use standfast::Verdict;
 
 use super::quantity::{DIGITS, with_unit};
-use super::set::{Beyond, End, Stretch};
+use super::set::{End, OuterState, Stretch};
 use super::{
     Design, Extreme, SensitivityChange, Target, farthest, least, load_factor, overturning, overturns,
     sliding, steepest,
@@ -172,7 +172,7 @@ fn with_unit_to(design: &Design, end: &End) -> String {
 /// That the target is met elsewhere, too.
 fn apart(Stretch { least, greatest }: &Stretch) -> String {
     let why = [least, greatest].into_iter().filter_map(|end| end.beyond.words()).collect::<Vec<_>>();
-    let end = if matches!(greatest.beyond, Beyond::Range) { ", the end of the range" } else { "" };
+    let end = if matches!(greatest.beyond, OuterState::Range) { ", the end of the range" } else { "" };
     let why = if why.is_empty() { String::new() } else { format!("; {}", why.join("; ")) };
     format!("Apart from that the target is met from {} to {}{end}{why}.", least.text, greatest.text)
 }

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::{BlockCase, Follow, FollowedMotion, GivenBase, MotionCriterion, follow_all};
-use crate::assess::{Assessment, InTime};
+use crate::assess::{Assessment, MotionAssessment};
 use crate::case::Case;
 use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault};
@@ -166,7 +166,7 @@ impl Assessment {
             None if criteria.is_empty() => Vec::new(),
             None => file.follow(&Follow::default())?,
         };
-        assessment.in_time = Some(InTime { note: first.note.clone(), criteria, motions });
+        assessment.in_time = Some(MotionAssessment { note: first.note.clone(), criteria, motions });
         Ok(assessment)
     }
 }

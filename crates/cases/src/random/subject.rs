@@ -18,19 +18,19 @@ pub(super) enum ChanceSubject {
         note: Option<String>,
     },
     /// A `[point]`.
-    Point(Box<OfPoint>),
+    Point(Box<PointSubject>),
     /// A `[storm]` without a body.
     Storm(Box<PureStorm>),
 }
 
 /// A point with its random numbers, and where they stand.
-pub(super) struct OfPoint {
+pub(super) struct PointSubject {
     file: CaseFile,
     pub(super) point: [f64; 4],
     pub(super) random: Random,
 }
 
-impl OfPoint {
+impl PointSubject {
     /// The problem of the point, or of another with the same random numbers.
     pub(super) fn problem(
         &self,
@@ -49,7 +49,7 @@ impl ChanceSubject {
             let random = file.random().cloned();
             let random =
                 random.ok_or_else(|| file.error(Fault::new(RandomProblem::Nothing.into(), Table::Point)))?;
-            return Ok(ChanceSubject::Point(Box::new(OfPoint { file: file.clone(), point, random })));
+            return Ok(ChanceSubject::Point(Box::new(PointSubject { file: file.clone(), point, random })));
         }
         if let Some(pure) = storm::of_file(file, years)? {
             return Ok(ChanceSubject::Storm(Box::new(pure)));

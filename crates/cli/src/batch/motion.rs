@@ -14,7 +14,7 @@ use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
 use crate::case_file;
-use crate::files_read::{FilesRead, ReadAs};
+use crate::files_read::{FilePurpose, FilesRead};
 use crate::progress::Motions;
 use crate::write::{Pending, WriteError};
 
@@ -214,9 +214,9 @@ fn read(
 ) -> Result<(Vec<String>, Vec<csv::StringRecord>), MotionTableError> {
     let unread = |cause: String| MotionTableError::Read { name: name.to_owned(), cause };
     let bytes = if args.input.as_os_str() == "-" {
-        files.read_standard_input(ReadAs::Table)
+        files.read_standard_input(FilePurpose::Table)
     } else {
-        files.read(&args.input, ReadAs::Table)
+        files.read(&args.input, FilePurpose::Table)
     };
     let bytes = bytes.map_err(|cause| unread(cause.to_string()))?;
     let mut table = csv::ReaderBuilder::new().flexible(nulls).from_reader(&bytes[..]);

@@ -7,8 +7,8 @@ mod time;
 
 use standfast::ground::bearing::Reaction;
 use standfast::relation::Relation;
+use standfast_cases::assess::BaseResponse;
 use standfast_cases::assess::Component;
-use standfast_cases::assess::OnGround;
 use standfast_cases::assess::ground::left_out;
 use standfast_cases::case::{Foundation, Limit};
 use standfast_cases::units::Extent;
@@ -102,7 +102,7 @@ struct Sheet<'a> {
     assessed: &'a Assessed,
     components: &'a [Component],
     foundation: &'a Foundation,
-    ground: &'a OnGround,
+    ground: &'a BaseResponse,
     reaction: &'a Reaction,
     /// The length, where forces are of the whole object.
     long: &'static str,

@@ -5,7 +5,7 @@ use standfast::number::exact;
 
 use super::{Column, DesignBoundary};
 use crate::assess::{SCHEMA, heading};
-use crate::design::json::Met;
+use crate::design::json::MetRange;
 use crate::design::set::End;
 use crate::design::text::words;
 use crate::design::{Extreme, Quantity};
@@ -143,7 +143,7 @@ struct Varied<'a> {
 #[derive(Serialize)]
 struct Values {
     value: f64,
-    met: Vec<Met>,
+    met: Vec<MetRange>,
     /// Failure that binds, in a word, where it is nearest to be met, if it is nowhere.
     binds: Option<&'static str>,
 }
@@ -170,7 +170,7 @@ pub(super) fn json(boundary: &DesignBoundary) -> String {
             .iter()
             .map(|column| Values {
                 value: column.at,
-                met: column.stretches.iter().map(Met::of).collect(),
+                met: column.stretches.iter().map(MetRange::of).collect(),
                 binds: column.none,
             })
             .collect(),

@@ -3,7 +3,7 @@
 use standfast_probability::integrate::Life;
 use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::{Effort, Estimate};
-use standfast_probability::sums::{Lives, OfLife, expected, lives};
+use standfast_probability::sums::{LifeSums, Lives, expected, lives};
 use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
@@ -205,7 +205,7 @@ pub(in crate::random) fn sliding<S: Storms>(
     let drawn_effort = Effort { points: (effort.points as f64 / fewer) as u64, ..*effort };
     let drawn = lives(laws, &slides, storm.waves, life, &drawn_effort);
     // A body that lies on its side has slid too far.
-    let slid = |more: f64| drawn.chance(|life: &OfLife| life.ended || life.sum + life.other_sum > more);
+    let slid = |more: f64| drawn.chance(|life: &LifeSums| life.ended || life.sum + life.other_sum > more);
     Ok(Sliding {
         storm: storm.clone(),
         years,

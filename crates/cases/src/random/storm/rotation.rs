@@ -6,7 +6,7 @@
 use standfast::loads::{LoadSource, Pose};
 use standfast::wave::Goda;
 use standfast_motion::{History, Keep, MotionProblem, is_own_weight, simulate};
-use standfast_probability::sums::Other;
+use standfast_probability::sums::OtherEvent;
 
 use crate::case::{Acting, Case, Waves};
 use crate::random::quantity::Bias;
@@ -19,7 +19,7 @@ pub(super) fn wave(
     duration: f64,
     [mu_s, mu_k]: [f64; 2],
     bias: impl Fn(Bias) -> f64,
-) -> Option<Other> {
+) -> Option<OtherEvent> {
     let case = Case { wave: Some(Waves { goda, ..waves.clone() }), ..case.clone() };
     let situation = case.situation(Acting::All, None).ok()?;
     let body = situation.body();
@@ -38,5 +38,5 @@ pub(super) fn wave(
         problem.add(&situation, load, &history.ok()?);
     }
     let outcome = simulate(&problem, Keep::default()).ok()?;
-    Some(Other { amount: outcome.slide.abs(), ends: outcome.overturned() })
+    Some(OtherEvent { amount: outcome.slide.abs(), ends: outcome.overturned() })
 }

@@ -4,7 +4,7 @@ use standfast::contact::{Block, solve};
 use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
 use standfast_probability::integrate::Life;
-use standfast_probability::sums::Other;
+use standfast_probability::sums::OtherEvent;
 
 use super::answer::{Sliding, SlidingError, sliding};
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
@@ -125,11 +125,11 @@ impl Slide for GodaWave {
         self.followed.is_some()
     }
 
-    fn turned(&self, level: f64) -> Other {
+    fn turned(&self, level: f64) -> OtherEvent {
         let height = height(level, self.waves.goda.h_13);
         let goda = self.goda(height);
         let duration = self.duration(height, &goda);
-        let Some(case) = &self.followed else { return Other::default() };
+        let Some(case) = &self.followed else { return OtherEvent::default() };
         let friction = [self.block.mu_s, self.block.mu_k];
         let bias = |bias: Bias| self.biases[bias as usize].unwrap_or(1.0);
         // What cannot be followed is counted, as it is without this.

@@ -2,7 +2,7 @@
 
 use standfast::Wrench;
 use standfast::ground::bearing::Reaction;
-use standfast_cases::assess::OnGround;
+use standfast_cases::assess::BaseResponse;
 
 use super::super::path::{self, Term};
 use super::soil::NamedReaction;
@@ -212,7 +212,7 @@ impl Sheet<'_> {
 }
 
 /// Tells the load factor at which R/V falls to 1.
-pub(super) fn load_factors(steps: &mut SheetSteps, ground: &OnGround, words: &str) {
+pub(super) fn load_factors(steps: &mut SheetSteps, ground: &BaseResponse, words: &str) {
     let Some(factors) = ground.load_factors else { return };
     steps.told(ABOUT, "λ_R", factors.given, NONE, words, "load_factor_ground");
     for (factor, name, words, key) in [
@@ -226,6 +226,6 @@ pub(super) fn load_factors(steps: &mut SheetSteps, ground: &OnGround, words: &st
 }
 
 /// Tells these load factors where nothing presses on the base.
-pub(super) fn of_lifted(steps: &mut SheetSteps, ground: &OnGround) {
+pub(super) fn of_lifted(steps: &mut SheetSteps, ground: &BaseResponse) {
     load_factors(steps, ground, LOST);
 }

@@ -96,7 +96,7 @@ impl BearingBlock {
             match span.mode() {
                 Some(mode) if upright(mode) && ratio > 0.0 => {
                     let slip = if mode == Mode::SlideRight { Slip::Right } else { Slip::Left };
-                    let borne = Borne { path: &path, slip };
+                    let borne = SlidingGround { path: &path, slip };
                     let stretch = borne.between(span.from * ratio, span.to * ratio);
                     let fails = Decision::from(Some(Verdict::BearingFailure));
                     match stretch {
@@ -199,12 +199,12 @@ impl BearingBlock {
 const BORNE: usize = 64;
 
 /// The ground under a body that slides, for each friction to slip.
-struct Borne<'a> {
+struct SlidingGround<'a> {
     path: &'a GroundPath,
     slip: Slip,
 }
 
-impl Borne<'_> {
+impl SlidingGround<'_> {
     fn excess(&self, mu: f64) -> f64 {
         self.path.excess(Some((self.slip, mu)), 0.0)
     }
