@@ -201,7 +201,8 @@ listed! {
         "of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to",
         |a| ground(a, BaseResponse::pivot));
     Neutral = number("neutral", Some(Dimension::Length),
-        "of a base that crushes, how far inside its edge the neutral point is about which the body turns", |a| ground(a, BaseResponse::neutral));
+        "of a base that crushes, how far inside its edge the neutral point is about which the body turns",
+        |a| ground(a, BaseResponse::neutral));
     EffectiveWidth = number("effective_width", Some(Dimension::Length),
         "B' = 2(B − |e|), the width that the resultant has in its middle; 0 where it misses the base",
         |a| on_base(a, Reaction::effective_width));

@@ -20,7 +20,7 @@
 //!
 //! ```
 //! use standfast_probability::law::Law;
-//! use standfast_probability::problem::{RandomVector, Outcomes, Pieces};
+//! use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 //! use standfast_probability::{form, integrate::integrate};
 //!
 //! /// Fails where the first input, a resistance, is below the second, a load.
