@@ -20,7 +20,7 @@ use pyo3::types::PyFloat;
 use pyo3_arrow::PyChunkedArray;
 use pyo3_arrow::input::{AnyArray, AnyRecordBatch};
 use standfast::InputError;
-use standfast_cases::Face;
+use standfast_cases::Interface;
 use standfast_cases::suggest::{closest, similar};
 
 use crate::arrow_out::{ArrowArray, ArrowTable, dictionary_of_symbols};
@@ -278,7 +278,7 @@ pub(crate) fn no_column(name: &str, column: &str, found: &[&str], names: &[&str]
         false => closest(column, found.iter().copied()),
     };
     let advice = match meant {
-        Some(meant) => format!("did you mean {meant}? Then say {}", Face::Python.map(name, meant)),
+        Some(meant) => format!("did you mean {meant}? Then say {}", Interface::Python.map(name, meant)),
         None => format!("name yours with map={{\"{name}\": …}}"),
     };
     let has = if found.is_empty() { "no columns".to_owned() } else { found.join(", ") };

@@ -6,7 +6,7 @@ use std::path::Path;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
-use standfast_cases::{Assessment, CaseFile, Face, UpToError, View, check_up_to, report};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Interface, UpToError, check_up_to, report};
 
 use crate::invalid;
 
@@ -17,7 +17,7 @@ type Figure = (String, String, String);
 #[pyclass(frozen, module = "standfast._standfast")]
 pub(crate) struct CaseAnswer {
     assessment: Assessment,
-    view: View,
+    view: AssessmentView,
 }
 
 #[pymethods]
@@ -77,6 +77,6 @@ pub(crate) fn assess(
         let file = CaseFile::read(name, text, &beside(name));
         let answered = file.and_then(|file| Assessment::of_file(&file));
         let assessment = answered.map_err(|error| PyValueError::new_err(report(&error)))?;
-        Ok(CaseAnswer { assessment, view: View { up_to, all, face: Face::Python } })
+        Ok(CaseAnswer { assessment, view: AssessmentView { up_to, all, interface: Interface::Python } })
     })
 }

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use standfast::batch::MOTION;
 use standfast::{Mode, Motion, contact};
 
-use crate::rows::{self, Answer, NUMBERS, Out, RowFault};
+use crate::rows::{self, Answer, NUMBERS, OutputColumns, RowFault};
 use crate::run::Run;
 
 const _: () = assert!(MOTION.len() <= NUMBERS);
@@ -32,7 +32,7 @@ pub(crate) fn contact_rows(
     let inputs = rows::columns(&arrays)?;
     let numbers = rows::numbers(&mut numbers, inputs[0].len())?;
     let moving = !numbers.is_empty();
-    let out = Out {
+    let out = OutputColumns {
         mode: mode.as_mut().map(|mode| mode.as_slice_mut()).transpose()?,
         modes: modes.as_mut().map(|modes| modes.as_slice_mut()).transpose()?,
         numbers,

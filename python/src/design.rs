@@ -2,7 +2,7 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast_cases::design::{Boundary, BoundaryRequest, Design, Extreme, Request, Spelling};
+use standfast_cases::design::{BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling};
 use standfast_cases::{CaseFile, Explained, report};
 
 use crate::assess::beside;
@@ -28,11 +28,11 @@ fn refused(error: &dyn Explained) -> PyErr {
     PyValueError::new_err(report(error))
 }
 
-fn request(vary: String, target: &str, greatest: bool, [from, to]: Ends) -> PyResult<Request> {
+fn request(vary: String, target: &str, greatest: bool, [from, to]: Ends) -> PyResult<DesignRequest> {
     let target =
         target.parse().map_err(|error| PyValueError::new_err(format!("target is {target:?}; {error}")))?;
     let extreme = if greatest { Extreme::Greatest } else { Extreme::Least };
-    Ok(Request { vary, target, extreme, from, to, spelling: &SPELLING })
+    Ok(DesignRequest { vary, target, extreme, from, to, spelling: &SPELLING })
 }
 
 /// A design as text and as JSON; `file` is what errors call the case, and its text.
@@ -71,11 +71,11 @@ pub(crate) fn boundary(
     patiently(py, move || {
         let (and, [from, to]) = and_;
         let request = BoundaryRequest { design, and, from, to };
-        let rendered = |boundary: Boundary| {
+        let rendered = |boundary: DesignBoundary| {
             let svg = boundary.figure().map(|figure| figure.svg().to_owned());
             (boundary.text(), boundary.json(), boundary.csv(), svg)
         };
         let file = CaseFile::read(&file.0, &file.1, &beside(&file.0)).map_err(|error| refused(&error))?;
-        Boundary::of(&file, request).map(rendered).map_err(|error| refused(&error))
+        DesignBoundary::of(&file, request).map(rendered).map_err(|error| refused(&error))
     })?
 }

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use standfast::Point;
 use standfast::initiation::LimitState;
 
-use crate::rows::{self, Answer, NUMBERS, Out, RowFault};
+use crate::rows::{self, Answer, NUMBERS, OutputColumns, RowFault};
 use crate::run::Run;
 
 const _: () = assert!(LimitState::ALL.len() <= NUMBERS);
@@ -28,7 +28,7 @@ pub(crate) fn limit_states(
     let inputs = rows::columns(&arrays)?;
     let numbers = rows::numbers(&mut numbers, inputs[0].len())?;
     let wrong = wrong.as_mut().map(|wrong| wrong.as_slice_mut()).transpose()?;
-    let out = Out { mode: None, modes: None, numbers, wrong };
+    let out = OutputColumns { mode: None, modes: None, numbers, wrong };
     let solve = |[gamma, k_prime, k, mu]: [f64; 4]| {
         let states = Point::new(gamma, k_prime, k, mu)?.limit_states();
         let states = if run.right { states.mirrored() } else { states };

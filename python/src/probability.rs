@@ -6,7 +6,9 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Draws, Effort, Happening, MethodAsked, Over, Probability, Request};
+use standfast_cases::random::{
+    ChanceRequest, Draws, Effort, Happening, MethodAsked, Probability, ValueRange,
+};
 use standfast_cases::report;
 
 use crate::assess::beside;
@@ -71,9 +73,10 @@ pub(crate) fn probability(
         points: asked.samples,
         threads: asked.threads.map_or(plain.threads, NonZero::get),
     };
-    let request = Request { effort, years: asked.years, follow: asked.follow, ..Request::default() };
+    let request =
+        ChanceRequest { effort, years: asked.years, follow: asked.follow, ..ChanceRequest::default() };
     let request = method.map_or(request, |method| request.with(method));
-    let over = asked.over.as_deref().map(str::parse::<Over>).transpose();
+    let over = asked.over.as_deref().map(str::parse::<ValueRange>).transpose();
     let over = over.map_err(|error| {
         PyValueError::new_err(format!("over is {:?}: {error}", asked.over.as_deref().unwrap_or_default()))
     })?;

@@ -25,7 +25,7 @@ impl Answer {
 }
 
 /// Columns for answers, as long as a block.
-pub(crate) struct Out<'a> {
+pub(crate) struct OutputColumns<'a> {
     pub(crate) mode: Option<&'a mut [u8]>,
     pub(crate) modes: Option<&'a mut [u16]>,
     /// Numbers by their place in an [`Answer`].
@@ -34,8 +34,8 @@ pub(crate) struct Out<'a> {
     pub(crate) wrong: Option<&'a mut [bool]>,
 }
 
-impl<'a> Out<'a> {
-    fn split_at(self, middle: usize) -> (Out<'a>, Out<'a>) {
+impl<'a> OutputColumns<'a> {
+    fn split_at(self, middle: usize) -> (OutputColumns<'a>, OutputColumns<'a>) {
         fn halves<T>(column: Option<&mut [T]>, middle: usize) -> (Option<&mut [T]>, Option<&mut [T]>) {
             column.map(|column| column.split_at_mut(middle)).unzip()
         }
@@ -48,8 +48,8 @@ impl<'a> Out<'a> {
         };
         let (numbers, numbers_rest) = self.numbers.into_iter().map(split).unzip();
         (
-            Out { mode, modes, numbers, wrong },
-            Out { mode: mode_rest, modes: modes_rest, numbers: numbers_rest, wrong: wrong_rest },
+            OutputColumns { mode, modes, numbers, wrong },
+            OutputColumns { mode: mode_rest, modes: modes_rest, numbers: numbers_rest, wrong: wrong_rest },
         )
     }
 }
@@ -60,7 +60,7 @@ pub(crate) type RowError = (usize, InputError);
 /// Answers rows on threads; the first wrong row where nobody marks them.
 pub(crate) fn answer<const N: usize>(
     inputs: [&[f64]; N],
-    out: Out<'_>,
+    out: OutputColumns<'_>,
     threads: usize,
     solve: &(impl Fn([f64; N]) -> Result<Answer, InputError> + Sync),
 ) -> Option<RowError> {
@@ -98,7 +98,7 @@ fn own_then(
 
 fn run<const N: usize>(
     inputs: [&[f64]; N],
-    mut out: Out<'_>,
+    mut out: OutputColumns<'_>,
     start: usize,
     solve: &impl Fn([f64; N]) -> Result<Answer, InputError>,
 ) -> Option<RowError> {

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use standfast::Mode;
 use standfast_cases::CaseFile;
 use standfast_cases::motion::{
-    BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, all_json, follow_all,
+    BlockCase, Follow, FollowedMotion, GivenBase, Record, RecordUnit, all_json, follow_all,
 };
 use standfast_cases::report;
 
@@ -20,7 +20,7 @@ use crate::watch::patiently;
 /// The motion of a case in each of its situations, the worst first.
 #[pyclass(frozen, module = "standfast._standfast")]
 pub(crate) struct MotionAnswer {
-    answers: Vec<(BlockCase, Followed)>,
+    answers: Vec<(BlockCase, FollowedMotion)>,
     files: BTreeMap<String, String>,
     all: bool,
 }
@@ -83,7 +83,7 @@ impl MotionAnswer {
 impl MotionAnswer {
     /// The whole motion in one of the situations. It is followed again, because the whole of it takes far more memory than what
     /// came of it.
-    fn whole(&self, py: Python<'_>, place: usize) -> PyResult<(BlockCase, Followed)> {
+    fn whole(&self, py: Python<'_>, place: usize) -> PyResult<(BlockCase, FollowedMotion)> {
         let Some((case, _)) = self.answers.get(place) else {
             return Err(PyIndexError::new_err(format!("{place} of {} situations", self.answers.len())));
         };

@@ -5,7 +5,7 @@ use std::thread;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use standfast_cases::motion::{Progressed, SpectrumError, SpectrumRequest, Steps};
+use standfast_cases::motion::{Progressed, SpectrumError, SpectrumRequest, SpectrumSteps};
 
 use crate::simulate::{MotionCase, Samples, cases, given_base};
 use crate::watch::{Caller, aside};
@@ -37,7 +37,8 @@ pub(crate) fn spectrum(
     let kind = asked.kind.parse();
     let kind =
         kind.map_err(|error: String| PyValueError::new_err(format!("kind is {:?}; {error}", asked.kind)))?;
-    let steps = |given: Option<(f64, f64, usize)>| given.map(|(from, to, count)| Steps { from, to, count });
+    let steps =
+        |given: Option<(f64, f64, usize)>| given.map(|(from, to, count)| SpectrumSteps { from, to, count });
     let request = SpectrumRequest {
         size: steps(asked.size),
         slenderness: steps(asked.slenderness),

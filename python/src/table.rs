@@ -15,8 +15,8 @@ use pyo3_arrow::input::AnyRecordBatch;
 use standfast_cases::sweep::SweepResult;
 use standfast_cases::{CaseFile, Explained, report};
 use standfast_tables::{
-    CaseTable, Face, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Place, Progress,
-    RowWarning, Summary, TableError, TableOptions, Values, VariedColumn,
+    CaseTable, Interface, Mapping, MemoryAnswer, MemoryTable, NO_NAME, NO_WORD, OnError, Progress,
+    RowWarning, Summary, TableError, TableOptions, TablePlace, Values, VariedColumn,
 };
 
 use crate::arrow_out::ArrowTable;
@@ -78,7 +78,7 @@ impl Sweep {
             case: Some(case.into()),
             map: map.into_iter().map(|(ours, theirs)| Mapping { ours, theirs }).collect(),
             on_error: if null { OnError::Null } else { OnError::Stop },
-            face: Face::Python,
+            interface: Interface::Python,
             // A text has its unit, as in a case; what was a number Python marks.
             plain_texts: false,
             threads: threads.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZero::get),
@@ -119,7 +119,7 @@ impl Sweep {
     #[getter]
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let warnings = self.table.varied().unwrap_or_default().warnings;
-        warnings.iter().map(|warning| (warning.name(), warning.words(Face::Python))).collect()
+        warnings.iter().map(|warning| (warning.name(), warning.words(Interface::Python))).collect()
     }
 
     /// The results: names, units and words.
@@ -200,7 +200,7 @@ fn minded(summary: &Summary, shape: &[usize]) -> Vec<Warning> {
 fn found(name: &str) -> PyResult<SweepResult> {
     SweepResult::find(name).ok_or_else(|| {
         let results = SweepResult::all().map(SweepResult::name).collect();
-        let (option, column) = (Face::Python.columns(), name.to_owned());
+        let (option, column) = (Interface::Python.columns(), name.to_owned());
         raised(TableError::NoSuchResult { option, column, results }, &[])
     })
 }
@@ -282,7 +282,7 @@ impl Progress for Watch {
 
 /// Exception for a fault of a row or table; rows by their index in an array of this shape.
 fn raised(error: TableError, shape: &[usize]) -> PyErr {
-    if let TableError::Row { place: Place::Row(row), problem, .. } = &error {
+    if let TableError::Row { place: TablePlace::Row(row), problem, .. } = &error {
         let index = index(row - 1, shape);
         let words = format!("at index {}, {problem}", written(&index));
         return at_index(PyValueError::new_err(words), &index);

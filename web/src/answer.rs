@@ -3,7 +3,7 @@
 //! In air that is the report's problem. With water or uplift it is the situation's, under the full load applied at once; where that is
 //! a point of the report's plane, in effective coordinates, the report's inequalities decide it.
 
-use standfast::initiation::{Margins, Step};
+use standfast::initiation::{PointMargins, Step};
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{Mode, Modes, Motion, Outcome, Situation};
@@ -14,7 +14,7 @@ use crate::state::{GRAVITY, State};
 
 /// The answer of a state.
 #[derive(Debug)]
-pub struct Answer {
+pub struct PageAnswer {
     /// The mode reported.
     pub mode: Mode,
     /// The other consistent modes.
@@ -35,22 +35,22 @@ pub struct Answer {
     pub full: Option<(Situation, Outcome)>,
 }
 
-impl Answer {
+impl PageAnswer {
     /// The answer of a state.
     ///
     /// # Errors
     /// A sentence that says that a dimension is out of range, or that water stands above the crest.
-    pub fn of(state: &State) -> Result<Answer, String> {
-        if state.waters.are_none() { Ok(Answer::in_air(state)) } else { Answer::with_water(state) }
+    pub fn of(state: &State) -> Result<PageAnswer, String> {
+        if state.waters.are_none() { Ok(PageAnswer::in_air(state)) } else { PageAnswer::with_water(state) }
     }
 
-    fn in_air(state: &State) -> Answer {
+    fn in_air(state: &State) -> PageAnswer {
         let reduced = state.reduced();
         let (point, motion) = (reduced.point, reduced.motion());
         let (relations, tried) = explained(&reduced);
         let scaled =
             |body: &standfast::Body| motion.scaled(GRAVITY, body.width() / 2.0, body.mass() * GRAVITY);
-        Answer {
+        PageAnswer {
             mode: reduced.mode(),
             others: reduced.others(),
             motion,
@@ -63,7 +63,7 @@ impl Answer {
         }
     }
 
-    fn with_water(state: &State) -> Result<Answer, String> {
+    fn with_water(state: &State) -> Result<PageAnswer, String> {
         let said = |error: standfast::InputError| sentence(&error.to_string());
         let situation = loads::situation(state).map_err(said)?;
         let outcome = situation.outcome().map_err(said)?;
@@ -79,7 +79,7 @@ impl Answer {
         };
         let half_width = situation.body().width() / 2.0;
         let weight = situation.body().mass() * GRAVITY;
-        Ok(Answer {
+        Ok(PageAnswer {
             mode,
             others: full.others(),
             motion: real.scaled(1.0 / GRAVITY, 1.0 / half_width, 1.0 / weight),
@@ -94,7 +94,7 @@ impl Answer {
     }
 
     /// The changes of mode beside the point, if the loads have one.
-    pub fn margins(&self) -> Option<Margins> {
+    pub fn margins(&self) -> Option<PointMargins> {
         self.point.map(|reduced| reduced.point.margins())
     }
 }
@@ -117,8 +117,8 @@ mod tests {
     #[test]
     fn water_and_uplift_are_in_the_answer() {
         let state = State { force: 0.5, ..State::default() };
-        assert_eq!(Answer::of(&state).unwrap().mode, Mode::Rest);
-        let answer = Answer::of(&wet(8.0, 8.0, 60e3, state)).unwrap();
+        assert_eq!(PageAnswer::of(&state).unwrap().mode, Mode::Rest);
+        let answer = PageAnswer::of(&wet(8.0, 8.0, 60e3, state)).unwrap();
         assert_eq!(answer.mode, Mode::SlideRockOLeft);
         // k_eff = F/(m g − ρ g 8 B_c − 60 kPa B_c/2) = 1854.09/(3708.18 − 1212.516 − 450).
         let k_eff = answer.point.unwrap().point.k();
@@ -129,27 +129,27 @@ mod tests {
     fn the_motion_has_the_forces_and_accelerations_of_the_true_weight() {
         // At rest both reactions balance the loads: f_y = P, f_x = F.
         let state = wet(8.0, 8.0, 0.0, State { force: 0.1, elevation: -0.5, ..State::default() });
-        let answer = Answer::of(&state).unwrap();
+        let answer = PageAnswer::of(&state).unwrap();
         assert_eq!(answer.mode, Mode::Rest);
         let real = answer.real.unwrap();
         assert!((real.f_y / (378e3 * GRAVITY - 1030.0 * GRAVITY * 8.0 * 15.0) - 1.0).abs() < 1e-12);
         assert!((answer.motion.f_x - 0.1).abs() < 1e-12);
         // Sliding: ẍ = (μ P − F)/m.
         let state = State { friction: 0.0, ..state };
-        let answer = Answer::of(&state).unwrap();
+        let answer = PageAnswer::of(&state).unwrap();
         assert!((answer.real.unwrap().x_ddot + 0.1 * GRAVITY).abs() < 1e-12);
         assert!((answer.motion.x_ddot + 0.1).abs() < 1e-12);
     }
 
     #[test]
     fn a_body_that_is_lifted_or_under_water_has_no_point() {
-        let lifted = Answer::of(&wet(0.0, 0.0, 800e3, State { force: 0.0, ..State::default() })).unwrap();
+        let lifted = PageAnswer::of(&wet(0.0, 0.0, 800e3, State { force: 0.0, ..State::default() })).unwrap();
         assert!(lifted.point.is_none() && lifted.full.unwrap().1.full.is_lifted());
         // Equal levels without a force: vertical loads only.
-        let still = Answer::of(&wet(5.0, 5.0, 0.0, State { force: 0.0, ..State::default() })).unwrap();
+        let still = PageAnswer::of(&wet(5.0, 5.0, 0.0, State { force: 0.0, ..State::default() })).unwrap();
         assert!(still.point.is_none() && still.mode == Mode::Rest);
         assert!(!still.relations.is_empty() && still.relations.iter().all(|relation| relation.holds));
-        let drowned = Answer::of(&wet(40.0, 0.0, 0.0, State::default())).unwrap_err();
+        let drowned = PageAnswer::of(&wet(40.0, 0.0, 0.0, State::default())).unwrap_err();
         assert!(drowned.starts_with("Water level is 40;"));
     }
 }

@@ -7,7 +7,7 @@ use standfast_figures::{Axis, View};
 use crate::loads::Waters;
 use crate::number;
 use crate::state::{GRAVITY, State, round_digits, rounded};
-use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES, Unit};
+use crate::unit::{self, FORCES, LENGTHS, MASSES, PRESSURES, PageUnit};
 
 /// A number that a person can type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl Field {
     }
 
     /// The units that the field takes, and the place of the one chosen; none of a number without unit.
-    fn units(self, state: &State) -> (&'static [Unit], usize) {
+    fn units(self, state: &State) -> (&'static [PageUnit], usize) {
         let units = &state.units;
         match self {
             Field::Slenderness | Field::Elevation | Field::Force | Field::Friction => (&[], 0),

@@ -7,9 +7,9 @@ use standfast::Point;
 use standfast_figures::View;
 
 use crate::state::State;
-use crate::unit::{FORCES, LENGTHS, MASSES, PRESSURES, Unit, choose};
+use crate::unit::{FORCES, LENGTHS, MASSES, PRESSURES, PageUnit, choose};
 
-const UNITS: [(&str, &[Unit]); 4] =
+const UNITS: [(&str, &[PageUnit]); 4] =
     [("length", &LENGTHS), ("mass", &MASSES), ("force", &FORCES), ("pressure", &PRESSURES)];
 
 /// Writes the state.

@@ -10,13 +10,13 @@
 //! Nothing is guessed. `2,700` may be meant as 2.7 or as 2700, and `1.234,5` mixes two habits: both are refused, and the
 //! message shows what to type instead. The point is always decimal, as in what the fields show: `2.700` is 2.7.
 
-use crate::unit::Unit;
+use crate::unit::PageUnit;
 
 /// The number in a text, and how many SI units its unit is where it names one of `units`.
 ///
 /// # Errors
 /// A sentence on the fault for the person who typed it: no number, or not one number only.
-pub fn read(typed: &str, units: &[Unit]) -> Result<(f64, Option<f64>), String> {
+pub fn read(typed: &str, units: &[PageUnit]) -> Result<(f64, Option<f64>), String> {
     let text = typed.trim();
     if text.is_empty() {
         return Err("A number is missing.".to_owned());
@@ -132,7 +132,7 @@ fn grouped(whole: &str) -> Option<String> {
     (digits && thousands).then(|| groups.concat())
 }
 
-fn scale(unit: &str, units: &[Unit]) -> Result<Option<f64>, String> {
+fn scale(unit: &str, units: &[PageUnit]) -> Result<Option<f64>, String> {
     let unit: String = unit.split_whitespace().collect();
     if unit.is_empty() {
         return Ok(None);

@@ -4,18 +4,18 @@ use serde::Serialize;
 use standfast::Mode;
 use standfast::region::Strip;
 
-use crate::answer::Answer;
+use crate::answer::PageAnswer;
 use crate::field::Field;
 use crate::state::State;
 use crate::text::{letter, mathematics};
-use crate::unit::{FORCES, LENGTHS, MASSES, PRESSURES, Unit, shown};
-use crate::verdict::Verdict;
+use crate::unit::{FORCES, LENGTHS, MASSES, PRESSURES, PageUnit, shown};
+use crate::verdict::PageVerdict;
 
 /// Everything the page shows but the drawings. Strings are HTML unless named `plain`.
 #[derive(Debug, Serialize)]
 pub struct Reading {
     #[serde(flatten)]
-    verdict: Verdict,
+    verdict: PageVerdict,
     /// Of which loads the diagram is, if there are others than the force, or why there is none.
     map_note: String,
     case: String,
@@ -58,8 +58,8 @@ struct Numbers {
 impl Reading {
     /// The reading of a state.
     pub fn of(state: &State) -> Reading {
-        let answer = Answer::of(state);
-        let unit = |units: &[Unit], chosen: usize| {
+        let answer = PageAnswer::of(state);
+        let unit = |units: &[PageUnit], chosen: usize| {
             (units.iter().map(|unit| unit.0).collect::<Vec<_>>(), units[chosen].0)
         };
         let units = &state.units;
@@ -73,7 +73,7 @@ impl Reading {
         let points = diagram.as_ref().map_or(Vec::new(), |diagram| diagram.chart().points());
         let is_sketch = state.figure.is_some_and(|id| id.body().is_none());
         Reading {
-            verdict: Verdict::of(state, &answer),
+            verdict: PageVerdict::of(state, &answer),
             map_note: map_note(state),
             case: case(state),
             points: points
@@ -97,7 +97,7 @@ impl Reading {
 }
 
 impl Numbers {
-    fn of(state: &State, answer: Option<&Answer>) -> Numbers {
+    fn of(state: &State, answer: Option<&PageAnswer>) -> Numbers {
         let four = |point: standfast::Point| [point.gamma(), point.k_prime(), point.k(), point.mu()];
         Numbers {
             given: four(state.point()),
@@ -106,7 +106,7 @@ impl Numbers {
                 let chart = diagram.chart();
                 [chart.gamma(), chart.k_prime()]
             }),
-            motion: answer.map(|Answer { motion, .. }| {
+            motion: answer.map(|PageAnswer { motion, .. }| {
                 [
                     motion.x_ddot,
                     motion.y_ddot,

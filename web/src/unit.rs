@@ -3,16 +3,16 @@
 use standfast_figures::significant;
 
 /// A unit: its name, and how many SI units it is.
-pub type Unit = (&'static str, f64);
+pub type PageUnit = (&'static str, f64);
 
 /// The units of a kind of quantity; the first is that of a new page.
-pub const LENGTHS: [Unit; 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
+pub const LENGTHS: [PageUnit; 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
 /// Of a mass per metre run, kg/m.
-pub const MASSES: [Unit; 2] = [("t/m", 1e3), ("kg/m", 1.0)];
+pub const MASSES: [PageUnit; 2] = [("t/m", 1e3), ("kg/m", 1.0)];
 /// Of a force per metre run, N/m.
-pub const FORCES: [Unit; 3] = [("kN/m", 1e3), ("MN/m", 1e6), ("N/m", 1.0)];
+pub const FORCES: [PageUnit; 3] = [("kN/m", 1e3), ("MN/m", 1e6), ("N/m", 1.0)];
 /// Of a pressure, Pa.
-pub const PRESSURES: [Unit; 2] = [("kPa", 1e3), ("Pa", 1.0)];
+pub const PRESSURES: [PageUnit; 2] = [("kPa", 1e3), ("Pa", 1.0)];
 
 /// The units chosen, as places in the tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -29,7 +29,7 @@ pub struct Units {
 
 /// Chooses a unit for `length`, `mass`, `force` or `pressure`; what is unknown changes nothing.
 pub fn choose(units: &mut Units, quantity: &str, unit: &str) {
-    let (table, chosen): (&[Unit], _) = match quantity {
+    let (table, chosen): (&[PageUnit], _) = match quantity {
         "length" => (&LENGTHS, &mut units.length),
         "mass" => (&MASSES, &mut units.mass),
         "force" => (&FORCES, &mut units.force),

@@ -5,7 +5,7 @@ use standfast::initiation::Crossing;
 use standfast::relation::Relation;
 use standfast::{InputError, Mode, Modes, Motion, Stage};
 
-use crate::answer::Answer;
+use crate::answer::PageAnswer;
 use crate::loads::{UP_TO, departure_words};
 use crate::state::State;
 use crate::text::{mathematics, symbol};
@@ -13,7 +13,7 @@ use crate::unit::{FORCES, LENGTHS, shown};
 
 /// The verdict under all loads, with its reasons. Strings are HTML unless named `plain`.
 #[derive(Debug, Serialize, Default)]
-pub struct Verdict {
+pub struct PageVerdict {
     /// The mode's symbol in plain characters; empty without an answer.
     pub mode: &'static str,
     symbol: String,
@@ -84,25 +84,25 @@ struct Quantity {
     real: String,
 }
 
-impl Verdict {
+impl PageVerdict {
     /// The verdict of a state, of which `answer` is the answer.
-    pub fn of(state: &State, answer: &Result<Answer, String>) -> Verdict {
+    pub fn of(state: &State, answer: &Result<PageAnswer, String>) -> PageVerdict {
         let found = answer.as_ref().map_err(String::clone);
         found
-            .and_then(|answer| Verdict::found(state, answer).map_err(|error| error.to_string()))
-            .unwrap_or_else(|fault| Verdict {
+            .and_then(|answer| PageVerdict::found(state, answer).map_err(|error| error.to_string()))
+            .unwrap_or_else(|fault| PageVerdict {
                 symbol: "—".to_owned(),
                 scope: scope(state, None),
                 sentence: format!("No answer. {fault}"),
                 tint: "none",
                 unique: true,
                 plain: format!("No answer. {fault}"),
-                ..Verdict::default()
+                ..PageVerdict::default()
             })
     }
 
-    fn found(state: &State, answer: &Answer) -> Result<Verdict, InputError> {
-        let Answer { mode, others, motion, factors, .. } = *answer;
+    fn found(state: &State, answer: &PageAnswer) -> Result<PageVerdict, InputError> {
+        let PageAnswer { mode, others, motion, factors, .. } = *answer;
         let scope = scope(state, Some(answer));
         let lifted = answer.full.as_ref().is_some_and(|(_, outcome)| outcome.full.is_lifted());
         let lift = if lifted { "All loads together no longer press downwards. " } else { "" };
@@ -129,7 +129,7 @@ impl Verdict {
             symbol: symbol(orient(step.mode)),
             rows: step.relations.iter().filter(|relation| !relation.holds).map(Row::of).collect(),
         };
-        Ok(Verdict {
+        Ok(PageVerdict {
             mode: mode.symbol(),
             symbol: symbol(mode),
             sentence: format!("{lift}The body {words}{lesser}."),
@@ -168,7 +168,7 @@ impl Row {
 }
 
 /// Loads that the verdict is of; empty for the force alone.
-fn scope(state: &State, answer: Option<&Answer>) -> String {
+fn scope(state: &State, answer: Option<&PageAnswer>) -> String {
     let waters = &state.waters;
     if waters.are_none() {
         return String::new();
@@ -193,7 +193,7 @@ fn scope(state: &State, answer: Option<&Answer>) -> String {
     format!("Under all loads: {} and {last}.{effect}", others.join(", "))
 }
 
-fn factor_rows(answer: &Answer) -> Vec<Factor> {
+fn factor_rows(answer: &PageAnswer) -> Vec<Factor> {
     let formulas = match answer.full {
         None => [mathematics("μ/k"), mathematics("1/(k γ |1+k'|)")],
         Some(_) => [mathematics("μ P/|X|"), "resisting by turning moment, lesser corner".to_owned()],
@@ -203,7 +203,7 @@ fn factor_rows(answer: &Answer) -> Vec<Factor> {
         .collect()
 }
 
-fn leaves_rest(state: &State, answer: &Answer) -> Result<String, InputError> {
+fn leaves_rest(state: &State, answer: &PageAnswer) -> Result<String, InputError> {
     if let Some((_, outcome)) = &answer.full {
         return Ok(departure_words(&outcome.departure));
     }
@@ -224,7 +224,7 @@ fn leaves_rest(state: &State, answer: &Answer) -> Result<String, InputError> {
 }
 
 /// In air as k grows; with water as the force and its uplift grow together.
-fn along_k(state: &State, answer: &Answer) -> Result<Changes, InputError> {
+fn along_k(state: &State, answer: &PageAnswer) -> Result<Changes, InputError> {
     let Some((situation, outcome)) = &answer.full else {
         let at =
             |crossing: &Crossing| (format!("<i>k</i> = {}", shown(crossing.at)), force(state, crossing.at));
@@ -254,7 +254,7 @@ fn along_k(state: &State, answer: &Answer) -> Result<Changes, InputError> {
     Ok(Changes { heading, rows, none: "It does not, up to twice the load." })
 }
 
-fn along_mu(answer: &Answer) -> Changes {
+fn along_mu(answer: &PageAnswer) -> Changes {
     let at = |crossing: &Crossing| (format!("<i>μ</i> = {}", shown(crossing.at)), None);
     let (rows, none) = match answer.margins() {
         Some(margins) => (rows(answer, &margins.along_mu, at), "It does not."),
@@ -264,7 +264,7 @@ fn along_mu(answer: &Answer) -> Changes {
 }
 
 fn rows(
-    answer: &Answer,
+    answer: &PageAnswer,
     crossings: &[Crossing],
     at: impl Fn(&Crossing) -> (String, Option<String>),
 ) -> Vec<Change> {
@@ -288,8 +288,8 @@ fn force(state: &State, k: f64) -> Option<String> {
     at.real().map(|(_, force)| format!("<i>F</i> = {} {name}", shown(force.magnitude() / scale)))
 }
 
-fn uniqueness(answer: &Answer, rock: Mode) -> String {
-    let Answer { mode, others, .. } = *answer;
+fn uniqueness(answer: &PageAnswer, rock: Mode) -> String {
+    let PageAnswer { mode, others, .. } = *answer;
     if others.is_empty() {
         return "The answer is unique.".to_owned();
     }

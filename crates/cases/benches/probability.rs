@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use standfast::Mode;
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Effort, Probability, Problem, Request};
+use standfast_cases::random::{ChanceProblem, ChanceRequest, Effort, Probability};
 use standfast_probability::integrate::integrate;
 
 const PLANE: &str = "[point]\ngamma = 0.8\nk_prime = 0.9167\n[random]\nmu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0 }\n\
@@ -28,14 +28,15 @@ fn least(what: &str, times: usize, mut work: impl FnMut()) {
 }
 
 fn all(text: &str) {
-    let request = Request { effort: Effort { threads: 1, ..Effort::default() }, ..Request::default() };
+    let request =
+        ChanceRequest { effort: Effort { threads: 1, ..Effort::default() }, ..ChanceRequest::default() };
     let file = CaseFile::parse("case", text).expect("a case");
     drop(black_box(Probability::of(&file, request)));
 }
 
 fn main() {
     let problem =
-        Problem::of_file(&CaseFile::parse("case", PLANE).expect("a point")).expect("a point").remove(0);
+        ChanceProblem::of_file(&CaseFile::parse("case", PLANE).expect("a point")).expect("a point").remove(0);
     let modes: Vec<u64> = Mode::ALL.into_iter().map(|mode| 1 << mode.code()).collect();
     let slide_rock = [1 << Mode::SlideRockOLeft.code()];
     let of = |sets: &[u64]| drop(black_box(integrate(problem.laws(), &problem, sets)));

@@ -24,14 +24,14 @@ use crate::case::{Acting, Case};
 use crate::case_file::CaseFile;
 use crate::criteria::{Check, Criterion};
 use crate::error::CaseError;
-use crate::face::Face;
+use crate::interface::Interface;
 use crate::motion::{
-    BlockCase, Follow, Followed, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks,
+    BlockCase, Follow, FollowedMotion, MotionCheck, MotionCriterion, worst_checks as worst_motion_checks,
 };
 use crate::random::{ProbabilityError, not_rest};
 use crate::units::Extent;
-pub use figures::{CaseFigure, Drawn};
-pub use ground::OnGround;
+pub use figures::{CaseFigure, FigureKind};
+pub use ground::BaseResponse;
 pub(crate) use json::{SCHEMA, optional_number_or_word};
 pub(crate) use loads::load_words;
 pub use loads::{Component, left_out, share};
@@ -52,18 +52,18 @@ pub struct Assessment {
     /// Its situations: one for each combination, or each force that acts alone, or the only one.
     pub all: Vec<Assessed>,
     /// The part of the answer in time, of a case with histories: [`of_file`](Assessment::of_file) has it.
-    pub in_time: Option<InTime>,
+    pub in_time: Option<MotionAssessment>,
 }
 
 /// A case in time beside its first instant.
 #[derive(Debug, Clone, PartialEq)]
-pub struct InTime {
+pub struct MotionAssessment {
     /// A sentence, without its stop, on what is answered of the first instant.
     pub note: String,
     /// Criteria of the motion.
     pub criteria: Vec<MotionCriterion>,
     /// The motion in every situation, the worst first; empty where it was not followed, because nothing is asked of it.
-    pub motions: Vec<(BlockCase, Followed)>,
+    pub motions: Vec<(BlockCase, FollowedMotion)>,
 }
 
 /// A criterion of a case where it is met worst, be it of the first instant or of the motion.
@@ -93,7 +93,7 @@ pub struct Assessed {
     /// The answer on its base.
     pub outcome: Outcome,
     /// The share of its base in the answer, where the case says what that bears.
-    pub ground: Option<OnGround>,
+    pub ground: Option<BaseResponse>,
     /// The chance that the body does not stay at rest, under any acceleration of the base that is tried; `None` where nothing asks
     /// for it.
     pub not_rest: Option<Estimate>,
@@ -112,19 +112,19 @@ pub struct CaseCheck<'a> {
 
 /// View of an answer: how much of it is shown, and in which words.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
+pub struct AssessmentView {
     /// Load factor up to which the path of a rising load is followed, as a multiple of the full load.
     pub up_to: f64,
     /// True if every situation is shown one by one; else of more than [`GOVERNING`] those that govern.
     pub all: bool,
     /// Face that spells the options in the text.
-    pub face: Face,
+    pub interface: Interface,
 }
 
-impl Default for View {
+impl Default for AssessmentView {
     /// Up to twice the load, and what governs, for a program.
-    fn default() -> View {
-        View { up_to: UP_TO, all: false, face: Face::Program }
+    fn default() -> AssessmentView {
+        AssessmentView { up_to: UP_TO, all: false, interface: Interface::Program }
     }
 }
 
@@ -232,7 +232,7 @@ impl Assessment {
     }
 
     /// The situations that are shown one by one, the worst first: all, or those that govern.
-    pub fn shown(&self, view: &View) -> Vec<&Assessed> {
+    pub fn shown(&self, view: &AssessmentView) -> Vec<&Assessed> {
         let mut shown = self.worst_first();
         if !view.all {
             shown.truncate(GOVERNING);
@@ -300,13 +300,13 @@ impl Assessment {
     }
 
     /// The answer for reading, in lines of at most 88 characters.
-    pub fn text(&self, view: &View) -> String {
+    pub fn text(&self, view: &AssessmentView) -> String {
         text::render(self, view)
     }
 
     /// The answer as one JSON document, at full precision; `files` are those of the figures that were written. See
     /// `docs/answer.schema.json`.
-    pub fn json(&self, view: &View, files: &[String]) -> String {
+    pub fn json(&self, view: &AssessmentView, files: &[String]) -> String {
         json::render(self, view, files)
     }
 
@@ -314,7 +314,7 @@ impl Assessment {
     ///
     /// # Errors
     /// If a figure's numbers are out of range.
-    pub fn figures(&self, view: &View) -> Result<Vec<CaseFigure>, InputError> {
+    pub fn figures(&self, view: &AssessmentView) -> Result<Vec<CaseFigure>, InputError> {
         figures::all(self, view)
     }
 }
@@ -389,7 +389,7 @@ impl Assessed {
         let answer = |situation: Situation, earthquake| {
             let (outcome, ground) = match &case.ground {
                 Some(foundation) => {
-                    let (outcome, ground) = OnGround::of(case, foundation, &situation)?;
+                    let (outcome, ground) = BaseResponse::of(case, foundation, &situation)?;
                     (outcome, Some(ground))
                 }
                 None => (situation.outcome()?, None),

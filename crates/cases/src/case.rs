@@ -24,11 +24,11 @@
 //!
 //! Nothing here reads text, so that a case may be varied millions of times.
 
-mod given;
 mod ground;
 mod history;
 mod loads;
 mod motion;
+mod reader;
 mod section;
 
 use std::sync::Arc;
@@ -40,12 +40,12 @@ use standfast::section::{Part, Section, WaterTable};
 use standfast::wave::{self, Choices, Goda, Heights, Sea};
 use standfast::{Ball, Body, InputError, Scalar, Situation};
 
-pub(crate) use given::{Given, fault, motion_fault};
 pub use ground::{COUPLING, Foundation, Limit, T_H, T_M};
 pub(crate) use history::HistoryOf;
 pub use history::history_shapes;
 pub use loads::{Combination, Direction, FacePressure, PointForce};
 pub use motion::CaseMotion;
+pub(crate) use reader::{Reader, fault, motion_fault};
 pub(crate) use section::OF_PARTS;
 
 use crate::criteria::Criterion;
@@ -142,7 +142,7 @@ pub struct Waves {
     /// The wave heights as they are given.
     pub heights: Heights,
     /// The caisson and its berm.
-    pub section: wave::Section,
+    pub section: wave::CaissonSection,
     /// The choices in the formulas.
     pub choices: Choices,
     /// The pressures, forces and moments.
@@ -196,7 +196,7 @@ impl<T: Scalar> Case<T> {
     /// The case of inputs in any arithmetic.
     fn in_scalars(shared: Arc<Inputs>) -> Result<Case<T>, Fault> {
         let inputs = &*shared;
-        let given = Given { inputs };
+        let given = Reader { inputs };
         given.ranges()?;
         let in_place = [Table::Block, Table::Point, Table::Storm].into_iter();
         if let Some(table) = in_place
@@ -225,8 +225,8 @@ impl<T: Scalar> Case<T> {
             (true, Weight::Total, wave) => Some(given.water(&body, wave.as_ref())?),
             (false, _, _) => None,
         };
-        let uplift = given.in_table(Table::Uplift, Given::uplift)?;
-        let earthquake = given.in_table(Table::Earthquake, Given::earthquake)?;
+        let uplift = given.in_table(Table::Uplift, Reader::uplift)?;
+        let earthquake = given.in_table(Table::Earthquake, Reader::earthquake)?;
         let added_mass = given
             .in_table(Table::AddedMass, |given| given.added_mass(&body, water.as_ref(), wave.as_ref()))?;
         // A body on a base that moves needs no load.
@@ -316,7 +316,7 @@ impl<T: Scalar> Case<T> {
     }
 
     /// All loads of the case but for alternatives to the one that acts, and what each is of.
-    fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(Of, Load<T>)> {
+    fn loads(&self, acting: Acting, earthquake: Option<Earthquake<T>>) -> Vec<(LoadOrigin, Load<T>)> {
         let weight = match self.weight.clone() {
             Weight::Total => Load::permanent(LoadSource::Weight, LoadKind::Weight, Action::Weight),
             Weight::Buoyant { force, arm } => {
@@ -324,48 +324,48 @@ impl<T: Scalar> Case<T> {
                 Load::permanent(LoadSource::BuoyantWeight, LoadKind::Weight, action)
             }
         };
-        let mut loads = vec![(Of::Table(Table::Body), weight)];
+        let mut loads = vec![(LoadOrigin::Table(Table::Body), weight)];
         let mut add = |of, more: Vec<Load<T>>| loads.extend(more.into_iter().map(|load| (of, load)));
         let over_time = |load: Load<T>, history: &Option<standfast::History>| match history {
             Some(history) => load.over_time(history.clone()),
             None => load,
         };
         if let Some(water) = &self.water {
-            add(Of::Table(Table::Water), water.loads(&self.body, self.gravity.clone()));
+            add(LoadOrigin::Table(Table::Water), water.loads(&self.body, self.gravity.clone()));
             if let Some(section) = &self.section {
                 let (body, gravity) = (self.body.rounded(), self.gravity.value());
                 let on_sides = section.water_on_sides(&body, &water.rounded(), gravity).into_iter();
-                add(Of::Table(Table::Water), on_sides.map(Load::computed).collect());
+                add(LoadOrigin::Table(Table::Water), on_sides.map(Load::computed).collect());
             }
         }
         if let Some(uplift) = &self.uplift {
-            add(Of::Table(Table::Uplift), vec![uplift.load(&self.body)]);
+            add(LoadOrigin::Table(Table::Uplift), vec![uplift.load(&self.body)]);
         }
         if let Some(earthquake) = earthquake {
-            add(Of::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
+            add(LoadOrigin::Table(Table::Earthquake), earthquake.loads(&self.added_mass));
         }
         if let Some(Waves { goda, section, history, .. }) = &self.wave {
             let waves = goda.loads(&self.body.rounded(), section.base_depth).into_iter().map(Load::computed);
-            add(Of::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
+            add(LoadOrigin::Table(Table::Wave), waves.map(|load| over_time(load, history)).collect());
         }
         for (index, pressure) in self.pressures.iter().enumerate() {
-            add(Of::Pressure(index), vec![pressure.load()]);
+            add(LoadOrigin::Pressure(index), vec![pressure.load()]);
         }
         for (index, force) in self.forces.iter().enumerate() {
             let replaced = matches!(acting, Acting::Alone(alone) if alone != index && force.acts_alone());
             if !replaced {
-                add(Of::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
+                add(LoadOrigin::Force(index), vec![over_time(force.load(&self.body), &force.history)]);
             }
         }
         loads
     }
 
     /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not.
-    fn factor(&self, combination: &Combination, of: Of, load: &Load<T>) -> f64 {
+    fn factor(&self, combination: &Combination, of: LoadOrigin, load: &Load<T>) -> f64 {
         let name = match of {
-            Of::Table(table) => table.in_combination(),
-            Of::Pressure(index) => self.pressures[index].name.as_deref(),
-            Of::Force(index) => self.forces[index].name.as_deref(),
+            LoadOrigin::Table(table) => table.in_combination(),
+            LoadOrigin::Pressure(index) => self.pressures[index].name.as_deref(),
+            LoadOrigin::Force(index) => self.forces[index].name.as_deref(),
         };
         let factor = name.and_then(|name| combination.factor(name));
         factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
@@ -458,7 +458,7 @@ impl Case {
 
 /// Source of a load, by which a combination names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Of {
+enum LoadOrigin {
     /// A table of the case.
     Table(Table),
     /// A pressure, by its place.
@@ -467,24 +467,24 @@ enum Of {
     Force(usize),
 }
 
-impl Of {
+impl LoadOrigin {
     /// The table of the file that says it.
     fn place(self) -> Place {
         match self {
-            Of::Table(table) => Place::Table(table, 0),
-            Of::Pressure(index) => Place::Table(Table::Pressure, index),
-            Of::Force(index) => Place::Table(Table::Load, index),
+            LoadOrigin::Table(table) => Place::Table(table, 0),
+            LoadOrigin::Pressure(index) => Place::Table(Table::Pressure, index),
+            LoadOrigin::Force(index) => Place::Table(Table::Load, index),
         }
     }
 }
 
 /// The table that says a load is the upper half of its number, the place of the table the lower.
-impl From<Of> for LoadId {
-    fn from(of: Of) -> LoadId {
+impl From<LoadOrigin> for LoadId {
+    fn from(of: LoadOrigin) -> LoadId {
         let (table, index) = match of {
-            Of::Table(table) => (table, 0),
-            Of::Pressure(index) => (Table::Pressure, index),
-            Of::Force(index) => (Table::Load, index),
+            LoadOrigin::Table(table) => (table, 0),
+            LoadOrigin::Pressure(index) => (Table::Pressure, index),
+            LoadOrigin::Force(index) => (Table::Load, index),
         };
         LoadId((table as u64) << 32 | index as u64)
     }

@@ -250,7 +250,7 @@ pub(crate) fn change<'a>(
     case: &Case,
     changes: impl Iterator<Item = (&'a Variable, f64)> + Clone,
 ) {
-    let mut moved = Moved::default();
+    let mut moved = CoupledChanges::default();
     for (variable, value) in changes.clone() {
         let present = variable.value(inputs, case);
         if variable.by_density {
@@ -298,7 +298,7 @@ fn weigh<'a>(
     value: f64,
 ) {
     let named = |key: Key| changes.clone().any(|(variable, _)| variable.id == Id::from(key));
-    let mut sized = Moved::default();
+    let mut sized = CoupledChanges::default();
     for (variable, value) in changes.clone().filter(|(variable, _)| variable.moves != Moves::Mass) {
         sized.add(variable, case, variable.value(inputs, case), value);
     }
@@ -320,7 +320,7 @@ fn weigh<'a>(
 /// The keys of a case whose numbers go with these when they are varied, each once; one of them that is varied itself among
 /// them only if it is moved all the same.
 pub(crate) fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Vec<Key> {
-    let mut moved = Moved::default();
+    let mut moved = CoupledChanges::default();
     for variable in variables {
         let present = variable.value(inputs, case);
         moved.add(variable, case, present, present);
@@ -337,12 +337,12 @@ pub(crate) fn moved(inputs: &Inputs, case: &Case, variables: &[&Variable]) -> Ve
 
 /// Numbers that go with varied ones, and their changes.
 #[derive(Default)]
-struct Moved {
+struct CoupledChanges {
     levels: Vec<(Key, f64)>,
     scales: Vec<(Key, f64)>,
 }
 
-impl Moved {
+impl CoupledChanges {
     fn add(&mut self, variable: &Variable, case: &Case, present: f64, value: f64) {
         let (by, ratio) = (value - present, value / present);
         match variable.moves {

@@ -48,24 +48,24 @@ pub struct Check {
 }
 
 /// A criterion of a number: which result it asks for.
-struct Asked {
+struct NumberCriterion {
     key: Key,
     result: ResultName,
     bound: fn(f64) -> Bound,
 }
 
-impl Asked {
+impl NumberCriterion {
     /// The unit in which it is read, empty for plain numbers, and how many SI units make one.
     fn on_paper(&self) -> (&'static str, f64) {
         self.key.info().dimension().map_or(("", 1.0), Dimension::on_paper)
     }
 }
 
-const fn asked(key: Key, result: ResultName, bound: fn(f64) -> Bound) -> Asked {
-    Asked { key, result, bound }
+const fn asked(key: Key, result: ResultName, bound: fn(f64) -> Bound) -> NumberCriterion {
+    NumberCriterion { key, result, bound }
 }
 
-const NUMBERS: [Asked; 9] = [
+const NUMBERS: [NumberCriterion; 9] = [
     asked(Key::LeastSliding, ResultName::SfSliding, Bound::AtLeast),
     asked(Key::LeastOverturning, ResultName::SfOverturning, Bound::AtLeast),
     asked(Key::GreatestBearing, ResultName::BearingMax, Bound::AtMost),
@@ -156,7 +156,7 @@ impl Criterion {
     }
 
     /// Number that it asks for; `None` where that is no number.
-    fn asked(&self) -> Option<&'static Asked> {
+    fn asked(&self) -> Option<&'static NumberCriterion> {
         NUMBERS.iter().find(|asked| asked.key == self.key)
     }
 

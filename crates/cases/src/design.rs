@@ -14,9 +14,9 @@ mod subject;
 mod target;
 mod text;
 
-pub use boundary::{Boundary, BoundaryRequest};
+pub use boundary::{BoundaryRequest, DesignBoundary};
 pub use error::DesignError;
-pub use sensitivity::{Change, Sensitivity, sensitivities};
+pub use sensitivity::{Sensitivity, SensitivityChange, sensitivities};
 pub use target::{Target, TargetError};
 
 use std::fmt;
@@ -31,7 +31,7 @@ use crate::inputs::Inputs;
 use crate::layout::digits;
 use crate::motion::{MotionCriterion, MotionValue};
 use quantity::{Ends, Quantity};
-use set::{Beyond, End, Search, Stretch};
+use set::{End, OuterState, Search, Stretch};
 use standfast::{Departure, Mode};
 use subject::Subject;
 
@@ -134,7 +134,7 @@ impl Spelling {
 
 /// Request for a design.
 #[derive(Debug, Clone)]
-pub struct Request {
+pub struct DesignRequest {
     /// The quantity to vary.
     pub vary: String,
     /// Target that it has to reach.
@@ -149,7 +149,7 @@ pub struct Request {
     pub spelling: &'static Spelling,
 }
 
-impl Request {
+impl DesignRequest {
     /// The quantity, between its ends.
     fn quantity(&self, subject: &Subject) -> Result<Quantity, DesignError> {
         let ends = Ends {
@@ -266,7 +266,7 @@ fn worst_of(answer: &Assessment, criterion: MotionCriterion) -> Option<f64> {
 /// The least or the greatest value that meets a target, with what it rests on.
 pub struct Design {
     subject: Subject,
-    request: Request,
+    request: DesignRequest,
     quantity: Quantity,
     present: Assessment,
     /// All values that meet the target.
@@ -282,7 +282,7 @@ impl Design {
     /// # Errors
     /// If the case makes no sense or lacks the quantity, or the target cannot be met, or is met without an end on the side that is
     /// wanted.
-    pub fn of(file: &CaseFile, request: Request) -> Result<Design, DesignError> {
+    pub fn of(file: &CaseFile, request: DesignRequest) -> Result<Design, DesignError> {
         let subject = Subject::of(file)?;
         let varied = Varied { subject: &subject, follows: subject.follows(request.target)?, held: None };
         request.answerable(&subject)?;
@@ -297,7 +297,7 @@ impl Design {
         let Some(at) = request.extreme.outermost(&stretches) else {
             return Err(search.unmet(request.spelling));
         };
-        if matches!(request.extreme.of(&stretches[at]).beyond, Beyond::Range) {
+        if matches!(request.extreme.of(&stretches[at]).beyond, OuterState::Range) {
             return Err(no_end(&request, &quantity, &stretches[at]));
         }
         let sensitivities = sensitivity::all(&varied, Some(&present));
@@ -374,7 +374,7 @@ fn moves_though_met(answer: &Assessment) -> Option<String> {
 }
 
 /// That a target is met as far as the range reaches, and which option finds a boundary.
-fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignError {
+fn no_end(request: &DesignRequest, quantity: &Quantity, stretch: &Stretch) -> DesignError {
     let [from, to] = quantity.range.map(|value| quantity.shown(value));
     let spelling = request.spelling;
     let farther = match request.extreme {
@@ -384,7 +384,7 @@ fn no_end(request: &Request, quantity: &Quantity, stretch: &Stretch) -> DesignEr
     let across = request.extreme.other();
     let boundary = across.of(stretch);
     let (met, help) = match boundary.beyond {
-        Beyond::Range => (format!("from {from} to {to}, in the whole range"), farther),
+        OuterState::Range => (format!("from {from} to {to}, in the whole range"), farther),
         _ => {
             let met = match request.extreme {
                 Extreme::Least => format!("from {from}, where the range begins, to {}", boundary.text),

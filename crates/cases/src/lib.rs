@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! text ── CaseFile::read ──► Inputs ── Case::of ──► Case ─┬─ Assessment::of ──► Assessment ──► text, JSON, figures
-//!                             ▲                          ├─ CaseFile::motions ──► motion::Problem ──► Followed ──► …
+//!                             ▲                          ├─ CaseFile::motions ──► MotionProblem ──► Followed ──► …
 //!                             │                          └─ Probability::of ──► Probability ──► …
 //!                             └── typed values under their keys, varied without text: design, tables, random numbers
 //! ```
@@ -20,12 +20,12 @@
 //! | What does an error say, where, and how is it drawn? | [`Explained`], [`report`] |
 //!
 //! ```
-//! use standfast_cases::{Assessment, CaseFile, View};
+//! use standfast_cases::{Assessment, AssessmentView, CaseFile};
 //!
 //! let text = "[body]\nwidth = 15\nheight = 12\nmass = 378e3\nfriction = 0.6\n[[load]]\nforce = 1e6\nelevation = 8\n";
 //! let case = CaseFile::parse("case.toml", text)?.case()?;
 //! let assessment = Assessment::of(&case)?;
-//! assert!(assessment.text(&View::default()).contains("the body stays at rest (RE)"));
+//! assert!(assessment.text(&AssessmentView::default()).contains("the body stays at rest (RE)"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -40,7 +40,7 @@ pub mod couple;
 pub mod criteria;
 pub mod describe;
 pub mod design;
-mod face;
+mod interface;
 pub mod layout;
 pub mod motion;
 pub mod point;
@@ -51,11 +51,13 @@ mod rounded;
 pub mod sweep;
 mod warning;
 
-pub use assess::{Assessed, Assessment, CaseCheck, CaseFigure, Drawn, UpToError, View, check_up_to};
+pub use assess::{
+    Assessed, Assessment, AssessmentView, CaseCheck, CaseFigure, FigureKind, UpToError, check_up_to,
+};
 pub use case::{Acting, Case};
 pub use case_file::CaseFile;
 pub use criteria::{Check, Criterion};
-pub use face::Face;
+pub use interface::Interface;
 pub use report::{coloured, report};
 pub use standfast_inputs::{
     CaseError, CaseText, Entry, Excerpt, Explained, Fault, GRAVITY, Id, Inputs, Key, Place, Problem,

@@ -35,7 +35,8 @@ pub use json::all_json;
 pub use rows::{ColumnError, MotionRows, RESULTS as ROW_RESULTS};
 pub use series::{SERIES, series, series_csv};
 pub use spectrum::{
-    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, Steps, in_order,
+    Progressed, Spectrum, SpectrumError, SpectrumKind, SpectrumPoints, SpectrumRequest, SpectrumSteps,
+    in_order,
 };
 pub use text::Rows;
 
@@ -43,7 +44,7 @@ use standfast_motion::{Keep, sensitivity, simulate};
 
 pub use crate::record::ReadFile;
 pub use standfast_motion::record::{Record, RecordUnit};
-pub use standfast_motion::{MotionError, Outcome, Position};
+pub use standfast_motion::{MotionError, MotionOutcome, Position};
 
 /// Accelerations of the base that are given beside a case, in place of those it names: in m/s², or in the units of a `[block]`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -65,9 +66,9 @@ pub struct Follow {
 
 /// The motion of a case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Followed {
+pub struct FollowedMotion {
     /// Outcome for the body.
-    pub outcome: Outcome,
+    pub outcome: MotionOutcome,
     /// The larger change of slide, in B, and of max |θ| for a relative change of friction and of d, if it was asked for.
     pub sensitivity: Option<f64>,
     /// Warnings of possible slips, and of values outside the range of the model.
@@ -88,12 +89,16 @@ pub struct MotionWarning {
 ///
 /// # Errors
 /// If a problem is refused.
-pub fn follow_all(cases: Vec<BlockCase>, follow: &Follow) -> Result<Vec<(BlockCase, Followed)>, MotionError> {
+pub fn follow_all(
+    cases: Vec<BlockCase>,
+    follow: &Follow,
+) -> Result<Vec<(BlockCase, FollowedMotion)>, MotionError> {
     let follow = |case: BlockCase| case.follow(follow).map(|followed| (case, followed));
     let mut answers = cases.into_iter().map(follow).collect::<Result<Vec<_>, _>>()?;
-    let rank = |outcome: &Outcome| (!outcome.overturned(), !outcome.past_balance);
-    let used =
-        |case: &BlockCase, outcome: &Outcome| case.checks(outcome).first().map_or(0.0, MotionCheck::urgency);
+    let rank = |outcome: &MotionOutcome| (!outcome.overturned(), !outcome.past_balance);
+    let used = |case: &BlockCase, outcome: &MotionOutcome| {
+        case.checks(outcome).first().map_or(0.0, MotionCheck::urgency)
+    };
     answers.sort_by(|(case, one), (other, two)| {
         let (one, two) = (&one.outcome, &two.outcome);
         let by_criteria = used(other, two).total_cmp(&used(case, one));
@@ -107,17 +112,17 @@ impl BlockCase {
     ///
     /// # Errors
     /// If the problem is refused.
-    pub fn follow(&self, follow: &Follow) -> Result<Followed, MotionError> {
+    pub fn follow(&self, follow: &Follow) -> Result<FollowedMotion, MotionError> {
         let outcome = simulate(&self.problem, Keep { steps: follow.series })?;
         let sensitivity = if follow.sensitivity { Some(sensitivity(&self.problem)?) } else { None };
         let mut warnings = self.warnings.clone();
         warnings.extend(found(self, &outcome));
-        Ok(Followed { outcome, sensitivity, warnings })
+        Ok(FollowedMotion { outcome, sensitivity, warnings })
     }
 }
 
 /// Warnings that the motion itself gives reason for.
-fn found(case: &BlockCase, outcome: &Outcome) -> Vec<MotionWarning> {
+fn found(case: &BlockCase, outcome: &MotionOutcome) -> Vec<MotionWarning> {
     let mut warnings = Vec::new();
     let block = &case.problem.block;
     if (block.m_x != 1.0 || block.m_y != 1.0) && outcome.max_theta > 0.05 {

@@ -11,7 +11,7 @@ use standfast::loads::Reduced;
 use standfast::relation::Relation;
 use standfast::{InputError, Mode, Modes, Motion, Verdict};
 
-use self::crush::{Crushing, OnBase};
+use self::crush::{BaseNumbers, Crushing};
 use crate::assess::SCHEMA;
 use crate::describe::{self, Changes};
 use crate::layout::{columns, digits, paragraph, row};
@@ -193,7 +193,7 @@ pub(crate) struct PointDocument {
     case: Option<&'static str>,
     motion: Option<Motion>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    ground: Option<OnBase>,
+    ground: Option<BaseNumbers>,
     trace: Vec<TraceStep>,
     /// `null` if no force moves the body.
     leaves_rest: Option<Change>,

@@ -9,7 +9,7 @@ use standfast::ground::bearing::{LoadFactors, Reaction};
 use standfast::ground::impact::{ImpactEvent, ImpactResponse};
 use standfast::{Bearing, Departure, Margins, Modes, Response, Verdict};
 
-use crate::assess::ground::{Elastic, OnGround};
+use crate::assess::ground::{BaseResponse, Elastic};
 use crate::assess::{Assessed, checks};
 use crate::units::Dimension;
 use standfast_inputs::listed;
@@ -199,9 +199,10 @@ listed! {
         |a| ground(a, |g| g.omega));
     Pivot = number("pivot", Some(Dimension::Length),
         "of a base that crushes, how far inside its edge the reaction of a body acts that turns, or is about to",
-        |a| ground(a, OnGround::pivot));
+        |a| ground(a, BaseResponse::pivot));
     Neutral = number("neutral", Some(Dimension::Length),
-        "of a base that crushes, how far inside its edge the neutral point is about which the body turns", |a| ground(a, OnGround::neutral));
+        "of a base that crushes, how far inside its edge the neutral point is about which the body turns",
+        |a| ground(a, BaseResponse::neutral));
     EffectiveWidth = number("effective_width", Some(Dimension::Length),
         "B' = 2(B − |e|), the width that the resultant has in its middle; 0 where it misses the base",
         |a| on_base(a, Reaction::effective_width));
@@ -299,7 +300,7 @@ fn on_base(assessed: &Assessed, of: fn(&Reaction) -> f64) -> ResultValue {
 }
 
 /// A number of what the base bears.
-fn ground(assessed: &Assessed, of: fn(&OnGround) -> Option<f64>) -> ResultValue {
+fn ground(assessed: &Assessed, of: fn(&BaseResponse) -> Option<f64>) -> ResultValue {
     perhaps(assessed.ground.as_ref().and_then(of))
 }
 

@@ -1,7 +1,7 @@
 //! Warnings of values in a case that are possible, but so unusual that they may be slips: a name, the value that triggered it,
-//! the usual one, and the key it came from. The tests and their limits stand in `found`.
+//! the usual one, and the key it came from. The tests and their limits stand in `search`.
 
-mod found;
+mod search;
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use standfast::{Slip, wave};
 use crate::key::{Id, Key, Table};
 use crate::layout::{apart, digits};
 use crate::units::Extent;
-use found::{
+use search::{
     BEARING, DENSITY, FRICTION, GRAVITY, HEIGHTS, OBJECT, SHAKING, STIFFNESS, STRENGTH, UNIT_WEIGHT, WATER,
 };
 
@@ -153,7 +153,7 @@ pub enum Warning {
         of_waves: f64,
     },
     /// The waves leave the range of the formulas.
-    Wave(wave::Warning),
+    Wave(wave::WaveWarning),
 }
 
 impl Warning {

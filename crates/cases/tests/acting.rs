@@ -3,7 +3,7 @@
 
 use standfast::{Departure, Mode, Verdict, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
-use standfast_cases::{Acting, Assessed, Assessment, CaseFile, Face, View, check_up_to};
+use standfast_cases::{Acting, Assessed, Assessment, AssessmentView, CaseFile, Interface, check_up_to};
 
 fn assess(text: &str) -> Assessment {
     let case = CaseFile::parse("case.toml", text).and_then(|file| file.case());
@@ -425,7 +425,7 @@ fn only_a_combination_with_the_earthquake_is_shaken() {
         close(wrench.x.abs(), 1.5 * 7400.0 * 0.2 * 9.81) && close(wrench.p, 7400.0 * 9.81 * (1.0 - 0.15)),
         "{wrench:?}"
     );
-    let json = assessment.json(&standfast_cases::View::default(), &[]);
+    let json = assessment.json(&standfast_cases::AssessmentView::default(), &[]);
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert!(json["situations"][0]["earthquake"].is_null());
     assert!(close(json["situations"][2]["earthquake"]["horizontal"].as_f64().unwrap().abs(), 0.2 * 9.81));
@@ -446,7 +446,11 @@ fn eccentric_vertical_loads_have_no_factor_but_a_load_factor() {
     let checks: Vec<_> =
         before.checks().iter().map(|check| (check.check.criterion.name(), check.check.met)).collect();
     assert_eq!(checks, [("load_factor", false), ("eccentricity", true)]);
-    assert!(before.text(&standfast_cases::View::default()).contains("No horizontal force turns the body"));
+    assert!(
+        before
+            .text(&standfast_cases::AssessmentView::default())
+            .contains("No horizontal force turns the body")
+    );
     let after = assess(&text(1.01 * turns, "eccentricity = 10\nSF_overturning = 0.1\n"));
     assert!(after.checks().iter().all(|check| !check.check.met), "the resultant misses the base");
 }
@@ -496,7 +500,7 @@ fn criteria_are_checked_under_every_acceleration() {
     for criteria in ["", "[criteria]\nbearing_max = 400e3\n"] {
         let text = text.split("[criteria]").next().unwrap().to_owned() + criteria;
         let file = CaseFile::parse("case.toml", &text).unwrap();
-        let request = standfast_cases::design::Request {
+        let request = standfast_cases::design::DesignRequest {
             vary: "friction".into(),
             target: "factor=2.4".parse().unwrap(),
             extreme: standfast_cases::design::Extreme::Least,
@@ -517,13 +521,13 @@ fn options_are_spelt_as_by_the_face() {
     let loads: String =
         (1..=9).map(|i| format!("[[load]]\nforce = {}\nelevation = 5\n", 1e5 * f64::from(i))).collect();
     let many = assess(&format!("{CAISSON}{loads}"));
-    for (face, said) in
-        [(Face::Program, "; --all shows every one."), (Face::Python, "; all=True shows every one.")]
+    for (interface, said) in
+        [(Interface::Program, "; --all shows every one."), (Interface::Python, "; all=True shows every one.")]
     {
-        let view = View { face, ..View::default() };
+        let view = AssessmentView { interface, ..AssessmentView::default() };
         let words = many.text(&view).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(words.contains(&format!("the 8 worst are shown one by one{said}")), "{words}");
-        assert!(!many.text(&View { all: true, ..view }).contains("shows every one"));
+        assert!(!many.text(&AssessmentView { all: true, ..view }).contains("shows every one"));
     }
 }
 

@@ -1,9 +1,9 @@
 //! Criteria on the probability that a body does not stay at rest, against laws written out by hand.
 
-use standfast_cases::design::{Design, Extreme, Request as DesignRequest, Spelling};
+use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
 use standfast_cases::random::{
-    Draws, Effort, Estimate, Happening, Method, Over, Overturning, Probability, ProbabilityError, Request,
-    WeighedDraws, template,
+    ChanceRequest, Draws, Effort, Estimate, Happening, Method, Overturning, Probability, ProbabilityError,
+    ValueRange, WeighedDraws, template,
 };
 use standfast_cases::{Assessment, CaseFile};
 use standfast_probability::normal::{above, below, quantile_above};
@@ -12,7 +12,7 @@ fn file(text: &str) -> CaseFile {
     CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
 }
 
-fn answer(text: &str, request: Request) -> Probability {
+fn answer(text: &str, request: ChanceRequest) -> Probability {
     Probability::of(&file(text), request)
         .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
 }
@@ -48,7 +48,7 @@ fn a_design_for_a_probability_is_that_of_the_law() {
     // As it is printed.
     let printed = text.replace("width = 12", &format!("width = {found}"));
     let printed = printed.replace("mass = 60e3", &format!("mass = {}", 60e3 * found / 12.0));
-    let at = |text: &str| answer(text, Request::default()).situations[0].not_rest.high;
+    let at = |text: &str| answer(text, ChanceRequest::default()).situations[0].not_rest.high;
     assert!(at(&printed) <= 1e-3);
     let less = found - 1e-2;
     let less = text
@@ -67,10 +67,10 @@ fn a_criterion_counts_the_upper_end_of_the_interval() {
         let text = format!("{BLOCK}{PUSH}[criteria]\np_not_rest = {bound:e}\n[random]\n{LAW}");
         let assessment = Assessment::of_file(&file(&text)).unwrap();
         assert_eq!(assessment.met(), Some(met));
-        assert_eq!(answer(&text, Request::default()).criterion.unwrap().is_met(), met);
+        assert_eq!(answer(&text, ChanceRequest::default()).criterion.unwrap().is_met(), met);
     }
     // Drawn, the estimate may be below a bound that the interval is not.
-    let request = Request { method: Some(Method::MonteCarlo), ..Request::default() };
+    let request = ChanceRequest { method: Some(Method::MonteCarlo), ..ChanceRequest::default() };
     let text = format!("{BLOCK}{PUSH}[random]\n{LAW}");
     let Estimate { value, high, .. } = answer(&text.replace("20e3", "60e3"), request).situations[0].not_rest;
     let bound = 0.5 * (value + high);
@@ -89,7 +89,7 @@ fn alternatives_are_joined_under_the_same_draw() {
     let both = format!("{BLOCK}{PUSH}[[load]]\nname = \"other\"\nforce = 220e3\nelevation = 0.5\n");
     let (resistance, s) = (0.5 * 60e3 * 9.81, 40e3);
     let laws = "[random]\n\"load.push.force\" = { normal = { sd = 40e3 } }\n\"load.other.force\" = { normal = { sd = 40e3 } }\n";
-    let found = answer(&format!("{both}{laws}"), Request::default());
+    let found = answer(&format!("{both}{laws}"), ChanceRequest::default());
     let rests = |force: f64| (below((resistance - force) / s) - below(-force / s)) / above(-force / s);
     let by_hand = 1.0 - rests(200e3) * rests(220e3);
     let joined = found.joined.unwrap();
@@ -98,17 +98,19 @@ fn alternatives_are_joined_under_the_same_draw() {
     let worst = found.situations[0].not_rest.value;
     assert!((worst / (1.0 - rests(220e3)) - 1.0).abs() < 1e-9);
     for method in [Method::Sobol, Method::MonteCarlo] {
-        let request = Request { method: Some(method), ..Request::default() };
+        let request = ChanceRequest { method: Some(method), ..ChanceRequest::default() };
         let Estimate { low, high, .. } = answer(&format!("{both}{laws}"), request).joined.unwrap().not_rest;
         assert!(low <= by_hand && by_hand <= high, "{method}: {low} {by_hand} {high}");
     }
     let friction = "[random]\nfriction = { normal = { mean = 0.5, sd = 0.05 } }\n";
-    let found = answer(&format!("{both}{friction}"), Request::default());
+    let found = answer(&format!("{both}{friction}"), ChanceRequest::default());
     let by_hand = below((220.0 / (60.0 * 9.81) - 0.5) / 0.05);
     assert!((found.joined.unwrap().not_rest.value / by_hand - 1.0).abs() < 1e-9);
     // The criterion is of the worst of those that act one by one.
     let text = format!("{both}[criteria]\np_not_rest = 0.5\n{laws}");
-    assert!((answer(&text, Request::default()).criterion.unwrap().counted() / worst - 1.0).abs() < 1e-9);
+    assert!(
+        (answer(&text, ChanceRequest::default()).criterion.unwrap().counted() / worst - 1.0).abs() < 1e-9
+    );
 }
 
 /// A base shaken to both sides is one event: with a push to the left, resting takes rest under both signs.
@@ -119,7 +121,7 @@ fn both_signs_of_an_earthquake_are_one_event() {
         "{BLOCK}{push}[earthquake]\nhorizontal = 0.25\n[criteria]\np_not_rest = 0.5\n[random]\n\
          friction = {{ normal = {{ mean = 0.5, sd = 0.1 }} }}\n\"load.push.force\" = {{ normal = {{ sd = 10e3 }} }}\n"
     );
-    let found = answer(&text, Request::default());
+    let found = answer(&text, ChanceRequest::default());
     assert_eq!((found.situations.len(), found.joined.map(|joined| joined.count)), (2, Some(2)));
     // |F ± 0.25 m g| is the larger where both push to the left; only the other sign of F, beyond 5 s, would be otherwise.
     let joined = found.joined.unwrap().not_rest.value;
@@ -146,7 +148,7 @@ fn a_range_that_falls_is_refused() {
     let text = format!("{BLOCK}{PUSH}[random]\n{LAW}");
     for range in ["width=20 m..10 m:3", "width=10 m..10 m:3"] {
         let over = range.parse().unwrap();
-        let error = Probability::along(&file(&text), Request::default(), Some(&over)).unwrap_err();
+        let error = Probability::along(&file(&text), ChanceRequest::default(), Some(&over)).unwrap_err();
         let (from, to) = range["width=".len()..].trim_end_matches(":3").split_once("..").unwrap();
         assert!(error.to_string().contains(&format!("from {from} to {to}")), "{error}");
     }
@@ -159,7 +161,7 @@ fn a_chance_if_known_that_was_never_met_is_a_bound() {
         "{BLOCK}{PUSH}[random]\n{LAW}friction = {{ normal = {{ sd = 0.001 }} }}\nmass = {{ normal = {{ cov = 0.0001 }} }}\n\
          bias.force = {{ lognormal = {{ cov = 0.0001 }} }}\n"
     );
-    let found = answer(&text.replace("sd = 20e3", "sd = 30e3"), Request::default());
+    let found = answer(&text.replace("sd = 20e3", "sd = 30e3"), ChanceRequest::default());
     let printed = found.text();
     assert!(found.situations[0].known.iter().all(|known| known.high > 0.0), "{printed}");
     let known = printed.lines().find(|line| line.starts_with("  load.push.force")).unwrap();
@@ -202,8 +204,11 @@ fn a_template_answers_with_every_example() {
         let bodies = found.drawn.iter().filter(|drawn| drawn.happens != Happening::NotABody);
         assert!(bodies.count() > 30, "{name}");
         if name == "caisson-in-air.toml" {
-            let all: f64 =
-                answer(&text, Request::default()).situations[0].modes.iter().map(|(_, e)| e.value).sum();
+            let all: f64 = answer(&text, ChanceRequest::default()).situations[0]
+                .modes
+                .iter()
+                .map(|(_, e)| e.value)
+                .sum();
             assert!((all - 1.0).abs() < 1e-12, "{name}");
         }
         count += 1;
@@ -217,7 +222,7 @@ fn weighed_draws_add_up_to_the_answer() {
     let text = format!(
         "{BLOCK}{PUSH}[[load]]\nname = \"other\"\nforce = 270e3\nelevation = 0.5\n[random]\nfriction = {{ normal = {{ sd = 0.05 }} }}\nbias.force = {{ normal = {{ cov = 0.1 }} }}\n"
     );
-    let request = Request { method: Some(Method::MonteCarlo), ..Request::default() };
+    let request = ChanceRequest { method: Some(Method::MonteCarlo), ..ChanceRequest::default() };
     let found = answer(&text, request);
     let draws = WeighedDraws::of(&file(&text), &found).unwrap();
     assert_eq!(draws.situations.len(), 2);
@@ -238,7 +243,7 @@ fn weighed_draws_add_up_to_the_answer() {
     }
     // Of an answer that integrates friction they are the same ones, drawn by the laws: shares of them are its probabilities, within what
     // so many tell.
-    let found = answer(&text, Request::default());
+    let found = answer(&text, ChanceRequest::default());
     let integrated = WeighedDraws::of(&file(&text), &found).unwrap();
     let count = 1 << 16;
     assert_eq!(integrated.weights.len(), 2 * count);
@@ -258,7 +263,7 @@ fn weighed_draws_add_up_to_the_answer() {
         }
     }
     let few = Effort { points: 1000, ..Effort::default() };
-    let found = answer(&text, Request { effort: few, ..Request::default() });
+    let found = answer(&text, ChanceRequest { effort: few, ..ChanceRequest::default() });
     assert_eq!(WeighedDraws::of(&file(&text), &found).unwrap().weights.len(), 2000);
 }
 
@@ -274,8 +279,9 @@ fn storm(random: &str, waves: u32) -> String {
 fn following_rotations_changes_nothing_where_there_are_none() {
     let text = storm("friction = { uniform = { from = 0.35, to = 0.4 } }", 50).replace("cut = false\n", "");
     let effort = Effort { points: 1 << 12, ..Effort::default() };
-    let count = answer(&text, Request { effort, ..Request::default() }).sliding.unwrap();
-    let follow = answer(&text, Request { effort, follow: true, ..Request::default() }).sliding.unwrap();
+    let count = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
+    let follow =
+        answer(&text, ChanceRequest { effort, follow: true, ..ChanceRequest::default() }).sliding.unwrap();
     assert!(count.mean.value > 0.0 && count.rotating.wave.value == 0.0);
     assert_eq!(follow.followed.unwrap().slide.value, 0.0);
     assert_eq!(
@@ -291,7 +297,8 @@ fn rotations_are_those_of_the_motion_in_time() {
     let random = "friction = { uniform = { from = 1.25, to = 1.2500001 } }\n";
     let text = storm(random, 1000).replace("2318.64 kN/m", "1300 kN/m").replace("tau0 = 1.5", "tau0 = 2.5");
     let effort = Effort { points: 1 << 13, ..Effort::default() };
-    let found = answer(&text, Request { effort, follow: true, ..Request::default() }).sliding.unwrap();
+    let found =
+        answer(&text, ChanceRequest { effort, follow: true, ..ChanceRequest::default() }).sliding.unwrap();
     let followed = found.followed.unwrap();
     assert!(found.rotating.wave.value > 0.0, "{found:?}");
     // By hand: wave by wave of the Rayleigh law.
@@ -377,11 +384,11 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         // A motion counts as 1024 points.
         let points = (BODIES * names.len() * peaks.len() * 1024) as u64;
         let effort = Effort { points, ..Effort::default() };
-        let request = Request { effort, ..Request::default() };
-        let over: Over = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
+        let request = ChanceRequest { effort, ..ChanceRequest::default() };
+        let over: ValueRange = "pga=2 m/s2..10 m/s2:3".parse().unwrap();
         let found = Overturning::of(&in_time, &request, &over).unwrap();
         assert_eq!((found.bodies, found.records.len(), found.points.len()), (BODIES as u64, 3, 3));
-        let alone = Request { effort: Effort { threads: 1, ..effort }, ..request };
+        let alone = ChanceRequest { effort: Effort { threads: 1, ..effort }, ..request };
         assert_eq!(Overturning::of(&in_time, &alone, &over).unwrap(), found);
         let draws = Draws::of(&in_time, Some(&situation(&in_time)), BODIES as u64, 1).unwrap();
         for (point, peak) in found.points.iter().zip(peaks) {
@@ -423,10 +430,10 @@ fn overturning_is_that_of_the_motions_one_by_one() {
         ),
         ("", "`friction`"),
     ] {
-        let over: &Over = if load.is_empty() { &"friction=0.5..0.6:3".parse().unwrap() } else { &over };
+        let over: &ValueRange = if load.is_empty() { &"friction=0.5..0.6:3".parse().unwrap() } else { &over };
         let error = Probability::along(
             &CaseFile::read("case.toml", &format!("{text}{load}"), &files).unwrap(),
-            Request::default(),
+            ChanceRequest::default(),
             Some(over),
         );
         let error = error.unwrap_err().to_string();
@@ -457,11 +464,11 @@ fn figures_of_answers_are_tidy() {
         (plane, Some("k_prime=0.1..0.9:3"), &["-draws", "-modes", "-matters", "-fragility"]),
     ];
     for (text, over, expected) in cases {
-        let over: Option<Over> = over.map(|over| over.parse().unwrap());
+        let over: Option<ValueRange> = over.map(|over| over.parse().unwrap());
         let effort = Effort { points: 1 << 17, ..Effort::default() };
         let method = (text == plane).then_some(Method::Sobol);
         let years = text.contains("every").then_some(50.0);
-        let request = Request { effort, years, method, ..Request::default() };
+        let request = ChanceRequest { effort, years, method, ..ChanceRequest::default() };
         let file = file(text);
         let found = Probability::along(&file, request, over.as_ref())
             .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)));

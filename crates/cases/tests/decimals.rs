@@ -5,7 +5,7 @@
 
 use standfast::{Boundary, Departure, Mode};
 use standfast_cases::sweep::{Factor, Sweep, SweepResult};
-use standfast_cases::{Assessment, CaseFile, View};
+use standfast_cases::{Assessment, AssessmentView, CaseFile};
 
 /// A generator of whole numbers.
 struct Dice(u64);
@@ -84,7 +84,7 @@ fn holds(text: &str, beyond: Option<Mode>, next: Mode, of: impl Fn(&Assessment) 
     match beyond {
         None if outcome.full.boundary == Some(Boundary::Exact) => {
             assert_eq!((factor, departs, met), (1.0, 1.0, true), "{text}");
-            let words = answer.text(&View::default());
+            let words = answer.text(&AssessmentView::default());
             assert!(!words.lines().any(|line| line.contains("holds by") && line.contains("e-1")), "{words}");
             let least = format!(
                 "exactly on the boundary: with the least more load the body {} ({next})",
@@ -202,7 +202,7 @@ fn what_is_not_rational_is_on_the_boundary_to_its_digits() {
         assert_eq!((full.mode(), full.boundary), (Some(Mode::Rest), Some(Boundary::ToTheDigits)), "{off}");
         assert!(full.modes.contains(Mode::SlideLeft) && !answer.all[0].outcome.full.is_unique());
         assert_eq!(answer.all[0].outcome.stability.sliding, 1.0);
-        let words = answer.text(&View::default());
+        let words = answer.text(&AssessmentView::default());
         assert!(words.contains("To the digits given"), "{words}");
     }
     for (off, expected) in [(1e-12, Mode::SlideLeft), (-1e-12, Mode::Rest)] {

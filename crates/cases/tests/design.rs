@@ -4,7 +4,7 @@
 use serde_json::Value;
 use standfast_cases::couple::{Variable, vary};
 use standfast_cases::design::{
-    Boundary, BoundaryRequest, Design, Extreme, Request, Spelling, Target, TargetError,
+    BoundaryRequest, Design, DesignBoundary, DesignRequest, Extreme, Spelling, Target, TargetError,
 };
 use standfast_cases::{Assessment, Case, CaseFile, Key, report};
 
@@ -21,13 +21,20 @@ fn file(text: &str) -> CaseFile {
     CaseFile::parse("case.toml", text).unwrap()
 }
 
-fn request(vary: &str, target: &str, extreme: Extreme) -> Request {
+fn request(vary: &str, target: &str, extreme: Extreme) -> DesignRequest {
     let target = target.parse().unwrap();
-    Request { vary: vary.to_owned(), target, extreme, from: None, to: None, spelling: &Spelling::PROGRAM }
+    DesignRequest {
+        vary: vary.to_owned(),
+        target,
+        extreme,
+        from: None,
+        to: None,
+        spelling: &Spelling::PROGRAM,
+    }
 }
 
 /// The JSON of a design that there is.
-fn design(text: &str, request: Request) -> Value {
+fn design(text: &str, request: DesignRequest) -> Value {
     let file = file(text);
     let design = Design::of(&file, request).map_err(|error| report(&error)).unwrap();
     let json: Value = serde_json::from_str(&design.json()).unwrap();
@@ -37,7 +44,7 @@ fn design(text: &str, request: Request) -> Value {
     json
 }
 
-fn refusal(text: &str, request: Request) -> String {
+fn refusal(text: &str, request: DesignRequest) -> String {
     let file = file(text);
     match Design::of(&file, request) {
         Ok(design) => panic!("{}", design.text()),
@@ -257,7 +264,7 @@ fn every_refusal_says_why() {
     let ranged = |vary: &str, target: &str, from: &str, to: &str| {
         let ends = [from, to].map(|end| (!end.is_empty()).then(|| end.to_owned()));
         let [from, to] = ends;
-        Request { from, to, ..least(vary, target) }
+        DesignRequest { from, to, ..least(vary, target) }
     };
     // Permanent loads only: nothing rises.
     let still = "[body]\nwidth = 4\nheight = 6\nmass = 50e3\nfriction = 0.5\n[water]\nleft = 0\nright = 3\ndensity = 1000\n";
@@ -364,7 +371,7 @@ fn targets_are_the_criteria_and_a_few_words() {
 fn ranges_are_read_as_the_file_is() {
     let bracket = |from: &str, to: &str| {
         let [from, to] = [from, to].map(|end| Some(end.to_owned()));
-        let asked = Request { from, to, ..request("earthquake.horizontal", "rest", Extreme::Greatest) };
+        let asked = DesignRequest { from, to, ..request("earthquake.horizontal", "rest", Extreme::Greatest) };
         design(SEISMIC, asked)["bracket"].clone()
     };
     let counted = bracket("0.1", "0.6");
@@ -377,7 +384,7 @@ fn ranges_are_read_as_the_file_is() {
 fn a_body_that_moves_though_the_target_is_met_is_named() {
     // As wide as it is it slides at μ m g/F = 58 % of the load, and is too low to turn.
     let text = "[body]\nwidth = 6\nheight = 2\nmass = 30e3\nfriction = 0.2\n[[load]]\nforce = 101.483e3\nelevation = 1\n";
-    let narrow = Request { from: Some("10 cm".into()), ..request("width", "no-rock", Extreme::Least) };
+    let narrow = DesignRequest { from: Some("10 cm".into()), ..request("width", "no-rock", Extreme::Least) };
     let json = design(text, narrow);
     let warnings: Vec<_> =
         json["warnings"].as_array().unwrap().iter().map(|one| one.as_str().unwrap()).collect();
@@ -401,11 +408,11 @@ fn where_nothing_rises_a_load_factor_says_nothing() {
     assert_eq!(warnings.iter().filter_map(Value::as_str).collect::<Vec<_>>(), [expected]);
 }
 
-fn boundary(text: &str, asked: Request, and: &str, from: &str, to: &str) -> (Value, String, String) {
+fn boundary(text: &str, asked: DesignRequest, and: &str, from: &str, to: &str) -> (Value, String, String) {
     let file = file(text);
     let [from, to] = [from, to].map(|end| (!end.is_empty()).then(|| end.to_owned()));
     let request = BoundaryRequest { design: asked, and: and.to_owned(), from, to };
-    let boundary = Boundary::of(&file, request).map_err(|error| report(&error)).unwrap();
+    let boundary = DesignBoundary::of(&file, request).map_err(|error| report(&error)).unwrap();
     let figure = boundary.figure().map_or(String::new(), |figure| figure.caption().to_owned());
     (serde_json::from_str(&boundary.json()).unwrap(), boundary.csv(), figure)
 }
@@ -487,7 +494,7 @@ fn refusals_of_two_quantities() {
         let file = file(BLOCK);
         let from = from.map(str::to_owned);
         let design = request(vary, target, Extreme::Least);
-        match Boundary::of(&file, BoundaryRequest { design, and: and.to_owned(), from, to: None }) {
+        match DesignBoundary::of(&file, BoundaryRequest { design, and: and.to_owned(), from, to: None }) {
             Ok(boundary) => boundary.text(),
             Err(error) => report(&error).split_whitespace().collect::<Vec<_>>().join(" "),
         }

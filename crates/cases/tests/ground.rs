@@ -8,7 +8,7 @@ use standfast::ground::strength::CrushPoint;
 use standfast::{Point, Wrench};
 use standfast_cases::results::{ResultName, ResultValue};
 use standfast_cases::sweep::{Factor, Sweep, SweepResult};
-use standfast_cases::{Assessment, CaseFile, View};
+use standfast_cases::{Assessment, AssessmentView, CaseFile};
 
 fn assessment(text: &str) -> Assessment {
     let file = CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"));
@@ -17,7 +17,7 @@ fn assessment(text: &str) -> Assessment {
 }
 
 fn json(text: &str) -> Value {
-    serde_json::from_str(&assessment(text).json(&View::default(), &[])).unwrap()
+    serde_json::from_str(&assessment(text).json(&AssessmentView::default(), &[])).unwrap()
 }
 
 /// The first situation of a case.
@@ -453,8 +453,9 @@ fn bad_histories() {
 #[test]
 fn nothing_rigid_is_said_of_ground_that_is_not() {
     let goda = example("goda-2000");
-    let say =
-        |ground: &str| assessment(&format!("{goda}{ground}")).text(&View::default()).replace("\n  ", " ");
+    let say = |ground: &str| {
+        assessment(&format!("{goda}{ground}")).text(&AssessmentView::default()).replace("\n  ", " ")
+    };
     let rigid = say("");
     assert_eq!(situation(&goda)["no_report"], Value::Null);
     // A load that does not push has no point, whatever the base.

@@ -4,11 +4,11 @@
 use std::collections::BTreeSet;
 
 use standfast_cases::couple::Variable;
-use standfast_cases::design::{Design, Extreme, Request, Spelling};
+use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
 use standfast_cases::motion::{Follow, MotionRows};
-use standfast_cases::random::{Effort, Method, Probability, Request as Asked};
+use standfast_cases::random::{ChanceRequest, Effort, Method, Probability};
 use standfast_cases::sweep::{Factor, Sweep};
-use standfast_cases::{Assessment, CaseFile, Id, Key, View};
+use standfast_cases::{Assessment, AssessmentView, CaseFile, Id, Key};
 
 const RECORD: &str = "time_s,a_cm_s2\n0,0\n0.1,300\n0.3,-420\n0.5,250\n0.7,0\n";
 
@@ -89,7 +89,7 @@ fn assessed(file: &CaseFile, id: Id, value: Option<f64>) -> Result<String, Strin
     };
     let file = file.varied(inputs);
     Assessment::of_file(&file)
-        .map(|answer| answer.json(&View::default(), &[]))
+        .map(|answer| answer.json(&AssessmentView::default(), &[]))
         .map_err(|error| error.to_string())
 }
 
@@ -165,7 +165,7 @@ fn every_number_is_a_column_of_a_table() {
             let present = file.inputs().number(id).unwrap() / counted;
             let answers = [present, more(&file, id) / counted].map(|value| {
                 let answer = sweep.answer(&mut scratch, &[value]).map_err(|fault| fault.to_string());
-                answer.map(|answer| answer.assessment().json(&View::default(), &[]))
+                answer.map(|answer| answer.assessment().json(&AssessmentView::default(), &[]))
             });
             if (answers[0] == answers[1]) != leaves_rest(&file, id) {
                 wrong.push(format!("{id} in\n{text}"));
@@ -215,7 +215,7 @@ fn every_number_can_be_designed_or_is_refused_by_name() {
         for id in variables(&file) {
             let present = file.inputs().number(id).unwrap();
             let [from, to] = if present == 0.0 { [0.0, 0.1] } else { [0.9 * present, 1.1 * present] };
-            let request = Request {
+            let request = DesignRequest {
                 vary: id.to_string(),
                 target: "factor=0.001".parse().unwrap(),
                 extreme: Extreme::Least,
@@ -241,7 +241,8 @@ fn every_number_can_be_random_or_is_refused_by_name() {
         for id in variables(&file(text)) {
             let law = format!("[random]\n\"{id}\" = {{ normal = {{ cov = 0.01 }} }}\n");
             let effort = Effort { points: 64, ..Effort::default() };
-            let asked = Asked { method: Some(Method::MonteCarlo), effort, ..Asked::default() };
+            let asked =
+                ChanceRequest { method: Some(Method::MonteCarlo), effort, ..ChanceRequest::default() };
             let parsed = CaseFile::read("case.toml", &format!("{text}{law}"), &record);
             let found = parsed
                 .map_err(|error| error.to_string())

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use standfast_cases::motion::{BlockCase, Follow, Followed, GivenBase, Record, RecordUnit, follow_all};
+use standfast_cases::motion::{BlockCase, Follow, FollowedMotion, GivenBase, Record, RecordUnit, follow_all};
 use standfast_cases::{Acting, CaseError, CaseFile};
 use standfast_motion::End;
 
@@ -10,7 +10,7 @@ fn no_file(file: &str) -> Result<String, String> {
     Err(format!("no file {file}"))
 }
 
-fn follow(text: &str) -> Vec<(BlockCase, Followed)> {
+fn follow(text: &str) -> Vec<(BlockCase, FollowedMotion)> {
     CaseFile::read("case.toml", text, &no_file).unwrap().follow(&Follow::default()).unwrap()
 }
 
@@ -110,7 +110,7 @@ fn body_and_block_agree() {
     let (one, two) = (follow(body), follow(block));
     let (one, two) = (&one[0].1.outcome, &two[0].1.outcome);
     assert!(one.events.len() > 5);
-    let story = |outcome: &standfast_motion::Outcome| {
+    let story = |outcome: &standfast_motion::MotionOutcome| {
         outcome.events.iter().map(|e| (e.why, e.state)).collect::<Vec<_>>()
     };
     assert_eq!(story(one), story(two));
@@ -190,7 +190,7 @@ fn examples_are_followed() {
     assert!(count >= 4);
 }
 
-fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<(BlockCase, Followed)> {
+fn shaken(text: &str, values: &[f64], dt: f64) -> Vec<(BlockCase, FollowedMotion)> {
     let times = (0..values.len()).map(|i| i as f64 * dt).collect();
     let record = Record { times, values: values.to_vec(), unit: RecordUnit::Unnamed };
     let given = GivenBase { horizontal: Some(record), vertical: None };

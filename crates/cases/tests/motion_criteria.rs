@@ -1,8 +1,8 @@
 //! Criteria on a motion, and designs for it: against closed forms, and against cases written out and read again.
 
-use standfast_cases::design::{Design, Extreme, Request, Spelling};
-use standfast_cases::motion::{BlockCase, Follow, Followed};
-use standfast_cases::{Acting, Assessment, CaseFile, View};
+use standfast_cases::design::{Design, DesignRequest, Extreme, Spelling};
+use standfast_cases::motion::{BlockCase, Follow, FollowedMotion};
+use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile};
 
 const CAISSON: &str = include_str!("../../../examples/motion/caisson-breaking-wave.toml");
 
@@ -10,7 +10,7 @@ fn no_file(file: &str) -> Result<String, String> {
     Err(format!("no file {file}"))
 }
 
-fn follow(text: &str) -> Result<Vec<(BlockCase, Followed)>, String> {
+fn follow(text: &str) -> Result<Vec<(BlockCase, FollowedMotion)>, String> {
     let file = CaseFile::read("case.toml", text, &no_file).map_err(|error| error.to_string())?;
     file.follow(&Follow::default()).map_err(|error| error.to_string())
 }
@@ -89,7 +89,8 @@ fn criteria_of_the_motion_stand_beside_the_others_in_every_spelling() {
             assessment.all_checks().iter().map(|check| (check.name(), check.is_met())).collect();
         assert_eq!(all, [("slide", false), ("SF_sliding", true), ("max_theta", true)]);
         assert_eq!(assessment.met(), Some(false));
-        let json: serde_json::Value = serde_json::from_str(&assessment.json(&View::default(), &[])).unwrap();
+        let json: serde_json::Value =
+            serde_json::from_str(&assessment.json(&AssessmentView::default(), &[])).unwrap();
         assert_eq!((&json["met"], &json["criteria"][0]["name"]), (&false.into(), &"slide".into()));
         assert_eq!(json["criteria"], json["situations"][0]["criteria"]);
         assert!(json["in_time"].as_str().unwrap().contains("standfast simulate"));
@@ -103,13 +104,13 @@ fn criteria_of_the_motion_stand_beside_the_others_in_every_spelling() {
     assert!(CaseFile::parse("case.toml", still).unwrap().case().unwrap_err().to_string().contains("slide"));
 }
 
-fn request(vary: &str, target: &str, extreme: Extreme, ends: Option<[&str; 2]>) -> Request {
+fn request(vary: &str, target: &str, extreme: Extreme, ends: Option<[&str; 2]>) -> DesignRequest {
     let [from, to] = ends.map_or([None, None], |ends| ends.map(|end| Some(end.to_owned())));
     let target = target.parse().unwrap();
-    Request { vary: vary.to_owned(), target, extreme, from, to, spelling: &Spelling::PROGRAM }
+    DesignRequest { vary: vary.to_owned(), target, extreme, from, to, spelling: &Spelling::PROGRAM }
 }
 
-fn designed(text: &str, request: Request) -> serde_json::Value {
+fn designed(text: &str, request: DesignRequest) -> serde_json::Value {
     let file = CaseFile::parse("case.toml", text).unwrap();
     serde_json::from_str(&Design::of(&file, request).unwrap().json()).unwrap()
 }

@@ -4,7 +4,7 @@ use standfast::initiation::Chart;
 use standfast::{Mode, Verdict};
 use standfast_cases::CaseFile;
 use standfast_cases::random::{
-    Chances, Draws, Happening, Method, Over, Probability, ProbabilityError, Request,
+    ChanceRequest, Chances, Draws, Happening, Method, Probability, ProbabilityError, ValueRange,
 };
 use standfast_probability::normal::below;
 use standfast_probability::sample::{Effort, Estimate};
@@ -12,14 +12,14 @@ use standfast_probability::sample::{Effort, Estimate};
 /// Reason why there is no answer to a text.
 fn refused_of(text: &str) -> ProbabilityError {
     let file = CaseFile::parse("case.toml", text).map_err(ProbabilityError::from);
-    file.and_then(|file| Probability::of(&file, Request::default())).unwrap_err()
+    file.and_then(|file| Probability::of(&file, ChanceRequest::default())).unwrap_err()
 }
 
 fn file(text: &str) -> CaseFile {
     CaseFile::parse("case.toml", text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
-fn answer(text: &str, request: Request) -> Probability {
+fn answer(text: &str, request: ChanceRequest) -> Probability {
     Probability::of(&file(text), request)
         .unwrap_or_else(|error| panic!("{}", standfast_cases::report(&error)))
 }
@@ -47,7 +47,7 @@ fn goda(random: &str) -> String {
 fn modes_of_the_plane_are_the_areas_between_the_reports_curves() {
     let random = "[random]\nmu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.0 }\n\
                   k = { normal = { mean = 0.45, sd = 0.12 }, lower = 0.0 }\n";
-    let found = answer(&format!("{POINT}{random}"), Request::default());
+    let found = answer(&format!("{POINT}{random}"), ChanceRequest::default());
     let chances = &found.situations[0];
     assert_eq!(chances.method, Method::Integrate);
     let (γ, k_prime) = (0.8, 0.9167);
@@ -94,7 +94,7 @@ fn modes_of_the_plane_are_the_areas_between_the_reports_curves() {
 #[test]
 fn a_corner_is_no_half_space() {
     let random = "[random]\nmu = { lognormal = { mean = 0.62, cov = 0.08 } }\nk = { lognormal = { mean = 0.35, cov = 0.15 } }\n";
-    let found = answer(&format!("{POINT}{random}"), Request::default());
+    let found = answer(&format!("{POINT}{random}"), ChanceRequest::default());
     let chances = &found.situations[0];
     assert_close("RO", chance(chances, Mode::RockO), 2.7e-6, 0.02);
     assert_close("SRO-", chance(chances, Mode::SlideRockOLeft), 1.5e-6, 0.02);
@@ -108,7 +108,7 @@ fn a_friction_drawn_once_is_not_one_drawn_yearly() {
             "[random]\nyears = 50\nmu = {{ lognormal = {{ mean = 0.6, cov = 0.15 }}{every} }}\n\
              k = {{ gumbel = {{ mean = 0.3, sd = 0.06 }}, lower = 0.0, every = \"year\" }}\n"
         );
-        answer(&format!("{POINT}{random}"), Request::default()).situations[0]
+        answer(&format!("{POINT}{random}"), ChanceRequest::default()).situations[0]
             .life
             .clone()
             .unwrap()
@@ -128,7 +128,7 @@ const FOUR: &str = "friction = { lognormal = { mean = 0.636, cov = 0.15 } }\n\
 #[test]
 fn a_caisson_under_an_uncertain_sea() {
     let effort = Effort { precision: 0.01, ..Effort::default() };
-    let found = answer(&goda(FOUR), Request { effort, ..Request::default() });
+    let found = answer(&goda(FOUR), ChanceRequest { effort, ..ChanceRequest::default() });
     let chances = &found.situations[0];
     assert_eq!(chances.method, Method::Sobol);
     assert_close("SL", chance(chances, Mode::SlideLeft), 0.0251, 0.01);
@@ -155,7 +155,8 @@ fn methods_agree() {
         wave.deep_water_height = { gumbel = { mean = 4.5, sd = 0.9 }, lower = 1 }\n";
     let by = |method, points| {
         let effort = Effort { points, precision: 1e-3, ..Effort::default() };
-        answer(&goda(three), Request { method: Some(method), effort, ..Request::default() }).situations[0]
+        answer(&goda(three), ChanceRequest { method: Some(method), effort, ..ChanceRequest::default() })
+            .situations[0]
             .not_rest
     };
     let exact = by(Method::Integrate, 0).value;
@@ -182,7 +183,8 @@ fn few_points_about_a_rare_failure_tell_it_well() {
         water_level = { normal = { mean = 7.1, sd = 0.3 }, lower = 5.9, upper = 8.3 }\n";
     let by = |method, points, seed| {
         let effort = Effort { points, precision: 1e-6, seed, ..Effort::default() };
-        answer(&goda(six), Request { method: Some(method), effort, ..Request::default() }).situations[0]
+        answer(&goda(six), ChanceRequest { method: Some(method), effort, ..ChanceRequest::default() })
+            .situations[0]
             .not_rest
     };
     let about = by(Method::Importance, 1 << 15, 1);
@@ -310,7 +312,7 @@ fn draws_ask_which_of_several_situations_is_meant() {
     );
     let draws = |situation| Draws::of(&file(&text), situation, 3, 1);
     let said = draws(None).unwrap_err().to_string();
-    let names = Probability::of(&file(&text), Request::default()).unwrap().situations;
+    let names = Probability::of(&file(&text), ChanceRequest::default()).unwrap().situations;
     assert!(names.len() > 1);
     for name in names.iter().map(|chances| chances.situation.as_deref().unwrap()) {
         assert!(said.contains(name), "{said}");
@@ -325,7 +327,7 @@ fn draws_ask_which_of_several_situations_is_meant() {
 fn first_departures_part_at_the_load_that_turns() {
     let random = "[random]\nmu = { normal = { mean = 0.6, sd = 0.1 }, lower = 0.0 }\n\
                   k = { normal = { mean = 0.45, sd = 0.12 }, lower = 0.0 }\n";
-    let found = answer(&format!("{POINT}{random}"), Request::default());
+    let found = answer(&format!("{POINT}{random}"), ChanceRequest::default());
     let first = |chances: &Chances, mode: Mode| {
         let modes = &chances.first_departure.modes;
         modes
@@ -352,11 +354,12 @@ fn first_departures_part_at_the_load_that_turns() {
     let slides = (below((friction - 1.2) / 0.2) - below(-6.0)) / below(6.0);
     assert!((0.05..0.95).contains(&slides), "{slides}");
     for method in [None, Some(Method::Sobol)] {
-        let found = answer(&text, Request { method, ..Request::default() });
+        let found = answer(&text, ChanceRequest { method, ..ChanceRequest::default() });
         assert_close("caisson", first(&found.situations[0], Mode::SlideLeft), slides, 1e-9);
     }
     let effort = Effort { points: 1 << 16, precision: 0.01, ..Effort::default() };
-    let drawn = answer(&text, Request { method: Some(Method::MonteCarlo), effort, ..Request::default() });
+    let drawn =
+        answer(&text, ChanceRequest { method: Some(Method::MonteCarlo), effort, ..ChanceRequest::default() });
     assert_close("drawn", first(&drawn.situations[0], Mode::SlideLeft), slides, 0.02);
 }
 
@@ -366,7 +369,7 @@ fn some_bodies_leave_rest_at_once() {
     let text = "[body]\nwidth = 2\nheight = 1\nmass = 1000\nfriction = 0.5\n[[load]]\nname = \"rope\"\nforce = 3e3\n\
         elevation = 0.2\npermanent = true\n[[load]]\nname = \"push\"\nforce = 1e3\nelevation = 0.2\n\
         [random]\nfriction = { normal = { mean = 0.4, sd = 0.1 } }\n";
-    let found = answer(text, Request::default());
+    let found = answer(text, ChanceRequest::default());
     let at_once = found.situations[0].first_departure.at_once.value;
     // Cut at zero, where no friction is.
     let by_hand = (below((3e3 / 9810.0 - 0.4) / 0.1) - below(-4.0)) / below(4.0);
@@ -384,7 +387,7 @@ fn lives_of_more_numbers_are_drawn() {
              k = {{ gumbel = {{ mean = 0.3, sd = 0.06 }}, lower = 0.0, every = \"year\" }}\n{more}"
         );
         let effort = Effort { precision: 0.04, floor: 0.02, ..Effort::default() };
-        let found = answer(&format!("{POINT}{random}"), Request { effort, ..Request::default() });
+        let found = answer(&format!("{POINT}{random}"), ChanceRequest { effort, ..ChanceRequest::default() });
         found.situations[0].life.clone().unwrap()
     };
     let more = "gamma = { normal = { mean = 0.8, cov = 1e-7 } }\n\
@@ -411,7 +414,7 @@ const STORM: &str = "[storm]\nwaves = 1000\nheights = \"rayleigh\"\ntau0 = \"1.5
 #[test]
 fn few_lives_slide_far() {
     let effort = Effort { points: 1 << 20, ..Effort::default() };
-    let found = answer(STORM, Request { effort, ..Request::default() });
+    let found = answer(STORM, ChanceRequest { effort, ..ChanceRequest::default() });
     let sliding = found.sliding.unwrap();
     assert!((sliding.mean.value - 0.69).abs() < 0.006, "{:?}", sliding.mean);
     assert!(sliding.precise);
@@ -432,7 +435,7 @@ fn storms_of_a_case_are_sums_over_waves() {
     let text = text
         .replace("[wave]", "[added_mass]\nmass = \"56.4 t/m\"\n\n[storm]\nwaves = 200\ntau0 = 1.5\n\n[wave]");
     let effort = Effort { points: 1 << 16, ..Effort::default() };
-    let sliding = answer(&text, Request { effort, ..Request::default() }).sliding.unwrap();
+    let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
     let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
     let waves = case.wave.unwrap();
     let (significant, largest) = (waves.goda.h_13, waves.goda.h_max);
@@ -474,7 +477,7 @@ fn waves_that_begin_a_rotation_are_no_slides() {
     let text = goda("friction = { uniform = { from = 1.5, to = 1.6 } }\n")
         .replace("[wave]", "[storm]\nwaves = 200\ntau0 = 1.5\ncut = false\n\n[wave]");
     let effort = Effort { points: 1 << 12, ..Effort::default() };
-    let sliding = answer(&text, Request { effort, ..Request::default() }).sliding.unwrap();
+    let sliding = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() }).sliding.unwrap();
     let case = standfast_cases::CaseFile::parse("case.toml", &text).unwrap().case().unwrap();
     let waves = case.wave.unwrap();
     // The height at which W't − M_U = M_p, by bisection; that at this friction no smaller wave slides it.
@@ -504,21 +507,26 @@ fn probabilities_along_a_number_are_those_of_each_value() {
             .replace("width = \"15 m\"", &format!("width = \"{width}\""))
             .replace("caisson_width = \"15 m\"\n", "")
     };
-    let over = |over: &str| Some(over.parse::<Over>().unwrap());
-    let along =
-        Probability::along(&file(&goda("15 m")), Request::default(), over("width=14 m..18 m:3").as_ref());
+    let over = |over: &str| Some(over.parse::<ValueRange>().unwrap());
+    let along = Probability::along(
+        &file(&goda("15 m")),
+        ChanceRequest::default(),
+        over("width=14 m..18 m:3").as_ref(),
+    );
     let fragility = along.unwrap().fragility.unwrap();
     assert_eq!(fragility.points.iter().map(|point| point.value).collect::<Vec<_>>(), [14.0, 16.0, 18.0]);
     // Mass and weight go with the width, as they do in `design`.
     let heavier = goda("16 m").replace("346.05 t/m", "369.12 t/m").replace("2318.64 kN/m", "2473.216 kN/m");
-    let there = answer(&heavier, Request::default());
+    let there = answer(&heavier, ChanceRequest::default());
     assert_close("16 m", fragility.points[1].not_rest.value, there.situations[0].not_rest.value, 1e-9);
 
     let pushed = "[body]\nwidth = 4\nheight = 1\nmass = 1000\nfriction = 0.5\n[[load]]\nname = \"push\"\nforce = 1e3\n\
         elevation = 0.1\n[random]\nfriction = { lognormal = { mean = 0.5, cov = 0.2 } }\n";
     let asked = over("load.push.force=2000..8000:13");
-    let fragility =
-        Probability::along(&file(pushed), Request::default(), asked.as_ref()).unwrap().fragility.unwrap();
+    let fragility = Probability::along(&file(pushed), ChanceRequest::default(), asked.as_ref())
+        .unwrap()
+        .fragility
+        .unwrap();
     let fit = fragility.fit.unwrap();
     let dispersion = 1.04f64.ln().sqrt();
     assert_close("median", fit.median, 0.5 / 1.04f64.sqrt() * 9810.0, 1e-8);
@@ -537,7 +545,7 @@ fn modes_add_up_to_one_about_design_points() {
         wave.deep_water_height = { gumbel = { mean = 4.5, sd = 0.6 }, lower = 1 }\n";
     let text = goda(rare).replace("2318.64 kN/m", "2700 kN/m");
     let effort = Effort { points: 1 << 14, ..Effort::default() };
-    let found = answer(&text, Request { effort, ..Request::default() });
+    let found = answer(&text, ChanceRequest { effort, ..ChanceRequest::default() });
     let chances = &found.situations[0];
     assert_eq!(chances.method, Method::Importance);
     let sum: f64 = chances.modes.iter().map(|(_, e)| e.value).sum();
@@ -557,8 +565,9 @@ fn every_mode_has_its_nearest_point() {
     let text = format!(
         "{POINT}[random]\nmu = {{ lognormal = {{ mean = 0.62, cov = 0.08 }} }}\nk = {{ lognormal = {{ mean = 0.35, cov = 0.15 }} }}\n"
     );
-    let form =
-        |text: &str| answer(text, Request::default().with("form".parse().unwrap())).situations.remove(0);
+    let form = |text: &str| {
+        answer(text, ChanceRequest::default().with("form".parse().unwrap())).situations.remove(0)
+    };
     let chances = form(&text);
     assert_eq!(chances.method, Method::Integrate);
     let u = |x: f64, mean: f64, cov: f64| {
@@ -588,7 +597,7 @@ fn every_mode_has_its_nearest_point() {
         if at(one) < at(other) { b = other } else { a = one }
     }
     assert_close("β", point(&chances, Mode::SlideLeft).beta, at(a), 1e-9);
-    assert_eq!(answer(&text, Request::default()).situations[0].design_points, None);
+    assert_eq!(answer(&text, ChanceRequest::default()).situations[0].design_points, None);
     // The medians slide: the distance to rest counts, as that of the half space of the other sign.
     let chances = form(&text.replace("0.35", "0.64"));
     assert_eq!(point(&chances, Mode::SlideLeft).beta, 0.0);
@@ -607,7 +616,7 @@ fn every_mode_has_its_nearest_point() {
 fn a_force_of_uncertain_height_meets_every_mode() {
     let text = "[point]\ngamma = 1.5\n[random]\nk_prime = { normal = { mean = 0.3, sd = 0.4 } }\n\
         mu = { lognormal = { mean = 0.5, cov = 0.2 } }\nk = { lognormal = { mean = 0.45, cov = 0.3 } }\n";
-    let found = answer(text, Request::default());
+    let found = answer(text, ChanceRequest::default());
     let chances = &found.situations[0];
     assert_eq!(chances.method, Method::Integrate);
     let expected = [
@@ -647,6 +656,6 @@ fn heights_without_a_sea_are_not_cut() {
 fn a_rare_mode_that_begins_by_a_step_has_its_digits() {
     let text = "[point]\ngamma = 1.5\nk_prime = -0.6\n[random]\nmu = { lognormal = { mean = 0.5, cov = 0.2 } }\n\
         k = { gumbel = { mean = 1.0, sd = 0.4 }, lower = 0 }\n";
-    let found = answer(text, Request::default());
+    let found = answer(text, ChanceRequest::default());
     assert_close("RO", chance(&found.situations[0], Mode::RockO), 4.443731787831e-12, 1e-10);
 }

@@ -302,7 +302,7 @@ fn accelerations_in_laws_are_shares_of_g() {
             "[body]\nwidth = 3\nheight = 4\nmass = 50e3\nfriction = 0.3\n[earthquake]\nhorizontal = 0.25\n[random]\n\
              earthquake.horizontal = {law}\n"
         );
-        let request = standfast_cases::random::Request::default();
+        let request = standfast_cases::random::ChanceRequest::default();
         let found =
             standfast_cases::random::Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), request)
                 .unwrap();
@@ -327,7 +327,7 @@ fn a_random_shaking_goes_to_both_sides() {
             "[body]\nwidth = 3\nheight = 7\nmass = 50e3\nfriction = 0.9\ncentroid_offset = 0.3\n[earthquake]\nhorizontal = {own}\n\
              [random]\nearthquake.horizontal = {{ lognormal = {{ mean = 0.3, cov = 0.3 }} }}\n"
         );
-        let request = standfast_cases::random::Request::default();
+        let request = standfast_cases::random::ChanceRequest::default();
         let found =
             standfast_cases::random::Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), request)
                 .unwrap();
@@ -414,7 +414,7 @@ fn several_loads_on_an_eccentric_body() {
 /// Friction, integrated in closed form, against all drawn; first departures too; over a life and along a number.
 #[test]
 fn integrated_on_a_base_that_gives_way_is_what_is_drawn() {
-    use standfast_cases::random::{Effort, Method, Probability, Request};
+    use standfast_cases::random::{ChanceRequest, Effort, Method, Probability};
     let laws = "[random]\nyears = 20\nfriction = { normal = { cov = 0.1 } }\n\
                 \"load.push.force\" = { normal = { cov = 0.2 }, every = \"year\" }\n";
     let stone = pushed_at(10.8, "strength = 1.5e6", 0.58, 1.9e6);
@@ -422,7 +422,7 @@ fn integrated_on_a_base_that_gives_way_is_what_is_drawn() {
     for (text, expected) in [(stone, &["RE", "SL", "RO"][..]), (sand, &["RE", "SL", "BF"])] {
         let of = |method| {
             let effort = Effort { points: 1 << 17, precision: 1e-4, ..Effort::default() };
-            let request = Request { method: Some(method), effort, ..Request::default() };
+            let request = ChanceRequest { method: Some(method), effort, ..ChanceRequest::default() };
             let over = "load.push.elevation=4..10:3".parse().unwrap();
             let over = (method == Method::Integrate).then_some(&over);
             let found = Probability::along(
@@ -464,12 +464,12 @@ fn integrated_on_a_base_that_gives_way_is_what_is_drawn() {
 /// Storms on a base that gives way, and on one that is elastic.
 #[test]
 fn storms_ask_for_a_base_that_bears() {
-    use standfast_cases::random::{Probability, Request};
+    use standfast_cases::random::{ChanceRequest, Probability};
     let goda = include_str!("../../../examples/goda-2000.toml");
     let laws = "[random]\nfriction = { normal = { cov = 0.1 } }\n[storm]\nwaves = 10\ntau0 = 1\n";
     let of = |ground: &str| {
         let text = format!("{goda}\n[ground]\n{ground}\n{laws}");
-        Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), Request::default())
+        Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), ChanceRequest::default())
             .map(|_| ())
             .map_err(|error| error.to_string())
     };

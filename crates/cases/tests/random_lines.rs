@@ -2,7 +2,7 @@
 //! crate. The normal law is Simpson's rule on its density.
 
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Effort, Method, Probability, Request};
+use standfast_cases::random::{ChanceRequest, Effort, Method, Probability};
 
 /// ∫ of the normal density from −∞ to `z`.
 fn below(z: f64) -> f64 {
@@ -26,11 +26,11 @@ fn lognormal_above(x: f64, mean: f64, cov: f64) -> f64 {
 }
 
 fn answer(text: &str, years: Option<f64>, method: Option<Method>) -> Probability {
-    let request = Request {
+    let request = ChanceRequest {
         years,
         method,
         effort: Effort { precision: 0.01, ..Effort::default() },
-        ..Request::default()
+        ..ChanceRequest::default()
     };
     Probability::of(&CaseFile::parse("case", text).unwrap(), request)
         .unwrap_or_else(|error| panic!("{error}: {text}"))

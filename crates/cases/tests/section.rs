@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use standfast_cases::layout::digits;
-use standfast_cases::{Assessment, Case, CaseFile, Drawn, View};
+use standfast_cases::{Assessment, AssessmentView, Case, CaseFile, FigureKind};
 use standfast_figures::Figure;
 
 fn case(name: &str, text: &str) -> Case {
@@ -16,8 +16,8 @@ fn example(name: &str) -> String {
 }
 
 fn section(case: &Case) -> Figure {
-    let figures = Assessment::of(case).unwrap().figures(&View::default()).unwrap();
-    let mut sections = figures.into_iter().filter(|figure| figure.drawn == Drawn::Section);
+    let figures = Assessment::of(case).unwrap().figures(&AssessmentView::default()).unwrap();
+    let mut sections = figures.into_iter().filter(|figure| figure.drawn == FigureKind::Section);
     let section = sections.next().unwrap();
     assert_eq!(section.suffix, "-section");
     section.figure
@@ -112,7 +112,7 @@ fn the_reaction_lies_where_equilibrium_has_it() {
              [[load]]\nforce = {force}\nelevation = 3\ndirection = \"{towards}\"\n"
         );
         let case = case("block.toml", &text);
-        let fails = Assessment::of(&case).unwrap().text(&View::default()).contains("(BF)");
+        let fails = Assessment::of(&case).unwrap().text(&AssessmentView::default()).contains("(BF)");
         let figure = section(&case);
         let at = |text: &str| {
             let label = figure.labels().iter().find(|label| label.text == text);

@@ -12,14 +12,14 @@ use standfast::{InputError, Point};
 
 use standfast_cases::check_up_to;
 use standfast_cases::design::Target;
-use standfast_cases::motion::{SpectrumKind, Steps};
-use standfast_cases::random::{MethodAsked, Over};
+use standfast_cases::motion::{SpectrumKind, SpectrumSteps};
+use standfast_cases::random::{MethodAsked, ValueRange};
 use standfast_figures::FigureId;
 use standfast_sheet::{Date, Paper};
 use standfast_tables::{Mapping, OnError, TableFormat, TableProblem};
 
 use crate::design::BoundaryFile;
-use crate::draw::{KMu, Picture, PictureFile};
+use crate::draw::{KMu, PictureFile, PictureFormat};
 use crate::format::Format;
 use crate::probability::DrawsFile;
 use crate::sheet::SheetFile;
@@ -359,7 +359,7 @@ pub struct ProbabilityArgs {
     /// The same along a number of the case, with what goes with it: FROM and TO as in the case file, COUNT values; pga of a case with
     /// [motion.base]: overturning in time, the shaking scaled to each peak
     #[arg(long, value_name = "NAME=FROM..TO:COUNT")]
-    pub over: Option<Over>,
+    pub over: Option<ValueRange>,
     /// Write draws of the random numbers, each with its weight and mode: .csv, .parquet, .arrow or .xlsx; those counted by monte-carlo,
     /// beside other methods 65 536 independent ones at most
     #[arg(long, value_name = "FILE")]
@@ -429,16 +429,16 @@ pub struct SpectrumArgs {
     pub kind: SpectrumKind,
     /// Half diagonals of the blocks, at equal factors [default: a quarter of the case's to its eightfold, 41 of them]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub size: Option<Steps>,
+    pub size: Option<SpectrumSteps>,
     /// Heights of the blocks over their widths, at equal steps [default: 2,8,31]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub slenderness: Option<Steps>,
+    pub slenderness: Option<SpectrumSteps>,
     /// Yield accelerations over the peak of the shaking, at equal steps [default: 0.02,0.98,49]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub ratio: Option<Steps>,
+    pub ratio: Option<SpectrumSteps>,
     /// Factors on the shaking, at equal steps [default: 0.05,5,199]
     #[arg(long, value_name = "FROM,TO[,COUNT]")]
-    pub scale: Option<Steps>,
+    pub scale: Option<SpectrumSteps>,
     /// Write every point to a CSV file; - writes to standard output in place of the answer
     #[arg(long, value_name = "OUT.csv")]
     pub csv: Option<PathBuf>,
@@ -561,7 +561,7 @@ pub struct DiagramArgs {
     pub omega: Option<f64>,
     /// The plane of ground that fails, by this law of its bearing resistance
     #[arg(long, value_enum, value_name = "LAW", requires = "share")]
-    pub law: Option<GroundBy>,
+    pub law: Option<BearingLaw>,
     /// Share u = P/V0 of the vertical resistance of the ground, centric and upright, that the weight takes
     #[arg(long, value_name = "U", allow_hyphen_values = true, value_parser = share, requires = "law")]
     pub share: Option<f64>,
@@ -578,7 +578,7 @@ pub struct DiagramArgs {
 
 /// A law of bearing resistance; of ground without surcharge and cohesion, so that u says all of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum GroundBy {
+pub enum BearingLaw {
     /// EN 1997-1 Annex D
     Ec7,
     /// API RP 2GEO, after Brinch Hansen
@@ -587,13 +587,13 @@ pub enum GroundBy {
     Envelope,
 }
 
-impl GroundBy {
+impl BearingLaw {
     /// Some ground of this law; its size is set by u.
     pub fn ground(self) -> Ground {
         let ground = match self {
-            GroundBy::Ec7 => Ground::new(GroundLaw::Ec7, 35.0, 1.0),
-            GroundBy::Hansen => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
-            GroundBy::Envelope => Ground::envelope(1.0),
+            BearingLaw::Ec7 => Ground::new(GroundLaw::Ec7, 35.0, 1.0),
+            BearingLaw::Hansen => Ground::new(GroundLaw::Hansen, 35.0, 1.0),
+            BearingLaw::Envelope => Ground::envelope(1.0),
         };
         ground.expect("these are numbers of a ground")
     }
@@ -610,7 +610,7 @@ pub struct FiguresArgs {
     pub numbers: Vec<FigureId>,
     /// What to write
     #[arg(long = "as", value_enum, default_value = "svg", value_name = "KIND")]
-    pub picture: Picture,
+    pub picture: PictureFormat,
     /// Pixels of a png per unit of the svg
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true, value_parser = scale)]
     pub scale: f32,
@@ -686,7 +686,7 @@ fn omega(text: &str) -> Result<f64, String> {
 /// u of ground that fails.
 fn share(text: &str) -> Result<f64, String> {
     let value: f64 = text.trim().parse().map_err(|_| "expected a number".to_owned())?;
-    let plane = BearingPlane::of_share(GroundBy::Ec7.ground(), 1.0, 0.0, value);
+    let plane = BearingPlane::of_share(BearingLaw::Ec7.ground(), 1.0, 0.0, value);
     plane.map(|_| value).map_err(|error| format!("expected {}", error.expected))
 }
 

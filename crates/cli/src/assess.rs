@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use standfast::InputError;
-use standfast_cases::{Assessment, CaseError, Explained, View};
+use standfast_cases::{Assessment, AssessmentView, CaseError, Explained};
 use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
-use crate::figures::{self, Drawn, FigureError, Figures};
+use crate::figures::{self, FigureError, FigureFile, Figures};
 use crate::files_read::FilesRead;
 use crate::format::Format;
 
@@ -56,7 +56,7 @@ impl Explained for AssessError {
 
 /// The answer to a case, and why a diagram of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
-pub struct Answered {
+pub struct AssessmentAnswer {
     /// The answer to print.
     pub answer: String,
     /// Error that prevented a diagram.
@@ -72,10 +72,10 @@ pub struct Answered {
 pub fn assess(
     path: &Path,
     figures: Figures,
-    view: &View,
+    view: &AssessmentView,
     format: Format,
     check: bool,
-) -> Result<Answered, AssessError> {
+) -> Result<AssessmentAnswer, AssessError> {
     let read = FilesRead::default();
     let assessment = Assessment::of_file(&case_file::parse(path, &read)?)?;
     let nothing = assessment.all_checks().is_empty();
@@ -94,16 +94,16 @@ pub fn assess(
         }
         Format::Json => assessment.json(view, &figures::files(drawn)),
     };
-    Ok(Answered { answer, undrawn, met: assessment.met() })
+    Ok(AssessmentAnswer { answer, undrawn, met: assessment.met() })
 }
 
 /// Writes the figures.
 fn draw(
     assessment: &Assessment,
-    view: &View,
+    view: &AssessmentView,
     (case, read): (&Path, &FilesRead),
     figures: Figures,
-    drawn: &mut Vec<Drawn>,
+    drawn: &mut Vec<FigureFile>,
 ) -> Result<(), AssessError> {
     if !figures.are_drawn() {
         return Ok(());

@@ -12,14 +12,14 @@ use standfast_cases::Explained;
 use standfast_cases::layout::paragraph;
 use standfast_cases::sweep::SweepResult;
 use standfast_tables::{
-    CaseTable, Face, Input, ResultColumn, Summary, TableError, TableFormat, TableOptions, TableProblem,
-    Varied, VariedColumn, answer,
+    CaseTable, Interface, ResultColumn, Summary, TableError, TableFormat, TableInput, TableOptions,
+    TableProblem, Varied, VariedColumn, answer,
 };
 use thiserror::Error;
 
 use crate::case_file::{self, CaseFileError};
 use crate::features::{Feature, LeftOut};
-use crate::files_read::{FilesRead, ReadAs};
+use crate::files_read::{FilePurpose, FilesRead};
 use crate::progress::Bar;
 use crate::write::{Pending, WriteError};
 
@@ -78,7 +78,7 @@ pub fn case(path: &Path, names: &[String], read: &FilesRead) -> Result<CaseTable
 }
 
 fn no_result(name: &str, all: impl Iterator<Item = &'static str>) -> TableError {
-    let option = Face::Program.columns();
+    let option = Interface::Program.columns();
     TableError::NoSuchResult { option, column: name.to_owned(), results: all.collect() }
 }
 
@@ -192,21 +192,21 @@ fn open(
     path: &Path,
     options: &TableOptions,
     read: &FilesRead,
-) -> Result<(Input<'static>, Option<u64>), TableError> {
+) -> Result<(TableInput<'static>, Option<u64>), TableError> {
     if path == Path::new("-") {
-        return Ok((Input::Stream(Box::new(io::stdin())), None));
+        return Ok((TableInput::Stream(Box::new(io::stdin())), None));
     }
     let unread = |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
-    let file = read.open(path, ReadAs::Table).map_err(unread)?;
+    let file = read.open(path, FilePurpose::Table).map_err(unread)?;
     let metadata = file.metadata().map_err(unread)?;
     if metadata.is_dir() {
         return Err(unread(io::ErrorKind::IsADirectory.into()));
     }
     // A pipe with a name has no length and cannot be read from any place.
     Ok(if metadata.is_file() {
-        (Input::File(file), Some(metadata.len()))
+        (TableInput::File(file), Some(metadata.len()))
     } else {
-        (Input::Stream(Box::new(file)), None)
+        (TableInput::Stream(Box::new(file)), None)
     })
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use standfast_cases::{CaseError, CaseFile, Explained};
 use thiserror::Error;
 
-use crate::files_read::{FilesRead, ReadAs};
+use crate::files_read::{FilePurpose, FilesRead};
 
 /// Reason why a case file was not read.
 #[derive(Debug, Error)]
@@ -86,7 +86,8 @@ pub fn parse_alone(path: &Path, files: &FilesRead) -> Result<CaseFile, CaseFileE
 pub(crate) fn beside(case: &Path, files: &FilesRead) -> impl Fn(&str) -> Result<String, String> {
     let directory = case.parent().unwrap_or(Path::new("")).to_owned();
     move |file| {
-        let bytes = files.read(&directory.join(file), ReadAs::Record).map_err(|cause| cause.to_string())?;
+        let bytes =
+            files.read(&directory.join(file), FilePurpose::Record).map_err(|cause| cause.to_string())?;
         // Old records have letters of other alphabets in their headers, and no meaning in them.
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
@@ -98,9 +99,9 @@ pub(crate) fn beside(case: &Path, files: &FilesRead) -> impl Fn(&str) -> Result<
 /// If it cannot be read, or is not text.
 pub(crate) fn read(path: &Path, files: &FilesRead) -> Result<String, CaseFileError> {
     let read = if is_standard_input(path) {
-        files.read_standard_input(ReadAs::Case)
+        files.read_standard_input(FilePurpose::Case)
     } else {
-        files.read(path, ReadAs::Case)
+        files.read(path, FilePurpose::Case)
     };
     let bytes = read.map_err(|cause| CaseFileError::System { name: name(path), cause })?;
     String::from_utf8(bytes).map_err(|error| {

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use standfast_cases::Explained;
-use standfast_cases::design::{Boundary, BoundaryRequest, Design, DesignError, Extreme, Request, Spelling};
+use standfast_cases::design::{
+    BoundaryRequest, Design, DesignBoundary, DesignError, DesignRequest, Extreme, Spelling,
+};
 use thiserror::Error;
 
 use crate::args::DesignArgs;
@@ -108,7 +110,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
         // Before a boundary is looked for, or the first of several files is written.
         read.refuse(output.path()).map_err(WriteError::from)?;
     }
-    let request = Request {
+    let request = DesignRequest {
         vary: args.vary.clone(),
         target: args.target,
         extreme: if args.greatest { Extreme::Greatest } else { Extreme::Least },
@@ -125,7 +127,7 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
     };
     let request =
         BoundaryRequest { design: request, and, from: args.and_from.clone(), to: args.and_to.clone() };
-    let boundary = Boundary::of(&file, request)?;
+    let boundary = DesignBoundary::of(&file, request)?;
     let written = files(args, &boundary, &read)?;
     Ok(match args.format {
         Format::Text => boundary.text() + &written,
@@ -134,7 +136,11 @@ pub fn design(args: &DesignArgs) -> Result<String, DesignCommandError> {
 }
 
 /// Writes the files; says so.
-fn files(args: &DesignArgs, boundary: &Boundary, read: &FilesRead) -> Result<String, DesignCommandError> {
+fn files(
+    args: &DesignArgs,
+    boundary: &DesignBoundary,
+    read: &FilesRead,
+) -> Result<String, DesignCommandError> {
     let mut said = if args.output.is_empty() { String::new() } else { "\n".to_owned() };
     for output in &args.output {
         let what = match output {

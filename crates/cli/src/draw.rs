@@ -23,7 +23,7 @@ use crate::write::{self, ExtensionError, WriteError};
 
 /// Format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Picture {
+pub enum PictureFormat {
     /// Scalable vector graphics.
     Svg,
     /// Pixels.
@@ -32,21 +32,21 @@ pub enum Picture {
     Pdf,
 }
 
-impl Picture {
+impl PictureFormat {
     fn extension(self) -> &'static str {
         match self {
-            Picture::Svg => "svg",
-            Picture::Png => "png",
-            Picture::Pdf => "pdf",
+            PictureFormat::Svg => "svg",
+            PictureFormat::Png => "png",
+            PictureFormat::Pdf => "pdf",
         }
     }
 
     /// That this build can write it; `asked` is who asks for it.
     fn require(self, asked: &str) -> Result<(), LeftOut> {
         match self {
-            Picture::Svg => Ok(()),
-            Picture::Png => Feature::Pictures.require(asked, "PNG"),
-            Picture::Pdf => Feature::Pictures.require(asked, "PDF"),
+            PictureFormat::Svg => Ok(()),
+            PictureFormat::Png => Feature::Pictures.require(asked, "PNG"),
+            PictureFormat::Pdf => Feature::Pictures.require(asked, "PDF"),
         }
     }
 }
@@ -55,7 +55,7 @@ impl Picture {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PictureFile {
     path: PathBuf,
-    picture: Picture,
+    picture: PictureFormat,
 }
 
 impl FromStr for PictureFile {
@@ -69,13 +69,13 @@ impl FromStr for PictureFile {
 
 impl PictureFile {
     /// A file that is written as a kind of picture.
-    pub fn new(path: PathBuf, picture: Picture) -> PictureFile {
+    pub fn new(path: PathBuf, picture: PictureFormat) -> PictureFile {
         PictureFile { path, picture }
     }
 
     /// The kind of picture of an extension in lower case.
-    pub fn kind(extension: &str) -> Option<Picture> {
-        Picture::from_str(extension, false).ok()
+    pub fn kind(extension: &str) -> Option<PictureFormat> {
+        PictureFormat::from_str(extension, false).ok()
     }
 
     /// Path of the file.
@@ -135,13 +135,13 @@ impl Explained for DrawError {
 fn save(
     figure: &Figure,
     path: &Path,
-    picture: Picture,
+    picture: PictureFormat,
     scale: f32,
     read: &FilesRead,
 ) -> Result<(), DrawError> {
     let written = match picture {
-        Picture::Svg => write::write_file(path, figure.svg().as_bytes(), read),
-        Picture::Png | Picture::Pdf => {
+        PictureFormat::Svg => write::write_file(path, figure.svg().as_bytes(), read),
+        PictureFormat::Png | PictureFormat::Pdf => {
             write::write_file(path, &rendered(figure, path, picture, scale)?, read)
         }
     };
@@ -149,13 +149,13 @@ fn save(
 }
 
 #[cfg(feature = "pictures")]
-fn rendered(figure: &Figure, path: &Path, picture: Picture, scale: f32) -> Result<Vec<u8>, DrawError> {
-    let bytes = if picture == Picture::Png { figure.png(scale) } else { figure.pdf() };
+fn rendered(figure: &Figure, path: &Path, picture: PictureFormat, scale: f32) -> Result<Vec<u8>, DrawError> {
+    let bytes = if picture == PictureFormat::Png { figure.png(scale) } else { figure.pdf() };
     bytes.map_err(|cause| DrawError::Render { path: path.to_owned(), cause })
 }
 
 #[cfg(not(feature = "pictures"))]
-fn rendered(_: &Figure, path: &Path, picture: Picture, _: f32) -> Result<Vec<u8>, DrawError> {
+fn rendered(_: &Figure, path: &Path, picture: PictureFormat, _: f32) -> Result<Vec<u8>, DrawError> {
     picture.require(&path.display().to_string())?;
     Ok(Vec::new())
 }
@@ -204,7 +204,7 @@ pub fn draw_diagram(
 pub fn draw_figures(
     directory: &Path,
     figures: &[FigureId],
-    picture: Picture,
+    picture: PictureFormat,
     scale: f32,
 ) -> Result<Vec<PathBuf>, DrawError> {
     picture.require(&format!("--as {}", picture.extension()))?;

@@ -60,7 +60,7 @@ impl<'a> Figures<'a> {
         case: &Path,
         read: &FilesRead,
         figures: impl IntoIterator<Item = (W, String, Figure)>,
-        drawn: &mut Vec<Drawn>,
+        drawn: &mut Vec<FigureFile>,
     ) -> Result<(), FigureError> {
         let directory = match self {
             Figures::Beside => case.parent().unwrap_or(Path::new("")),
@@ -74,7 +74,7 @@ impl<'a> Figures<'a> {
         for (words, suffix, figure) in figures {
             let file = directory.join(format!("{stem}{suffix}.svg"));
             write::write_file(&file, figure.svg().as_bytes(), read)?;
-            drawn.push(Drawn { words: words.into(), file: file.display().to_string() });
+            drawn.push(FigureFile { words: words.into(), file: file.display().to_string() });
         }
         Ok(())
     }
@@ -82,7 +82,7 @@ impl<'a> Figures<'a> {
 
 /// A figure in its file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Drawn {
+pub struct FigureFile {
     /// Words for the figure.
     pub words: String,
     /// The file.
@@ -90,11 +90,11 @@ pub struct Drawn {
 }
 
 /// A line for each file that was written.
-pub fn said(drawn: &[Drawn]) -> String {
-    drawn.iter().map(|Drawn { words, file }| format!("{words} written to {file}\n")).collect()
+pub fn said(drawn: &[FigureFile]) -> String {
+    drawn.iter().map(|FigureFile { words, file }| format!("{words} written to {file}\n")).collect()
 }
 
 /// The files that were written.
-pub fn files(drawn: Vec<Drawn>) -> Vec<String> {
+pub fn files(drawn: Vec<FigureFile>) -> Vec<String> {
     drawn.into_iter().map(|drawn| drawn.file).collect()
 }

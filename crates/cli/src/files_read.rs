@@ -10,7 +10,7 @@ use thiserror::Error;
 
 /// Purpose for which a file was read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ReadAs {
+pub enum FilePurpose {
     /// The case.
     Case,
     /// A record that the case or a row of a table names.
@@ -19,12 +19,12 @@ pub enum ReadAs {
     Table,
 }
 
-impl ReadAs {
+impl FilePurpose {
     fn words(self) -> &'static str {
         match self {
-            ReadAs::Case => "the case file",
-            ReadAs::Record => "the record",
-            ReadAs::Table => "the table",
+            FilePurpose::Case => "the case file",
+            FilePurpose::Record => "the record",
+            FilePurpose::Table => "the table",
         }
     }
 }
@@ -38,7 +38,7 @@ pub struct WouldReplace {
     /// The file that was read, as it was named.
     pub read: PathBuf,
     /// Purpose for which it was read.
-    pub read_as: ReadAs,
+    pub read_as: FilePurpose,
 }
 
 impl Explained for WouldReplace {
@@ -65,7 +65,7 @@ pub struct FilesRead(Mutex<Vec<FileRead>>);
 #[derive(Debug)]
 struct FileRead {
     path: PathBuf,
-    read_as: ReadAs,
+    read_as: FilePurpose,
     same: Identity,
 }
 
@@ -104,7 +104,7 @@ impl FilesRead {
     ///
     /// # Errors
     /// If it cannot be opened.
-    pub fn open(&self, path: &Path, read_as: ReadAs) -> io::Result<File> {
+    pub fn open(&self, path: &Path, read_as: FilePurpose) -> io::Result<File> {
         let file = File::open(path)?;
         self.note(path, read_as, &file)?;
         Ok(file)
@@ -114,7 +114,7 @@ impl FilesRead {
     ///
     /// # Errors
     /// If it cannot be read.
-    pub fn read(&self, path: &Path, read_as: ReadAs) -> io::Result<Vec<u8>> {
+    pub fn read(&self, path: &Path, read_as: FilePurpose) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         self.open(path, read_as)?.read_to_end(&mut bytes)?;
         Ok(bytes)
@@ -124,7 +124,7 @@ impl FilesRead {
     ///
     /// # Errors
     /// If it cannot be read.
-    pub fn read_standard_input(&self, read_as: ReadAs) -> io::Result<Vec<u8>> {
+    pub fn read_standard_input(&self, read_as: FilePurpose) -> io::Result<Vec<u8>> {
         self.note_standard_input(read_as)?;
         let mut bytes = Vec::new();
         io::stdin().read_to_end(&mut bytes)?;
@@ -135,7 +135,7 @@ impl FilesRead {
     ///
     /// # Errors
     /// If the system says nothing of it.
-    pub fn note_standard_input(&self, read_as: ReadAs) -> io::Result<()> {
+    pub fn note_standard_input(&self, read_as: FilePurpose) -> io::Result<()> {
         #[cfg(unix)]
         {
             use std::os::fd::AsFd;
@@ -148,7 +148,7 @@ impl FilesRead {
     }
 
     /// Notes an open file; a device or a pipe is not replaced by being written to.
-    fn note(&self, path: &Path, read_as: ReadAs, file: &File) -> io::Result<()> {
+    fn note(&self, path: &Path, read_as: FilePurpose, file: &File) -> io::Result<()> {
         let found = file.metadata()?;
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         // Rows of a table may name one record many times.
@@ -172,10 +172,10 @@ impl FilesRead {
     /// # Errors
     /// If it is, and was read as anything but the table.
     pub fn refuse_but_table(&self, output: &Path) -> Result<(), WouldReplace> {
-        self.refuse_if(output, |read_as| read_as != ReadAs::Table)
+        self.refuse_if(output, |read_as| read_as != FilePurpose::Table)
     }
 
-    fn refuse_if(&self, output: &Path, kept: impl Fn(ReadAs) -> bool) -> Result<(), WouldReplace> {
+    fn refuse_if(&self, output: &Path, kept: impl Fn(FilePurpose) -> bool) -> Result<(), WouldReplace> {
         // Outputs that are not there yet replace nothing.
         let Ok(found) = fs::metadata(output) else { return Ok(()) };
         let same = Identity::of(output, &found);

@@ -39,7 +39,7 @@ use clap::CommandFactory;
 use standfast::Point;
 use standfast::loads::Reduced;
 use standfast_cases::point::PlacedPoint;
-use standfast_cases::{Explained, View, coloured, point};
+use standfast_cases::{AssessmentView, Explained, coloured, point};
 use standfast_figures::FigureId;
 use standfast_sheet::SheetOptions;
 use standfast_tables::TableOptions;
@@ -84,7 +84,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
             print(&format!("Calculation sheet written to {}\n", args.output))
         }
         Command::Probability(args) => {
-            let probability::Answered { answer, undrawn } = probability::probability(&args)?;
+            let probability::ProbabilityAnswer { answer, undrawn } = probability::probability(&args)?;
             print(&answer)?;
             match undrawn {
                 Some(error) => Err(error.into()),
@@ -127,7 +127,7 @@ pub fn run(cli: Cli) -> Result<Ended> {
 }
 
 fn assess_command(args: &args::AssessArgs) -> Result<Ended> {
-    let view = View { up_to: args.up_to, all: args.all, ..View::default() };
+    let view = AssessmentView { up_to: args.up_to, all: args.all, ..AssessmentView::default() };
     let figures = Figures::asked(args.output.as_deref(), args.no_figures);
     let answered = assess::assess(&args.case, figures, &view, args.format, args.check)?;
     print(&answered.answer)?;

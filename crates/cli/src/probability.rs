@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use standfast_cases::random::{Effort, Probability, ProbabilityError, Request, WeighedDraws, template};
+use standfast_cases::random::{ChanceRequest, Effort, Probability, ProbabilityError, WeighedDraws, template};
 use standfast_cases::{CaseError, CaseFile, Explained};
 use standfast_tables::{PlainColumn, PlainValues, TableError, TableFormat, write_columns};
 use thiserror::Error;
@@ -83,7 +83,7 @@ impl Explained for ProbabilityCommandError {
 
 /// The answer, and why a figure of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
-pub struct Answered {
+pub struct ProbabilityAnswer {
     /// The answer to print.
     pub answer: String,
     /// Error that prevented a figure.
@@ -94,11 +94,11 @@ pub struct Answered {
 ///
 /// # Errors
 /// If the case file cannot be read or makes no sense, or the draws cannot be written.
-pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityCommandError> {
+pub fn probability(args: &ProbabilityArgs) -> Result<ProbabilityAnswer, ProbabilityCommandError> {
     let read = FilesRead::default();
     let case = case_file::parse(&args.case, &read)?;
     if args.template {
-        return Ok(Answered { answer: template(&case)?, undrawn: None });
+        return Ok(ProbabilityAnswer { answer: template(&case)?, undrawn: None });
     }
     let plain = Effort::default();
     let effort = Effort {
@@ -112,7 +112,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
         read.refuse(&file.path).map_err(WriteError::from)?;
     }
     let follow = args.rotations == RotationsArg::Simulate;
-    let plainly = Request { effort, years: args.years, follow, ..Request::default() };
+    let plainly = ChanceRequest { effort, years: args.years, follow, ..ChanceRequest::default() };
     let request = args.method.map_or(plainly, |method| plainly.with(method));
     let answer = &Probability::along(&case, request, args.over.as_ref())?;
     if let Some(file) = &args.draws {
@@ -136,7 +136,7 @@ pub fn probability(args: &ProbabilityArgs) -> Result<Answered, ProbabilityComman
         }
         Format::Json => answer.json_with(&drawn.into_iter().map(|(_, file)| file).collect::<Vec<_>>()),
     };
-    Ok(Answered { answer, undrawn })
+    Ok(ProbabilityAnswer { answer, undrawn })
 }
 
 /// Writes the figures of an answer; `drawn` gets their words and files.

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use standfast_cases::motion::{Follow, Outcome, Position, SERIES, all_json, follow_all, series, series_csv};
+use standfast_cases::motion::{
+    Follow, MotionOutcome, Position, SERIES, all_json, follow_all, series, series_csv,
+};
 use standfast_cases::{CaseError, Explained};
 use standfast_tables::{TableFormat, WrittenColumn, written};
 use thiserror::Error;
@@ -81,7 +83,7 @@ impl Explained for SimulateError {
 
 /// The motion of a case, and why a figure of it could not be written, if it could not: the answer is not lost with it.
 #[derive(Debug)]
-pub struct Simulated {
+pub struct SimulationAnswer {
     /// The answer to print.
     pub answer: String,
     /// Error that prevented a figure.
@@ -94,7 +96,7 @@ pub struct Simulated {
 ///
 /// # Errors
 /// If a file cannot be read, the series cannot be written, or the case makes no sense.
-pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
+pub fn simulate(args: &SimulateArgs) -> Result<SimulationAnswer, SimulateError> {
     let read = FilesRead::default();
     let file = case_file::parse(&args.case, &read)?;
     let cases = file.motions()?;
@@ -114,7 +116,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
     // That of the situation that is the worst.
     let worst = answers.first().map(|(_, followed)| &followed.outcome);
     if let (true, Some(dt), Some(worst)) = (to_stdout, args.dt, worst) {
-        return Ok(Simulated { answer: series_csv(worst, dt), undrawn: None, met });
+        return Ok(SimulationAnswer { answer: series_csv(worst, dt), undrawn: None, met });
     }
     let figures = Figures::asked(args.output.as_deref(), args.no_figures);
     let mut drawn = Vec::new();
@@ -144,7 +146,7 @@ pub fn simulate(args: &SimulateArgs) -> Result<Simulated, SimulateError> {
             let _ = writeln!(answer, "Series written to {}", series.display());
         }
     }
-    Ok(Simulated { answer, undrawn, met })
+    Ok(SimulationAnswer { answer, undrawn, met })
 }
 
 /// The format that the name of a file asks for.
@@ -156,7 +158,7 @@ fn series_format(file: &Path) -> Result<TableFormat, SimulateError> {
 }
 
 /// The motion every `dt` as a table in the format that the file's name asks for.
-fn series_bytes(outcome: &Outcome, dt: f64, file: &Path) -> Result<Vec<u8>, SimulateError> {
+fn series_bytes(outcome: &MotionOutcome, dt: f64, file: &Path) -> Result<Vec<u8>, SimulateError> {
     let format = series_format(file)?;
     if format == TableFormat::Csv {
         return Ok(series_csv(outcome, dt).into_bytes());

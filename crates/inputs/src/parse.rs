@@ -48,7 +48,7 @@ pub struct Entry {
 }
 
 /// A problem and the place it is at.
-struct At {
+struct PlacedProblem {
     problem: Problem,
     span: Span<usize>,
 }
@@ -61,11 +61,11 @@ impl CaseText {
     pub fn parse(name: &str, text: &str) -> Result<CaseText, CaseError> {
         CaseText::reading(name, text, |file| {
             if text.trim().is_empty() {
-                return Err(At { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
+                return Err(PlacedProblem { problem: Problem::Empty { name: name.to_owned() }, span: 0..0 });
             }
             let document = DeTable::parse(text).map_err(|error| {
                 let problem = Problem::Syntax(error.message().to_owned());
-                At { problem, span: error.span().unwrap_or(0..0) }
+                PlacedProblem { problem, span: error.span().unwrap_or(0..0) }
             })?;
             file.read_document(text, &document)
         })
@@ -133,7 +133,7 @@ impl CaseText {
     fn reading(
         name: &str,
         text: &str,
-        read: impl FnOnce(&mut CaseText) -> Result<(), At>,
+        read: impl FnOnce(&mut CaseText) -> Result<(), PlacedProblem>,
     ) -> Result<CaseText, CaseError> {
         let mut file = CaseText {
             name: name.to_owned(),
@@ -150,7 +150,7 @@ impl CaseText {
                 file.entries.sort_by_key(|entry| entry.span.start);
                 Ok(file)
             }
-            Err(At { problem, span }) => Err(CaseError::new(name, text, problem, vec![span])),
+            Err(PlacedProblem { problem, span }) => Err(CaseError::new(name, text, problem, vec![span])),
         }
     }
 
@@ -241,23 +241,29 @@ impl CaseText {
         }
     }
 
-    fn read_document(&mut self, text: &str, document: &Spanned<DeTable<'_>>) -> Result<(), At> {
+    fn read_document(&mut self, text: &str, document: &Spanned<DeTable<'_>>) -> Result<(), PlacedProblem> {
         let top = document.get_ref();
         self.headers.insert((Table::Top, 0), document.span());
         self.units = units(top);
         self.read_table(text, top, Table::Top, 0)?;
         if let Some(value) = top.get(RANDOM) {
             let read = random::read(value);
-            self.random = Some(read.map_err(|(problem, span)| At { problem: problem.into(), span })?);
+            self.random =
+                Some(read.map_err(|(problem, span)| PlacedProblem { problem: problem.into(), span })?);
         }
         Ok(())
     }
 
-    fn read_tables(&mut self, text: &str, value: &Spanned<DeValue<'_>>, table: Table) -> Result<(), At> {
+    fn read_tables(
+        &mut self,
+        text: &str,
+        value: &Spanned<DeValue<'_>>,
+        table: Table,
+    ) -> Result<(), PlacedProblem> {
         const EXPECTED: &str = "one table for each, under a header in double brackets";
         let Some(list) = value.get_ref().as_array() else { return Err(no_table(value, table, EXPECTED)) };
         if list.is_empty() {
-            return Err(At { problem: Problem::NoTables { table }, span: value.span() });
+            return Err(PlacedProblem { problem: Problem::NoTables { table }, span: value.span() });
         }
         for (index, value) in list.iter().enumerate() {
             let inner = as_table(value, table, EXPECTED)?;
@@ -273,7 +279,13 @@ impl CaseText {
     }
 
     /// Reads a table, the `index`-th of its kind, with the tables that stand in it.
-    fn read_table(&mut self, text: &str, found: &DeTable<'_>, table: Table, index: usize) -> Result<(), At> {
+    fn read_table(
+        &mut self,
+        text: &str,
+        found: &DeTable<'_>,
+        table: Table,
+        index: usize,
+    ) -> Result<(), PlacedProblem> {
         only(found, table)?;
         for (name, value) in found.iter() {
             let Some(key) = Key::find(table, name.get_ref()) else { continue };
@@ -327,7 +339,7 @@ fn one_line(words: &str) -> String {
 }
 
 /// Refuses every name that a table does not have; the first in the text is reported.
-fn only(found: &DeTable<'_>, table: Table) -> Result<(), At> {
+fn only(found: &DeTable<'_>, table: Table) -> Result<(), PlacedProblem> {
     let allowed = names(table);
     let unknown = found.keys().filter(|key| !allowed.contains(&key.get_ref().as_ref()));
     match unknown.min_by_key(|key| key.span().start) {
@@ -335,7 +347,7 @@ fn only(found: &DeTable<'_>, table: Table) -> Result<(), At> {
         Some(key) => {
             let name: &str = key.get_ref();
             let problem = Problem::UnknownKey { table, name: name.to_owned() };
-            Err(At { problem, span: key.span() })
+            Err(PlacedProblem { problem, span: key.span() })
         }
     }
 }
@@ -344,12 +356,15 @@ fn as_table<'a>(
     value: &'a Spanned<DeValue<'a>>,
     table: Table,
     expected: &'static str,
-) -> Result<&'a DeTable<'a>, At> {
+) -> Result<&'a DeTable<'a>, PlacedProblem> {
     value.get_ref().as_table().ok_or_else(|| no_table(value, table, expected))
 }
 
-fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) -> At {
-    At { problem: Problem::NoTable { table, found: type_of(value.get_ref()), expected }, span: value.span() }
+fn no_table(value: &Spanned<DeValue<'_>>, table: Table, expected: &'static str) -> PlacedProblem {
+    PlacedProblem {
+        problem: Problem::NoTable { table, found: type_of(value.get_ref()), expected },
+        span: value.span(),
+    }
 }
 
 /// Type of a value of a document, in words.
@@ -392,11 +407,11 @@ struct Field<'a> {
 }
 
 impl Field<'_> {
-    fn problem(&self, problem: Problem) -> At {
-        At { problem, span: self.value.span() }
+    fn problem(&self, problem: Problem) -> PlacedProblem {
+        PlacedProblem { problem, span: self.value.span() }
     }
 
-    fn wrong_type(&self, expected: &'static str) -> At {
+    fn wrong_type(&self, expected: &'static str) -> PlacedProblem {
         self.problem(Problem::WrongType { key: self.id.key, found: type_of(self.value.get_ref()), expected })
     }
 
@@ -405,16 +420,16 @@ impl Field<'_> {
         shortened(self.text.get(value.span()).unwrap_or_default())
     }
 
-    fn out_of_range(&self, expected: &'static str) -> At {
+    fn out_of_range(&self, expected: &'static str) -> PlacedProblem {
         self.problem(Problem::OutOfRange { key: self.id.key, written: self.written(self.value), expected })
     }
 
-    fn in_range(&self, number: f64, range: Range) -> Result<f64, At> {
+    fn in_range(&self, number: f64, range: Range) -> Result<f64, PlacedProblem> {
         // A written "-0.0" is zero.
         if range.contains(number) { Ok(number + 0.0) } else { Err(self.out_of_range(range.words())) }
     }
 
-    fn value(&self, kind: Kind) -> Result<Value, At> {
+    fn value(&self, kind: Kind) -> Result<Value, PlacedProblem> {
         let wrong_type = || self.wrong_type(expected_type(kind));
         let number = plain_number(self.value.get_ref());
         Ok(match kind {
@@ -484,7 +499,7 @@ impl Field<'_> {
     }
 
     /// The elements of a list that is not empty.
-    fn elements(&self, kind: Kind) -> Result<impl Iterator<Item = Field<'_>>, At> {
+    fn elements(&self, kind: Kind) -> Result<impl Iterator<Item = Field<'_>>, PlacedProblem> {
         let list = self.value.get_ref().as_array().ok_or_else(|| self.wrong_type(expected_type(kind)))?;
         if list.is_empty() {
             return Err(self.out_of_range("a list that is not empty"));
@@ -493,7 +508,7 @@ impl Field<'_> {
     }
 
     /// Names of loads, in the order in which they stand, and their factors.
-    fn factors(&self) -> Result<Vec<(String, f64)>, At> {
+    fn factors(&self) -> Result<Vec<(String, f64)>, PlacedProblem> {
         let table = self.value.get_ref().as_table();
         let table = table.ok_or_else(|| self.wrong_type(expected_type(Kind::Factors)))?;
         let mut entries: Vec<_> = table.iter().collect();
@@ -518,7 +533,7 @@ impl Field<'_> {
     }
 
     /// Words; the name of a load in one line, as it stands in tables.
-    fn words(&self) -> Result<String, At> {
+    fn words(&self) -> Result<String, PlacedProblem> {
         let words = self.value.get_ref().as_str();
         let words = words.ok_or_else(|| self.wrong_type(expected_type(Kind::Text)))?;
         // A terminal would obey them.
@@ -540,7 +555,7 @@ impl Field<'_> {
     }
 
     /// A number with its unit.
-    fn measured(&self) -> Result<f64, At> {
+    fn measured(&self) -> Result<f64, PlacedProblem> {
         let kind = match self.units {
             None => Kind::Plain(Range::Finite),
             Some(_) => self.id.key.info().kind,
@@ -570,7 +585,7 @@ impl Field<'_> {
     }
 
     /// Peak of a history, with its unit: g is the standard acceleration of gravity.
-    fn reached(&self) -> Result<f64, At> {
+    fn reached(&self) -> Result<f64, PlacedProblem> {
         if self.dimension().is_none() {
             return Err(self.wrong_type(expected_type(Kind::Plain(Range::Finite))));
         }
@@ -581,7 +596,7 @@ impl Field<'_> {
     }
 
     /// So many numbers without unit in a list.
-    fn several(&self, count: usize, range: Range) -> Result<Vec<f64>, At> {
+    fn several(&self, count: usize, range: Range) -> Result<Vec<f64>, PlacedProblem> {
         let expected = expected_type(Kind::OneOf(count, range));
         let list = self.value.get_ref().as_array().ok_or_else(|| self.wrong_type(expected))?;
         if list.len() != count {

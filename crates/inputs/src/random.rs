@@ -14,7 +14,7 @@
 
 use std::ops::Range as Span;
 
-use standfast_probability::copula::Measure;
+use standfast_probability::copula::CorrelationMeasure;
 use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -32,11 +32,11 @@ pub struct Random {
     /// The years of a life, where they are given.
     pub years: Option<f64>,
     /// The numbers that are random, in the order in which they stand.
-    pub named: Vec<Named>,
+    pub named: Vec<RandomEntry>,
     /// Records of shakings, each as likely, in the place of the case's own.
     pub records: Vec<String>,
     /// Correlations of two of them together: their places, and the correlation.
-    pub correlations: Vec<(usize, usize, Measure)>,
+    pub correlations: Vec<(usize, usize, CorrelationMeasure)>,
     /// Span of each correlation in the file.
     pub correlation_spans: Vec<Span<usize>>,
     /// Span of the table in the file.
@@ -45,7 +45,7 @@ pub struct Random {
 
 /// A random number.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Named {
+pub struct RandomEntry {
     /// Its name: a key of the case file, or a bias.
     pub name: String,
     /// Rate at which it is drawn.
@@ -55,7 +55,7 @@ pub struct Named {
     /// The law's parameters as written.
     pub parameters: Vec<Parameter>,
     /// The law of one of which it is the largest.
-    pub of: Option<Box<Named>>,
+    pub of: Option<Box<RandomEntry>>,
     /// The bound below.
     pub lower: Option<Parameter>,
     /// The bound above.
@@ -64,7 +64,7 @@ pub struct Named {
     pub span: Span<usize>,
 }
 
-impl Named {
+impl RandomEntry {
     /// Its law in words: `lognormal, mean 0.636, cov 0.15`.
     pub fn law_words(&self) -> String {
         let written = |parameter: &Parameter| {
@@ -234,12 +234,12 @@ pub const LAWS: [&str; 8] =
     ["normal", "lognormal", "gumbel", "weibull", "gev", "uniform", "triangular", "max_of"];
 
 /// A problem and where it is.
-pub type At<T> = Result<T, (RandomProblem, Span<usize>)>;
+pub type ReadResult<T> = Result<T, (RandomProblem, Span<usize>)>;
 
 type Item<'a> = Spanned<DeValue<'a>>;
 
 /// Reads a `[random]` table.
-pub fn read(item: &Item<'_>) -> At<Random> {
+pub fn read(item: &Item<'_>) -> ReadResult<Random> {
     let table = table(item, "`random`", "a table")?;
     let mut random = Random {
         years: None,
@@ -268,7 +268,7 @@ pub fn read(item: &Item<'_>) -> At<Random> {
 }
 
 /// The files of a list.
-fn files(item: &Item<'_>) -> At<Vec<String>> {
+fn files(item: &Item<'_>) -> ReadResult<Vec<String>> {
     let wrong = || wrong(item, "`records`", "a list of files in quotes");
     let list = item.get_ref().as_array().filter(|list| !list.is_empty()).ok_or_else(wrong)?;
     list.iter().map(|file| file.get_ref().as_str().map(str::to_owned).ok_or_else(wrong)).collect()
@@ -290,7 +290,7 @@ fn wrong(
     (RandomProblem::Type { what: what.into(), found, expected: expected.into() }, item.span())
 }
 
-fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> At<&'a DeTable<'a>> {
+fn table<'a>(item: &'a Item<'a>, what: &str, expected: &str) -> ReadResult<&'a DeTable<'a>> {
     item.get_ref().as_table().ok_or_else(|| wrong(item, what, expected))
 }
 
@@ -301,7 +301,7 @@ fn written(item: &Item<'_>) -> Option<Written> {
     }
 }
 
-fn number(item: &Item<'_>, what: &str) -> At<f64> {
+fn number(item: &Item<'_>, what: &str) -> ReadResult<f64> {
     match written(item) {
         Some(Written::Number(number)) if number.is_finite() => Ok(number),
         Some(Written::Number(number)) => {
@@ -312,7 +312,7 @@ fn number(item: &Item<'_>, what: &str) -> At<f64> {
     }
 }
 
-fn positive(item: &Item<'_>, what: &str) -> At<f64> {
+fn positive(item: &Item<'_>, what: &str) -> ReadResult<f64> {
     let number = number(item, what)?;
     if number > 0.0 {
         return Ok(number);
@@ -322,7 +322,7 @@ fn positive(item: &Item<'_>, what: &str) -> At<f64> {
 }
 
 /// A random number, or a table of several whose names go on.
-fn numbers(name: String, item: &Item<'_>, found: &mut Vec<Named>) -> At<()> {
+fn numbers(name: String, item: &Item<'_>, found: &mut Vec<RandomEntry>) -> ReadResult<()> {
     let table =
         table(item, &format!("`{name}`"), "a law in braces, as { normal = { mean = 0.6, sd = 0.1 } }")?;
     let entries = in_order(table);
@@ -348,10 +348,10 @@ fn numbers(name: String, item: &Item<'_>, found: &mut Vec<Named>) -> At<()> {
     Ok(())
 }
 
-fn named(name: String, item: &Item<'_>) -> At<Named> {
+fn named(name: String, item: &Item<'_>) -> ReadResult<RandomEntry> {
     let what = format!("`{name}`");
     let table = table(item, &what, "a law in braces")?;
-    let mut named = Named {
+    let mut named = RandomEntry {
         name,
         every: Rate::Life,
         law: "",
@@ -398,7 +398,7 @@ fn named(name: String, item: &Item<'_>) -> At<Named> {
 }
 
 /// The parameters of a law.
-fn read_law(named: &mut Named, item: &Item<'_>) -> At<()> {
+fn read_law(named: &mut RandomEntry, item: &Item<'_>) -> ReadResult<()> {
     let law = named.law;
     let table = table(item, &format!("the law {law} of `{}`", named.name), "its parameters in braces")?;
     if law == "max_of" {
@@ -412,7 +412,7 @@ fn read_law(named: &mut Named, item: &Item<'_>) -> At<()> {
             }
         }
         let inner = inner(named, item, &of)?;
-        named.of = Some(Box::new(Named { lower, upper, ..inner }));
+        named.of = Some(Box::new(RandomEntry { lower, upper, ..inner }));
         return Ok(());
     }
     let allowed: &[&str] = match law {
@@ -439,7 +439,7 @@ fn read_law(named: &mut Named, item: &Item<'_>) -> At<()> {
 }
 
 /// The law of which the largest of several is meant: everything in the table but the count.
-fn inner(named: &Named, item: &Item<'_>, keys: &[&str]) -> At<Named> {
+fn inner(named: &RandomEntry, item: &Item<'_>, keys: &[&str]) -> ReadResult<RandomEntry> {
     let table = table(item, "`max_of`", "a table")?;
     let laws: Vec<_> = in_order(table).into_iter().filter(|(key, _)| keys.contains(key)).collect();
     let [(key, value)] = laws[..] else {
@@ -452,19 +452,19 @@ fn inner(named: &Named, item: &Item<'_>, keys: &[&str]) -> At<Named> {
         return Err((RandomProblem::Name { what, name: key.to_owned(), allowed }, value.span()));
     };
     let mut inner =
-        Named { law, parameters: Vec::new(), of: None, lower: None, upper: None, ..named.clone() };
+        RandomEntry { law, parameters: Vec::new(), of: None, lower: None, upper: None, ..named.clone() };
     read_law(&mut inner, value)?;
     Ok(inner)
 }
 
-fn parameter(name: &str, item: &Item<'_>) -> At<Parameter> {
+fn parameter(name: &str, item: &Item<'_>) -> ReadResult<Parameter> {
     let value = written(item);
     let value = value
         .ok_or_else(|| wrong(item, format!("`{name}`"), "a number, or a text with a number and its unit"))?;
     Ok(Parameter { name: name.to_owned(), value, span: item.span() })
 }
 
-fn read_correlations(item: &Item<'_>, random: &mut Random) -> At<()> {
+fn read_correlations(item: &Item<'_>, random: &mut Random) -> ReadResult<()> {
     const EXPECTED: &str = "one table for each pair, under [[random.correlation]]";
     let list = item.get_ref().as_array().ok_or_else(|| wrong(item, "`correlation`", EXPECTED))?;
     for entry in list.iter() {
@@ -477,9 +477,9 @@ fn read_correlations(item: &Item<'_>, random: &mut Random) -> At<()> {
                     pair = Some(read_pair(value, random)?);
                     continue;
                 }
-                "rank" => Measure::Rank(number()?),
-                "linear" => Measure::Linear(number()?),
-                "normal" => Measure::Normal(number()?),
+                "rank" => CorrelationMeasure::Rank(number()?),
+                "linear" => CorrelationMeasure::Linear(number()?),
+                "normal" => CorrelationMeasure::Normal(number()?),
                 _ => {
                     let allowed = ["between", "rank", "linear", "normal"].map(str::to_owned).to_vec();
                     let what = "[[random.correlation]]".to_owned();
@@ -510,7 +510,7 @@ fn read_correlations(item: &Item<'_>, random: &mut Random) -> At<()> {
 }
 
 /// The places of two random numbers by their names.
-fn read_pair(item: &Item<'_>, random: &Random) -> At<(usize, usize)> {
+fn read_pair(item: &Item<'_>, random: &Random) -> ReadResult<(usize, usize)> {
     let wrong = || wrong(item, "`between`", "two names in a list");
     let list = item.get_ref().as_array().filter(|list| list.len() == 2).ok_or_else(wrong)?;
     let mut places = [0; 2];

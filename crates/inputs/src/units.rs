@@ -105,7 +105,7 @@ pub enum Dimension {
 }
 
 /// The name of a unit, and the power of ten that makes SI of it.
-type Named = (&'static str, i32);
+type NamedUnit = (&'static str, i32);
 
 /// A unit of some dimension: the power of ten by which it is more than that of SI.
 #[derive(Debug, Clone, Copy)]
@@ -134,7 +134,7 @@ impl Unit {
 }
 
 impl Dimension {
-    fn units(self) -> &'static [Named] {
+    fn units(self) -> &'static [NamedUnit] {
         match self {
             Dimension::Length => &[("mm", -3), ("cm", -2), ("m", 0)],
             Dimension::Mass => &[("kg/m", 0), ("t/m", 3)],

@@ -13,7 +13,7 @@ use common::Random;
 use common::stepping::stepped;
 use standfast::contact::Block;
 use standfast_motion::record::Record;
-use standfast_motion::{Event, History, Impact, Keep, Problem, simulate};
+use standfast_motion::{Event, History, Impact, Keep, MotionProblem, simulate};
 
 const POINTS: usize = 4000;
 const STEP: f64 = 0.005;
@@ -65,7 +65,7 @@ fn main() {
         let mut block = Block::uniform(slenderness, friction);
         (block.b1, block.b2, block.d) = (half, half, half * slenderness);
         block.rho2 *= half * half;
-        let mut problem = Problem::new(block, 9.81);
+        let mut problem = MotionProblem::new(block, 9.81);
         problem.base.horizontal = Some(history.clone());
         problem.impact = Impact::Inelastic;
         problem

@@ -6,7 +6,7 @@ use std::error::Error;
 
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
 use standfast::{Body, History, Situation};
-use standfast_motion::{Base, Impact, Keep, Outcome, Problem, simulate};
+use standfast_motion::{BaseMotion, Impact, Keep, MotionOutcome, MotionProblem, simulate};
 
 const WIDTH: f64 = 15.0;
 const HEIGHT: f64 = 12.0;
@@ -15,14 +15,14 @@ const FRICTION: f64 = 0.6;
 const THRUST: f64 = 2.7e6;
 const DURATION: f64 = 0.3;
 
-fn slid() -> Result<Outcome, Box<dyn Error>> {
+fn slid() -> Result<MotionOutcome, Box<dyn Error>> {
     let body = Body::new(WIDTH, HEIGHT, MASS)?;
     // 2700 kN/m at 4 m above the base, which rise to their peak in half of the duration and fall again.
     let pulse = History::triangle(1.0, 0.5 * DURATION, DURATION)?;
     let wave = Action::horizontal(-THRUST, 4.0);
     let wave = Load::variable(LoadSource::Force, LoadKind::Horizontal, wave).over_time(pulse);
     let situation = Situation::new(body, FRICTION, 9.81)?.with_weight().with(wave);
-    let problem = Problem::of(&situation, Base::default(), Impact::Inelastic)?;
+    let problem = MotionProblem::of(&situation, BaseMotion::default(), Impact::Inelastic)?;
     Ok(simulate(&problem, Keep::default())?)
 }
 

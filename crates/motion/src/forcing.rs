@@ -1,6 +1,6 @@
 //! Loads and base motion over the pieces of time in which all of them are lines or sines.
 
-use crate::problem::Problem;
+use crate::problem::MotionProblem;
 use crate::series::{LEN, Series};
 use standfast::history::{History, Piece};
 
@@ -77,7 +77,7 @@ impl Channels {
 }
 
 impl Forcing {
-    pub(crate) fn new(problem: &Problem) -> Forcing {
+    pub(crate) fn new(problem: &MotionProblem) -> Forcing {
         let mut histories: Vec<&History> = Vec::new();
         let mut shares: Vec<Share> = Vec::new();
         let mut add = |history: usize, to: [usize; 2], factor: f64| {

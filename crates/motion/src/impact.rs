@@ -8,7 +8,7 @@ use crate::series::{Pose, lever, velocity};
 
 /// The state just after an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct After {
+pub(crate) struct ImpactState {
     pub pose: Pose,
     /// Corners that stay on the base: O, O'.
     pub closed: [bool; 2],
@@ -52,7 +52,7 @@ impl Law {
         pose: &Pose,
         touching: [bool; 2],
         landing: bool,
-    ) -> Option<After> {
+    ) -> Option<ImpactState> {
         match self.law {
             Impact::Ratio(ratio) if !landing => self.measured(block, pose, ratio),
             Impact::Housner if !landing => Some(housner(block, pose)),
@@ -61,11 +61,11 @@ impl Law {
     }
 
     /// e = 0 at every corner that stays closed, Coulomb's law on the impulses with the slip after the impact.
-    fn inelastic(&self, block: &Block, pose: &Pose, touching: [bool; 2]) -> Option<After> {
+    fn inelastic(&self, block: &Block, pose: &Pose, touching: [bool; 2]) -> Option<ImpactState> {
         let approaching = |corner: Corner| velocity(block, corner, pose)[1] < 0.0;
         let both = touching == [true, true];
-        let mut found: Option<After> = None;
-        let mut keep = |after: Option<After>| match (&mut found, after) {
+        let mut found: Option<ImpactState> = None;
+        let mut keep = |after: Option<ImpactState>| match (&mut found, after) {
             (Some(found), Some(_)) => found.others = true,
             (found @ None, after) => *found = after,
             _ => {}
@@ -98,7 +98,7 @@ impl Law {
         corner: Corner,
         slip: Option<Slip>,
         both: bool,
-    ) -> Option<After> {
+    ) -> Option<ImpactState> {
         let Block { rho2, m_x, m_y, .. } = *block;
         let [c, h] = lever(block, corner, pose.θ);
         let after = match slip {
@@ -130,10 +130,10 @@ impl Law {
             }
         }
         let closed = CORNERS.map(|other| other == corner);
-        Some(After { pose: after, closed, slip, others: false, on_base: true, reduced: false })
+        Some(ImpactState { pose: after, closed, slip, others: false, on_base: true, reduced: false })
     }
 
-    fn both(&self, block: &Block, pose: &Pose, slip: Option<Slip>) -> Option<After> {
+    fn both(&self, block: &Block, pose: &Pose, slip: Option<Slip>) -> Option<ImpactState> {
         let Block { b1, b2, d, rho2, m_x, m_y, .. } = *block;
         let normal = -m_y * pose.vy;
         if normal < 0.0 {
@@ -153,7 +153,7 @@ impl Law {
         // −b₁Λ₁ + b₂Λ₂ + dΛ_t = −ρ²ω, Λ₁ + Λ₂ = Λ_n
         let moment = -rho2 * pose.ω - d * tangential;
         let on_base = (-b1 * normal..=b2 * normal).contains(&moment);
-        (holds && on_base).then_some(After {
+        (holds && on_base).then_some(ImpactState {
             pose: Pose { vx, vy: 0.0, ω: 0.0, ..*pose },
             closed: [true, true],
             slip,
@@ -165,10 +165,10 @@ impl Law {
 
     /// θ̇⁺ = r θ̇ about the new corner, which stays on the base; the friction that sticks, as far as there is. Where a body that slips would
     /// gain energy, the ratio is the largest below it at which it does not: without rotation it never does.
-    fn measured(&self, block: &Block, pose: &Pose, ratio: f64) -> Option<After> {
+    fn measured(&self, block: &Block, pose: &Pose, ratio: f64) -> Option<ImpactState> {
         let before = kinetic(block, pose);
         let at = |ratio: f64| self.turned(block, pose, ratio);
-        let gains = |after: &After| after.slip.is_some() && kinetic(block, &after.pose) > before;
+        let gains = |after: &ImpactState| after.slip.is_some() && kinetic(block, &after.pose) > before;
         let after = at(ratio)?;
         if !gains(&after) {
             return Some(after);
@@ -178,10 +178,10 @@ impl Law {
             let middle = 0.5 * (low + high);
             if gains(&at(middle)?) { high = middle } else { low = middle }
         }
-        at(low).filter(|after| !gains(after)).map(|after| After { reduced: true, ..after })
+        at(low).filter(|after| !gains(after)).map(|after| ImpactState { reduced: true, ..after })
     }
 
-    fn turned(&self, block: &Block, pose: &Pose, ratio: f64) -> Option<After> {
+    fn turned(&self, block: &Block, pose: &Pose, ratio: f64) -> Option<ImpactState> {
         let Block { rho2, m_x, m_y, .. } = *block;
         let corner = if pose.ω < 0.0 { Corner::OPrime } else { Corner::O };
         let [c, h] = lever(block, corner, pose.θ);
@@ -204,16 +204,16 @@ impl Law {
         let at = rho2 * (ω - pose.ω) - h * tangential;
         let slack = 1e-12 * normal * block.b1.max(block.b2);
         let on_base = (-block.b1 * normal - slack..=block.b2 * normal + slack).contains(&at);
-        Some(After { pose: after, closed, slip, others: false, on_base, reduced: false })
+        Some(ImpactState { pose: after, closed, slip, others: false, on_base, reduced: false })
     }
 }
 
 /// The corner that meets the base sticks; if the body would turn back, it stands.
-fn housner(block: &Block, pose: &Pose) -> After {
+fn housner(block: &Block, pose: &Pose) -> ImpactState {
     let corner = if pose.ω < 0.0 { Corner::OPrime } else { Corner::O };
     let after = stuck(block, lever(block, corner, pose.θ), pose);
     let turns_on = after.ω * pose.ω > 0.0;
     let closed = if turns_on { CORNERS.map(|other| other == corner) } else { [true, true] };
     let pose = if turns_on { after } else { Pose { vx: 0.0, vy: 0.0, ω: 0.0, ..*pose } };
-    After { pose, closed, slip: None, others: false, on_base: true, reduced: false }
+    ImpactState { pose, closed, slip: None, others: false, on_base: true, reduced: false }
 }

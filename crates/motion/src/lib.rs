@@ -45,8 +45,8 @@ pub mod spectrum;
 
 pub use error::MotionError;
 pub use machine::{Keep, simulate};
-pub use outcome::{End, Event, Outcome, Position, Step, Why};
-pub use problem::{Acting, Base, Impact, Initial, Load, Problem};
+pub use outcome::{End, Event, MotionOutcome, MotionStep, Position, Why};
+pub use problem::{ActingLoad, BaseMotion, Impact, Initial, LoadInTime, MotionProblem};
 
 pub use situated::{is_own_weight, shaken_water};
 pub use standfast::history::{History, HistoryError, Piece};
@@ -56,7 +56,7 @@ pub use standfast::history::{History, HistoryError, Piece};
 ///
 /// # Errors
 /// As [`simulate`].
-pub fn sensitivity(problem: &Problem) -> Result<f64, MotionError> {
+pub fn sensitivity(problem: &MotionProblem) -> Result<f64, MotionError> {
     const CHANGE: f64 = 1e-7;
     let one = simulate(problem, Keep::default())?;
     let mut changed = problem.clone();

@@ -12,9 +12,9 @@ use crate::decide::{
 };
 use crate::error::MotionError;
 use crate::forcing::{Channels, Forcing};
-use crate::impact::{After, CORNERS, Law, kinetic, stuck};
-use crate::outcome::{End, Event, Outcome, Step, Why};
-use crate::problem::{Initial, Problem};
+use crate::impact::{CORNERS, ImpactState, Law, kinetic, stuck};
+use crate::outcome::{End, Event, MotionOutcome, MotionStep, Why};
+use crate::problem::{Initial, MotionProblem};
 use crate::roots::{first_root, value};
 use crate::series::{
     LEN, Motion, ORDER, Pose, Series, arm, flat, flying, gap_along, inertia_along, lever, rocking, slipping,
@@ -53,19 +53,19 @@ pub struct Keep {
 /// Follows the motion to its end.
 ///
 /// # Errors
-/// If the problem is none; see [`Problem::check`].
-pub fn simulate(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
+/// If the problem is none; see [`MotionProblem::check`].
+pub fn simulate(problem: &MotionProblem, keep: Keep) -> Result<MotionOutcome, MotionError> {
     problem.check()?;
     match sliding::slides_only(problem) {
         // The numbers are the same whether the steps are kept or not.
-        Some(plain) if keep.steps => Ok(Outcome { steps: in_general(problem, keep)?.steps, ..plain }),
+        Some(plain) if keep.steps => Ok(MotionOutcome { steps: in_general(problem, keep)?.steps, ..plain }),
         Some(plain) => Ok(plain),
         None => in_general(problem, keep),
     }
 }
 
 /// Follows the motion by the machine that knows all states.
-fn in_general(problem: &Problem, keep: Keep) -> Result<Outcome, MotionError> {
+fn in_general(problem: &MotionProblem, keep: Keep) -> Result<MotionOutcome, MotionError> {
     let forcing = Forcing::new(problem);
     let mut machine = Machine::new(problem, &forcing, keep);
     let end = machine.run()?;
@@ -95,7 +95,7 @@ struct Machine<'a> {
     motion: Motion,
 
     events: Vec<Event>,
-    steps: Vec<Step>,
+    steps: Vec<MotionStep>,
     /// Places of C and of each corner right of it at the beginning, apart, so that a small slide keeps its digits.
     feet: [[f64; 2]; 2],
     max_slide: [f64; 2],
@@ -114,7 +114,7 @@ struct Machine<'a> {
 }
 
 impl<'a> Machine<'a> {
-    fn new(problem: &'a Problem, forcing: &'a Forcing, keep: Keep) -> Machine<'a> {
+    fn new(problem: &'a MotionProblem, forcing: &'a Forcing, keep: Keep) -> Machine<'a> {
         let block = &problem.block;
         let length = block.b1.max(block.b2);
         let radius = length.hypot(block.d);
@@ -231,7 +231,7 @@ impl<'a> Machine<'a> {
         Ok(self.go_on(Why::Start, decision, slip, closed))
     }
 
-    fn outcome(mut self, end: End) -> Outcome {
+    fn outcome(mut self, end: End) -> MotionOutcome {
         if self.mode.slip().is_some() || self.mode == Mode::Flight {
             self.see_slide();
         }
@@ -241,7 +241,7 @@ impl<'a> Machine<'a> {
         let since = self.events.iter().rposition(|event| event.state != Mode::Rest);
         let t_rest =
             resting.then(|| self.events.get(since.map_or(0, |i| i + 1)).map_or(0.0, |event| event.t));
-        Outcome {
+        MotionOutcome {
             end,
             slide,
             // A corner that sticks is where it was seen before, but for rounding.
@@ -377,7 +377,7 @@ impl<'a> Machine<'a> {
     }
 
     /// The impact of corners on the base; books its energy.
-    fn meet(&mut self, touching: [bool; 2], landing: bool) -> Option<After> {
+    fn meet(&mut self, touching: [bool; 2], landing: bool) -> Option<ImpactState> {
         let after = self.law.after(self.block, &self.pose, touching, landing);
         let after = after.or_else(|| if landing { self.touched(touching) } else { None })?;
         self.impact_loss += kinetic(self.block, &self.pose) - kinetic(self.block, &after.pose);
@@ -390,7 +390,7 @@ impl<'a> Machine<'a> {
     }
 
     /// After a flight so low that nothing but rounding is left of the velocity at which it ends: no impulse.
-    fn touched(&self, touching: [bool; 2]) -> Option<After> {
+    fn touched(&self, touching: [bool; 2]) -> Option<ImpactState> {
         let tiny = 1e-10 * self.scales.length / self.scales.time;
         let up = CORNERS.map(|corner| velocity(self.block, corner, &self.pose)[1]);
         if (0..2).any(|i| touching[i] && up[i].abs() > tiny) {
@@ -404,7 +404,7 @@ impl<'a> Machine<'a> {
             pose.vy = -lever(self.block, corner, pose.θ)[0] * pose.ω;
         }
         let [along, _] = velocity(self.block, corner, &pose);
-        Some(After {
+        Some(ImpactState {
             pose,
             closed: touching,
             slip: direction(along, tiny),

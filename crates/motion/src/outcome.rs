@@ -113,7 +113,7 @@ pub enum End {
 /// Outcome of a motion, in the units of the problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Outcome {
+pub struct MotionOutcome {
     /// End of the motion.
     pub end: End,
     /// Changes of state, in the order of time.
@@ -159,12 +159,12 @@ pub struct Outcome {
     /// Impacts at which a measured `ratio` would have given energy to a body that slips; there it is the largest that does not.
     pub reduced_impacts: usize,
     /// The steps, if they were asked for.
-    pub steps: Vec<Step>,
+    pub steps: Vec<MotionStep>,
     pub(crate) block: Block,
     pub(crate) feet: [[f64; 2]; 2],
 }
 
-impl Outcome {
+impl MotionOutcome {
     /// True if the body overturned.
     pub fn overturned(&self) -> bool {
         self.end == End::Overturned
@@ -180,7 +180,7 @@ impl Outcome {
         self.kinetic + self.potential + self.friction_loss + self.impact_loss - self.work
     }
 
-    /// ẋ of the centre of mass at a moment, as [`Outcome::at`].
+    /// ẋ of the centre of mass at a moment, as [`MotionOutcome::at`].
     pub fn velocity(&self, t: f64) -> Option<f64> {
         let i = self.steps.partition_point(|step| step.t <= t);
         let step = self.steps.get(i.saturating_sub(1))?;
@@ -189,7 +189,7 @@ impl Outcome {
         Some(step.x.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, a)| sum * τ + k as f64 * a))
     }
 
-    /// The position at a moment, if the [steps](Outcome::steps) were kept: x and y of the centre of mass and θ; that at the nearest end
+    /// The position at a moment, if the [steps](MotionOutcome::steps) were kept: x and y of the centre of mass and θ; that at the nearest end
     /// outside of the time that was followed.
     pub fn at(&self, t: f64) -> Option<Position> {
         let i = self.steps.partition_point(|step| step.t <= t);
@@ -225,7 +225,7 @@ pub struct Position {
 
 /// A stretch of time over which the motion is a power series.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Step {
+pub struct MotionStep {
     /// Beginning of the step.
     pub t: f64,
     /// Duration of the step.

@@ -19,7 +19,7 @@ pub enum Impact {
 
 /// A force with a history, at a point of the body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Load {
+pub struct LoadInTime {
     /// Point of application from C, at θ = 0, fixed in the body.
     pub at: [f64; 2],
     /// Its direction; its length is a factor.
@@ -32,7 +32,7 @@ pub struct Load {
 
 /// The ground's acceleration.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Base {
+pub struct BaseMotion {
     /// To the right.
     pub horizontal: Option<History>,
     /// Upwards.
@@ -42,7 +42,7 @@ pub struct Base {
 /// The largest acceleration of a base, in gravities: what shakes more is a slip of units.
 const MOST_GRAVITIES: f64 = 1e6;
 
-impl Base {
+impl BaseMotion {
     fn check(&self, most: f64) -> Result<(), MotionError> {
         for (name, history) in [("horizontal", &self.horizontal), ("vertical", &self.vertical)] {
             let peak = history.as_ref().map_or(0.0, History::peak);
@@ -71,7 +71,7 @@ pub struct Initial {
 
 /// A block, what acts on it, and how it begins. Lengths in any unit, masses in that of the body, times and accelerations as they come.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
+pub struct MotionProblem {
     /// The block, of mass 1.
     pub block: Block,
     /// μ_i, friction at impacts; μ_k if `None`.
@@ -79,9 +79,9 @@ pub struct Problem {
     /// g, down.
     pub gravity: f64,
     /// Forces beside the weight.
-    pub loads: Vec<Load>,
+    pub loads: Vec<LoadInTime>,
     /// The ground's acceleration.
-    pub base: Base,
+    pub base: BaseMotion,
     /// The law of impacts.
     pub impact: Impact,
     /// Pose and rates at the beginning.
@@ -90,15 +90,15 @@ pub struct Problem {
     pub t_max: Option<f64>,
 }
 
-impl Problem {
-    /// A block at rest with its weight alone, in any units that go together; that of a body in SI units is [`Problem::of`].
-    pub fn new(block: Block, gravity: f64) -> Problem {
-        Problem {
+impl MotionProblem {
+    /// A block at rest with its weight alone, in any units that go together; that of a body in SI units is [`MotionProblem::of`].
+    pub fn new(block: Block, gravity: f64) -> MotionProblem {
+        MotionProblem {
             block,
             mu_impact: None,
             gravity,
             loads: Vec::new(),
-            base: Base::default(),
+            base: BaseMotion::default(),
             impact: Impact::default(),
             initial: Initial::default(),
             t_max: None,
@@ -169,7 +169,7 @@ impl Problem {
 
 /// Loads on the body while it stands upright, at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Acting {
+pub struct ActingLoad {
     /// The moment; twice where something jumps.
     pub t: f64,
     /// To the right, in units of mass times acceleration: the forces, and the base's acceleration reversed.
@@ -178,10 +178,10 @@ pub struct Acting {
     pub up: f64,
 }
 
-impl Problem {
+impl MotionProblem {
     /// Loads from 0 to `end`: at every moment at which something changes its law, before and after it, and at `count`
     /// even steps.
-    pub fn acting(&self, end: f64, count: usize) -> Vec<Acting> {
+    pub fn acting(&self, end: f64, count: usize) -> Vec<ActingLoad> {
         let base = [&self.base.horizontal, &self.base.vertical];
         let histories = self.loads.iter().map(|load| &load.history).chain(base.into_iter().flatten());
         let breaks = histories.flat_map(|history| history.times().iter().copied());
@@ -191,7 +191,7 @@ impl Problem {
         moments.dedup();
         let at = |t: f64, value: fn(&History, f64) -> f64| {
             let of = |history: &Option<History>| history.as_ref().map_or(0.0, |history| value(history, t));
-            let mut acting = Acting { t, x: -of(&self.base.horizontal), up: -of(&self.base.vertical) };
+            let mut acting = ActingLoad { t, x: -of(&self.base.horizontal), up: -of(&self.base.vertical) };
             for load in &self.loads {
                 let f = value(&load.history, t);
                 acting.x += f * load.direction[0];

@@ -7,33 +7,33 @@
 //! ```
 //! use standfast::loads::{Action, Load, LoadKind, LoadSource};
 //! use standfast::{Body, History, Situation};
-//! use standfast_motion::{Base, Impact, Keep, Problem, simulate};
+//! use standfast_motion::{BaseMotion, Impact, Keep, MotionProblem, simulate};
 //!
 //! // 2 m by 3 m, 5 t/m³, friction 0.3, under 25 kN/m at 1.2 m that rises and is gone within a second.
 //! let pulse = History::triangle(1.0, 0.5, 1.0)?;
 //! let push = Load::variable(LoadSource::Force, LoadKind::Horizontal, Action::horizontal(-25e3, 1.2)).over_time(pulse);
 //! let situation = Situation::new(Body::new(2.0, 3.0, 5e3)?, 0.3, 9.81)?.with_weight().with(push);
-//! let problem = Problem::of(&situation, Base::default(), Impact::Inelastic)?;
+//! let problem = MotionProblem::of(&situation, BaseMotion::default(), Impact::Inelastic)?;
 //! let outcome = simulate(&problem, Keep::default())?;
 //! assert!(outcome.at_rest() && (outcome.slide + 0.1691).abs() < 1e-4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 use standfast::contact::Block;
-use standfast::loads::{Earthquake, Load as StaticLoad, LoadSource, Pose};
+use standfast::loads::{Earthquake, Load, LoadSource, Pose};
 use standfast::{History, Situation, Wrench};
 
 use crate::error::MotionError;
-use crate::problem::{Base, Impact, Load, Problem};
+use crate::problem::{BaseMotion, Impact, LoadInTime, MotionProblem};
 
-impl Problem {
+impl MotionProblem {
     /// The problem of a situation whose base moves as `base` says (m/s²).
     ///
     /// # Errors
     /// If a variable load that amounts to anything has no history, the base moves to the sides beside water whose height is not
     /// known, or the problem is none.
-    pub fn of(situation: &Situation, base: Base, impact: Impact) -> Result<Problem, MotionError> {
-        let mut problem = Problem { impact, ..Problem::standing(situation)? };
+    pub fn of(situation: &Situation, base: BaseMotion, impact: Impact) -> Result<MotionProblem, MotionError> {
+        let mut problem = MotionProblem { impact, ..MotionProblem::standing(situation)? };
         let body = situation.body();
         for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
             if load.wrench(body, situation.gravity(), Pose::UPRIGHT) == Wrench::ZERO {
@@ -58,23 +58,28 @@ impl Problem {
     ///
     /// # Errors
     /// If the numbers of the body are out of range.
-    pub fn standing(situation: &Situation) -> Result<Problem, MotionError> {
+    pub fn standing(situation: &Situation) -> Result<MotionProblem, MotionError> {
         let gravity = situation.gravity();
-        let mut problem = Problem::new(block(situation), gravity);
+        let mut problem = MotionProblem::new(block(situation), gravity);
         if !situation.loads().iter().any(is_own_weight) {
             // The weight comes as a load of its own: take off the one that the problem has.
             let history = History::constant(1.0)?;
-            problem.loads.push(Load { at: [0.0, 0.0], direction: [0.0, gravity], follows: false, history });
+            problem.loads.push(LoadInTime {
+                at: [0.0, 0.0],
+                direction: [0.0, gravity],
+                follows: false,
+                history,
+            });
         }
         Ok(problem)
     }
 
     /// Adds a load of the situation with a history: its forces per mass of the body.
-    pub fn add(&mut self, situation: &Situation, load: &StaticLoad, history: &History) {
+    pub fn add(&mut self, situation: &Situation, load: &Load, history: &History) {
         let mass = situation.body().mass();
         for force in load.forces(situation.body(), situation.gravity()) {
             let direction = force.size.map(|size| size / mass);
-            self.loads.push(Load {
+            self.loads.push(LoadInTime {
                 at: force.at,
                 direction,
                 follows: force.follows,
@@ -85,7 +90,7 @@ impl Problem {
 }
 
 /// True if a load is the weight that a problem has of itself.
-pub fn is_own_weight(load: &StaticLoad) -> bool {
+pub fn is_own_weight(load: &Load) -> bool {
     load.source == LoadSource::Weight && load.factor == 1.0
 }
 
@@ -93,12 +98,12 @@ pub fn is_own_weight(load: &StaticLoad) -> bool {
 ///
 /// # Errors
 /// If its height is not known.
-pub fn shaken_water(situation: &Situation, shaken: &History) -> Result<Vec<Load>, MotionError> {
+pub fn shaken_water(situation: &Situation, shaken: &History) -> Result<Vec<LoadInTime>, MotionError> {
     let water = situation.moved_water();
     if water.mass() > 0.0 && water.height().is_none() {
         return Err(MotionError::WaterWithoutHeight { mass: water.mass() });
     }
-    let mut pushed = Problem::new(block(situation), situation.gravity());
+    let mut pushed = MotionProblem::new(block(situation), situation.gravity());
     for load in Earthquake::new(1.0, 0.0)?.loads(water) {
         if load.source == LoadSource::ShakenWater {
             pushed.add(situation, &load, shaken);

@@ -5,8 +5,8 @@ use standfast::contact::Block;
 
 use crate::error::MotionError;
 use crate::machine::{Keep, simulate};
-use crate::outcome::{End, Outcome};
-use crate::problem::{Base, Impact, Load, Problem};
+use crate::outcome::{End, MotionOutcome};
+use crate::problem::{BaseMotion, Impact, LoadInTime, MotionProblem};
 use standfast::history::History;
 
 /// Response of a block of a rocking spectrum, or at a scale of the shaking.
@@ -27,7 +27,7 @@ pub struct Rocked {
 }
 
 impl Rocked {
-    fn of(block: &Block, outcome: &Outcome) -> Rocked {
+    fn of(block: &Block, outcome: &MotionOutcome) -> Rocked {
         Rocked {
             max_theta: outcome.max_theta,
             of_balance: outcome.max_theta / (block.b1.min(block.b2) / block.d).atan(),
@@ -47,7 +47,7 @@ pub struct RockingSpectrum {
     /// g.
     pub gravity: f64,
     /// The shaking.
-    pub base: Base,
+    pub base: BaseMotion,
     /// The law of impacts.
     pub impact: Impact,
 }
@@ -75,7 +75,7 @@ impl RockingSpectrum {
     /// If a number makes no block, or a measured ratio would give it energy.
     pub fn at(&self, radius: f64, slenderness: f64) -> Result<Rocked, MotionError> {
         let block = self.block(radius, slenderness);
-        let mut problem = Problem::new(block, self.gravity);
+        let mut problem = MotionProblem::new(block, self.gravity);
         (problem.base, problem.impact) = (self.base.clone(), self.impact);
         simulate(&problem, Keep::default()).map(|outcome| Rocked::of(&block, &outcome))
     }
@@ -122,14 +122,14 @@ impl NewmarkSpectrum {
     /// If the ratio is not above zero, or the shaking has no peak.
     pub fn at(&self, ratio: f64) -> Result<Slid, MotionError> {
         let gravity = self.peak;
-        let mut problem = Problem::new(Block::uniform(1.0, ratio), gravity);
+        let mut problem = MotionProblem::new(Block::uniform(1.0, ratio), gravity);
         problem.base.horizontal = Some(self.base.clone());
         let mut slides = |friction: f64, force: f64| {
             // So low that nothing tips it.
             problem.block = Block::uniform(1e-3 / (1.0 + friction), friction);
             problem.loads.clear();
             if force != 0.0 {
-                problem.loads.push(Load {
+                problem.loads.push(LoadInTime {
                     at: [0.0, -problem.block.d],
                     direction: [force, 0.0],
                     follows: false,
@@ -165,12 +165,12 @@ impl NewmarkSpectrum {
 /// A body under a shaking that is made stronger and stronger.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OverturningCurve<'a> {
-    problem: &'a Problem,
+    problem: &'a MotionProblem,
 }
 
 impl<'a> OverturningCurve<'a> {
     /// The curve of a problem, whose base moves.
-    pub fn new(problem: &'a Problem) -> OverturningCurve<'a> {
+    pub fn new(problem: &'a MotionProblem) -> OverturningCurve<'a> {
         OverturningCurve { problem }
     }
 
@@ -182,7 +182,7 @@ impl<'a> OverturningCurve<'a> {
         let mut problem = self.problem.clone();
         let times = |history: Option<History>| history.map(|history| history.times_factor(scale));
         problem.base =
-            Base { horizontal: times(problem.base.horizontal), vertical: times(problem.base.vertical) };
+            BaseMotion { horizontal: times(problem.base.horizontal), vertical: times(problem.base.vertical) };
         simulate(&problem, Keep::default()).map(|outcome| Rocked::of(&problem.block, &outcome))
     }
 

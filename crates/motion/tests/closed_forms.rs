@@ -2,16 +2,18 @@
 
 use standfast::Mode;
 use standfast::contact::Block;
-use standfast_motion::{Base, End, History, Impact, Initial, Keep, Load, Outcome, Problem, Why, simulate};
+use standfast_motion::{
+    BaseMotion, End, History, Impact, Initial, Keep, LoadInTime, MotionOutcome, MotionProblem, Why, simulate,
+};
 
-fn run(problem: &Problem) -> Outcome {
+fn run(problem: &MotionProblem) -> MotionOutcome {
     simulate(problem, Keep::default()).expect("a problem")
 }
 
 /// A squat block that can only slide, g = 1, pulled to the left at C by `history`.
-fn sliding(friction: f64, history: History) -> Outcome {
-    let mut problem = Problem::new(Block::uniform(0.05, friction), 1.0);
-    problem.loads.push(Load { at: [0.0, 0.0], direction: [-1.0, 0.0], follows: false, history });
+fn sliding(friction: f64, history: History) -> MotionOutcome {
+    let mut problem = MotionProblem::new(Block::uniform(0.05, friction), 1.0);
+    problem.loads.push(LoadInTime { at: [0.0, 0.0], direction: [-1.0, 0.0], follows: false, history });
     run(&problem)
 }
 
@@ -20,7 +22,7 @@ fn same(found: f64, expected: f64, tolerance: f64) {
 }
 
 /// To rounding, of the distance a body without friction would go.
-fn same_slide(outcome: &Outcome, expected: f64, free: f64) {
+fn same_slide(outcome: &MotionOutcome, expected: f64, free: f64) {
     assert!((-outcome.slide - expected).abs() <= 4e-16 * free, "{} {expected}", outcome.slide);
     assert!((outcome.max_slide - expected).abs() <= 4e-16 * free, "{} {expected}", outcome.max_slide);
     let largest = outcome.work.abs().max(outcome.friction_loss);
@@ -98,11 +100,12 @@ fn thrust_with_uplift_slides() {
     {
         let mut block = Block::uniform(0.05, μ);
         block.m_x = 1.0 + added;
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         let r = μ;
         let thrust = s * r - μ * uplift;
         let history = History::triangle(1.0, duration / 2.0, duration).unwrap();
-        let pull = |direction| Load { at: [0.0, 0.0], direction, follows: false, history: history.clone() };
+        let pull =
+            |direction| LoadInTime { at: [0.0, 0.0], direction, follows: false, history: history.clone() };
         problem.loads = vec![pull([-thrust, 0.0]), pull([0.0, uplift])];
         let root = 2f64.sqrt();
         let shape = if s <= 1.0 + 1.0 / root {
@@ -139,7 +142,7 @@ fn quarter_period_by_quadrature() {
         let mut block = Block::uniform(γ, 50.0);
         (block.b1, block.b2) = (eccentric, 2.0 - eccentric);
         let b = if θ0 > 0.0 { block.b1 } else { block.b2 };
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         problem.initial.theta = θ0;
         problem.t_max = Some(50.0);
         let outcome = run(&problem);
@@ -169,8 +172,8 @@ fn rectangular_pulse_overturns_beyond_its_energy() {
     let (γ, k_prime, k) = (2.5_f64, 0.4_f64, 0.9_f64);
     let block = Block::uniform(γ, 50.0);
     let pulse = |duration: f64| {
-        let mut problem = Problem::new(block, 1.0);
-        problem.loads.push(Load {
+        let mut problem = MotionProblem::new(block, 1.0);
+        problem.loads.push(LoadInTime {
             at: [0.0, k_prime * γ],
             direction: [-1.0, 0.0],
             follows: false,
@@ -184,8 +187,8 @@ fn rectangular_pulse_overturns_beyond_its_energy() {
         if pulse(middle).overturned() { high = middle } else { low = middle }
     }
     // θ at the end of the least pulse: that of the work that lifts C to R.
-    let mut problem = Problem::new(block, 1.0);
-    problem.loads.push(Load {
+    let mut problem = MotionProblem::new(block, 1.0);
+    problem.loads.push(LoadInTime {
         at: [0.0, k_prime * γ],
         direction: [-1.0, 0.0],
         follows: false,
@@ -203,7 +206,7 @@ fn rectangular_pulse_overturns_beyond_its_energy() {
 fn impact_of_a_uniform_block() {
     for (γ, μ) in [(3.0_f64, 0.5), (3.0, 0.2), (1.5, 0.3), (2.0, 0.36), (2.0, 0.1)] {
         // Enough to rock without slip before, and not so much that slip after could not go on.
-        let mut problem = Problem::new(Block::uniform(γ, 1.0), 1.0);
+        let mut problem = MotionProblem::new(Block::uniform(γ, 1.0), 1.0);
         problem.mu_impact = Some(μ);
         problem.initial.theta = 0.1;
         problem.t_max = Some(30.0);
@@ -229,7 +232,7 @@ fn impact_of_a_uniform_block() {
 fn grip() {
     for (γ, μ, v) in [(2.0_f64, 3.0, 0.4), (2.0, 3.0, -0.4), (3.0, 2.5, 0.1)] {
         let block = Block::uniform(γ, μ);
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         problem.initial = Initial { vx: Some(v), ..Initial::default() };
         let outcome = simulate(&problem, Keep { steps: true }).unwrap();
         let events: Vec<Why> = outcome.events.iter().map(|event| event.why).collect();
@@ -246,13 +249,13 @@ fn grip() {
 #[test]
 fn slip_grips_where_its_inertia_vanishes() {
     let block = Block::uniform(0.6573676837640116, 1.8420933769674237);
-    let mut problem = Problem::new(block, 1.0);
+    let mut problem = MotionProblem::new(block, 1.0);
     for (at, history) in [
         ([1.0, -0.22067149144541764], History::decay(3.3364840908840914, 3.842980680714501)),
         ([0.0, -0.5956715006040095], History::half_sine(2.450279401831512, 5.27125398162278)),
     ] {
         let history = history.unwrap();
-        problem.loads.push(Load { at, direction: [-1.0, 0.0], follows: false, history });
+        problem.loads.push(LoadInTime { at, direction: [-1.0, 0.0], follows: false, history });
     }
     problem.initial = Initial { vx: Some(-0.09300327017199594), ..Initial::default() };
     for impact_friction in [None, Some(1.1)] {
@@ -288,9 +291,9 @@ fn one_sine_pulse_overturns_in_two_ranges() {
         let sine = α.tan() / (amplitude * α);
         let phase = sine.asin();
         let duration = (2.0 * std::f64::consts::PI - phase) / ω;
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         problem.impact = Impact::Ratio(r);
-        problem.base = Base {
+        problem.base = BaseMotion {
             horizontal: Some(History::sine(amplitude * α, ω, phase, duration).unwrap()),
             vertical: None,
         };

@@ -5,17 +5,19 @@ mod common;
 use common::{Random, problem};
 use standfast::Mode;
 use standfast::contact::Block;
-use standfast_motion::{End, History, Initial, Keep, Load, Outcome, Position, Problem, simulate};
+use standfast_motion::{
+    End, History, Initial, Keep, LoadInTime, MotionOutcome, MotionProblem, Position, simulate,
+};
 
 /// Largest loss by rounding and the end of a series, of a length or an angle near one.
 const NOTHING: f64 = 1e-11;
 
-fn followed(problem: &Problem) -> Outcome {
+fn followed(problem: &MotionProblem) -> MotionOutcome {
     simulate(problem, Keep { steps: true }).expect("a problem")
 }
 
 /// Moments of a motion: evenly, and on both sides of every event.
-fn moments(outcome: &Outcome) -> Vec<f64> {
+fn moments(outcome: &MotionOutcome) -> Vec<f64> {
     let end = outcome.events.last().map_or(0.0, |event| event.t);
     let even = (0..=2000).map(|i| end * f64::from(i) / 2000.0);
     even.chain(outcome.events.iter().flat_map(|event| [event.t - 1e-13, event.t])).collect()
@@ -28,7 +30,7 @@ fn foot(block: &Block, at: &Position) -> f64 {
 }
 
 /// Holds the largest slide and rotation to the series; of a body that stood upright at first.
-fn hold(problem: &Problem, outcome: &Outcome, seed: u64) {
+fn hold(problem: &MotionProblem, outcome: &MotionOutcome, seed: u64) {
     assert!(outcome.slide.abs() <= outcome.max_slide, "{seed}: {} {}", outcome.slide, outcome.max_slide);
     assert!(outcome.theta.abs() <= outcome.max_theta, "{seed}: {} {}", outcome.theta, outcome.max_theta);
     for t in moments(outcome) {
@@ -101,8 +103,8 @@ fn of_two_turns_in_one_series_the_larger_is_the_largest() {
         let block = Block::uniform(1.0, 0.5);
         let couple = |t: f64| block.rho2 * k * (2.0 * t - 5.0);
         let history = History::points(&[0.0, 6.0], &[couple(0.0), couple(6.0)]).unwrap();
-        let mut problem = Problem::new(block, 1.0);
-        problem.loads = vec![Load { at: [0.0, -1.0], direction: [1.0, 0.0], follows: true, history }];
+        let mut problem = MotionProblem::new(block, 1.0);
+        problem.loads = vec![LoadInTime { at: [0.0, -1.0], direction: [1.0, 0.0], follows: true, history }];
         problem.initial = Initial { omega: 4.0 * k, gap: 20.0, ..Initial::default() };
         problem.t_max = Some(5.0);
         let outcome = followed(&problem);

@@ -1,13 +1,13 @@
 //! A cube slid and tossed, measured; the tables and their licence are in tests/data.
 
 use standfast::contact::Block;
-use standfast_motion::{End, Impact, Initial, Keep, Problem, simulate};
+use standfast_motion::{End, Impact, Initial, Keep, MotionProblem, simulate};
 
 /// Half the width, m; I/m in its square; friction at which the slides were fitted.
 const HALF: f64 = 0.0524;
 const RHO2: f64 = 0.797;
 
-fn cube(friction: f64) -> Problem {
+fn cube(friction: f64) -> MotionProblem {
     let block = Block {
         b1: HALF,
         b2: HALF,
@@ -18,7 +18,7 @@ fn cube(friction: f64) -> Problem {
         mu_s: friction,
         mu_k: friction,
     };
-    Problem::new(block, 9.81)
+    MotionProblem::new(block, 9.81)
 }
 
 fn rows(table: &'static str) -> impl Iterator<Item = Vec<f64>> {

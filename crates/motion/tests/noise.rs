@@ -5,7 +5,7 @@ mod common;
 
 use common::Random;
 use standfast::contact::Block;
-use standfast_motion::{End, History, Impact, Keep, Outcome, Problem, simulate};
+use standfast_motion::{End, History, Impact, Keep, MotionOutcome, MotionProblem, simulate};
 
 /// Noise of `count` samples under an envelope that rises and falls, smoothed a little or not at all.
 fn noise(random: &mut Random, count: usize, step: f64, peak: f64) -> History {
@@ -25,7 +25,7 @@ fn noise(random: &mut Random, count: usize, step: f64, peak: f64) -> History {
 }
 
 /// A block in half widths and its g, on a base that trembles about as much as it takes to tip or to slide it.
-fn shaken(random: &mut Random, slips: bool) -> Problem {
+fn shaken(random: &mut Random, slips: bool) -> MotionProblem {
     let γ = random.between(1.2, 8.0);
     let mut block = Block::uniform(γ, if slips { random.between(0.6, 1.1) / γ } else { 1.5 / γ + 0.2 });
     if random.of(3) == 0 {
@@ -34,7 +34,7 @@ fn shaken(random: &mut Random, slips: bool) -> Problem {
     if random.of(4) == 0 {
         block.mu_s *= random.between(1.0, 1.3);
     }
-    let mut problem = Problem::new(block, 1.0);
+    let mut problem = MotionProblem::new(block, 1.0);
     let yields = block.mu_s.min(block.b1.min(block.b2) / γ);
     // 200 samples a second of a body whose √(B/g) is between 0.05 s and 0.4 s.
     let step = 0.005 / random.between(0.05, 0.4);
@@ -46,7 +46,7 @@ fn shaken(random: &mut Random, slips: bool) -> Problem {
     problem
 }
 
-fn account(outcome: &Outcome) -> f64 {
+fn account(outcome: &MotionOutcome) -> f64 {
     let terms =
         [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.kinetic, outcome.potential];
     outcome.energy_residual().abs() / terms.into_iter().fold(1e-12, |most: f64, term| most.max(term.abs()))

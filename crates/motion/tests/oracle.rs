@@ -6,13 +6,13 @@ mod common;
 use common::Random;
 use standfast::Corner;
 use standfast::contact::Block;
-use standfast_motion::{History, Impact, Keep, Load, Problem, Why, simulate};
+use standfast_motion::{History, Impact, Keep, LoadInTime, MotionProblem, Why, simulate};
 
 /// x, θ, ẋ, θ̇ of a body that touches with a corner; y follows.
 type State = [f64; 4];
 
 struct Phase<'a> {
-    problem: &'a Problem,
+    problem: &'a MotionProblem,
     r: f64,
     /// Slip ±1; 0: stick.
     slip: f64,
@@ -148,13 +148,13 @@ fn phases_end_as_another_integrator_has_it() {
     for seed in 0..300 {
         let mut random = Random::new(seed);
         let block = common::block(&mut random);
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         let reach = block.mu_s.min(1.0 / block.d);
         let history =
             History::sine(reach * random.between(1.2, 4.0), random.between(1.0, 5.0), 0.0, 8.0).unwrap();
         let follows = random.of(2) == 0;
         let at = [random.between(-1.0, 1.0), block.d * random.between(-0.8, 0.9)];
-        problem.loads.push(Load { at, direction: [0.98, random.between(-0.3, 0.3)], follows, history });
+        problem.loads.push(LoadInTime { at, direction: [0.98, random.between(-0.3, 0.3)], follows, history });
         problem.impact = Impact::Inelastic;
         problem.t_max = Some(8.0);
         let outcome = simulate(&problem, Keep { steps: true }).unwrap();

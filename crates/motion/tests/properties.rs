@@ -5,20 +5,20 @@ mod common;
 use common::{Random, mirrored, problem, shaken};
 use standfast::Mode;
 use standfast::contact::Block;
-use standfast_motion::{End, History, Impact, Keep, Outcome, Piece, Problem, Why, simulate};
+use standfast_motion::{End, History, Impact, Keep, MotionOutcome, MotionProblem, Piece, Why, simulate};
 
 const CASES: u64 = 400;
 
-fn run(problem: &Problem) -> Outcome {
+fn run(problem: &MotionProblem) -> MotionOutcome {
     simulate(problem, Keep::default()).expect("a problem")
 }
 
-fn story(outcome: &Outcome) -> Vec<(Why, Mode)> {
+fn story(outcome: &MotionOutcome) -> Vec<(Why, Mode)> {
     outcome.events.iter().map(|event| (event.why, event.state)).collect()
 }
 
 /// A motion that a digit too many or too few would make another is no measure of the digits.
-fn is_tame(outcome: &Outcome) -> bool {
+fn is_tame(outcome: &MotionOutcome) -> bool {
     outcome.impacts < 60 && outcome.end == End::AtRest
 }
 

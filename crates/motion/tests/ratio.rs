@@ -6,7 +6,7 @@ mod common;
 use common::Random;
 use standfast::contact::Block;
 use standfast::{Corner, Mode};
-use standfast_motion::{Impact, Initial, Keep, Outcome, Problem, Why, simulate};
+use standfast_motion::{Impact, Initial, Keep, MotionOutcome, MotionProblem, Why, simulate};
 
 /// At θ = 0 a block turns from O to O' with θ̇⁻ < 0. With Λ_n = ẏ⁺ − ẏ⁻, ẏ⁻ = b₁θ̇⁻ and ẏ⁺ = −b₂θ̇⁺, θ̇⁺ = rθ̇⁻, and Λ_t = −sμΛ_n, s = ±1 the
 /// slip after it, all per mass, the energy after it is a quadratic in r. What is taken is the larger root at which it is that before, or
@@ -18,7 +18,7 @@ fn a_ratio_that_would_gain_is_the_root_of_the_energy() {
     for _ in 0..6000 {
         let (γ, μ) = (random.between(1.0, 4.0), random.between(0.02, 0.4));
         let block = Block::uniform(γ, μ);
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         let asked = random.between(0.6, 0.999) * problem.largest_ratio();
         problem.impact = Impact::Ratio(asked);
         let vx = random.between(-1.5, 1.5);
@@ -80,8 +80,8 @@ fn place_of_impulse(block: &Block, [old, new]: [f64; 2], ratio: f64, friction: f
 }
 
 /// The first impact of a body that is released where it leans, and nothing after it.
-fn first_impact(block: Block, impact: Impact, friction: f64, theta: f64) -> Outcome {
-    let mut problem = Problem::new(block, 1.0);
+fn first_impact(block: Block, impact: Impact, friction: f64, theta: f64) -> MotionOutcome {
+    let mut problem = MotionProblem::new(block, 1.0);
     (problem.impact, problem.mu_impact) = (impact, Some(friction));
     problem.initial.theta = theta;
     let whole = simulate(&problem, Keep::default()).unwrap();
@@ -106,7 +106,7 @@ fn an_impulse_beside_the_base_is_told() {
         let theta = random.between(0.01, 0.05) * if random.of(2) == 0 { 1.0 } else { -1.0 };
         // θ > 0: it leans on O, and falls to O'.
         let corners = if theta > 0.0 { [block.b1, block.b2] } else { [block.b2, block.b1] };
-        let largest = Problem::new(block, 1.0).largest_ratio();
+        let largest = MotionProblem::new(block, 1.0).largest_ratio();
         let place = |ratio: f64| place_of_impulse(&block, corners, ratio, friction);
         // The less is left the farther out it acts: at no ratio, or from one on.
         let (mut low, mut high) = (0.0, largest);

@@ -171,7 +171,7 @@ fn baselines_and_drift() {
 #[test]
 fn bodies_under_a_real_record() {
     use standfast::contact::Block;
-    use standfast_motion::{End, Impact, Keep, Problem, simulate};
+    use standfast_motion::{End, Impact, Keep, MotionProblem, simulate};
     let read = |text| Record::parse("a.smc", text, None, None).unwrap();
     let horizontal = read(include_str!("../../../examples/records/np01002p_4225c_a.smc"));
     let vertical = read(include_str!("../../../examples/records/np01002p_4225b_a.smc"));
@@ -183,7 +183,7 @@ fn bodies_under_a_real_record() {
                     let mut block = Block::uniform(γ, μ);
                     (block.b1, block.b2, block.d) = (b, b, γ * b);
                     block.rho2 *= b * b;
-                    let mut problem = Problem::new(block, 9.81);
+                    let mut problem = MotionProblem::new(block, 9.81);
                     problem.impact = law;
                     problem.base.horizontal = Some(horizontal.history(0.01 * scale).unwrap());
                     problem.base.vertical = Some(vertical.history(0.01 * scale).unwrap());
@@ -205,10 +205,10 @@ fn bodies_under_a_real_record() {
 #[test]
 fn shakings_beyond_all_measure_are_refused() {
     use standfast::contact::Block;
-    use standfast_motion::{Keep, MotionError, Problem, simulate};
+    use standfast_motion::{Keep, MotionError, MotionProblem, simulate};
     let record = Record::parse("r.csv", "t,a_g\n0,0\n1,2\n2,-3\n3,0\n", None, None).unwrap();
     let followed = |factor: f64, gravity: f64, vertical: bool| {
-        let mut problem = Problem::new(Block::uniform(2.0, 0.5), gravity);
+        let mut problem = MotionProblem::new(Block::uniform(2.0, 0.5), gravity);
         let history = Some(record.history(factor).unwrap());
         if vertical {
             problem.base.vertical = history;

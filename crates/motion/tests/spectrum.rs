@@ -5,7 +5,7 @@ mod common;
 use standfast::contact::Block;
 use standfast_motion::record::Record;
 use standfast_motion::spectrum::{NewmarkSpectrum, OverturningCurve, RockingSpectrum, overturning_stretches};
-use standfast_motion::{Base, History, Impact, Keep, Problem, simulate};
+use standfast_motion::{BaseMotion, History, Impact, Keep, MotionProblem, simulate};
 
 /// Newmark's block on a slope, by the exact integral over each line of the record and halving for the ends of slip: it slides one way,
 /// driven by what the acceleration exceeds `yields` by.
@@ -116,7 +116,7 @@ fn a_rocking_spectrum_knows_its_scale() {
     let spectrum = |time: f64| RockingSpectrum {
         friction: [0.9, 0.9],
         gravity: 1.0,
-        base: Base { horizontal: Some(shaking(time)), vertical: None },
+        base: BaseMotion { horizontal: Some(shaking(time)), vertical: None },
         impact: Impact::Inelastic,
     };
     let (small, large) = (spectrum(1.0), spectrum(2f64.sqrt()));
@@ -126,7 +126,7 @@ fn a_rocking_spectrum_knows_its_scale() {
         let block = small.block(3.0, γ);
         assert!((block.b1.hypot(block.d) - 3.0).abs() < 1e-15 && (block.d / block.b1 - γ).abs() < 1e-14);
         assert!((block.rho2 - 3.0).abs() < 1e-15);
-        let mut problem = Problem::new(block, 1.0);
+        let mut problem = MotionProblem::new(block, 1.0);
         problem.base.horizontal = Some(shaking(1.0));
         assert_eq!(simulate(&problem, Keep::default()).unwrap().max_theta, one.max_theta);
     }

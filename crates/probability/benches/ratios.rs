@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use standfast_probability::integrate::integrate;
 use standfast_probability::law::Law;
-use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, draws, monte_carlo, sobol};
 
 /// The first number is below the second.
@@ -40,7 +40,7 @@ fn least(times: usize, mut work: impl FnMut()) -> f64 {
 }
 
 fn main() {
-    let inputs = Inputs::independent(vec![
+    let inputs = RandomVector::independent(vec![
         Law::normal(0.6, 0.1).expect("a law").into(),
         Law::normal(0.45, 0.12).expect("a law").into(),
     ]);

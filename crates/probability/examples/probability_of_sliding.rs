@@ -10,7 +10,7 @@ use standfast::loads::{Action, Load, LoadKind, LoadSource};
 use standfast::{Body, Mode, Situation};
 use standfast_probability::integrate::integrate;
 use standfast_probability::law::Law;
-use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 
 const WIDTH: f64 = 15.0;
 const HEIGHT: f64 = 12.0;
@@ -56,7 +56,8 @@ impl Outcomes for Caisson {
 }
 
 fn sliding() -> Result<f64, Box<dyn Error>> {
-    let inputs = Inputs::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(1.7e6, 0.2e6)?.into()]);
+    let inputs =
+        RandomVector::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(1.7e6, 0.2e6)?.into()]);
     let caisson = Caisson(Body::new(WIDTH, HEIGHT, MASS)?);
     let slides = 1 << Mode::SlideLeft.code();
     Ok(integrate(&inputs, &caisson, &[slides]).probabilities[0])

@@ -17,7 +17,7 @@ use crate::normal;
 
 /// Correlation of two inputs, by one of its measures.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Measure {
+pub enum CorrelationMeasure {
     /// Of the standard normals behind the values.
     Normal(f64),
     /// Spearman's, of the ranks.
@@ -26,20 +26,22 @@ pub enum Measure {
     Linear(f64),
 }
 
-impl Measure {
+impl CorrelationMeasure {
     /// The number given.
     pub fn value(self) -> f64 {
         match self {
-            Measure::Normal(value) | Measure::Rank(value) | Measure::Linear(value) => value,
+            CorrelationMeasure::Normal(value)
+            | CorrelationMeasure::Rank(value)
+            | CorrelationMeasure::Linear(value) => value,
         }
     }
 
     /// Words for the quantities that are correlated.
     pub fn name(self) -> &'static str {
         match self {
-            Measure::Normal(_) => "of the normals behind the values",
-            Measure::Rank(_) => "of ranks, Spearman's",
-            Measure::Linear(_) => "of values, Pearson's",
+            CorrelationMeasure::Normal(_) => "of the normals behind the values",
+            CorrelationMeasure::Rank(_) => "of ranks, Spearman's",
+            CorrelationMeasure::Linear(_) => "of values, Pearson's",
         }
     }
 }
@@ -52,7 +54,7 @@ pub struct Correlation {
     /// The other.
     pub second: usize,
     /// Correlation and its measure.
-    pub measure: Measure,
+    pub measure: CorrelationMeasure,
 }
 
 /// Fault of a set of correlations.
@@ -247,15 +249,15 @@ pub(crate) fn natural(n: usize) -> Vec<usize> {
 /// A measure of correlation between two laws.
 struct Pair<'a> {
     laws: [&'a Distribution; 2],
-    measure: Measure,
+    measure: CorrelationMeasure,
     /// Mean and standard deviation of each, where the values' correlation asks for them.
     moments: [(f64, f64); 2],
 }
 
 impl<'a> Pair<'a> {
-    fn new(first: &'a Distribution, second: &'a Distribution, measure: Measure) -> Pair<'a> {
+    fn new(first: &'a Distribution, second: &'a Distribution, measure: CorrelationMeasure) -> Pair<'a> {
         let moments = match measure {
-            Measure::Linear(_) => [moments(first), moments(second)],
+            CorrelationMeasure::Linear(_) => [moments(first), moments(second)],
             _ => [(0.0, 1.0); 2],
         };
         Pair { laws: [first, second], measure, moments }
@@ -264,9 +266,11 @@ impl<'a> Pair<'a> {
     /// The correlation of the normals that has the one given, if there is one.
     fn of_normals(&self) -> Option<f64> {
         match self.measure {
-            Measure::Normal(rho) => Some(rho).filter(|rho| rho.abs() < 1.0),
-            Measure::Rank(rank) => Some(2.0 * (PI * rank / 6.0).sin()).filter(|_| rank.abs() < 1.0),
-            Measure::Linear(linear) => {
+            CorrelationMeasure::Normal(rho) => Some(rho).filter(|rho| rho.abs() < 1.0),
+            CorrelationMeasure::Rank(rank) => {
+                Some(2.0 * (PI * rank / 6.0).sin()).filter(|_| rank.abs() < 1.0)
+            }
+            CorrelationMeasure::Linear(linear) => {
                 let (mut low, mut high) = (-1.0 + 1e-9, 1.0 - 1e-9);
                 if !(self.measured(low) < linear && linear < self.measured(high)) {
                     return None;
@@ -298,9 +302,9 @@ impl<'a> Pair<'a> {
     /// Measured correlation of two inputs whose normals have the correlation `rho`.
     fn measured(&self, rho: f64) -> f64 {
         match self.measure {
-            Measure::Normal(_) => rho,
-            Measure::Rank(_) => 6.0 / PI * (rho / 2.0).asin(),
-            Measure::Linear(_) => {
+            CorrelationMeasure::Normal(_) => rho,
+            CorrelationMeasure::Rank(_) => 6.0 / PI * (rho / 2.0).asin(),
+            CorrelationMeasure::Linear(_) => {
                 let [(m1, s1), (m2, s2)] = self.moments;
                 let across = (1.0 - rho * rho).max(0.0).sqrt();
                 let product = expected(|z| {

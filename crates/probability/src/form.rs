@@ -15,13 +15,13 @@
 
 use crate::normal;
 use crate::points::Sobol;
-use crate::problem::{Frame, Inputs, Outcomes, Scratch};
+use crate::problem::{Frame, Outcomes, RandomVector, Scratch};
 
 /// The point of some outcomes that is nearest to the medians, in standard normals.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DesignPoint {
+pub struct FormPoint {
     /// The reliability index: its distance from the origin, 0 if the origin itself is such a point; negative of a point
-    /// [turned](DesignPoint::turned).
+    /// [turned](FormPoint::turned).
     pub beta: f64,
     /// The point in independent standard normals, in the order of the inputs (Cholesky's factor in that order).
     pub u: Vec<f64>,
@@ -37,11 +37,11 @@ pub struct DesignPoint {
     pub starts: usize,
 }
 
-impl DesignPoint {
+impl FormPoint {
     /// As the point of the outcomes on the other side, where the origin is among them: β is negative then, and α = u/β still.
-    pub fn turned(self) -> DesignPoint {
+    pub fn turned(self) -> FormPoint {
         let alpha = self.alpha.iter().map(|cosine| -cosine).collect();
-        DesignPoint { beta: -self.beta, alpha, ..self }
+        FormPoint { beta: -self.beta, alpha, ..self }
     }
 
     /// By what β grows if the input with this number is held at its median: 1/√(1 − α²).
@@ -75,12 +75,12 @@ const MET: f64 = 1e-9;
 const BESIDE: f64 = 1e-4;
 
 /// The design point of the outcomes in `which` (a bit for each); none if nowhere within reach any of them holds.
-pub fn design_point<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u64) -> Option<DesignPoint> {
+pub fn design_point<O: Outcomes>(inputs: &RandomVector, outcomes: &O, which: u64) -> Option<FormPoint> {
     local_design_points(inputs, outcomes, which).into_iter().next()
 }
 
 /// All nearest points that the starts have found, the nearest first: those that lie apart from each other.
-pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u64) -> Vec<DesignPoint> {
+pub fn local_design_points<O: Outcomes>(inputs: &RandomVector, outcomes: &O, which: u64) -> Vec<FormPoint> {
     let frame = Frame::new(inputs, outcomes);
     let mut search = Search { frame: &frame, which, scratch: frame.scratch() };
     let n = frame.dimensions();
@@ -106,7 +106,7 @@ pub fn local_design_points<O: Outcomes>(inputs: &Inputs, outcomes: &O, which: u6
             let u = search.frame.in_given_order(&v, line);
             let beta = u.iter().map(|u| u * u).sum::<f64>().sqrt();
             let z = inputs.copula().correlated(&u);
-            Some(DesignPoint {
+            Some(FormPoint {
                 beta,
                 alpha: u.iter().map(|u| if beta > 0.0 { u / beta } else { 0.0 }).collect(),
                 values: inputs.laws().iter().zip(&z).map(|(law, &z)| law.value(z)).collect(),

@@ -6,7 +6,7 @@
 //! where the list of patterns along the inner one changes. Between the kinks panels are halved until Gauss's rule and Kronrod's about it
 //! agree: that difference is the error stated, far more than that of the finer rule, which is the answer.
 
-use crate::problem::{Frame, Inputs, Outcomes, Scratch, mixed};
+use crate::problem::{Frame, Outcomes, RandomVector, Scratch, mixed};
 use crate::{REACH, legendre, normal};
 
 /// The most inputs beside the line over which is integrated.
@@ -27,7 +27,7 @@ pub struct Integrated {
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line.
-pub fn integrate<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64]) -> Integrated {
+pub fn integrate<O: Outcomes>(inputs: &RandomVector, outcomes: &O, sets: &[u64]) -> Integrated {
     Nest::of(&Frame::new(inputs, outcomes), sets, None)
 }
 
@@ -35,7 +35,12 @@ pub fn integrate<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64]) -> In
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line and the known one.
-pub fn integrate_known<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], known: usize) -> Integrated {
+pub fn integrate_known<O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    sets: &[u64],
+    known: usize,
+) -> Integrated {
     Nest::of(&Frame::holding(inputs, outcomes, known), sets, None)
 }
 
@@ -53,7 +58,12 @@ pub struct Life {
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line, a line that is drawn once, or a list of another length.
-pub fn integrate_life<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], life: &Life) -> Integrated {
+pub fn integrate_life<O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    sets: &[u64],
+    life: &Life,
+) -> Integrated {
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.yearly[outcomes.line()], "the line is drawn yearly");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
@@ -90,7 +100,12 @@ struct Panel {
 ///
 /// # Panics
 /// For more than [`MOST_DIMENSIONS`] inputs beside the line.
-pub fn integrate_above<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], floor: f64) -> Integrated {
+pub fn integrate_above<O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    sets: &[u64],
+    floor: f64,
+) -> Integrated {
     Nest::to(&Frame::new(inputs, outcomes), sets, None, NEGLIGIBLE.max(PRECISION * floor))
 }
 

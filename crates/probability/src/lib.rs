@@ -20,7 +20,7 @@
 //!
 //! ```
 //! use standfast_probability::law::Law;
-//! use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+//! use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 //! use standfast_probability::{form, integrate::integrate};
 //!
 //! /// Fails where the first input, a resistance, is below the second, a load.
@@ -35,7 +35,7 @@
 //!     fn at(&self, values: &[f64]) -> u64 { u64::from(values[0] < values[1]) }
 //! }
 //!
-//! let inputs = Inputs::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(0.3, 0.08)?.into()]);
+//! let inputs = RandomVector::independent(vec![Law::normal(0.6, 0.06)?.into(), Law::normal(0.3, 0.08)?.into()]);
 //! let failing = 1; // the set of outcome 0
 //! let p = integrate(&inputs, &Fails, &[failing]).probabilities[0];
 //! assert!((p - 0.00135).abs() < 1e-5); // Φ(−3)

@@ -8,7 +8,7 @@
 use crate::integrate::Life;
 use crate::normal;
 use crate::points::Stream;
-use crate::problem::{Frame, Inputs, Outcomes};
+use crate::problem::{Frame, Outcomes, RandomVector};
 use crate::sample::{Averages, Effort, Sampled};
 
 /// The lives of one scramble that are taken first.
@@ -22,7 +22,7 @@ const NONE: f64 = 1e-12;
 /// # Panics
 /// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
 pub fn lives<O: Outcomes>(
-    inputs: &Inputs,
+    inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     life: &Life,
@@ -101,7 +101,7 @@ fn measure(intervals: &mut [(f64, f64)]) -> f64 {
 
 /// Lives of which everything is drawn.
 struct DrawnLives<'a, O> {
-    inputs: &'a Inputs,
+    inputs: &'a RandomVector,
     outcomes: &'a O,
     sets: &'a [u64],
     life: &'a Life,
@@ -124,7 +124,7 @@ impl<O: Outcomes> DrawnLives<'_, O> {
 
 /// Values of all inputs, what is drawn once apart from what is drawn yearly.
 pub(crate) struct Values<'a> {
-    inputs: &'a Inputs,
+    inputs: &'a RandomVector,
     /// Those that are drawn once, and then the others.
     order: Vec<usize>,
     factor: Vec<Vec<f64>>,
@@ -134,7 +134,7 @@ pub(crate) struct Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    pub(crate) fn new(inputs: &'a Inputs, yearly: &[bool]) -> Values<'a> {
+    pub(crate) fn new(inputs: &'a RandomVector, yearly: &[bool]) -> Values<'a> {
         let n = inputs.laws().len();
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by_key(|input| yearly[*input]);

@@ -10,25 +10,25 @@ use crate::normal;
 
 /// Random inputs: a law for each, and how they are correlated.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Inputs {
+pub struct RandomVector {
     laws: Vec<Distribution>,
     copula: Copula,
 }
 
-impl Inputs {
+impl RandomVector {
     /// Inputs of these laws, correlated by a copula of as many.
     ///
     /// # Panics
     /// If the copula is of another number of inputs.
-    pub fn new(laws: Vec<Distribution>, copula: Copula) -> Inputs {
+    pub fn new(laws: Vec<Distribution>, copula: Copula) -> RandomVector {
         assert_eq!(laws.len(), copula.len(), "a copula of as many inputs as there are laws");
-        Inputs { laws, copula }
+        RandomVector { laws, copula }
     }
 
     /// Independent inputs of these laws.
-    pub fn independent(laws: Vec<Distribution>) -> Inputs {
+    pub fn independent(laws: Vec<Distribution>) -> RandomVector {
         let copula = Copula::independent(laws.len());
-        Inputs { laws, copula }
+        RandomVector { laws, copula }
     }
 
     /// The laws, in order.
@@ -44,7 +44,7 @@ impl Inputs {
 
 /// An interval of the line on which an outcome holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct OutcomePiece {
     /// Its lower end; −∞ if it has none.
     pub from: f64,
     /// Its upper end; ∞ if it has none.
@@ -56,7 +56,7 @@ pub struct Piece {
 /// The intervals of a line, and the pattern they make.
 #[derive(Debug, Clone, Default)]
 pub struct Pieces {
-    pieces: Vec<Piece>,
+    pieces: Vec<OutcomePiece>,
     signature: u64,
 }
 
@@ -69,7 +69,7 @@ impl Pieces {
     /// Adds an interval; one that is empty is left out. Intervals of outcomes that exclude each other do not overlap.
     pub fn push(&mut self, from: f64, to: f64, outcome: usize) {
         if from < to {
-            self.pieces.push(Piece { from, to, outcome });
+            self.pieces.push(OutcomePiece { from, to, outcome });
             self.branch(outcome as u64);
         }
     }
@@ -85,7 +85,7 @@ impl Pieces {
     }
 
     /// The intervals.
-    pub fn iter(&self) -> impl Iterator<Item = &Piece> {
+    pub fn iter(&self) -> impl Iterator<Item = &OutcomePiece> {
         self.pieces.iter()
     }
 
@@ -179,7 +179,7 @@ impl End {
 
 /// A problem seen in independent standard normals: those of all inputs but the line's, in an order of choice.
 pub(crate) struct Frame<'a, O> {
-    pub(crate) inputs: &'a Inputs,
+    pub(crate) inputs: &'a RandomVector,
     pub(crate) outcomes: &'a O,
     /// The places of the inputs: the one that is held, if any, the others, and the line last (or first, if it is held).
     order: Vec<usize>,
@@ -217,22 +217,26 @@ impl Scratch {
 
 impl<'a, O: Outcomes> Frame<'a, O> {
     /// The problem with the inputs in the order given, the line last.
-    pub(crate) fn new(inputs: &'a Inputs, outcomes: &'a O) -> Frame<'a, O> {
+    pub(crate) fn new(inputs: &'a RandomVector, outcomes: &'a O) -> Frame<'a, O> {
         Frame::ordered(inputs, outcomes, None, |_| false)
     }
 
     /// Orders the inputs for which `last` is true behind the others, the line last.
-    pub(crate) fn last(inputs: &'a Inputs, outcomes: &'a O, last: impl Fn(usize) -> bool) -> Frame<'a, O> {
+    pub(crate) fn last(
+        inputs: &'a RandomVector,
+        outcomes: &'a O,
+        last: impl Fn(usize) -> bool,
+    ) -> Frame<'a, O> {
         Frame::ordered(inputs, outcomes, None, last)
     }
 
     /// Holds one input at its median.
-    pub(crate) fn holding(inputs: &'a Inputs, outcomes: &'a O, held: usize) -> Frame<'a, O> {
+    pub(crate) fn holding(inputs: &'a RandomVector, outcomes: &'a O, held: usize) -> Frame<'a, O> {
         Frame::ordered(inputs, outcomes, Some(held), |_| false)
     }
 
     fn ordered(
-        inputs: &'a Inputs,
+        inputs: &'a RandomVector,
         outcomes: &'a O,
         held: Option<usize>,
         last: impl Fn(usize) -> bool,
@@ -320,7 +324,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
     }
 
     /// The intervals of the line's normal, in independent units, on which each outcome holds at a point.
-    pub(crate) fn intervals(&self, point: &[f64], scratch: &mut Scratch, mut each: impl FnMut(Piece)) {
+    pub(crate) fn intervals(&self, point: &[f64], scratch: &mut Scratch, mut each: impl FnMut(OutcomePiece)) {
         let (mean, deviation) = self.place(point, scratch);
         let Scratch { values, pieces, .. } = scratch;
         pieces.clear();
@@ -328,7 +332,7 @@ impl<'a, O: Outcomes> Frame<'a, O> {
         let law = &self.inputs.laws[self.outcomes.line()];
         let reach = |x: f64| (law.z(x) - mean) / deviation;
         for piece in pieces.iter() {
-            each(Piece { from: reach(piece.from), to: reach(piece.to), ..*piece });
+            each(OutcomePiece { from: reach(piece.from), to: reach(piece.to), ..*piece });
         }
     }
 

@@ -14,7 +14,7 @@ pub use interval::Estimate;
 
 use crate::normal;
 use crate::points::{Sobol, Stream};
-use crate::problem::{Frame, Inputs, Outcomes};
+use crate::problem::{Frame, Outcomes, RandomVector};
 
 /// Seed, precision and limits of a sampling.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +71,7 @@ const BLOCK: u64 = 1 << 14;
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
-pub fn sobol<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
+pub fn sobol<O: Outcomes>(inputs: &RandomVector, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
     scrambles(&Frame::new(inputs, outcomes), sets, &[], effort)
 }
 
@@ -81,7 +81,7 @@ pub fn sobol<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
 pub fn sampled_known<O: Outcomes>(
-    inputs: &Inputs,
+    inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     known: usize,
@@ -95,12 +95,12 @@ pub fn sampled_known<O: Outcomes>(
 
 /// Probabilities from points drawn where the outcomes are: nineteen twentieths as standard normals about the points
 /// given, the others about the origin, each weighed by what it is drawn too often. The points are independent normals
-/// in the order of the inputs, as [`DesignPoint::u`](crate::form::DesignPoint::u) has them.
+/// in the order of the inputs, as [`FormPoint::u`](crate::form::FormPoint::u) has them.
 ///
 /// # Panics
 /// For more inputs than a Sobol' point has coordinates.
 pub fn importance<O: Outcomes>(
-    inputs: &Inputs,
+    inputs: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     about: &[Vec<f64>],
@@ -242,7 +242,12 @@ fn displaced(point: &mut [f64], component: f64, about: &[Vec<f64>]) -> f64 {
 }
 
 /// The probability of each set of outcomes by plain Monte Carlo: every input drawn, nothing integrated, hits counted.
-pub fn monte_carlo<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], effort: &Effort) -> Sampled {
+pub fn monte_carlo<O: Outcomes>(
+    inputs: &RandomVector,
+    outcomes: &O,
+    sets: &[u64],
+    effort: &Effort,
+) -> Sampled {
     let mut hits = vec![0u64; sets.len()];
     let mut blocks = 0;
     let mut course = Vec::new();
@@ -273,7 +278,7 @@ pub fn monte_carlo<O: Outcomes>(inputs: &Inputs, outcomes: &O, sets: &[u64], eff
 }
 
 /// The first `count` draws of a seed: each the values of all inputs, in their order.
-pub fn draws(inputs: &Inputs, seed: u64, count: u64, mut each: impl FnMut(&[f64])) {
+pub fn draws(inputs: &RandomVector, seed: u64, count: u64, mut each: impl FnMut(&[f64])) {
     let mut left = count;
     let mut block = 0;
     while left > 0 {
@@ -290,7 +295,7 @@ pub fn draws(inputs: &Inputs, seed: u64, count: u64, mut each: impl FnMut(&[f64]
 /// Number of draws made at once.
 const AT_ONCE: usize = 128;
 
-fn draw_block(inputs: &Inputs, seed: u64, block: u64, mut each: impl FnMut(&[f64])) {
+fn draw_block(inputs: &RandomVector, seed: u64, block: u64, mut each: impl FnMut(&[f64])) {
     let mut stream = Stream::new(seed, block);
     let (laws, n) = (inputs.laws(), inputs.laws().len());
     let factor = (!inputs.copula().is_independent()).then(|| inputs.copula().natural_factor());

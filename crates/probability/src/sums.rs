@@ -11,7 +11,7 @@ use crate::integrate::Life;
 use crate::life::{Values, stream};
 use crate::normal;
 use crate::points::{Sobol, Stream};
-use crate::problem::Inputs;
+use crate::problem::RandomVector;
 use crate::sample::{Averages, Effort, Estimate, SCRAMBLES, Sampled, shared_out};
 
 /// Amounts that each event of one year may add.
@@ -23,22 +23,22 @@ pub trait Sums: Sync {
     fn year(&self, values: &[f64]) -> Option<Self::Year>;
 
     /// The chances of one event.
-    fn of_event(&self, year: &Self::Year) -> OfEvent;
+    fn of_event(&self, year: &Self::Year) -> EventMeans;
 
     /// Amount of an event than which this share in (0, 1) of those that add anything is rarer.
     fn amount(&self, year: &Self::Year, share: f64) -> f64;
 
     /// Function of a share in (0, 1) that gives the event of the other kind at that rarity; `None` where they are only
     /// counted, and nothing is drawn for them.
-    fn other(&self, year: &Self::Year) -> Option<impl Fn(f64) -> Other> {
+    fn other(&self, year: &Self::Year) -> Option<impl Fn(f64) -> OtherEvent> {
         let _ = year;
-        None::<fn(f64) -> Other>
+        None::<fn(f64) -> OtherEvent>
     }
 }
 
 /// Result of an event of the other kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Other {
+pub struct OtherEvent {
     /// Amount added.
     pub amount: f64,
     /// True if it ends the life.
@@ -47,7 +47,7 @@ pub struct Other {
 
 /// Mean and chances of what one event adds.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OfEvent {
+pub struct EventMeans {
     /// The mean of what it adds.
     pub mean: f64,
     /// The chance that it adds anything.
@@ -59,12 +59,12 @@ pub struct OfEvent {
 /// Means of one year's events: what they add in all, the chance that one adds anything, and that one is of the other kind. The first
 /// is what has to be as precise as the effort asks. A few years add most, far out in what is drawn: nine tenths of the points are
 /// taken where a first look has found the sum to come from, and each is weighed by what it is taken too often.
-pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort) -> Sampled {
+pub fn expected<S: Sums>(inputs: &RandomVector, sums: &S, events: f64, effort: &Effort) -> Sampled {
     let n = inputs.laws().len();
     let yearly = vec![false; n];
     let of = |values: &mut Values, u: &[f64]| {
         values.begin_at(u);
-        sums.year(values.all()).map_or(OfEvent::default(), |year| sums.of_event(&year))
+        sums.year(values.all()).map_or(EventMeans::default(), |year| sums.of_event(&year))
     };
     let about = Centre::found(n, effort.seed, |u| of(&mut Values::new(inputs, &yearly), u).mean);
     let averages = Averages { dimensions: n + 1, first: 128, cost: 1, count: 3, precise: 1 };
@@ -75,7 +75,7 @@ pub fn expected<S: Sums>(inputs: &Inputs, sums: &S, events: f64, effort: &Effort
         move |_: usize, _: u64, coordinates: &[f64], totals: &mut [f64]| {
             u.iter_mut().zip(&coordinates[1..]).for_each(|(u, p)| *u = normal::quantile(*p));
             let weight = about.place(&mut u, coordinates[0]);
-            let OfEvent { mean, adds, other } = of(&mut values, &u);
+            let EventMeans { mean, adds, other } = of(&mut values, &u);
             totals.iter_mut().zip([events * mean, adds, other]).for_each(|(sum, of)| *sum += weight * of);
         }
     })
@@ -140,7 +140,7 @@ impl Centre {
 
 /// One life.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OfLife {
+pub struct LifeSums {
     /// Sum of all amounts that its events have added.
     pub sum: f64,
     /// Number of events that added anything.
@@ -157,14 +157,14 @@ pub struct OfLife {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lives {
     /// The lives of each group.
-    pub groups: Vec<Vec<OfLife>>,
+    pub groups: Vec<Vec<LifeSums>>,
 }
 
 /// Draws lives with so many events a year, as many as a power of two for each group that the points of the effort are years for.
 ///
 /// # Panics
 /// If the years are no whole number, or the list of what is drawn yearly is of another length than the inputs.
-pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effort: &Effort) -> Lives {
+pub fn lives<S: Sums>(inputs: &RandomVector, sums: &S, events: u64, life: &Life, effort: &Effort) -> Lives {
     assert_eq!(life.yearly.len(), inputs.laws().len(), "an entry for each input");
     assert!(life.years >= 1.0 && life.years.fract() == 0.0, "whole years");
     let once = life.yearly.iter().filter(|yearly| !**yearly).count();
@@ -187,7 +187,7 @@ pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effor
                 point.iter_mut().zip(sequences[scramble].point(index)).for_each(|(x, p)| *x = p);
                 values.begin(&point);
                 let mut stream = stream(effort.seed, scramble, index);
-                let mut of_life = OfLife::default();
+                let mut of_life = LifeSums::default();
                 for _ in 0..years {
                     if of_life.ended {
                         break;
@@ -198,7 +198,7 @@ pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effor
                 }
                 of_life
             };
-            (from..each.min(from + RUN)).map(of_index).collect::<Vec<OfLife>>()
+            (from..each.min(from + RUN)).map(of_index).collect::<Vec<LifeSums>>()
         }
     });
     let mut groups = vec![Vec::new(); SCRAMBLES];
@@ -209,8 +209,8 @@ pub fn lives<S: Sums>(inputs: &Inputs, sums: &S, events: u64, life: &Life, effor
 }
 
 /// The events of one year that add something, and how many are of the other kind.
-fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, life: &mut OfLife) {
-    let OfEvent { adds, other, .. } = sums.of_event(year);
+fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, life: &mut LifeSums) {
+    let EventMeans { adds, other, .. } = sums.of_event(year);
     let adding = binomial(events, adds, stream);
     for _ in 0..adding {
         life.sum += sums.amount(year, stream.draw());
@@ -220,7 +220,7 @@ fn draw<S: Sums>(sums: &S, year: &S::Year, events: u64, stream: &mut Stream, lif
     life.others += others;
     if let Some(other) = sums.other(year) {
         for _ in 0..others {
-            let Other { amount, ends } = other(stream.draw());
+            let OtherEvent { amount, ends } = other(stream.draw());
             life.other_sum += amount;
             if ends {
                 life.ended = true;
@@ -256,21 +256,21 @@ impl Lives {
     }
 
     /// A mean of something over lives, with the interval that its spread from group to group gives.
-    pub fn mean(&self, of: impl Fn(&OfLife) -> f64) -> Estimate {
+    pub fn mean(&self, of: impl Fn(&LifeSums) -> f64) -> Estimate {
         let means: Vec<f64> =
             self.groups.iter().map(|group| group.iter().map(&of).sum::<f64>() / group.len() as f64).collect();
         Estimate::of_means(&means, self.count() as u64)
     }
 
     /// The chance of something, in [0, 1].
-    pub fn chance(&self, of: impl Fn(&OfLife) -> bool) -> Estimate {
+    pub fn chance(&self, of: impl Fn(&LifeSums) -> bool) -> Estimate {
         let e = self.mean(|life| f64::from(u8::from(of(life))));
         Estimate { high: e.high.min(1.0), ..e }
     }
 
     /// The sum that a share of all lives stays below or at, with the interval that the groups' own give.
     pub fn quantile(&self, share: f64) -> Estimate {
-        let total = |life: &OfLife| life.sum + life.other_sum;
+        let total = |life: &LifeSums| life.sum + life.other_sum;
         let of = |sums: &mut Vec<f64>| {
             sums.sort_by(f64::total_cmp);
             sums[((share * sums.len() as f64).ceil() as usize).clamp(1, sums.len()) - 1]

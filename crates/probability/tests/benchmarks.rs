@@ -1,12 +1,12 @@
 //! Problems whose answer is known apart from this crate: published reliability benchmarks, by their formulas and not by their printed
 //! digits, and closed forms.
 
-use standfast_probability::copula::{Copula, Correlation, Measure};
+use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::form::{design_point, local_design_points};
 use standfast_probability::integrate::{Life, integrate, integrate_known, integrate_life};
 use standfast_probability::law::{Distribution, Law};
 use standfast_probability::normal;
-use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::{Effort, importance, monte_carlo, sobol};
 
 /// An event `g < 0` of which nothing is known but the function; its line is the last input, scanned.
@@ -38,11 +38,11 @@ impl<G: Fn(&[f64]) -> f64 + Sync> Outcomes for Event<G> {
     }
 }
 
-fn standard(n: usize) -> Inputs {
-    Inputs::independent(vec![Law::normal(0.0, 1.0).unwrap().into(); n])
+fn standard(n: usize) -> RandomVector {
+    RandomVector::independent(vec![Law::normal(0.0, 1.0).unwrap().into(); n])
 }
 
-fn event<G: Fn(&[f64]) -> f64 + Sync>(inputs: &Inputs, g: G) -> Event<G> {
+fn event<G: Fn(&[f64]) -> f64 + Sync>(inputs: &RandomVector, g: G) -> Event<G> {
     Event { g, line: inputs.laws().last().unwrap().clone(), inputs: inputs.laws().len() }
 }
 
@@ -114,7 +114,7 @@ fn integrals_are_those_of_the_benchmarks() {
     };
     assert_close("RP110", p(g), rp110, 1e-9);
     assert_close("RP110, published", rp110, 0.0000319, 1e-2);
-    let inputs = Inputs::independent(vec![
+    let inputs = RandomVector::independent(vec![
         Law::normal(78064.0, 11710.0).unwrap().into(),
         Law::normal(0.0104, 0.00156).unwrap().into(),
     ]);
@@ -183,9 +183,9 @@ fn two_normals_are_a_closed_form() {
     let laws: Vec<Distribution> =
         vec![Law::normal(0.6, 0.1).unwrap().into(), Law::normal(0.25, 0.05).unwrap().into()];
     for rho in [0.0, 0.5, -0.6] {
-        let pair = Correlation { first: 0, second: 1, measure: Measure::Normal(rho) };
+        let pair = Correlation { first: 0, second: 1, measure: CorrelationMeasure::Normal(rho) };
         let copula = if rho == 0.0 { Copula::independent(2) } else { Copula::new(&laws, &[pair]).unwrap() };
-        let inputs = Inputs::new(laws.clone(), copula);
+        let inputs = RandomVector::new(laws.clone(), copula);
         let deviation = (0.1f64.powi(2) + 0.05f64.powi(2) - 2.0 * rho * 0.1 * 0.05).sqrt();
         let beta = 0.35 / deviation;
         let answer = integrate(&inputs, &Less, &[1, 2]);
@@ -238,7 +238,8 @@ fn what_is_drawn_once_is_not_drawn_yearly() {
     }
     let resistance: Distribution = Law::lognormal(0.6, 0.09).unwrap().into();
     let (mode, scale): (f64, f64) = (0.27, 0.04);
-    let inputs = Inputs::independent(vec![resistance.clone(), Law::gumbel(mode, scale).unwrap().into()]);
+    let inputs =
+        RandomVector::independent(vec![resistance.clone(), Law::gumbel(mode, scale).unwrap().into()]);
     let life = |yearly| Life { years: 50.0, yearly };
     let once = integrate_life(&inputs, &Above, &[1], &life(vec![false, true]));
     let tail = |x: f64, n: f64| -libm::expm1(-n * (-(x - mode) / scale).exp());
@@ -268,7 +269,7 @@ fn nearest_points_are_found_across_kinks() {
         first.min(if x[1] <= 2.0 { 2.3 - x[1] } else { 0.5 - 0.1 * x[1] })
     });
     assert_close("RP110", rp110.beta, 4.0, 1e-9);
-    let inputs = Inputs::independent(vec![
+    let inputs = RandomVector::independent(vec![
         Law::normal(78064.0, 11710.0).unwrap().into(),
         Law::normal(0.0104, 0.00156).unwrap().into(),
     ]);
@@ -318,9 +319,9 @@ fn intervals_hold_what_they_promise() {
         Law::normal(0.0, 0.7).unwrap().into(),
         Law::gumbel_of_mean(0.0, 1.0).unwrap().into(),
     ];
-    let pair = Correlation { first: 0, second: 1, measure: Measure::Rank(0.4) };
+    let pair = Correlation { first: 0, second: 1, measure: CorrelationMeasure::Rank(0.4) };
     let copula = Copula::new(&laws, &[pair]).unwrap();
-    let inputs = Inputs::new(laws, copula);
+    let inputs = RandomVector::new(laws, copula);
     let exact = integrate(&inputs, &Bands, &[1, 2, 4]);
     assert!((exact.probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-10, "{exact:?}");
     let about: Vec<Vec<f64>> =

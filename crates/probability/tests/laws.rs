@@ -1,6 +1,6 @@
 //! Laws and correlations against closed forms that the crate does not use.
 
-use standfast_probability::copula::{Copula, CopulaError, Correlation, Measure};
+use standfast_probability::copula::{Copula, CopulaError, Correlation, CorrelationMeasure};
 use standfast_probability::law::{Distribution, Law, LawError, Tails};
 use standfast_probability::normal;
 
@@ -163,9 +163,9 @@ fn measures_of_correlation_are_the_closed_forms() {
     let zeta = |c: f64| (1.0 + c * c).ln().sqrt();
     let pair = |measure| Copula::new(&laws, &[Correlation { first: 0, second: 1, measure }]);
     for rho in [-0.5, 0.3, 0.9] {
-        let found = pair(Measure::Linear(rho)).unwrap().between(0, 1);
+        let found = pair(CorrelationMeasure::Linear(rho)).unwrap().between(0, 1);
         assert_close("linear", found, (1.0 + rho * c1 * c2).ln() / (zeta(c1) * zeta(c2)), 1e-9);
-        let rank = pair(Measure::Rank(rho)).unwrap().between(1, 0);
+        let rank = pair(CorrelationMeasure::Rank(rho)).unwrap().between(1, 0);
         let across = (1.0 - rank * rank).sqrt();
         let spearman = 12.0
             * mean_by(16, |z| normal::below(z) * mean_by(16, |w| normal::below(rank * z + across * w)))
@@ -175,14 +175,14 @@ fn measures_of_correlation_are_the_closed_forms() {
     // Of a normal and a Gumbel law ρ_z = ρ σ/E[x(z) z], by quadrature of 30 digits outside this repository; of uniform laws that of ranks.
     let gumbel = |mean: f64, sd: f64| -> Distribution { Law::gumbel_of_mean(mean, sd).unwrap().into() };
     let uniform = |from, to| -> Distribution { Law::uniform(from, to).unwrap().into() };
-    let linear = Correlation { first: 0, second: 1, measure: Measure::Linear(0.4) };
+    let linear = Correlation { first: 0, second: 1, measure: CorrelationMeasure::Linear(0.4) };
     let normal_and_gumbel = [Law::normal(0.6, 0.1).unwrap().into(), gumbel(0.4, 0.1)];
     let found = Copula::new(&normal_and_gumbel, &[linear]).unwrap().between(0, 1);
     assert_close("of Gumbel", found, 0.412_598_985_962_068_3, 1e-13);
     let found = Copula::new(&[uniform(0.0, 1.0), uniform(2.0, 5.0)], &[linear]).unwrap().between(0, 1);
     assert_close("of uniform laws", found, 2.0 * (std::f64::consts::PI * 0.4 / 6.0).sin(), 1e-12);
     let bounds = [-1.0, 1.0].map(|sign| (sign * zeta(c1) * zeta(c2)).exp_m1() / (c1 * c2));
-    match pair(Measure::Linear(-0.95)) {
+    match pair(CorrelationMeasure::Linear(-0.95)) {
         Err(CopulaError::Unattainable { value, from, to, beside_others, .. }) => {
             assert_eq!((value, beside_others), (-0.95, false));
             assert_close("least", from, bounds[0], 1e-9);
@@ -196,7 +196,7 @@ fn measures_of_correlation_are_the_closed_forms() {
 #[test]
 fn a_matrix_that_is_none_names_the_pair() {
     let laws = vec![Distribution::from(Law::normal(0.0, 1.0).unwrap()); 3];
-    let of = |first, second, value| Correlation { first, second, measure: Measure::Normal(value) };
+    let of = |first, second, value| Correlation { first, second, measure: CorrelationMeasure::Normal(value) };
     match Copula::new(&laws, &[of(0, 1, 0.9), of(0, 2, 0.5), of(1, 2, -0.5)]) {
         Err(CopulaError::Unattainable { first: 1, second: 2, from, to, beside_others: true, .. }) => {
             let (middle, half) = (0.45, (0.19f64 * 0.75).sqrt());

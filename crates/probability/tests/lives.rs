@@ -1,14 +1,14 @@
 //! Lives and sums over many events, against integrals written out here and against events drawn one by one.
 
-use standfast_probability::copula::{Copula, Correlation, Measure};
+use standfast_probability::copula::{Copula, Correlation, CorrelationMeasure};
 use standfast_probability::integrate::{Life, integrate_life};
 use standfast_probability::law::Law;
 use standfast_probability::life::lives;
 use standfast_probability::normal::below;
 use standfast_probability::points::Stream;
-use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 use standfast_probability::sample::Effort;
-use standfast_probability::sums::{OfEvent, Sums, expected, lives as sums_of_lives};
+use standfast_probability::sums::{EventMeans, Sums, expected, lives as sums_of_lives};
 
 /// Fails where a resistance, the first input, is below the sum of the others; the line is one of them.
 struct Fails {
@@ -44,12 +44,13 @@ fn mean(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// A resistance N(3.8, 0.5) for life and yearly loads N(1, 0.4) and N(1.2, 0.3), whose sum is N(2.2, 0.5).
-fn inputs(correlation: f64) -> Inputs {
+fn inputs(correlation: f64) -> RandomVector {
     let law = |mean, sd| Law::normal(mean, sd).unwrap().into();
     let laws = vec![law(3.8, 0.5), law(1.0, 0.4), law(1.2, 0.3)];
-    let correlations = [Correlation { first: 0, second: 1, measure: Measure::Normal(correlation) }];
+    let correlations =
+        [Correlation { first: 0, second: 1, measure: CorrelationMeasure::Normal(correlation) }];
     let copula = Copula::new(&laws, &correlations).unwrap();
-    Inputs::new(laws, copula)
+    RandomVector::new(laws, copula)
 }
 
 fn effort(points: u64) -> Effort {
@@ -111,10 +112,10 @@ impl Sums for Exceeds {
     fn year(&self, values: &[f64]) -> Option<f64> {
         Some((values[0] - values[1]).max(0.0))
     }
-    fn of_event(&self, level: &f64) -> OfEvent {
+    fn of_event(&self, level: &f64) -> EventMeans {
         // Of a lack of memory the mean is that of all, and one event in ten of the others is of another kind.
         let adds = (-level).exp();
-        OfEvent { mean: adds, adds, other: 0.1 * (1.0 - adds) }
+        EventMeans { mean: adds, adds, other: 0.1 * (1.0 - adds) }
     }
     fn amount(&self, _: &f64, share: f64) -> f64 {
         -share.ln()

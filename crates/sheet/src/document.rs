@@ -6,7 +6,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use standfast_cases::key::TITLE_BLOCK;
 use standfast_cases::motion::FirstInstant;
 use standfast_cases::units::Extent;
-use standfast_cases::{Assessment, Case, CaseFigure, CaseFile, Drawn, Key, View};
+use standfast_cases::{Assessment, AssessmentView, Case, CaseFigure, CaseFile, FigureKind, Key};
 use standfast_figures::Figure;
 
 use crate::{
@@ -48,10 +48,14 @@ const FACES: [(&str, &str, &[u8]); 3] = [
     ("Sheet Math", "400", include_bytes!("../fonts/math.woff2")),
 ];
 
-pub fn render(assessment: &Assessment, source: &Source<'_>, view: &View) -> Result<String, SheetError> {
+pub fn render(
+    assessment: &Assessment,
+    source: &Source<'_>,
+    view: &AssessmentView,
+) -> Result<String, SheetError> {
     let case = &assessment.case;
     let (section, figures): (Vec<_>, Vec<_>) =
-        assessment.figures(view)?.into_iter().partition(|figure| figure.drawn == Drawn::Section);
+        assessment.figures(view)?.into_iter().partition(|figure| figure.drawn == FigureKind::Section);
     let sensitivities = sensitivity::table(source.case_file)?;
     let probability = probability::section(source.case_file)?;
     let title = case.title.as_deref().map_or_else(|| source.file.to_owned(), one_line);
@@ -188,7 +192,7 @@ fn signatures(source: &Source<'_>) -> Markup {
 
 /// A figure of the case.
 fn of_case(index: usize, figure: &CaseFigure) -> Markup {
-    drawing(index, figure.drawn == Drawn::Section, &figure.figure, &figure.words)
+    drawing(index, figure.drawn == FigureKind::Section, &figure.figure, &figure.words)
 }
 
 /// A figure, its glyphs renamed so that those of several do not clash.

@@ -8,7 +8,7 @@ use crate::formula::FormulaError;
 /// A fault of the program's own formulas and words.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
-pub enum Fault {
+pub enum SheetFault {
     /// Text that should be a formula and is none.
     #[error("{place}: {source}")]
     Formula {

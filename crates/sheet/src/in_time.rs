@@ -1,9 +1,9 @@
 //! The motion in time of a case: what it is asked of, what becomes of the body, and what the model leaves out.
 
 use maud::{Markup, html};
-use standfast_cases::assess::InTime;
+use standfast_cases::assess::MotionAssessment;
 use standfast_cases::layout::digits;
-use standfast_cases::motion::{BlockCase, FirstInstant, Followed, LoadPeak, MotionFigure, Rows};
+use standfast_cases::motion::{BlockCase, FirstInstant, FollowedMotion, LoadPeak, MotionFigure, Rows};
 use standfast_cases::{Case, CaseFile};
 
 /// At most so many situations are shown one by one.
@@ -20,7 +20,7 @@ pub fn inputs(file: &CaseFile, first: &FirstInstant) -> Markup {
 }
 
 /// Motions of the body, in each situation.
-pub fn motions(in_time: &InTime, case: &Case) -> Markup {
+pub fn motions(in_time: &MotionAssessment, case: &Case) -> Markup {
     let all = &in_time.motions;
     html! {
         p.note {
@@ -33,7 +33,7 @@ pub fn motions(in_time: &InTime, case: &Case) -> Markup {
     }
 }
 
-fn motion(block: &BlockCase, followed: &Followed, case: &Case) -> Markup {
+fn motion(block: &BlockCase, followed: &FollowedMotion, case: &Case) -> Markup {
     html! {
         @if let Some(situation) = &block.situation { h3 { "Motion under " (situation) } }
         p.verdict data-motion=(followed.outcome.overturned()) { (block.verdict(followed)) }
@@ -98,7 +98,7 @@ fn table(name: &str, head: &[&str], rows: &Rows) -> Markup {
 }
 
 /// Histories and positions of the worst situation; what moves has no place on paper.
-pub fn figures(in_time: &InTime) -> Vec<MotionFigure> {
+pub fn figures(in_time: &MotionAssessment) -> Vec<MotionFigure> {
     let worst = in_time.motions.first();
     let figures = worst.map_or_else(Vec::new, |(block, followed)| block.figures(followed));
     figures.into_iter().filter(|figure| figure.suffix != "-animation").collect()

@@ -47,12 +47,12 @@ mod verdict;
 use sha2::{Digest, Sha256};
 use standfast::InputError;
 use standfast_cases::motion::{FirstInstant, Follow};
-use standfast_cases::{Assessment, CaseError, CaseFile, Explained, Key, View};
+use standfast_cases::{Assessment, AssessmentView, CaseError, CaseFile, Explained, Key};
 use thiserror::Error;
 
 pub use browser::{Paper, PaperError, PrintError};
 pub use date::{Date, DateError};
-pub use fault::Fault;
+pub use fault::SheetFault;
 pub use formula::FormulaError;
 
 /// Options of a sheet, beside its case.
@@ -86,7 +86,7 @@ pub enum SheetError {
     Mechanics(#[from] InputError),
     /// A part of the sheet cannot be drawn.
     #[error("the sheet cannot be drawn whole: {0}")]
-    Fault(#[from] Fault),
+    Fault(#[from] SheetFault),
 }
 
 impl Explained for SheetError {
@@ -153,7 +153,7 @@ impl Sheet {
             date: options.date,
             title_block: &options.title_block,
         };
-        let view = View { up_to: options.up_to, ..View::default() };
+        let view = AssessmentView { up_to: options.up_to, ..AssessmentView::default() };
         Ok(Sheet { html: document::render(assessment, &source, &view)?, date: options.date })
     }
 

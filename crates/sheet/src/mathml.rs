@@ -4,13 +4,13 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::fault::Fault;
+use crate::fault::SheetFault;
 use crate::formula::Formula;
 use crate::measured::NONE;
 
 /// Content of a formula, symbols or numbers, which says how a product is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drawn {
+pub enum FormulaContent {
     /// Symbols: the sign between factors is seen only where a digit follows.
     Symbols,
     /// Numbers with their units: it is seen everywhere.
@@ -18,7 +18,7 @@ pub enum Drawn {
 }
 
 /// A formula in `math` elements, the first of which begins with `lead`, e.g. an equals sign.
-pub fn line(formula: &Formula, lead: &str, drawn: Drawn) -> String {
+pub fn line(formula: &Formula, lead: &str, drawn: FormulaContent) -> String {
     let lead =
         if lead.is_empty() { String::new() } else { format!("<mo form=\"infix\">{}</mo>", escape(lead)) };
     let math = |chunks: Vec<String>| {
@@ -47,7 +47,7 @@ pub fn line(formula: &Formula, lead: &str, drawn: Drawn) -> String {
 
 /// Adds a term to the last chunk. A product of numbers continues in a further chunk with each factor; one of symbols where a
 /// factor is more than a symbol.
-fn term_chunks(term: &Formula, drawn: Drawn, first: bool, chunks: &mut Vec<String>) {
+fn term_chunks(term: &Formula, drawn: FormulaContent, first: bool, chunks: &mut Vec<String>) {
     let Formula::Product(factors) = term else {
         return add(chunks, &draw(term, drawn, first));
     };
@@ -56,7 +56,7 @@ fn term_chunks(term: &Formula, drawn: Drawn, first: bool, chunks: &mut Vec<Strin
         let text = factor_of(factor, drawn);
         if i == 0 {
             add(chunks, &text);
-        } else if drawn == Drawn::Symbols && plain(factor) && plain(&factors[i - 1]) {
+        } else if drawn == FormulaContent::Symbols && plain(factor) && plain(&factors[i - 1]) {
             add(chunks, &(times(&text, drawn) + &text));
         } else {
             chunks.push(times(&text, drawn) + &text);
@@ -74,12 +74,14 @@ const INVISIBLE_TIMES: &str = "<mo>\u{2062}</mo>";
 
 /// The sign between a product's factors, of which `right` is the right one as drawn. In front of a symbol it is not seen; in
 /// front of a digit it is, or 14·1.2 would read 141.2.
-fn times(right: &str, drawn: Drawn) -> String {
+fn times(right: &str, drawn: FormulaContent) -> String {
     // The first character outside of tags.
     let first = right.split('>').find_map(|part| part.chars().next().filter(|c| *c != '<'));
     match drawn {
-        Drawn::Symbols if !first.is_some_and(|first| first.is_ascii_digit()) => INVISIBLE_TIMES.to_owned(),
-        Drawn::Symbols | Drawn::Numbers => operator("⋅"),
+        FormulaContent::Symbols if !first.is_some_and(|first| first.is_ascii_digit()) => {
+            INVISIBLE_TIMES.to_owned()
+        }
+        FormulaContent::Symbols | FormulaContent::Numbers => operator("⋅"),
     }
 }
 
@@ -88,7 +90,7 @@ fn operator(sign: &str) -> String {
 }
 
 /// A formula as the content of an `mrow`. `first` says whether a negative number needs no parentheses.
-pub fn draw(formula: &Formula, drawn: Drawn, first: bool) -> String {
+pub fn draw(formula: &Formula, drawn: FormulaContent, first: bool) -> String {
     match formula {
         Formula::Number(number) => format!("<mn>{number}</mn>"),
         Formula::Name(text) => name(text),
@@ -133,7 +135,7 @@ pub fn draw(formula: &Formula, drawn: Drawn, first: bool) -> String {
     }
 }
 
-fn power(base: &Formula, exponent: &Formula, drawn: Drawn) -> String {
+fn power(base: &Formula, exponent: &Formula, drawn: FormulaContent) -> String {
     let needs_parentheses = match base {
         Formula::Value(quantity) => quantity.value < 0.0 || quantity.unit != NONE,
         Formula::Call(..) => true,
@@ -146,7 +148,7 @@ fn power(base: &Formula, exponent: &Formula, drawn: Drawn) -> String {
     format!("<msup>{base}{}</msup>", row(&draw(exponent.bare(), drawn, true)))
 }
 
-fn call(function: &str, arguments: &[Formula], drawn: Drawn) -> String {
+fn call(function: &str, arguments: &[Formula], drawn: FormulaContent) -> String {
     let arguments: Vec<_> = arguments.iter().map(|argument| row(&draw(argument, drawn, true))).collect();
     match function {
         "sqrt" => format!("<msqrt>{}</msqrt>", arguments.concat()),
@@ -159,7 +161,7 @@ fn call(function: &str, arguments: &[Formula], drawn: Drawn) -> String {
 }
 
 /// A factor of a product or what follows a minus sign.
-fn factor_of(formula: &Formula, drawn: Drawn) -> String {
+fn factor_of(formula: &Formula, drawn: FormulaContent) -> String {
     match formula {
         Formula::Sum(_) | Formula::Negative(_) => fenced("(", &draw(formula, drawn, true), ")"),
         _ => draw(formula, drawn, false),
@@ -233,14 +235,14 @@ pub fn symbol(text: &str) -> String {
 }
 
 /// A sentence in which formulas stand between backticks.
-pub fn prose(text: &str) -> Result<Markup, Fault> {
+pub fn prose(text: &str) -> Result<Markup, SheetFault> {
     let mut parts = text.split('`');
     let mut sentence = html! { (parts.next().unwrap_or_default()) }.into_string();
     while let Some(inner) = parts.next() {
-        let Some(behind) = parts.next() else { return Err(Fault::Unpaired { text: text.to_owned() }) };
+        let Some(behind) = parts.next() else { return Err(SheetFault::Unpaired { text: text.to_owned() }) };
         let formula = Formula::parse(inner)
-            .map_err(|source| Fault::Formula { place: format!("the sentence “{text}”"), source })?;
-        sentence += &format!("<math><mrow>{}</mrow></math>", draw(&formula, Drawn::Symbols, true));
+            .map_err(|source| SheetFault::Formula { place: format!("the sentence “{text}”"), source })?;
+        sentence += &format!("<math><mrow>{}</mrow></math>", draw(&formula, FormulaContent::Symbols, true));
         sentence += &html! { (behind) }.into_string();
     }
     Ok(PreEscaped(sentence))
@@ -261,7 +263,10 @@ mod tests {
                 drawn.split('<').filter_map(|part| part.split_once('>')).map(|(_, text)| text).collect();
             text.replace('\u{2062}', "~")
         };
-        [bare(&draw(formula, Drawn::Symbols, true)), bare(&line(formula, "", Drawn::Symbols))]
+        [
+            bare(&draw(formula, FormulaContent::Symbols, true)),
+            bare(&line(formula, "", FormulaContent::Symbols)),
+        ]
     }
 
     #[test]

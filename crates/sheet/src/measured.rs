@@ -9,7 +9,7 @@ const DIGITS: usize = 5;
 
 /// A unit, and how many SI units make one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
+pub struct SheetUnit {
     /// As it is printed.
     pub text: &'static str,
     /// In SI units.
@@ -18,49 +18,49 @@ pub struct Unit {
     dimension: Option<Dimension>,
 }
 
-impl Unit {
+impl SheetUnit {
     /// That in which people read a quantity of case files.
-    const fn of(dimension: Dimension) -> Unit {
+    const fn of(dimension: Dimension) -> SheetUnit {
         let (text, si) = dimension.on_paper();
-        Unit { text, si, dimension: Some(dimension) }
+        SheetUnit { text, si, dimension: Some(dimension) }
     }
 
     /// One of what no case file gives.
-    const fn other(text: &'static str) -> Unit {
-        Unit { text, si: 1.0, dimension: None }
+    const fn other(text: &'static str) -> SheetUnit {
+        SheetUnit { text, si: 1.0, dimension: None }
     }
 }
 
 macro_rules! units {
     ($($name:ident = $unit:expr;)*) => {
-        $(#[doc = concat!("`", stringify!($unit), "`")] pub const $name: Unit = $unit;)*
+        $(#[doc = concat!("`", stringify!($unit), "`")] pub const $name: SheetUnit = $unit;)*
     };
 }
 
 units! {
-    NONE = Unit::other("");
-    DEGREE = Unit::other("°");
-    AREA = Unit::other("m²");
-    ROTATION = Unit::other("rad/s²");
-    METRE = Unit::of(Dimension::Length);
-    SECOND = Unit::of(Dimension::Time);
-    MASS = Unit::of(Dimension::Mass);
-    KILONEWTON = Unit::of(Dimension::Force);
-    MOMENT = Unit::of(Dimension::Moment);
-    INERTIA = Unit::of(Dimension::Inertia);
-    KILOPASCAL = Unit::of(Dimension::Pressure);
-    DENSITY = Unit::of(Dimension::Density);
-    UNIT_WEIGHT = Unit::of(Dimension::UnitWeight);
-    STIFFNESS = Unit::of(Dimension::Stiffness);
-    MRAD = Unit::of(Dimension::Angle);
-    SPRING = Unit::other("N/m²");
-    SPRING_OF_OBJECT = Unit::other("N/m");
-    TURNING = Unit::other("N");
-    TURNING_OF_OBJECT = Unit::other("N m");
-    PER_SECOND = Unit::other("1/s");
-    SQUARE = Unit::other("1/s²");
-    FOURTH = Unit::other("1/s⁴");
-    ACCELERATION = Unit::of(Dimension::Acceleration);
+    NONE = SheetUnit::other("");
+    DEGREE = SheetUnit::other("°");
+    AREA = SheetUnit::other("m²");
+    ROTATION = SheetUnit::other("rad/s²");
+    METRE = SheetUnit::of(Dimension::Length);
+    SECOND = SheetUnit::of(Dimension::Time);
+    MASS = SheetUnit::of(Dimension::Mass);
+    KILONEWTON = SheetUnit::of(Dimension::Force);
+    MOMENT = SheetUnit::of(Dimension::Moment);
+    INERTIA = SheetUnit::of(Dimension::Inertia);
+    KILOPASCAL = SheetUnit::of(Dimension::Pressure);
+    DENSITY = SheetUnit::of(Dimension::Density);
+    UNIT_WEIGHT = SheetUnit::of(Dimension::UnitWeight);
+    STIFFNESS = SheetUnit::of(Dimension::Stiffness);
+    MRAD = SheetUnit::of(Dimension::Angle);
+    SPRING = SheetUnit::other("N/m²");
+    SPRING_OF_OBJECT = SheetUnit::other("N/m");
+    TURNING = SheetUnit::other("N");
+    TURNING_OF_OBJECT = SheetUnit::other("N m");
+    PER_SECOND = SheetUnit::other("1/s");
+    SQUARE = SheetUnit::other("1/s²");
+    FOURTH = SheetUnit::other("1/s⁴");
+    ACCELERATION = SheetUnit::of(Dimension::Acceleration);
 }
 
 /// A number in the unit it is shown in.
@@ -69,12 +69,12 @@ pub struct Measured {
     /// In `unit`.
     pub value: f64,
     /// Unit that the number is shown in.
-    pub unit: Unit,
+    pub unit: SheetUnit,
 }
 
 impl Measured {
     /// A value of the library, in SI units; an angle in degrees.
-    pub fn of(si: f64, unit: Unit) -> Measured {
+    pub fn of(si: f64, unit: SheetUnit) -> Measured {
         // `+ 0.0` turns −0 into 0.
         Measured { value: si / unit.si + 0.0, unit }
     }
@@ -82,7 +82,7 @@ impl Measured {
     /// Converts to the unit of a case of this extent, where forces and masses are per metre run or of the whole.
     pub fn in_extent(self, extent: Extent) -> Measured {
         let Some(dimension) = self.unit.dimension else { return self };
-        let unit = Unit::of(extent.of(dimension));
+        let unit = SheetUnit::of(extent.of(dimension));
         Measured { value: self.value * (self.unit.si / unit.si), unit }
     }
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast_cases::CaseFile;
 use standfast_cases::layout::digits;
 use standfast_cases::random::{
-    Chances, Estimate, Happening, Method, Probability, ProbabilityError, Rate, Request,
+    ChanceRequest, Chances, Estimate, Happening, Method, Probability, ProbabilityError, Rate,
 };
 
 use crate::SheetError;
@@ -37,7 +37,7 @@ pub fn section(file: &CaseFile) -> Result<Option<Markup>, SheetError> {
                 (digits(measure.value())) " (" (measure.name()) ")." }
         }
     };
-    let answer = match Probability::of(file, Request::default()) {
+    let answer = match Probability::of(file, ChanceRequest::default()) {
         Ok(answer) => answer,
         Err(ProbabilityError::Case(error)) => return Err(error.into()),
         // The laws stand there, and why nothing follows from them.

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use standfast_cases::couple::STAYS;
-use standfast_cases::design::{Change, Sensitivity, sensitivities};
+use standfast_cases::design::{Sensitivity, SensitivityChange, sensitivities};
 use standfast_cases::key::Table;
 use standfast_cases::{CaseError, CaseFile};
 
@@ -58,7 +58,7 @@ fn value(row: &Sensitivity) -> Markup {
     }
 }
 
-fn signed(change: Change) -> Markup {
+fn signed(change: SensitivityChange) -> Markup {
     let text = |change: f64| match format!("{change:+.5}").replace('-', "−") {
         zero if zero.ends_with("0.00000") => "0".to_owned(),
         text => text,

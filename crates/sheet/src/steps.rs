@@ -4,23 +4,23 @@ use maud::{Markup, PreEscaped, html};
 use standfast::relation::Relation;
 use standfast_cases::units::Extent;
 
-use crate::fault::Fault;
+use crate::fault::SheetFault;
 use crate::formula::{Formula, FormulaError, Scope};
-use crate::mathml::{Drawn, line, prose, symbol};
-use crate::measured::{Measured, NONE, Unit, number};
+use crate::mathml::{FormulaContent, line, prose, symbol};
+use crate::measured::{Measured, NONE, SheetUnit, number};
 
 /// The calculation as far as it is written, and the quantities that later steps may use.
 ///
-/// Faults leave no gap: the first is kept, and [`finish`](Steps::finish), the only way to what is written, gives it
+/// Faults leave no gap: the first is kept, and [`finish`](SheetSteps::finish), the only way to what is written, gives it
 /// instead.
-pub struct Steps {
+pub struct SheetSteps {
     extent: Extent,
     scope: Scope,
     done: Vec<Markup>,
     part: Part,
     /// The reference of the last step: one without words of its own belongs to it.
     reference: String,
-    fault: Option<Fault>,
+    fault: Option<SheetFault>,
 }
 
 /// A part of the calculation under a title; `load` says of which load, counted from 0.
@@ -46,7 +46,7 @@ impl Part {
 }
 
 /// A step: what is computed, and from what.
-pub struct Step<'a> {
+pub struct SheetStep<'a> {
     /// In words.
     pub about: &'a str,
     /// Source of the formula: an equation number, or an author.
@@ -61,10 +61,10 @@ pub struct Step<'a> {
     pub key: &'a str,
 }
 
-impl Steps {
+impl SheetSteps {
     /// No steps yet of a case of this extent, in a part of this title.
-    pub fn new(title: &str, extent: Extent) -> Steps {
-        Steps {
+    pub fn new(title: &str, extent: Extent) -> SheetSteps {
+        SheetSteps {
             extent,
             scope: Scope::new(),
             done: Vec::new(),
@@ -84,7 +84,7 @@ impl Steps {
     ///
     /// # Errors
     /// If any of it could not be drawn.
-    pub fn finish(self) -> Result<Markup, Fault> {
+    pub fn finish(self) -> Result<Markup, SheetFault> {
         match self.fault {
             Some(fault) => Err(fault),
             None => Ok(html! { @for part in self.done { (part) } (self.part.html()) }),
@@ -92,18 +92,18 @@ impl Steps {
     }
 
     /// A value of the case, SI, in the unit it is shown in.
-    fn measured(&self, si: f64, unit: Unit) -> Measured {
+    fn measured(&self, si: f64, unit: SheetUnit) -> Measured {
         Measured::of(si, unit).in_extent(self.extent)
     }
 
     /// A quantity that later formulas may use.
-    pub fn know(&mut self, name: &str, si: f64, unit: Unit) {
+    pub fn know(&mut self, name: &str, si: f64, unit: SheetUnit) {
         let known = self.measured(si, unit);
         self.scope.insert(name.to_owned(), known);
     }
 
     /// Writes what could be drawn, or keeps why it could not.
-    pub fn write(&mut self, drawn: Result<Markup, Fault>) {
+    pub fn write(&mut self, drawn: Result<Markup, SheetFault>) {
         match drawn {
             Ok(markup) => self.part.html.push(markup),
             Err(fault) => {
@@ -113,15 +113,15 @@ impl Steps {
     }
 
     /// Writes a step.
-    pub fn step(&mut self, step: &Step<'_>) {
+    pub fn step(&mut self, step: &SheetStep<'_>) {
         let drawn = self.draw(step);
         self.write(drawn);
         step.reference.clone_into(&mut self.reference);
         self.scope.insert(step.name.to_owned(), step.result.in_extent(self.extent));
     }
 
-    fn draw(&self, step: &Step<'_>) -> Result<Markup, Fault> {
-        let Step { about, reference, name, formula, result, key } = *step;
+    fn draw(&self, step: &SheetStep<'_>) -> Result<Markup, SheetFault> {
+        let SheetStep { about, reference, name, formula, result, key } = *step;
         let result = result.in_extent(self.extent);
         let place = format!("the step for `{name}`");
         let shown = if about.is_empty() && reference == self.reference { "" } else { reference };
@@ -133,9 +133,9 @@ impl Steps {
                 div.lines {
                     span.left { (PreEscaped(symbol(name))) }
                     div.right {
-                        span.symbols { (PreEscaped(line(&symbols, "=", Drawn::Symbols))) }
+                        span.symbols { (PreEscaped(line(&symbols, "=", FormulaContent::Symbols))) }
                         " "
-                        span.numbers data-step=(name) { (PreEscaped(line(&numbers, "=", Drawn::Numbers))) }
+                        span.numbers data-step=(name) { (PreEscaped(line(&numbers, "=", FormulaContent::Numbers))) }
                     }
                 }
                 p.result { "= " (result.html(key)) }
@@ -144,8 +144,9 @@ impl Steps {
     }
 
     /// The formula, written as `text`, with numbers put in.
-    fn numbers(&self, place: &str, text: &str, formula: &Formula) -> Result<Formula, Fault> {
-        let no_number = |name| Fault::NoNumber { place: place.to_owned(), formula: text.to_owned(), name };
+    fn numbers(&self, place: &str, text: &str, formula: &Formula) -> Result<Formula, SheetFault> {
+        let no_number =
+            |name| SheetFault::NoNumber { place: place.to_owned(), formula: text.to_owned(), name };
         formula.with_numbers(&self.scope).map_err(no_number)
     }
 
@@ -156,15 +157,15 @@ impl Steps {
         reference: &str,
         [name, formula]: [&str; 2],
         si: f64,
-        unit: Unit,
+        unit: SheetUnit,
         key: &str,
     ) {
         let result = self.measured(si, unit);
-        self.step(&Step { about, reference, name, formula, result, key });
+        self.step(&SheetStep { about, reference, name, formula, result, key });
     }
 
     /// Writes a result that no formula on a line gives, with words in place of it.
-    pub fn told(&mut self, about: &str, name: &str, si: f64, unit: Unit, words: &str, key: &str) {
+    pub fn told(&mut self, about: &str, name: &str, si: f64, unit: SheetUnit, words: &str, key: &str) {
         let result = self.measured(si, unit);
         self.write(head(about, "").map(|head| {
             html! {
@@ -187,7 +188,7 @@ impl Steps {
         self.write(drawn);
     }
 
-    fn draw_relation(&self, relation: &Relation) -> Result<Markup, Fault> {
+    fn draw_relation(&self, relation: &Relation) -> Result<Markup, SheetFault> {
         let Relation { equation, quantity, left, sign, bound, right, holds } = *relation;
         let place = format!("the inequality ({equation})");
         let (from, to) = (read(&place, quantity)?, read(&place, bound)?);
@@ -198,12 +199,12 @@ impl Steps {
             div.step.relation {
                 (head("", equation)?)
                 div.lines {
-                    span.left { (PreEscaped(line(&from, "", Drawn::Symbols))) }
+                    span.left { (PreEscaped(line(&from, "", FormulaContent::Symbols))) }
                     div.right {
-                        span.symbols { (PreEscaped(line(&to, &sign, Drawn::Symbols))) }
+                        span.symbols { (PreEscaped(line(&to, &sign, FormulaContent::Symbols))) }
                         @if !one_number {
                             " "
-                            span.numbers data-step=(bound) { (PreEscaped(line(&numbers, "=", Drawn::Numbers))) }
+                            span.numbers data-step=(bound) { (PreEscaped(line(&numbers, "=", FormulaContent::Numbers))) }
                         }
                     }
                     span.left { data value=(left) data-side="left" { (number(left)) } }
@@ -234,8 +235,8 @@ impl Steps {
 }
 
 /// The formula that `place` shows.
-fn read(place: &str, formula: &str) -> Result<Formula, Fault> {
-    let fault = |source: FormulaError| Fault::Formula { place: place.to_owned(), source };
+fn read(place: &str, formula: &str) -> Result<Formula, SheetFault> {
+    let fault = |source: FormulaError| SheetFault::Formula { place: place.to_owned(), source };
     Formula::parse(formula).map_err(fault)
 }
 
@@ -245,7 +246,7 @@ fn line_sign(sign: &str) -> String {
 }
 
 /// Heading of a step: its subject, and the source of its formula.
-fn head(about: &str, reference: &str) -> Result<Markup, Fault> {
+fn head(about: &str, reference: &str) -> Result<Markup, SheetFault> {
     let words = prose(about)?;
     Ok(html! {
         p.about {
@@ -266,8 +267,8 @@ mod tests {
     use crate::measured::METRE;
 
     /// Steps of which one, in the middle, is `wrong`.
-    fn with(wrong: impl Fn(&mut Steps)) -> Result<String, Fault> {
-        let mut steps = Steps::new("Part", Extent::PerMetre);
+    fn with(wrong: impl Fn(&mut SheetSteps)) -> Result<String, SheetFault> {
+        let mut steps = SheetSteps::new("Part", Extent::PerMetre);
         steps.know("a", 3.0, METRE);
         steps.add("Half of `a`", "", ["b", "a/2"], 1.5, METRE, "");
         wrong(&mut steps);
@@ -295,7 +296,7 @@ mod tests {
 
     #[test]
     fn a_step_that_cannot_be_read_leaves_no_sheet() {
-        type Write = fn(&mut Steps);
+        type Write = fn(&mut SheetSteps);
         let unreadable: [(Write, &str); 6] = [
             (
                 |steps| steps.add("", "", ["d", "2 (a"], 1.0, METRE, ""),
@@ -331,7 +332,7 @@ mod tests {
     fn a_name_without_a_number_leaves_no_sheet() {
         let no_number = |place: &str, formula: &str| {
             let [place, formula, name] = [place, formula, "μ"].map(str::to_owned);
-            Err(Fault::NoNumber { place, formula, name })
+            Err(SheetFault::NoNumber { place, formula, name })
         };
         let step = with(|steps| steps.add("", "", ["d", "a μ^2"], 3.0, METRE, ""));
         assert_eq!(step, no_number("the step for `d`", "a μ^2"));
@@ -347,6 +348,6 @@ mod tests {
             steps.add("", "", ["d", "a +"], 3.0, METRE, "");
             steps.add("", "", ["e", "f"], 3.0, METRE, "");
         });
-        assert!(matches!(fault, Err(Fault::Formula { place, .. }) if place == "the step for `d`"));
+        assert!(matches!(fault, Err(SheetFault::Formula { place, .. }) if place == "the step for `d`"));
     }
 }

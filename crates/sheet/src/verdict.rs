@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use standfast::{Departure, Verdict};
 use standfast_cases::assess::{AnyCheck, criteria_met, verdict};
 use standfast_cases::layout::digits;
-use standfast_cases::{Assessed, Assessment, View};
+use standfast_cases::{Assessed, Assessment, AssessmentView};
 
 use crate::calculation::TARGET;
 use crate::measured::{Measured, NONE};
@@ -19,7 +19,7 @@ pub fn summary(assessment: &Assessment) -> Markup {
     html! {
         section.summary {
             h2 { "Summary" }
-            @for assessed in assessment.shown(&View::default()) {
+            @for assessed in assessment.shown(&AssessmentView::default()) {
                 p.verdict data-mode=(assessed.verdict().map_or("none", Verdict::symbol)) {
                     @if several { (name(assessment, assessed)) ": " }
                     @match assessed.verdict() {
@@ -152,7 +152,7 @@ fn departure(departure: &Departure) -> Markup {
 }
 
 /// The verdict in full.
-pub fn full(assessment: &Assessment, view: &View) -> Markup {
+pub fn full(assessment: &Assessment, view: &AssessmentView) -> Markup {
     html! {
         @for assessed in assessment.shown(view) {
             @if is_named(assessment) { h3 { (name(assessment, assessed)) } }

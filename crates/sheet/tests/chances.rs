@@ -3,7 +3,7 @@
 mod common;
 
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Probability, Request};
+use standfast_cases::random::{ChanceRequest, Probability};
 use standfast_sheet::{Sheet, SheetOptions};
 
 const BLOCK: &str = "[body]\nwidth = 12\nheight = 3\nmass = 60e3\nfriction = 0.5\n[[load]]\nname = \"push\"\nforce = 230e3\n\
@@ -19,7 +19,8 @@ fn html(text: &str) -> String {
 fn the_section_has_the_numbers_of_the_answer() {
     let text = format!("{BLOCK}[criteria]\np_not_rest = 0.01\n{RANDOM}");
     let page = scraper::Html::parse_document(&html(&text));
-    let answer = Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), Request::default()).unwrap();
+    let answer =
+        Probability::of(&CaseFile::parse("case.toml", &text).unwrap(), ChanceRequest::default()).unwrap();
     let select = |css: &str| {
         let selector = scraper::Selector::parse(css).unwrap();
         page.select(&selector).map(|found| found.text().collect::<String>()).collect::<Vec<_>>()

@@ -10,7 +10,7 @@ use common::{Step, cases, document, select, si, steps};
 use scraper::ElementRef;
 use serde_json::Value;
 use standfast_cases::results::{ResultKind, ResultName};
-use standfast_cases::{Assessment, CaseFile, View};
+use standfast_cases::{Assessment, AssessmentView, CaseFile};
 
 /// Numbers of the sea that the sheet shows under the names of the JSON.
 const SEA: [&str; 18] = [
@@ -61,7 +61,7 @@ fn every_number_of_the_json_answer_is_on_the_sheet() {
     for (name, text) in cases() {
         let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
         let assessment = Assessment::of(&case).unwrap();
-        let json: Value = serde_json::from_str(&assessment.json(&View::default(), &[])).unwrap();
+        let json: Value = serde_json::from_str(&assessment.json(&AssessmentView::default(), &[])).unwrap();
         let html = document(&name, &text);
         let all = |selector: &str| select(&html, selector).into_iter().map(in_si).collect::<Vec<_>>();
         // Of several with one name, the last.
@@ -141,7 +141,7 @@ fn criteria_and_earthquakes_are_those_of_the_json_answer() {
     for (name, text) in cases() {
         let case = CaseFile::parse(&name, &text).unwrap().case().unwrap();
         let assessment = Assessment::of(&case).unwrap();
-        let json: Value = serde_json::from_str(&assessment.json(&View::default(), &[])).unwrap();
+        let json: Value = serde_json::from_str(&assessment.json(&AssessmentView::default(), &[])).unwrap();
         let html = document(&name, &text);
         let words = |row: &ElementRef<'_>| row.text().collect::<Vec<_>>().join(" ");
         let criteria = json["criteria"].as_array().unwrap();

@@ -4,7 +4,7 @@
 //! `cargo run -p standfast --example assess_caisson`
 
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
-use standfast::wave::{Choices, Heights, Sea, Section, goda};
+use standfast::wave::{CaissonSection, Choices, Heights, Sea, goda};
 use standfast::{Body, Departure, InputError, Outcome, Situation};
 
 fn outcome() -> Result<Outcome, InputError> {
@@ -17,7 +17,7 @@ fn outcome() -> Result<Outcome, InputError> {
         water_density: 1030.0,
         gravity: 9.81,
     };
-    let section = Section {
+    let section = CaissonSection {
         base_depth: 7.1,
         depth_above_berm: 5.6,
         crest_height: 3.4,

@@ -434,23 +434,23 @@ impl History {
     }
 
     /// Jumps and bends, moment by moment: the history is the sum of what they add from there on; `None` of one with sines.
-    pub fn changes(&self) -> Option<Vec<Change>> {
+    pub fn changes(&self) -> Option<Vec<HistoryChange>> {
         let corners = self.corners()?;
         let Some(&[first, value]) = corners.first() else { return Some(Vec::new()) };
-        let mut changes = vec![Change { at: first, step: value, slope: 0.0 }];
+        let mut changes = vec![HistoryChange { at: first, step: value, slope: 0.0 }];
         let mut slope = 0.0;
         for pair in corners.windows(2) {
             let ([from, low], [to, high]) = (pair[0], pair[1]);
             if to == from {
-                changes.push(Change { at: to, step: high - low, slope: 0.0 });
+                changes.push(HistoryChange { at: to, step: high - low, slope: 0.0 });
                 continue;
             }
             let next = (high - low) / (to - from);
-            changes.push(Change { at: from, step: 0.0, slope: next - slope });
+            changes.push(HistoryChange { at: from, step: 0.0, slope: next - slope });
             slope = next;
         }
         let last = corners[corners.len() - 1][0];
-        changes.push(Change { at: last, step: 0.0, slope: -slope });
+        changes.push(HistoryChange { at: last, step: 0.0, slope: -slope });
         Some(changes)
     }
 
@@ -477,7 +477,7 @@ impl History {
 
 /// Change that is added to a history from a moment on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Change {
+pub struct HistoryChange {
     /// The moment, s.
     pub at: f64,
     /// Step that is added at once.

@@ -34,7 +34,7 @@ mod slices;
 
 use crate::body::{BaseEdges, Body};
 use crate::error::InputError;
-use crate::loads::{Action, Load, LoadKind, LoadSource, Place, StillWater};
+use crate::loads::{Action, BodyPoint, Load, LoadKind, LoadSource, StillWater};
 
 use polygon::{Areas, areas, crossing, extent, within};
 use slices::{Slice, slices};
@@ -447,7 +447,7 @@ impl Section {
                 return None;
             }
             let corner = if to_right > 0.0 { edge_left } else { edge_right };
-            let at = Place { x: corner + to_right * moment / area, y: level };
+            let at = BodyPoint { x: corner + to_right * moment / area, y: level };
             let action = Action::Force { at, right: 0.0, up: 0.0 - unit_weight * area };
             Some(Load::permanent(source, LoadKind::Weight, action))
         });

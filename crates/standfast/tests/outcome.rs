@@ -7,7 +7,7 @@ use common::{Random, tries};
 use standfast::Verdict::Begins;
 use standfast::loads::LoadKind::{Horizontal, Weight};
 use standfast::loads::{
-    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, PressureAt,
+    Action, AddedMass, BodyPoint, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Pose, PressureAt,
     PressureDiagram, StillWater, Uplift,
 };
 use standfast::{Bearing, Body, Corner, Departure, Mode, Situation, Slip, Stability, Stage, Verdict, Wrench};
@@ -48,7 +48,7 @@ fn random_situation(random: &mut Random) -> Situation {
         situation = situation.with_all(quake.loads(&added));
     }
     if random.coin() {
-        let at = Place { x: random.uniform(-0.5, 0.5) * width, y: random.uniform(0.0, height) };
+        let at = BodyPoint { x: random.uniform(-0.5, 0.5) * width, y: random.uniform(0.0, height) };
         let mut force = || random.uniform(-0.4, 0.4) * weight;
         let (right, up) = (force(), force());
         let action = Action::Force { at, right, up };
@@ -546,7 +546,7 @@ fn a_moment_is_the_rate_of_work() {
     let body = Body::new(10.0, 8.0, 1e5).unwrap().with_centroid(0.5, 3.0).unwrap();
     let mut random = Random(64);
     for _ in 0..200 {
-        let at = Place { x: random.uniform(-5.0, 5.0), y: random.uniform(0.0, 8.0) };
+        let at = BodyPoint { x: random.uniform(-5.0, 5.0), y: random.uniform(0.0, 8.0) };
         let (right, up) = (random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
         let theta = random.uniform(-3.0, 3.0);
         let work = |theta: f64| {
@@ -601,7 +601,7 @@ fn a_situation_keeps_what_it_is_given() {
 fn the_report_s_problem_is_told_from_others() {
     let body = Body::new(2.0, 4.0, 1000.0).unwrap();
     let push = |right: f64, up: f64| {
-        let action = Action::Force { at: Place { x: 0.3, y: 3.0 }, right, up };
+        let action = Action::Force { at: BodyPoint { x: 0.3, y: 3.0 }, right, up };
         Load::variable(LoadSource::Force, Horizontal, action)
     };
     let on = |body: Body| Situation::new(body, 0.6, 10.0).unwrap().with_weight();

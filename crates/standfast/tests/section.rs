@@ -4,7 +4,7 @@ mod common;
 
 use common::{Random, tries};
 use standfast::loads::{
-    Action, Face, Load, LoadKind, LoadSource, Place, Pose, PressureAt, PressureDiagram, StillWater,
+    Action, BodyPoint, Face, Load, LoadKind, LoadSource, Pose, PressureAt, PressureDiagram, StillWater,
 };
 use standfast::section::{Part, Section, SectionError, SectionMass, Vertex, WaterTable};
 use standfast::{Bearing, Body, Departure, Situation, Wrench};
@@ -333,7 +333,7 @@ fn a_length_multiplies_all_forces_and_nothing_else() {
             Load::pressure(Face::Right, diagram(60e3, 0.0)),
             Load::pressure(Face::Base, diagram(10e3, 20e3)),
             Load::pressure(Face::Top, diagram(5e3, 1e3)),
-            Load::force(Place { x: 0.0, y: 4.0 }, -150e3 * times, 0.0),
+            Load::force(BodyPoint { x: 0.0, y: 4.0 }, -150e3 * times, 0.0),
         ]);
         loads.fold(situation, Situation::with).outcome().unwrap()
     };
@@ -367,7 +367,7 @@ fn a_cylinder_by_hand() {
     assert!(!drum.is_uniform());
     let water = StillWater::new(&drum, 1.0, 1.0, 1000.0).unwrap();
     let situation = Situation::new(drum, 0.6, 10.0).unwrap();
-    let push = Load::force(Place { x: 0.0, y: 1.5 }, -10e3, 0.0);
+    let push = Load::force(BodyPoint { x: 0.0, y: 1.5 }, -10e3, 0.0);
     let situation =
         water.loads(&drum, 10.0).into_iter().chain([weight(), push]).fold(situation, Situation::with);
     let outcome = situation.outcome().unwrap();

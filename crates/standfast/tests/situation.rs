@@ -11,7 +11,7 @@ use standfast::contact::{Block, solve};
 use standfast::initiation::Chart;
 use standfast::loads::LoadKind::{Horizontal, Uplift, Weight};
 use standfast::loads::{
-    Action, AddedMass, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Place, Pose, StillWater,
+    Action, AddedMass, BodyPoint, Earthquake, HorizontalForce, Load, LoadKind, LoadSource, Pose, StillWater,
 };
 use standfast::{Body, ClassicalActions, Corner, Departure, Mode, Modes, Point, Situation, Slip, Wrench};
 
@@ -615,7 +615,7 @@ fn a_force_in_air_keeps_its_numbers() {
 /// A load keeps its name and its factor, a force counts by its direction, and an earthquake turns.
 #[test]
 fn loads_are_named_and_multiplied() {
-    let at = Place { x: 1.0, y: 2.0 };
+    let at = BodyPoint { x: 1.0, y: 2.0 };
     let body = Body::new(4.0, 6.0, 1e4).unwrap();
     let push = Load::force(at, 3.0, 0.0).named("push").times(2.0).times(1.5);
     assert_eq!((push.name.as_deref(), push.factor, push.kind), (Some("push"), 3.0, LoadKind::Horizontal));

@@ -3,7 +3,9 @@
 
 use serde::Deserialize;
 use standfast::loads::Pose;
-use standfast::wave::{BreakingTerms, Choices, Heights, Sea, Section, Warning, goda, shoaling, wavelength};
+use standfast::wave::{
+    BreakingTerms, CaissonSection, Choices, Heights, Sea, WaveWarning, goda, shoaling, wavelength,
+};
 use standfast::{Bearing, Body, ClassicalActions, Corner, Quantity, Wrench};
 
 /// A case of the file; keys that a case lacks are those of its base.
@@ -78,8 +80,8 @@ impl Case {
         }
     }
 
-    fn section(&self) -> Section {
-        Section {
+    fn section(&self) -> CaissonSection {
+        CaissonSection {
             base_depth: self.base_depth.unwrap(),
             depth_above_berm: self.depth_above_berm.unwrap(),
             crest_height: self.crest_height.unwrap(),
@@ -200,7 +202,7 @@ fn published_cases_of_a_vertical_wall() {
     }
 }
 
-fn example() -> (Sea, Heights, Section) {
+fn example() -> (Sea, Heights, CaissonSection) {
     let case = &cases()[0];
     (case.sea(), Heights::DeepWater(case.deep_water_height.unwrap()), case.section())
 }
@@ -211,7 +213,7 @@ fn example() -> (Sea, Heights, Section) {
 fn force_and_moment_are_those_of_the_pressure_diagram() {
     let (sea, heights, section) = example();
     for crest_height in [0.5, 3.4, 11.0, 20.0] {
-        let section = Section { crest_height, ..section };
+        let section = CaissonSection { crest_height, ..section };
         let g = goda(&sea, &heights, &section, &Choices::default()).unwrap();
         assert_eq!(g.h_c_star, g.eta_star.min(crest_height));
         let (mut force, mut moment) = (0.0, 0.0);
@@ -335,7 +337,7 @@ fn bearing_pressure_has_its_ranges() {
 fn pressures_on_a_body_are_the_resultants() {
     let (sea, heights, section) = example();
     for crest_height in [0.5, 3.4, 11.0, 20.0] {
-        let section = Section { crest_height, ..section };
+        let section = CaissonSection { crest_height, ..section };
         let waves = goda(&sea, &heights, &section, &Choices::default()).unwrap();
         let body = Body::new(section.caisson_width, section.base_depth + crest_height, 1e6).unwrap();
         let Ok([wall, uplift]) = <[_; 2]>::try_from(waves.loads(&body, section.base_depth)) else { panic!() };
@@ -355,7 +357,7 @@ fn pressures_on_a_body_are_the_resultants() {
 #[test]
 fn warnings_name_their_trigger() {
     let (sea, heights, section) = example();
-    let names = |sea: &Sea, heights: &Heights, section: &Section| -> Vec<String> {
+    let names = |sea: &Sea, heights: &Heights, section: &CaissonSection| -> Vec<String> {
         goda(sea, heights, section, &Choices::default())
             .unwrap()
             .warnings
@@ -370,26 +372,26 @@ fn warnings_name_their_trigger() {
             "impulsive breaking is possible: berm width B_M/L = 0.074, depth above the berm d/h = 0.554, bed slope 0.010, steepness H0'/L0 = 0.0310; the pressures may be exceeded"
         ]
     );
-    let low_berm = Section { depth_above_berm: 6.5, ..section };
+    let low_berm = CaissonSection { depth_above_berm: 6.5, ..section };
     assert!(names(&sea, &heights, &low_berm).is_empty());
     let deep = Sea { water_depth: 60.0, ..sea };
-    let deep_section = Section { depth_above_berm: 50.0, base_depth: 52.0, ..section };
+    let deep_section = CaissonSection { depth_above_berm: 50.0, base_depth: 52.0, ..section };
     assert!(matches!(
         goda(&deep, &heights, &deep_section, &Choices::default()).unwrap().warnings[..],
-        [Warning::DeepWater { ratio }] if (ratio - 60.0 / 202.9).abs() < 1e-3
+        [WaveWarning::DeepWater { ratio }] if (ratio - 60.0 / 202.9).abs() < 1e-3
     ));
     let high = Heights::Local { significant: 9.0, maximum: 15.0 };
     assert!(
         names(&sea, &high, &low_berm)[0].starts_with("H_max = 15.00 m is above the breaking limit 8.09 m")
     );
-    let deep_base = Section { base_depth: 11.0, ..low_berm };
+    let deep_base = CaissonSection { base_depth: 11.0, ..low_berm };
     assert_eq!(
         names(&sea, &heights, &deep_base),
         [
             "base_depth = 11.00 m is more than the water depth 10.10 m: the base would lie below the sea bed in front of it"
         ]
     );
-    let sunk_berm = Section { depth_above_berm: 8.0, ..section };
+    let sunk_berm = CaissonSection { depth_above_berm: 8.0, ..section };
     assert_eq!(
         names(&sea, &heights, &sunk_berm),
         ["depth_above_berm = 8.00 m is more than base_depth = 7.10 m: the berm would lie below the base"]
@@ -412,16 +414,16 @@ fn warnings_name_their_trigger() {
 #[test]
 fn impossible_seas_are_refused() {
     let (sea, heights, section) = example();
-    let message = |sea: Sea, heights: Heights, section: Section, choices: Choices| {
+    let message = |sea: Sea, heights: Heights, section: CaissonSection, choices: Choices| {
         goda(&sea, &heights, &section, &choices).unwrap_err().to_string()
     };
     let default = Choices::default();
     assert_eq!(
-        message(sea, heights, Section { depth_above_berm: 11.0, ..section }, default),
+        message(sea, heights, CaissonSection { depth_above_berm: 11.0, ..section }, default),
         "depth above the berm is 11; expected no more than the water depth: the berm lies on the sea bed"
     );
     assert_eq!(
-        message(sea, heights, Section { crest_height: -0.5, ..section }, default),
+        message(sea, heights, CaissonSection { crest_height: -0.5, ..section }, default),
         "crest height is -0.5; expected above zero: the crest has to stand above still water"
     );
     assert_eq!(
@@ -452,7 +454,7 @@ fn every_branch_of_the_breaking_coefficients() {
         ([12.0, 8.0, 1.5, 12.0, 5.0, 3.0, 0.01], 1.0939315105661176, 0.6),
     ] {
         let sea = Sea { period, water_depth: h, sea_bottom_slope: slope, ..sea };
-        let section = Section { depth_above_berm: d, berm_width, base_depth: h - 1.0, ..section };
+        let section = CaissonSection { depth_above_berm: d, berm_width, base_depth: h - 1.0, ..section };
         let heights = Heights::Local { significant, maximum };
         let g = goda(&sea, &heights, &section, &Choices::default()).unwrap();
         assert!((g.alpha_impulsive / alpha_i - 1.0).abs() < 1e-9, "{period} {h} {d}: {}", g.alpha_impulsive);
@@ -472,7 +474,7 @@ fn wave_heights_from_deep_water() {
         ([14.0, 10.0, 6.0, 0.05], 6.63821742594622, 10.620973331665517),
     ] {
         let sea = Sea { period, water_depth: h, sea_bottom_slope: slope, ..sea };
-        let section = Section { depth_above_berm: 0.6 * h, base_depth: 0.8 * h, ..section };
+        let section = CaissonSection { depth_above_berm: 0.6 * h, base_depth: 0.8 * h, ..section };
         let g = goda(&sea, &Heights::DeepWater(deep), &section, &Choices::default()).unwrap();
         assert!((g.h_13 / significant - 1.0).abs() < 1e-9, "{period}: {}", g.h_13);
         assert!((g.h_max / maximum - 1.0).abs() < 1e-9, "{period}: {}", g.h_max);
@@ -513,12 +515,12 @@ fn a_base_may_be_without_uplift() {
 fn a_base_beyond_the_formula_has_no_suction() {
     let (sea, _, section) = example();
     let sea = Sea { period: 4.0, water_depth: 10.0, ..sea };
-    let section = Section { base_depth: 20.0, ..section };
+    let section = CaissonSection { base_depth: 20.0, ..section };
     let local = Heights::Local { significant: 2.0, maximum: 3.6 };
     let g = goda(&sea, &local, &section, &Choices::default()).unwrap();
     assert!(g.alpha_3 < 0.0);
     assert_eq!((g.p3, g.pu, g.uplift), (0.0, 0.0, 0.0));
-    assert!(g.warnings.iter().any(|warning| matches!(warning, Warning::NoPressureAtBase { .. })));
+    assert!(g.warnings.iter().any(|warning| matches!(warning, WaveWarning::NoPressureAtBase { .. })));
 }
 
 /// Numbers that the criteria of impulsive breaking are about.
@@ -549,7 +551,7 @@ impl Front {
         // H₀'/L₀ with L₀ = gT²/2π; the height at the wall is what shoals to it.
         let deep = self.steepness * gravity * period * period / std::f64::consts::TAU;
         let significant = deep * shoaling(period, water_depth, gravity);
-        let section = Section {
+        let section = CaissonSection {
             base_depth: 7.0,
             depth_above_berm: self.berm_depth_ratio * water_depth,
             crest_height: self.crest_ratio * significant,
@@ -560,7 +562,7 @@ impl Front {
         let choices = Choices { turn_deg: self.turn_deg, ..Choices::default() };
         let warnings = goda(&sea, &heights, &section, &choices).unwrap().warnings;
         warnings.into_iter().find_map(|warning| match warning {
-            Warning::ImpulsiveBreaking { berm_width_ratio, berm_depth_ratio, bed_slope, steepness } => {
+            WaveWarning::ImpulsiveBreaking { berm_width_ratio, berm_depth_ratio, bed_slope, steepness } => {
                 Some([berm_width_ratio, berm_depth_ratio, bed_slope, steepness])
             }
             _ => None,
@@ -616,10 +618,10 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
     let gravity = 50.0 * std::f64::consts::TAU;
     let (sea, _, section) = example();
     let sea = Sea { water_depth: 9.0, sea_bottom_slope: 0.05, period: 1.0, gravity, angle_deg: 10.0, ..sea };
-    let section = Section { berm_width: 0.0, depth_above_berm: 6.5, crest_height: 5.0, ..section };
+    let section = CaissonSection { berm_width: 0.0, depth_above_berm: 6.5, crest_height: 5.0, ..section };
     for (height, warns) in [(1.5 * below, true), (1.5, false), (1.5 * above, false)] {
         let g = goda(&sea, &Heights::DeepWater(height), &section, &Choices::default()).unwrap();
-        let impulsive = |warning: &Warning| matches!(warning, Warning::ImpulsiveBreaking { .. });
+        let impulsive = |warning: &WaveWarning| matches!(warning, WaveWarning::ImpulsiveBreaking { .. });
         assert_eq!(g.warnings.iter().any(impulsive), warns, "{height}");
     }
     for front in [berm, bed] {
@@ -644,10 +646,10 @@ fn every_limit_of_impulsive_breaking_is_where_it_is() {
 fn every_other_warning_has_its_limit() {
     let (sea, _, section) = example();
     // A berm so low that no impulsive breaking is warned of.
-    let section = Section { depth_above_berm: 6.5, ..section };
+    let section = CaissonSection { depth_above_berm: 6.5, ..section };
     let low = Heights::Local { significant: 1.0, maximum: 1.8 };
     let deep = Heights::DeepWater(1.0);
-    let warnings = |sea: Sea, heights: Heights, section: Section| {
+    let warnings = |sea: Sea, heights: Heights, section: CaissonSection| {
         goda(&sea, &heights, &section, &Choices::default()).unwrap().warnings
     };
     assert!(warnings(sea, low, section).is_empty());
@@ -659,66 +661,66 @@ fn every_other_warning_has_its_limit() {
     assert!(warnings(at_ratio(0.1999), deep, section).is_empty());
     assert!(matches!(
         warnings(at_ratio(0.2001), deep, section)[..],
-        [Warning::DeepWater { ratio }] if (ratio - 0.2001).abs() < 1e-12
+        [WaveWarning::DeepWater { ratio }] if (ratio - 0.2001).abs() < 1e-12
     ));
     assert!(warnings(at_ratio(0.2001), low, section).is_empty());
     // At 0.2 itself waves do not break any more: T = 1 s and g = 50·2π m/s² make L₀ = 50 m, five times the depth.
     let limit = Sea { water_depth: 10.0, period: 1.0, gravity: 50.0 * std::f64::consts::TAU, ..sea };
     let at_limit = goda(&limit, &deep, &section, &Choices::default()).unwrap();
     assert!(!at_limit.heights.unwrap().may_break);
-    assert!(at_limit.warnings.contains(&Warning::DeepWater { ratio: 0.2 }));
+    assert!(at_limit.warnings.contains(&WaveWarning::DeepWater { ratio: 0.2 }));
     // Miche's limit, 0.142 L tanh(2πh/L).
     let length = wavelength(sea.period, sea.water_depth, sea.gravity);
     let limit = 0.142 * length * (std::f64::consts::TAU * sea.water_depth / length).tanh();
     let at_height = |maximum| warnings(sea, Heights::Local { significant: 1.0, maximum }, section);
     assert!(at_height(limit * 0.999).is_empty() && at_height(limit).is_empty());
-    assert_eq!(at_height(limit * 1.001), [Warning::HigherThanBreaking { height: limit * 1.001, limit }]);
+    assert_eq!(at_height(limit * 1.001), [WaveWarning::HigherThanBreaking { height: limit * 1.001, limit }]);
     // α₃ = 0 at h' = h/(1 − 1/cosh(2πh/L)), below the bed.
     let h = sea.water_depth;
     let deepest = h / (1.0 - 1.0 / (std::f64::consts::TAU * h / length).cosh());
     for (base_depth, warns) in [(deepest * 0.999, false), (deepest * 1.001, true)] {
-        let warnings = warnings(sea, low, Section { base_depth, ..section });
-        let no_pressure = |warning: &Warning| matches!(warning, Warning::NoPressureAtBase { .. });
+        let warnings = warnings(sea, low, CaissonSection { base_depth, ..section });
+        let no_pressure = |warning: &WaveWarning| matches!(warning, WaveWarning::NoPressureAtBase { .. });
         assert_eq!(warnings.iter().any(no_pressure), warns, "{base_depth}");
     }
     // The bed and the berm: level is not below.
-    assert!(warnings(sea, low, Section { base_depth: h, ..section }).is_empty());
+    assert!(warnings(sea, low, CaissonSection { base_depth: h, ..section }).is_empty());
     assert_eq!(
-        warnings(sea, low, Section { base_depth: h * 1.001, ..section }),
-        [Warning::BaseBelowBed { base_depth: h * 1.001, water_depth: h }]
+        warnings(sea, low, CaissonSection { base_depth: h * 1.001, ..section }),
+        [WaveWarning::BaseBelowBed { base_depth: h * 1.001, water_depth: h }]
     );
-    let level = Section { depth_above_berm: section.base_depth, ..section };
+    let level = CaissonSection { depth_above_berm: section.base_depth, ..section };
     assert!(warnings(sea, low, level).is_empty());
     let depth_above_berm = section.base_depth * 1.001;
     assert_eq!(
-        warnings(sea, low, Section { depth_above_berm, ..section }),
-        [Warning::BermBelowBase { depth_above_berm, base_depth: section.base_depth }]
+        warnings(sea, low, CaissonSection { depth_above_berm, ..section }),
+        [WaveWarning::BermBelowBase { depth_above_berm, base_depth: section.base_depth }]
     );
     let at_period = |period| warnings(Sea { period, ..sea }, low, section);
     assert!(at_period(30.0).is_empty());
-    assert_eq!(at_period(30.03), [Warning::LongPeriod { period: 30.03 }]);
+    assert_eq!(at_period(30.03), [WaveWarning::LongPeriod { period: 30.03 }]);
     let at_slope = |sea_bottom_slope| warnings(Sea { sea_bottom_slope, ..sea }, low, section);
     assert!(at_slope(0.1).is_empty());
-    assert_eq!(at_slope(0.1001), [Warning::SteepBed { bed_slope: 0.1001 }]);
+    assert_eq!(at_slope(0.1001), [WaveWarning::SteepBed { bed_slope: 0.1001 }]);
 }
 
 /// A warning's name for programs is that of its variant.
 #[test]
 fn a_warning_has_its_name() {
     for warning in [
-        Warning::ImpulsiveBreaking {
+        WaveWarning::ImpulsiveBreaking {
             berm_width_ratio: 0.1,
             berm_depth_ratio: 0.5,
             bed_slope: 0.01,
             steepness: 0.02,
         },
-        Warning::DeepWater { ratio: 0.3 },
-        Warning::HigherThanBreaking { height: 9.0, limit: 8.0 },
-        Warning::NoPressureAtBase { alpha_3: -0.1 },
-        Warning::BaseBelowBed { base_depth: 9.0, water_depth: 8.0 },
-        Warning::BermBelowBase { depth_above_berm: 9.0, base_depth: 8.0 },
-        Warning::LongPeriod { period: 40.0 },
-        Warning::SteepBed { bed_slope: 0.2 },
+        WaveWarning::DeepWater { ratio: 0.3 },
+        WaveWarning::HigherThanBreaking { height: 9.0, limit: 8.0 },
+        WaveWarning::NoPressureAtBase { alpha_3: -0.1 },
+        WaveWarning::BaseBelowBed { base_depth: 9.0, water_depth: 8.0 },
+        WaveWarning::BermBelowBase { depth_above_berm: 9.0, base_depth: 8.0 },
+        WaveWarning::LongPeriod { period: 40.0 },
+        WaveWarning::SteepBed { bed_slope: 0.2 },
     ] {
         let variant = format!("{warning:?}");
         let variant = variant.split(' ').next().unwrap();
@@ -733,10 +735,10 @@ fn a_warning_has_its_name() {
 fn a_steep_bed_without_a_berm_warns() {
     let (sea, _, section) = example();
     let sea = Sea { period: 12.0, water_depth: 10.0, sea_bottom_slope: 0.05, angle_deg: 0.0, ..sea };
-    let section = Section { berm_width: 0.0, depth_above_berm: 6.5, ..section };
+    let section = CaissonSection { berm_width: 0.0, depth_above_berm: 6.5, ..section };
     for heights in [Heights::DeepWater(3.0), Heights::Local { significant: 2.0, maximum: 3.6 }] {
         let g = goda(&sea, &heights, &section, &Choices::default()).unwrap();
-        let Warning::ImpulsiveBreaking { bed_slope, steepness, .. } = g.warnings[0] else { panic!() };
+        let WaveWarning::ImpulsiveBreaking { bed_slope, steepness, .. } = g.warnings[0] else { panic!() };
         assert!(bed_slope == 0.05 && steepness < 0.03);
     }
 }
@@ -746,7 +748,7 @@ fn a_steep_bed_without_a_berm_warns() {
 fn every_number_is_checked() {
     let (sea, heights, section) = example();
     let default = Choices::default();
-    let refused = |sea: Sea, heights: Heights, section: Section, choices: Choices| {
+    let refused = |sea: Sea, heights: Heights, section: CaissonSection, choices: Choices| {
         goda(&sea, &heights, &section, &choices).unwrap_err().quantity
     };
     let nan = f64::NAN;
@@ -771,13 +773,13 @@ fn every_number_is_checked() {
         assert_eq!(refused(sea, heights, section, default), quantity);
     }
     for (section, quantity) in [
-        (Section { base_depth: 0.0, ..section }, Quantity::BaseDepth),
-        (Section { depth_above_berm: 0.0, ..section }, Quantity::BermDepth),
-        (Section { depth_above_berm: sea.water_depth * 1.001, ..section }, Quantity::BermDepth),
-        (Section { crest_height: 0.0, ..section }, Quantity::CrestHeight),
-        (Section { crest_height: nan, ..section }, Quantity::CrestHeight),
-        (Section { berm_width: -0.1, ..section }, Quantity::BermWidth),
-        (Section { caisson_width: 0.0, ..section }, Quantity::CaissonWidth),
+        (CaissonSection { base_depth: 0.0, ..section }, Quantity::BaseDepth),
+        (CaissonSection { depth_above_berm: 0.0, ..section }, Quantity::BermDepth),
+        (CaissonSection { depth_above_berm: sea.water_depth * 1.001, ..section }, Quantity::BermDepth),
+        (CaissonSection { crest_height: 0.0, ..section }, Quantity::CrestHeight),
+        (CaissonSection { crest_height: nan, ..section }, Quantity::CrestHeight),
+        (CaissonSection { berm_width: -0.1, ..section }, Quantity::BermWidth),
+        (CaissonSection { caisson_width: 0.0, ..section }, Quantity::CaissonWidth),
     ] {
         assert_eq!(refused(sea, heights, section, default), quantity);
     }
@@ -792,7 +794,7 @@ fn every_number_is_checked() {
         assert_eq!(refused(sea, heights, section, Choices { turn_deg, ..default }), Quantity::WaveTurn);
     }
     // At the ends of the ranges all is well.
-    let level = Section { depth_above_berm: sea.water_depth, berm_width: 0.0, ..section };
+    let level = CaissonSection { depth_above_berm: sea.water_depth, berm_width: 0.0, ..section };
     let flat = Sea { sea_bottom_slope: 0.0, angle_deg: 90.0, ..sea };
     let choices = Choices { lambda: [1.0, 0.0, 0.0], turn_deg: 15.0, ..default };
     assert!(goda(&flat, &local(2.0, 2.0), &level, &choices).is_ok());

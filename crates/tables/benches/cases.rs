@@ -11,7 +11,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use standfast::loads::{Action, Load, LoadKind, LoadSource};
-use standfast::wave::{Choices, Heights, Sea, Section, goda};
+use standfast::wave::{CaissonSection, Choices, Heights, Sea, goda};
 use standfast::{Body, Outcome, Situation};
 use standfast_cases::couple::{Variable, vary};
 use standfast_cases::results::ResultName;
@@ -53,7 +53,7 @@ fn direct([h_13, h_max, period, friction]: [f64; 4]) -> Outcome {
         water_density: 1030.0,
         gravity: 9.81,
     };
-    let section = Section {
+    let section = CaissonSection {
         base_depth: 7.1,
         depth_above_berm: 5.6,
         crest_height: 3.4,

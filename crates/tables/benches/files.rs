@@ -18,7 +18,7 @@ use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::basic::Compression;
 use parquet::file::properties::WriterProperties;
 use standfast::batch::{Columns, classify};
-use standfast_tables::{Input, ResultColumn, TableFormat, TableOptions, answer};
+use standfast_tables::{ResultColumn, TableFormat, TableInput, TableOptions, answer};
 
 const ROUNDS: usize = 9;
 
@@ -112,7 +112,7 @@ fn main() {
         };
         let without = TableOptions { known_modes: Some(modes.clone()), ..options.clone() };
         let run = |options: &TableOptions| {
-            let table = Input::File(File::open(&input).expect("a file"));
+            let table = TableInput::File(File::open(&input).expect("a file"));
             let output = BufWriter::with_capacity(1 << 18, File::create(&output).expect("a file"));
             answer(table, output, options, &()).expect("answered");
         };

@@ -13,7 +13,7 @@ use standfast_cases::{CaseError, CaseFile, Id, Warning};
 
 use crate::results::{ColumnWords, FieldKind, NO_NAME, NO_WORD, ResultField, Values};
 use crate::task::{Fault, Faults, RowFault};
-use crate::{Face, Mapping, TableError, TableOptions};
+use crate::{Interface, Mapping, TableError, TableOptions};
 
 /// The case that the rows of a table vary, and what is computed of them.
 #[derive(Debug, Clone)]
@@ -91,11 +91,11 @@ impl TableWarning {
         }
     }
 
-    /// Words of the warning for a caller of this face.
-    pub fn words(&self, face: Face) -> String {
+    /// Words of the warning for a caller of this interface.
+    pub fn words(&self, interface: Interface) -> String {
         match self {
             TableWarning::ColumnLikeKey { column, key, unit } => {
-                let how = how(column, key, unit.as_deref(), face);
+                let how = how(column, key, unit.as_deref(), interface);
                 format!("column {column} varies nothing; if it is meant to vary {key}, {how}")
             }
             TableWarning::ColumnLikeAbsentKey { column, key } => {
@@ -109,16 +109,16 @@ impl TableWarning {
 }
 
 /// Advice on how to make a column vary a key: by its name, with the unit, or by an option.
-fn how(column: &str, key: &str, unit: Option<&str>, face: Face) -> String {
+fn how(column: &str, key: &str, unit: Option<&str>, interface: Interface) -> String {
     match unit {
         Some(unit) => format!("call it `{key} [{unit}]`"),
-        None => format!("say {}", face.map(key, column)),
+        None => format!("say {}", interface.map(key, column)),
     }
 }
 
 impl fmt::Display for TableWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.words(Face::Program))
+        f.write_str(&self.words(Interface::Program))
     }
 }
 
@@ -158,7 +158,7 @@ impl CaseRows {
         });
         let of_columns: Vec<_> = of_columns.collect();
         let sweep = Sweep::of(&case.file, factors).map_err(TableError::Case)?;
-        let results = asked(&sweep, case, options.face)?;
+        let results = asked(&sweep, case, options.interface)?;
         let warnings = column_warnings(&case.file, found, &places);
         let varied = Varied { columns: of_columns, notes: sweep.notes(), warnings };
         let situations = sweep.situations().into();
@@ -291,16 +291,16 @@ fn push(values: &mut Values, value: ResultValue) {
 }
 
 /// The results asked for, or all that the case has.
-fn asked(sweep: &Sweep, case: &CaseTable, face: Face) -> Result<Vec<SweepResult>, TableError> {
+fn asked(sweep: &Sweep, case: &CaseTable, interface: Interface) -> Result<Vec<SweepResult>, TableError> {
     let all = sweep.results();
     for (i, result) in case.results.iter().enumerate() {
         if !all.contains(result) {
             let results = all.iter().map(|result| result.name()).collect();
-            let option = face.columns();
+            let option = interface.columns();
             return Err(TableError::NoSuchResult { option, column: result.name().to_owned(), results });
         }
         if case.results[..i].contains(result) {
-            return Err(TableError::ResultTwice { option: face.columns(), column: result.name() });
+            return Err(TableError::ResultTwice { option: interface.columns(), column: result.name() });
         }
     }
     Ok(if case.results.is_empty() { all } else { case.results.clone() })
@@ -314,8 +314,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn face(&self) -> Face {
-        self.options.face
+    fn interface(&self) -> Interface {
+        self.options.interface
     }
 
     /// The columns that vary the case, by their places, and what they vary.
@@ -351,12 +351,15 @@ impl Search<'_> {
         let keys = Factor::names(self.case.file.inputs()).join(", ");
         let meant = near.map_or_else(
             || {
-                let said = self.face().map("KEY", "COLUMN");
+                let said = self.interface().map("KEY", "COLUMN");
                 format!("a column varies the number whose key it is called by, or say {said}")
             },
             |warning| match warning {
                 TableWarning::ColumnLikeKey { column, key, unit } => {
-                    format!("did you mean `{key}`? then {}", how(&column, &key, unit.as_deref(), self.face()))
+                    format!(
+                        "did you mean `{key}`? then {}",
+                        how(&column, &key, unit.as_deref(), self.interface())
+                    )
                 }
                 TableWarning::ColumnLikeAbsentKey { key, .. } => {
                     format!("`{key}` is not in the case file: put it in, with any value it may have")
@@ -419,11 +422,11 @@ impl Search<'_> {
                             || {
                                 format!(
                                     "{} is to name a column of the table",
-                                    self.face().map(&mapping.ours, "…")
+                                    self.interface().map(&mapping.ours, "…")
                                 )
                             },
                             |nearest| {
-                                let said = self.face().map(&mapping.ours, nearest);
+                                let said = self.interface().map(&mapping.ours, nearest);
                                 format!("did you mean `{nearest}`? then say {said}")
                             },
                         ),

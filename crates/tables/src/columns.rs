@@ -69,7 +69,10 @@ impl TableOptions {
                     let help = meant.map_or_else(
                         || format!("the columns needed are {}, in any order", self.problem.needed()),
                         |found| {
-                            format!("did you mean `{found}`? then say {}", self.face.map(column.name, found))
+                            format!(
+                                "did you mean `{found}`? then say {}",
+                                self.interface.map(column.name, found)
+                            )
                         },
                     );
                     let column = wanted.to_owned();
@@ -90,7 +93,7 @@ impl TableOptions {
         let optional =
             self.problem.optional().first().filter(|_| places.len() > self.problem.columns().len())?;
         let is_said = self.map.iter().any(|mapping| mapping.ours == optional.name);
-        (!is_said).then(|| self.face.map(optional.name, optional.name))
+        (!is_said).then(|| self.interface.map(optional.name, optional.name))
     }
 
     /// Results to compute: the columns asked for, or all of the problem.
@@ -99,11 +102,14 @@ impl TableOptions {
         for (i, column) in self.columns.iter().enumerate() {
             if !all.contains(column) {
                 let results = all.iter().map(|column| column.name()).collect();
-                let option = self.face.columns();
+                let option = self.interface.columns();
                 return Err(TableError::NoSuchResult { option, column: column.name().to_owned(), results });
             }
             if self.columns[..i].contains(column) {
-                return Err(TableError::ResultTwice { option: self.face.columns(), column: column.name() });
+                return Err(TableError::ResultTwice {
+                    option: self.interface.columns(),
+                    column: column.name(),
+                });
             }
         }
         Ok(if self.columns.is_empty() { all.to_vec() } else { self.columns.clone() })

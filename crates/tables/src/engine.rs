@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use crate::guard::guarded;
-use crate::pieces::{Input, answer_pieces};
+use crate::pieces::{TableInput, answer_pieces};
 use crate::text::Text;
 use crate::{Progress, Summary, TableError, TableFormat, TableOptions};
 
@@ -15,7 +15,7 @@ const TEXT: usize = 1 << 17;
 /// # Errors
 /// As [`run`](crate::run), and if this build leaves out one of the formats.
 pub fn answer(
-    input: Input<'_>,
+    input: TableInput<'_>,
     output: impl Write + Send,
     options: &TableOptions,
     progress: &dyn Progress,
@@ -35,7 +35,7 @@ pub fn answer(
 
 /// Text that stays text: its rows keep their bytes.
 fn text(
-    input: Input<'_>,
+    input: TableInput<'_>,
     mut output: impl Write + Send,
     options: &TableOptions,
     progress: &dyn Progress,

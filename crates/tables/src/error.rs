@@ -235,7 +235,7 @@ pub enum TableError {
         /// The table.
         name: String,
         /// Place of the row.
-        place: Place,
+        place: TablePlace,
         /// Fault of the row.
         problem: RowProblem,
     },
@@ -331,7 +331,7 @@ impl Explained for TableError {
 
 /// Place of a row, counted from one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum TablePlace {
     /// The line of a text on which it begins.
     Line(u64),
     /// The row of a table that has no lines.
@@ -340,12 +340,12 @@ pub enum Place {
     SheetRow(u64),
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for TablePlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Place::Line(line) => write!(f, "line {line}"),
-            Place::Row(row) => write!(f, "row {row}"),
-            Place::SheetRow(row) => write!(f, "row {row} of the sheet"),
+            TablePlace::Line(line) => write!(f, "line {line}"),
+            TablePlace::Row(row) => write!(f, "row {row}"),
+            TablePlace::SheetRow(row) => write!(f, "row {row} of the sheet"),
         }
     }
 }

@@ -41,12 +41,12 @@ mod format;
 mod guard;
 #[cfg(feature = "memory")]
 mod memory;
-mod minded;
 mod pieces;
 mod pipeline;
 mod plain;
 mod problem;
 mod results;
+mod row_warning;
 mod task;
 mod text;
 mod written;
@@ -54,18 +54,18 @@ mod written;
 pub use case::{CaseTable, NUMBER, TableWarning, Varied, VariedColumn, column_warnings};
 pub use columns::Mapping;
 pub use engine::answer;
-pub use error::{Place, RowProblem, TableError};
+pub use error::{RowProblem, TableError, TablePlace};
 pub use format::TableFormat;
 pub use guard::silence_caught_panics;
 #[cfg(feature = "memory")]
 pub use memory::{MemoryAnswer, MemoryTable};
-pub use minded::RowWarning;
-pub use pieces::Input;
+pub use pieces::TableInput;
 pub use plain::{PlainColumn, PlainValues, write_columns};
 pub use problem::{ResultColumn, TableProblem};
 #[cfg(feature = "memory")]
 pub use results::{NO_NAME, NO_WORD, Values};
-pub use standfast_cases::Face;
+pub use row_warning::RowWarning;
+pub use standfast_cases::Interface;
 pub use written::{WrittenColumn, written};
 
 use std::io::{Read, Write};
@@ -124,7 +124,7 @@ pub struct TableOptions {
     /// Treatment of a row that makes no sense.
     pub on_error: OnError,
     /// Origin of the options, and so their names in errors.
-    pub face: Face,
+    pub interface: Interface,
     /// True if a text may be a plain number, as every number of a text is; otherwise it has its unit, as in a case
     /// file.
     pub plain_texts: bool,
@@ -150,7 +150,7 @@ impl TableOptions {
             map: Vec::new(),
             columns: Vec::new(),
             on_error: OnError::Stop,
-            face: Face::Program,
+            interface: Interface::Program,
             plain_texts: true,
             threads: 1,
             known_modes: None,
@@ -183,7 +183,7 @@ pub fn run(
     output: impl Write + Send,
     options: &TableOptions,
 ) -> Result<Summary, TableError> {
-    answer(Input::Stream(Box::new(input)), output, options, &())
+    answer(TableInput::Stream(Box::new(input)), output, options, &())
 }
 
 /// The examples of the README are tests.

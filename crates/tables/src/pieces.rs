@@ -3,22 +3,24 @@
 use std::fs::File;
 use std::io::Read;
 
-use crate::minded::RowWarnings;
-use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, pipeline};
+use crate::row_warning::RowWarnings;
+use crate::{
+    OnError, Progress, RowProblem, Summary, TableError, TableFormat, TableOptions, TablePlace, pipeline,
+};
 
 /// Source of a table.
-pub enum Input<'a> {
+pub enum TableInput<'a> {
     /// Something that is read from its beginning to its end.
     Stream(Box<dyn Read + Send + 'a>),
     /// A file, which can be read at any place.
     File(File),
 }
 
-impl<'a> Input<'a> {
+impl<'a> TableInput<'a> {
     pub(crate) fn stream(self) -> Box<dyn Read + Send + 'a> {
         match self {
-            Input::Stream(stream) => stream,
-            Input::File(file) => Box::new(file),
+            TableInput::Stream(stream) => stream,
+            TableInput::File(file) => Box::new(file),
         }
     }
 }
@@ -51,9 +53,9 @@ pub(crate) fn answer_pieces<Piece: Send, Output: Send>(
         let error = done.first.map(|(row, line, problem)| TableError::Row {
             name: options.name.clone(),
             place: match (line, header, summary.rows + row as u64 + 1) {
-                (Some(line), _, _) => Place::Line(line),
-                (None, Some(header), row) => Place::SheetRow(header + row),
-                (None, None, row) => Place::Row(row),
+                (Some(line), _, _) => TablePlace::Line(line),
+                (None, Some(header), row) => TablePlace::SheetRow(header + row),
+                (None, None, row) => TablePlace::Row(row),
             },
             problem,
         });

@@ -5,8 +5,8 @@ use standfast_cases::units::Unit;
 
 use crate::answers::Points;
 use crate::case::CaseRows;
-use crate::minded::RowWarnings;
 use crate::results::{ResultField, Values};
+use crate::row_warning::RowWarnings;
 use crate::text::number;
 use crate::{OnError, RowProblem, TableError, TableOptions, Varied};
 

@@ -7,9 +7,9 @@ use std::ops::Range;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
-use crate::minded::RowWarnings;
 use crate::pieces::Done;
 use crate::results::Values;
+use crate::row_warning::RowWarnings;
 use crate::task::{Fault, Faults, RowFault, Task};
 use crate::{RowProblem, TableError, TableOptions};
 use cut::{CutError, Pieces};

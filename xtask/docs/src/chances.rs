@@ -7,14 +7,14 @@ use standfast::initiation::Chart;
 use standfast::wave::Goda;
 use standfast::{Diagram, Mode};
 use standfast_cases::CaseFile;
-use standfast_cases::random::{Effort, Over, Probability, Request};
+use standfast_cases::random::{ChanceRequest, Effort, Probability, ValueRange};
 use standfast_figures::{
     Chance, ChanceLine, ChanceLines, ChanceMark, DesignPoint, DiagramContent, Figure, LineLook, SpectrumAxis,
     chance_lines, diagram_with,
 };
 use standfast_probability::form::design_point;
 use standfast_probability::law::Law;
-use standfast_probability::problem::{Inputs, Outcomes, Pieces};
+use standfast_probability::problem::{Outcomes, Pieces, RandomVector};
 
 /// Examples shown: the path in `examples`, without extension, the number along which it is asked, and the number of points.
 const EXAMPLES: [(&str, Option<&str>, u64); 4] = [
@@ -35,8 +35,9 @@ pub fn examples(root: &Path) -> io::Result<Vec<Example>> {
     for (name, over, points) in EXAMPLES {
         let path = root.join("examples").join(format!("{name}.toml"));
         let text = fs::read_to_string(&path)?;
-        let over = over.map(|over| over.parse::<Over>().map_err(io::Error::other)).transpose()?;
-        let request = Request { effort: Effort { points, ..Effort::default() }, ..Request::default() };
+        let over = over.map(|over| over.parse::<ValueRange>().map_err(io::Error::other)).transpose()?;
+        let request =
+            ChanceRequest { effort: Effort { points, ..Effort::default() }, ..ChanceRequest::default() };
         let record = |file: &str| {
             let bytes = fs::read(path.with_file_name(file)).map_err(|error| error.to_string())?;
             Ok(String::from_utf8_lossy(&bytes).into_owned())
@@ -109,7 +110,7 @@ fn kink(root: &Path) -> io::Result<Figure> {
     let lognormal = |mean: f64, cov: f64| Law::lognormal(mean, cov * mean).map_err(io::Error::other);
     let laws =
         vec![lognormal(0.636, 0.15)?.into(), lognormal(0.91, 0.19)?.into(), lognormal(0.77, 0.25)?.into()];
-    let inputs = Inputs::independent(laws);
+    let inputs = RandomVector::independent(laws);
     let sea = Law::gumbel_of_mean(4.5, 0.9).map_err(io::Error::other)?;
     let sea = standfast_probability::law::Distribution::truncated(sea, 1.0, f64::INFINITY)
         .map_err(io::Error::other)?;
@@ -170,7 +171,7 @@ fn years() -> io::Result<Figure> {
         [1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0, 75.0, 100.0]
             .into_iter()
             .map(|years| {
-                let request = Request { years: Some(years), ..Request::default() };
+                let request = ChanceRequest { years: Some(years), ..ChanceRequest::default() };
                 let file = CaseFile::parse("years", &text).map_err(io::Error::other)?;
                 let answer = Probability::of(&file, request).map_err(io::Error::other)?;
                 let life = answer.situations.first().and_then(|chances| chances.life.as_ref());

@@ -5,9 +5,9 @@ use std::{fs, io};
 
 use standfast::ground::bearing::{BearingPlane, Ground, GroundLaw};
 use standfast::ground::strength::CrushMap;
-use standfast_cases::design::{Boundary, BoundaryRequest, Extreme, Request, Spelling};
+use standfast_cases::design::{BoundaryRequest, DesignBoundary, DesignRequest, Extreme, Spelling};
 use standfast_cases::motion::{Follow, SpectrumKind, SpectrumRequest};
-use standfast_cases::{Assessment, CaseFigure, CaseFile, View};
+use standfast_cases::{Assessment, AssessmentView, CaseFigure, CaseFile};
 use standfast_figures::{DiagramContent, Figure, FigureId, KMuPlane, diagram_with, report_figure};
 use standfast_sheet::{Sheet, SheetOptions};
 
@@ -115,7 +115,7 @@ fn cases(root: &Path) -> io::Result<Vec<(String, Vec<File>)>> {
         let text = fs::read_to_string(&path)?;
         let case = CaseFile::parse(&name, &text).and_then(|file| file.case()).map_err(io::Error::other)?;
         let assessment = Assessment::of(&case).map_err(io::Error::other)?;
-        let figures = assessment.figures(&View::default()).map_err(io::Error::other)?;
+        let figures = assessment.figures(&AssessmentView::default()).map_err(io::Error::other)?;
         let files = figures.into_iter().map(|CaseFigure { suffix, figure, .. }| {
             (format!("gallery/case-{name}{suffix}.svg"), figure.svg().to_owned())
         });
@@ -161,7 +161,7 @@ fn boundary(root: &Path, example: &str) -> io::Result<String> {
     let text = fs::read_to_string(root.join("examples").join(format!("{example}.toml")))?;
     let file = CaseFile::parse(example, &text).map_err(io::Error::other)?;
     let target = "factor=1.2".parse().map_err(io::Error::other)?;
-    let design = Request {
+    let design = DesignRequest {
         vary: "width".to_owned(),
         target,
         extreme: Extreme::Least,
@@ -170,7 +170,7 @@ fn boundary(root: &Path, example: &str) -> io::Result<String> {
         spelling: &Spelling::PROGRAM,
     };
     let request = BoundaryRequest { design, and: "friction".to_owned(), from: None, to: None };
-    let figure = Boundary::of(&file, request).map_err(io::Error::other)?.figure();
+    let figure = DesignBoundary::of(&file, request).map_err(io::Error::other)?.figure();
     Ok(figure.map(|figure| figure.svg().to_owned()).unwrap_or_default())
 }
 

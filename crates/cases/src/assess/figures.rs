@@ -9,7 +9,7 @@ use standfast_figures::{
     rotation_curve,
 };
 
-use super::{Assessed, Assessment, View, section};
+use super::{Assessed, Assessment, AssessmentView, section};
 use crate::case::Limit;
 use crate::layout::digits;
 
@@ -21,14 +21,14 @@ pub struct CaseFigure {
     /// Its content, in words.
     pub words: String,
     /// Its kind.
-    pub drawn: Drawn,
+    pub drawn: FigureKind,
     /// The figure.
     pub figure: Figure,
 }
 
 /// Kind of figure of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drawn {
+pub enum FigureKind {
     /// The k–μ diagram, with the design points of the loads that share it.
     Diagram,
     /// The path of the rising loads in the plane of load factor and friction.
@@ -75,7 +75,7 @@ impl Base {
 }
 
 /// The figures of the situations shown, and the section of the case.
-pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure>, InputError> {
+pub(super) fn all(assessment: &Assessment, view: &AssessmentView) -> Result<Vec<CaseFigure>, InputError> {
     // In the order of the case, as the files are named.
     let mut shown = assessment.shown(view);
     shown.sort_by_key(|assessed| assessed.index);
@@ -96,7 +96,7 @@ pub(super) fn all(assessment: &Assessment, view: &View) -> Result<Vec<CaseFigure
     figures.push(CaseFigure {
         suffix: "-section".to_owned(),
         words: "Section".to_owned(),
-        drawn: Drawn::Section,
+        drawn: FigureKind::Section,
         figure: section::figure(assessment)?,
     });
     Ok(figures)
@@ -150,7 +150,7 @@ impl Plane {
             Some(Base::Crushing(_)) => words + ", of a base that crushes",
             Some(Base::Failing(_)) => words + ", of ground that fails",
         };
-        Ok(Some(CaseFigure { suffix: suffix.to_owned(), words, drawn: Drawn::Diagram, figure }))
+        Ok(Some(CaseFigure { suffix: suffix.to_owned(), words, drawn: FigureKind::Diagram, figure }))
     }
 }
 
@@ -186,7 +186,7 @@ fn rotation(
     Ok(figure.map(|figure| CaseFigure {
         suffix: format!("{suffix}-rotation"),
         words: named("Moment and rotation", assessment, assessed, suffix),
-        drawn: Drawn::Rotation,
+        drawn: FigureKind::Rotation,
         figure,
     }))
 }
@@ -215,5 +215,5 @@ fn path(
     });
     let words = named("Load path", assessment, assessed, suffix);
     let suffix = format!("{suffix}-path");
-    Ok(CaseFigure { suffix, words, drawn: Drawn::LoadPath, figure })
+    Ok(CaseFigure { suffix, words, drawn: FigureKind::LoadPath, figure })
 }

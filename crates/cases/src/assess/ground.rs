@@ -15,7 +15,7 @@ pub use text::{left_out, state};
 
 /// Response of the base in a situation.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OnGround {
+pub struct BaseResponse {
     /// Limit of what the base can bear.
     pub limit: Option<Limit>,
     /// Reaction of a body at rest under the full load, per metre run; `None` if nothing presses.
@@ -49,7 +49,7 @@ pub struct Elastic {
     pub rotation: Option<f64>,
     /// The most it bears if the load is raised slowly.
     pub largest: LargestMoment,
-    /// |X|/P at which that is reached, as [`k_bf`](OnGround::k_bf).
+    /// |X|/P at which that is reached, as [`k_bf`](BaseResponse::k_bf).
     pub k_overturn: Option<f64>,
     /// Natural periods of sway and rocking, the longer first, and of heave, s; `None` where the centre of mass is off the middle of
     /// the base or there is no tangential stiffness.
@@ -60,16 +60,16 @@ pub struct Elastic {
     pub moved: Option<[f64; 2]>,
 }
 
-impl OnGround {
+impl BaseResponse {
     /// The answer to a situation on the base of a case, and what that bears.
     pub(super) fn of(
         case: &Case,
         foundation: &Foundation,
         situation: &Situation,
-    ) -> Result<(Outcome, OnGround), InputError> {
+    ) -> Result<(Outcome, BaseResponse), InputError> {
         let length = situation.body().plan().side(situation.body().width());
         let reaction = Reaction::of(situation, 1.0)?;
-        let mut answer = OnGround {
+        let mut answer = BaseResponse {
             limit: foundation.limit,
             reaction,
             omega: None,

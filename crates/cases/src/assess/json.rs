@@ -12,7 +12,7 @@ use standfast::loads::{self, LoadKind, LoadSource};
 use standfast::wave::Goda;
 use standfast::{Modes, Motion, Plan, Stage, Verdict, Wrench, section};
 
-use super::{AnyCheck, Assessed, Assessment, CaseCheck, View};
+use super::{AnyCheck, Assessed, Assessment, AssessmentView, CaseCheck};
 use crate::case::{self, Acting, Case, PointForce, Waves};
 use crate::criteria::Bound;
 use crate::motion::{MotionCriterion, MotionValue};
@@ -250,7 +250,7 @@ struct OtherEarthquake {
 struct Criterion {
     name: &'static str,
     required: Required,
-    value: Found,
+    value: CheckedValue,
     /// Null for modes, which use no share of anything.
     #[serde(serialize_with = "optional_number_or_word")]
     utilisation: Option<f64>,
@@ -264,7 +264,7 @@ struct Criterion {
 /// Value of a result of the first instant, or of the motion.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Found {
+enum CheckedValue {
     Instant(ResultValue),
     Motion(MotionValue),
 }
@@ -308,7 +308,7 @@ struct PathStage {
     also: Modes,
 }
 
-pub(super) fn render(assessment: &Assessment, view: &View, files: &[String]) -> String {
+pub(super) fn render(assessment: &Assessment, view: &AssessmentView, files: &[String]) -> String {
     let case = &assessment.case;
     let governing = assessment.governing();
     crate::json(&Document {
@@ -409,7 +409,7 @@ impl Wave {
 }
 
 impl<'a> Situation<'a> {
-    fn of(assessment: &'a Assessment, assessed: &'a Assessed, view: &View) -> Situation<'a> {
+    fn of(assessment: &'a Assessment, assessed: &'a Assessed, view: &AssessmentView) -> Situation<'a> {
         let case = &assessment.case;
         let full = &assessed.outcome.full;
         Situation {
@@ -513,12 +513,15 @@ impl Criterion {
                     Bound::NoneOf(modes) => Required::Modes(modes),
                 };
                 let earthquake = assessed.earthquake.as_ref().map(Earthquake::of);
-                (required, Found::Instant(check.value), check.utilisation, earthquake)
+                (required, CheckedValue::Instant(check.value), check.utilisation, earthquake)
             }
             // The base moves as its records say, with no one acceleration.
-            AnyCheck::Motion(check, _) => {
-                (Required::Motion(check.criterion), Found::Motion(check.value), check.utilisation, None)
-            }
+            AnyCheck::Motion(check, _) => (
+                Required::Motion(check.criterion),
+                CheckedValue::Motion(check.value),
+                check.utilisation,
+                None,
+            ),
         };
         let (name, met, situation) = (check.name(), check.is_met(), check.assessed(assessment).index);
         Criterion { name, required, value, utilisation, met, situation, earthquake }

@@ -6,7 +6,7 @@ use standfast_figures::{
     Arrow, BaseReaction, Figure, Level, Material, Measure, Mound, Outline, Pressed, Section, Side,
 };
 
-use super::ground::OnGround;
+use super::ground::BaseResponse;
 use super::loads::load_words;
 use super::{Assessed, Assessment};
 use crate::case::{Acting, Case, Waves};
@@ -51,7 +51,7 @@ pub(super) fn figure(assessment: &Assessment) -> Result<Figure, InputError> {
 
 /// Reaction of the base as the mode under the full load begins; `None` if nothing presses, the resultant misses the base, or the body
 /// flies.
-fn reaction(case: &Case, assessed: &Assessed, ground: &OnGround) -> Option<BaseReaction> {
+fn reaction(case: &Case, assessed: &Assessed, ground: &BaseResponse) -> Option<BaseReaction> {
     let body = &case.body;
     let BaseEdges { left, right } = body.base_edges();
     let (centre, middle) = (body.centroid_offset(), (right - left) / 2.0);

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::{
-    AnyCheck, Assessed, Assessment, GOVERNING, View, acting, checks, coordinates, ground, loads, sea, verdict,
+    AnyCheck, Assessed, Assessment, AssessmentView, GOVERNING, acting, checks, coordinates, ground, loads,
+    sea, verdict,
 };
 use crate::case::Case;
 use crate::describe::{self, Scale};
@@ -11,7 +12,7 @@ use crate::layout::{columns, digits, paragraph, row};
 use crate::motion::met_words;
 use crate::warning::Warning;
 
-pub(super) fn render(assessment: &Assessment, view: &View) -> String {
+pub(super) fn render(assessment: &Assessment, view: &AssessmentView) -> String {
     let case = &assessment.case;
     let mut text = heading(case);
     text += "Body\n";
@@ -31,7 +32,7 @@ pub(super) fn render(assessment: &Assessment, view: &View) -> String {
         let words = format!(
             "Of {} situations, the {GOVERNING} worst are shown one by one; {} shows every one.",
             assessment.all.len(),
-            view.face.all()
+            view.interface.all()
         );
         text += &paragraph(&words, 0);
     }
@@ -101,7 +102,7 @@ pub(super) fn warnings(case: &Case, of: impl Fn(&Warning) -> bool) -> String {
     warnings.map(|warning| paragraph(&format!("Warning ({}): {warning}.", warning.name()), 2)).collect()
 }
 
-fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
+fn details(case: &Case, assessed: &Assessed, view: &AssessmentView) -> String {
     let full = &assessed.outcome.full;
     let mut text = "Forces and moments\n".to_owned();
     text += &loads::components(assessed);
@@ -146,7 +147,7 @@ fn details(case: &Case, assessed: &Assessed, view: &View) -> String {
     text
 }
 
-fn path(assessed: &Assessed, view: &View) -> String {
+fn path(assessed: &Assessed, view: &AssessmentView) -> String {
     let mut text = if !assessed.rises() {
         "\nLoad path\n".to_owned()
     } else {

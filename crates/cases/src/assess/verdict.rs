@@ -2,7 +2,7 @@
 
 use standfast::{Boundary, Departure, Mode, Response, Verdict};
 
-use super::{Assessed, OnGround, View};
+use super::{Assessed, AssessmentView, BaseResponse};
 use crate::layout::{columns, digits, row};
 use crate::units::Extent;
 
@@ -27,7 +27,7 @@ pub fn full_load(assessed: &Assessed) -> Vec<String> {
     let factor = factor_at_rest(assessed).map_or(String::new(), |factor| format!(", {factor}"));
     sentences
         .push(format!("Applied at once, the full load: the body {}{factor}.", predicate(assessed.verdict())));
-    if let Some(neutral) = assessed.ground.as_ref().and_then(OnGround::neutral) {
+    if let Some(neutral) = assessed.ground.as_ref().and_then(BaseResponse::neutral) {
         sentences.push(format!(
             "The base crushes under that corner: the body turns about a point {} m inside it.",
             digits(neutral)
@@ -110,7 +110,7 @@ fn uniqueness(assessed: &Assessed) -> String {
 }
 
 /// The stages of the rising load; of a lone force in air with its force and k.
-pub(super) fn stages(assessed: &Assessed, view: &View) -> String {
+pub(super) fn stages(assessed: &Assessed, view: &AssessmentView) -> String {
     let in_air = assessed.situation.in_air();
     let mut rows = vec![row!["from", "to", "mode", "", ""]];
     rows.extend(assessed.path_up_to(view.up_to).iter().map(|stage| {

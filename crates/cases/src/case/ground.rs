@@ -3,9 +3,9 @@
 use standfast::ground::bearing::{Ground, GroundLaw};
 use standfast::{Body, History, Plan};
 
-use super::given::Given;
 use super::history::ReadHistory;
 use super::motion::CaseMotion;
+use super::reader::Reader;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 
@@ -51,7 +51,7 @@ const SOIL: [Key; 4] = [Key::GroundAngle, Key::UnitWeight, Key::Surcharge, Key::
 const ENVELOPE: [Key; 4] =
     [Key::CentricResistance, Key::EnvelopeHorizontal, Key::EnvelopeMoment, Key::EnvelopeCoupling];
 
-impl Given<'_> {
+impl Reader<'_> {
     /// The base.
     pub(super) fn ground(&self, body: &Body) -> Result<Foundation, Fault> {
         let has = |key: &Key| self.inputs.get(*key).is_some();

@@ -3,7 +3,7 @@
 use standfast::history::{History, HistoryError, PointFault};
 use standfast_motion::record::{Baseline, Record, RecordUnit};
 
-use super::{Given, Waves};
+use super::{Reader, Waves};
 use crate::error::{Fault, Problem};
 use crate::inputs::Value;
 use crate::key::{Id, Key, Table};
@@ -67,13 +67,13 @@ pub(crate) struct ReadHistory {
 
 /// A history of the inputs, in one of the tables that have histories.
 struct Field<'a> {
-    given: &'a Given<'a>,
+    given: &'a Reader<'a>,
     table: Table,
     index: usize,
     of: HistoryOf<'a>,
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// The history in the `index`-th of a kind of tables, where there is one.
     pub(crate) fn history(
         &self,

@@ -1,11 +1,11 @@
 //! Pressures along faces, forces at points, and which of them act together.
 
-use standfast::loads::{Face, HorizontalForce, Load, Place as At, PressureAt, PressureDiagram};
+use standfast::loads::{BodyPoint, Face, HorizontalForce, Load, PressureAt, PressureDiagram};
 use standfast::{Body, History, InputError, Quantity, Scalar, Slip};
 
-use super::given::Given;
 use super::history::HistoryOf;
 use super::motion::CaseMotion;
+use super::reader::Reader;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 
@@ -94,7 +94,8 @@ impl<T: Scalar> PointForce<T> {
     pub fn load(&self, body: &Body<T>) -> Load<T> {
         let zero = || T::of(0.0);
         let from_middle = |distance: &T| distance.clone() - body.base_edges().left;
-        let at = At { x: self.distance.as_ref().map_or_else(zero, from_middle), y: self.elevation.clone() };
+        let at =
+            BodyPoint { x: self.distance.as_ref().map_or_else(zero, from_middle), y: self.elevation.clone() };
         let magnitude = self.magnitude.clone();
         let (right, up) = match self.direction {
             Direction::Sideways(side) => (T::of(side.sign()) * magnitude, zero()),
@@ -122,7 +123,7 @@ impl Direction {
     }
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// A force.
     pub(super) fn force<T: Scalar>(
         &self,

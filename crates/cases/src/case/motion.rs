@@ -1,8 +1,8 @@
 //! From typed inputs to the motion in time: how the base moves, how corners meet it, how the motion begins, what is asked of it.
 
-use standfast_motion::{Base, Impact, Initial, MotionError};
+use standfast_motion::{BaseMotion, Impact, Initial, MotionError};
 
-use super::Given;
+use super::Reader;
 use super::history::{HistoryOf, ReadHistory};
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
@@ -12,7 +12,7 @@ use crate::motion::{MotionCriterion, MotionWarning};
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseMotion {
     /// Motion of the base, m/s².
-    pub base: Base,
+    pub base: BaseMotion,
     /// Impact of a corner on the base.
     pub impact: Impact,
     /// State in which the motion begins.
@@ -36,11 +36,11 @@ impl CaseMotion {
     }
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// The motion in time; `of` is what the accelerations of the base are of.
     pub(crate) fn motion(&self, of: HistoryOf<'_>) -> Result<CaseMotion, Fault> {
         let mut motion = CaseMotion {
-            base: Base::default(),
+            base: BaseMotion::default(),
             impact: self.impact()?,
             initial: self.initial(),
             t_max: self.number(Key::TMax),
@@ -52,7 +52,7 @@ impl Given<'_> {
         motion.base.horizontal = horizontal.map(|read| motion.take(read));
         let vertical = self.history(Table::BaseVertical, 0, of)?;
         motion.base.vertical = vertical.map(|read| motion.take(read));
-        if motion.base != Base::default() && self.inputs.has(Table::Earthquake) {
+        if motion.base != BaseMotion::default() && self.inputs.has(Table::Earthquake) {
             return Err(Fault::new(Problem::ShakenTwice, Table::Base).and(Table::Earthquake));
         }
         Ok(motion)

@@ -3,7 +3,7 @@
 use standfast::section::{Part, Section, SectionError, Vertex, WaterTable};
 use standfast::{Body, Plan, Scalar};
 
-use super::given::Given;
+use super::reader::Reader;
 use crate::error::{Fault, Place, Problem};
 use crate::key::{Id, Key, Table};
 use crate::units::Extent;
@@ -25,7 +25,7 @@ pub const OF_PARTS: [Key; 9] = [
 const TRAPEZOID: [Key; 6] =
     [Key::PartLeft, Key::PartWidth, Key::PartBottom, Key::PartHeight, Key::PartTopLeft, Key::PartTopWidth];
 
-impl Given<'_> {
+impl Reader<'_> {
     /// The body, and its section where it is made of parts.
     pub(super) fn body<T: Scalar>(&self) -> Result<(Body<T>, Option<Section>), Fault> {
         if self.inputs.extent() == Extent::Whole && self.inputs.has(Table::Wave) {

@@ -9,7 +9,7 @@ mod render;
 use super::quantity::{Ends, Quantity};
 use super::set::{Search, Stretch};
 use super::subject::Subject;
-use super::{DesignError, Request, Spelling, Target, Varied, in_time_note};
+use super::{DesignError, DesignRequest, Spelling, Target, Varied, in_time_note};
 use crate::assess::Assessment;
 use crate::case_file::CaseFile;
 use crate::couple::Variable;
@@ -32,7 +32,7 @@ const DIGITS: usize = 4;
 #[derive(Debug, Clone)]
 pub struct BoundaryRequest {
     /// The quantity whose least or greatest values are wanted, and the target.
-    pub design: Request,
+    pub design: DesignRequest,
     /// The other quantity.
     pub and: String,
     /// Lower end of its range, as the case file would have it; half the present value if not given.
@@ -42,9 +42,9 @@ pub struct BoundaryRequest {
 }
 
 /// The boundary of the values of two quantities that meet a target.
-pub struct Boundary {
+pub struct DesignBoundary {
     subject: Subject,
-    request: Request,
+    request: DesignRequest,
     /// Whose ends are wanted.
     up: Quantity,
     /// The other one.
@@ -72,12 +72,12 @@ impl Column {
     }
 }
 
-impl Boundary {
+impl DesignBoundary {
     /// Finds the boundary for the case of a file.
     ///
     /// # Errors
     /// If the case makes no sense or lacks a quantity, both are the same, or no values meet the target.
-    pub fn of(file: &CaseFile, request: BoundaryRequest) -> Result<Boundary, DesignError> {
+    pub fn of(file: &CaseFile, request: BoundaryRequest) -> Result<DesignBoundary, DesignError> {
         let BoundaryRequest { design, and, from, to } = request;
         let subject = Subject::of(file)?;
         let follows = subject.follows(design.target)?;
@@ -103,7 +103,7 @@ impl Boundary {
         if columns.iter().all(|column| column.stretches.is_empty()) {
             return Err(grid.unmet(spelling));
         }
-        Ok(Boundary { subject, request: design, up, across, present, columns, round })
+        Ok(DesignBoundary { subject, request: design, up, across, present, columns, round })
     }
 
     /// The boundary for reading: a few columns of it.

@@ -4,7 +4,7 @@
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-use super::sensitivity::{Change, Sensitivity};
+use super::sensitivity::{Sensitivity, SensitivityChange};
 use super::set::{End, Stretch};
 use super::{Design, farthest, load_factor, overturns, steepest};
 use crate::assess::{Assessed, Assessment, SCHEMA};
@@ -22,13 +22,13 @@ struct Document<'a> {
     wanted: String,
     bracket: [f64; 2],
     present: Present<'a>,
-    found: Found<'a>,
+    found: FoundValue<'a>,
     /// Failure just beyond the value found.
     binding: Option<String>,
     /// Warnings on the value found.
     warnings: Vec<String>,
     /// All values that meet the target.
-    met: Vec<Met>,
+    met: Vec<MetRange>,
     notes: Vec<String>,
     sensitivity_per_percent: Vec<Row<'a>>,
 }
@@ -43,7 +43,7 @@ struct Present<'a> {
 
 /// The value found as it is printed, on the safe side of the boundary, and what it comes to.
 #[derive(Serialize)]
-struct Found<'a> {
+struct FoundValue<'a> {
     value: f64,
     boundary: f64,
     printed: &'a str,
@@ -53,7 +53,7 @@ struct Found<'a> {
 
 /// Neighbouring values that meet the target.
 #[derive(Serialize)]
-pub(super) struct Met {
+pub(super) struct MetRange {
     from: Bound,
     to: Bound,
 }
@@ -67,9 +67,9 @@ struct Bound {
     binding: Option<String>,
 }
 
-impl Met {
-    pub(super) fn of(stretch: &Stretch) -> Met {
-        Met { from: Bound::of(&stretch.least), to: Bound::of(&stretch.greatest) }
+impl MetRange {
+    pub(super) fn of(stretch: &Stretch) -> MetRange {
+        MetRange { from: Bound::of(&stretch.least), to: Bound::of(&stretch.greatest) }
     }
 }
 
@@ -147,7 +147,7 @@ pub(super) fn render(design: &Design) -> String {
         wanted: request.extreme.to_string(),
         bracket: quantity.range,
         present: Present { value: quantity.present, results: Worst(present) },
-        found: Found {
+        found: FoundValue {
             value: found.rounded,
             boundary: found.value,
             printed: &found.text,
@@ -155,7 +155,7 @@ pub(super) fn render(design: &Design) -> String {
         },
         binding: found.beyond.words(),
         warnings: design.warnings(),
-        met: stretches.iter().map(Met::of).collect(),
+        met: stretches.iter().map(MetRange::of).collect(),
         notes: design.notes(),
         sensitivity_per_percent: sensitivities.iter().map(Row::of).collect(),
     })
@@ -164,7 +164,7 @@ pub(super) fn render(design: &Design) -> String {
 impl<'a> Row<'a> {
     fn of(sensitivity: &'a Sensitivity) -> Row<'a> {
         let Sensitivity { variable, value, sliding, overturning, load_factor, motion } = sensitivity;
-        let [slide, max_theta] = motion.map_or([None; 2], |motion| motion.map(Change::number));
+        let [slide, max_theta] = motion.map_or([None; 2], |motion| motion.map(SensitivityChange::number));
         Row {
             input: variable.name(),
             value: *value,

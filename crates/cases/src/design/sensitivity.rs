@@ -19,7 +19,7 @@ const STEP: f64 = 0.01;
 /// Change of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Change {
+pub enum SensitivityChange {
     /// By this much.
     By(f64),
     /// It is without bound, at present or with the number changed.
@@ -30,11 +30,11 @@ pub enum Change {
     NoCase,
 }
 
-impl Change {
+impl SensitivityChange {
     /// By how much, where that is a number.
     pub fn number(self) -> Option<f64> {
         match self {
-            Change::By(change) => Some(change),
+            SensitivityChange::By(change) => Some(change),
             _ => None,
         }
     }
@@ -42,10 +42,10 @@ impl Change {
     /// Reason why there is no number, in a word or two; empty where there is one.
     pub fn words(self) -> &'static str {
         match self {
-            Change::By(_) => "",
-            Change::Unlimited => "unlimited",
-            Change::AtOnce => "at once",
-            Change::NoCase => "no case",
+            SensitivityChange::By(_) => "",
+            SensitivityChange::Unlimited => "unlimited",
+            SensitivityChange::AtOnce => "at once",
+            SensitivityChange::NoCase => "no case",
         }
     }
 }
@@ -58,13 +58,13 @@ pub struct Sensitivity {
     /// Its present value, SI.
     pub value: f64,
     /// Of SF_sliding, the least of all situations.
-    pub sliding: Change,
+    pub sliding: SensitivityChange,
     /// Of SF_overturning, about either corner, the least of all situations.
-    pub overturning: Change,
+    pub overturning: SensitivityChange,
     /// Of the load factor at which the body first leaves rest, the least of all situations.
-    pub load_factor: Change,
+    pub load_factor: SensitivityChange,
     /// Of the displacement at the end and of the largest angle, the largest of all situations, where the motion is followed.
-    pub motion: Option<[Change; 2]>,
+    pub motion: Option<[SensitivityChange; 2]>,
 }
 
 /// The sensitivity of the case of a file to every number of it but zeros. What has to go with a number goes with it: the mass
@@ -86,8 +86,10 @@ pub(super) fn all(varied: &Varied<'_>, present: Option<&Assessment>) -> Vec<Sens
         .map(|id| Variable::of(id, varied.inputs()));
     let rows = variables.filter_map(|variable| of(varied, present, variable));
     // A part alone seldom changes without leaving a gap or an overlap.
-    rows.filter(|row| row.variable.id().key.info().table != Table::Part || row.sliding != Change::NoCase)
-        .collect()
+    rows.filter(|row| {
+        row.variable.id().key.info().table != Table::Part || row.sliding != SensitivityChange::NoCase
+    })
+    .collect()
 }
 
 fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> Option<Sensitivity> {
@@ -98,25 +100,25 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
     let then = varied.answer(&variable, value * (1.0 + STEP)).ok();
     let both = present.zip(then.as_ref());
     let change = |of: fn(&Assessed) -> f64| match both.map(|(now, then)| least(then, of) - least(now, of)) {
-        None => Change::NoCase,
+        None => SensitivityChange::NoCase,
         // Infinity less a number, or less itself.
-        Some(change) if !change.is_finite() => Change::Unlimited,
-        Some(change) => Change::By(change),
+        Some(change) if !change.is_finite() => SensitivityChange::Unlimited,
+        Some(change) => SensitivityChange::By(change),
     };
     let at_once =
         |answer: &Assessment| matches!(answer.least(load_factor).departure(), Departure::AtOnce { .. });
     let load_factor = match both {
-        Some((now, then)) if at_once(now) || at_once(then) => Change::AtOnce,
+        Some((now, then)) if at_once(now) || at_once(then) => SensitivityChange::AtOnce,
         _ => change(load_factor),
     };
     let (sliding, overturning) = (change(sliding), change(overturning));
     let motion = varied.follows.then(|| {
         [farthest, steepest].map(|of: fn(&Assessment) -> Option<f64>| match both {
             // A body that overturns slides and turns without bound.
-            Some((now, then)) => {
-                of(then).zip(of(now)).map_or(Change::Unlimited, |(then, now)| Change::By(then - now))
-            }
-            None => Change::NoCase,
+            Some((now, then)) => of(then)
+                .zip(of(now))
+                .map_or(SensitivityChange::Unlimited, |(then, now)| SensitivityChange::By(then - now)),
+            None => SensitivityChange::NoCase,
         })
     });
     Some(Sensitivity { variable, value, sliding, overturning, load_factor, motion })
@@ -126,15 +128,15 @@ fn of(varied: &Varied<'_>, present: Option<&Assessment>, variable: Variable) -> 
 mod tests {
     use super::*;
 
-    fn of_case(text: &str, name: &str) -> [Change; 3] {
+    fn of_case(text: &str, name: &str) -> [SensitivityChange; 3] {
         let file = CaseFile::parse("t.toml", text).unwrap();
         let all = sensitivities(&file).unwrap();
         let row = all.iter().find(|row| row.variable.name() == name).unwrap_or_else(|| panic!("{name}"));
         [row.sliding, row.overturning, row.load_factor]
     }
 
-    fn by(change: Change, expected: f64) {
-        let Change::By(found) = change else { panic!("{change:?}") };
+    fn by(change: SensitivityChange, expected: f64) {
+        let SensitivityChange::By(found) = change else { panic!("{change:?}") };
         assert!((found - expected).abs() < 1e-12, "{found}, expected {expected}");
     }
 
@@ -157,22 +159,22 @@ mod tests {
     fn where_there_is_no_number_the_reason_is_said() {
         let body = "[body]\nwidth = 9\nheight = 3\nmass = 5e4\nfriction = 0.5\n";
         let calm = format!("{body}[water]\nlevel = 2\ndensity = 1000\n");
-        assert_eq!(of_case(&calm, "water.density"), [Change::Unlimited; 3]);
+        assert_eq!(of_case(&calm, "water.density"), [SensitivityChange::Unlimited; 3]);
         assert_eq!(
             of_case(
                 &format!("{body}kinetic_friction = 0.5\n[[load]]\nforce = 1e5\nelevation = 0.5\n"),
                 "body.kinetic_friction"
             ),
-            [Change::NoCase; 3]
+            [SensitivityChange::NoCase; 3]
         );
         let crest = format!("{body}[[load]]\nforce = 1e5\nelevation = 3\n");
-        assert_eq!(of_case(&crest, "load[1].elevation"), [Change::NoCase; 3]);
+        assert_eq!(of_case(&crest, "load[1].elevation"), [SensitivityChange::NoCase; 3]);
         // The water alone pushes the body away.
         let pushed = "[body]\nwidth = 2\nheight = 9\nmass = 3e4\nfriction = 0.5\n[water]\nleft = 0\nright = 8\ndensity = 1000\n\
             [[load]]\nforce = 1e5\nelevation = 3\n";
         let [sliding, overturning, load_factor] = of_case(pushed, "load[1].force");
         assert!(sliding.number().is_some() && overturning.number().is_some());
-        assert_eq!(load_factor, Change::AtOnce);
+        assert_eq!(load_factor, SensitivityChange::AtOnce);
     }
 
     /// Given for still water and for waves, the density is one number.

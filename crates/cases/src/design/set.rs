@@ -49,12 +49,12 @@ pub(super) struct End {
     /// Assessment of the printed value.
     pub(super) answer: Assessment,
     /// State just beyond.
-    pub(super) beyond: Beyond,
+    pub(super) beyond: OuterState,
 }
 
 /// State just beyond an end.
 #[derive(Debug)]
-pub(super) enum Beyond {
+pub(super) enum OuterState {
     /// It is an end of the range.
     Range,
     /// The target fails at this value.
@@ -63,22 +63,22 @@ pub(super) enum Beyond {
     NoCase(String, String),
 }
 
-impl Beyond {
+impl OuterState {
     /// Failure, in a sentence without its stop; `None` at an end of the range.
     pub(super) fn words(&self) -> Option<String> {
         match self {
-            Beyond::Range => None,
-            Beyond::Fails(at, binding) => Some(format!("at {at}, {}", binding.words)),
-            Beyond::NoCase(at, why) => Some(format!("at {at} the case makes no sense: {why}")),
+            OuterState::Range => None,
+            OuterState::Fails(at, binding) => Some(format!("at {at}, {}", binding.words)),
+            OuterState::NoCase(at, why) => Some(format!("at {at} the case makes no sense: {why}")),
         }
     }
 
     /// Failure, in a word; nothing at an end of the range.
     pub(super) fn by(&self) -> Option<&'static str> {
         match self {
-            Beyond::Range => None,
-            Beyond::Fails(_, binding) => Some(binding.by),
-            Beyond::NoCase(..) => Some("no case"),
+            OuterState::Range => None,
+            OuterState::Fails(_, binding) => Some(binding.by),
+            OuterState::NoCase(..) => Some("no case"),
         }
     }
 }
@@ -91,7 +91,7 @@ struct Trial {
 }
 
 /// An end before it is rounded: the outermost value that meets the target, and one beyond that does not.
-struct Found {
+struct ExactEnd {
     meets: f64,
     fails: Option<f64>,
 }
@@ -140,8 +140,8 @@ impl Search<'_> {
     }
 
     /// Brings a value that fails, if there is one, and one that meets the target together.
-    fn boundary(&self, fails: Option<f64>, mut meets: f64) -> Found {
-        let Some(mut fails) = fails else { return Found { meets, fails } };
+    fn boundary(&self, fails: Option<f64>, mut meets: f64) -> ExactEnd {
+        let Some(mut fails) = fails else { return ExactEnd { meets, fails } };
         // Near zero, what counts is the size of the range.
         let [from, to] = self.quantity.range;
         let size = 1e-3 * from.abs().max(to.abs());
@@ -150,12 +150,12 @@ impl Search<'_> {
             let middle = fails + (meets - fails) / 2.0;
             if self.attempt(middle).met { meets = middle } else { fails = middle }
         }
-        Found { meets, fails: Some(fails) }
+        ExactEnd { meets, fails: Some(fails) }
     }
 
     /// An end rounded `inwards`, not beyond the other end of its stretch, in as few digits from four on as it takes to meet the
     /// target: what is printed is read again and assessed.
-    fn end(&self, found: &Found, inwards: Towards, other: f64) -> End {
+    fn end(&self, found: &ExactEnd, inwards: Towards, other: f64) -> End {
         let Quantity { variable, .. } = self.quantity;
         let is_inside = |value: f64| match inwards {
             Towards::More => value <= other,
@@ -169,7 +169,7 @@ impl Search<'_> {
             let trial = self.attempt(value);
             let answer = trial.answer.ok().filter(|_| trial.met)?;
             let beyond = match found.fails {
-                None => Beyond::Range,
+                None => OuterState::Range,
                 Some(fails) => self.beyond(fails, rounded.next(inwards.other()).value(), count),
             };
             // A short number between the two last values tried, 4 beside 4.000000000003, is the boundary as far as it is known.
@@ -183,7 +183,7 @@ impl Search<'_> {
     }
 
     /// One digit less, where the boundary is known to lie farther out only and that meets the target, too.
-    fn tight(&self, rounded: Decimal, found: &Found, outwards: Towards) -> Decimal {
+    fn tight(&self, rounded: Decimal, found: &ExactEnd, outwards: Towards) -> Decimal {
         let next = rounded.next(outwards);
         let is_between = found.fails.is_some_and(|fails| match outwards {
             Towards::Less => fails < next.value(),
@@ -194,12 +194,12 @@ impl Search<'_> {
 
     /// Reason why the nearest value that was tried beyond an end does not meet the target; said of the next printed value where that fails
     /// by the same.
-    fn beyond(&self, fails: f64, next: f64, count: usize) -> Beyond {
+    fn beyond(&self, fails: f64, next: f64, count: usize) -> OuterState {
         let why = |trial: Trial, count: usize| {
             let at = with_unit(trial.value, &self.quantity.variable, count);
             match trial.answer {
-                Ok(answer) => Beyond::Fails(at, self.target.binding(&answer)),
-                Err(error) => Beyond::NoCase(at, error.to_string()),
+                Ok(answer) => OuterState::Fails(at, self.target.binding(&answer)),
+                Err(error) => OuterState::NoCase(at, error.to_string()),
             }
         };
         let nearest = why(self.attempt(fails), ALL_DIGITS);

@@ -1,6 +1,6 @@
 //! Subject of a design: a case at rest, or one in time with its first instant, of which numbers are varied by key.
 
-use crate::assess::{Assessment, InTime};
+use crate::assess::{Assessment, MotionAssessment};
 use crate::case::Case;
 use crate::case_file::CaseFile;
 use crate::couple::{Variable, vary};
@@ -18,13 +18,13 @@ pub(super) struct Subject {
     /// The case of it.
     pub(super) case: Case,
     /// Case in time.
-    pub(super) time: Option<InMotion>,
+    pub(super) time: Option<MotionSubject>,
     /// Every number that can be varied, of the first instant and of time.
     pub(super) numbers: Inputs,
 }
 
 /// A case in time beside its first instant.
-pub(super) struct InMotion {
+pub(super) struct MotionSubject {
     file: CaseFile,
     case: Case,
     /// Note on the answer for the first instant: a sentence without its stop.
@@ -45,7 +45,7 @@ impl Subject {
                 numbers.set(id, number);
             }
         });
-        let time = InMotion { file: file.clone(), case, note: first.note, criteria };
+        let time = MotionSubject { file: file.clone(), case, note: first.note, criteria };
         Ok(Subject { case: first.file.case()?, file: first.file, time: Some(time), numbers })
     }
 
@@ -114,7 +114,7 @@ impl Subject {
             let motions = follow_all(cases, &Follow::default());
             let motions = motions.map_err(|error| time.file.motion_refused(error))?;
             answer.in_time =
-                Some(InTime { note: time.note.clone(), criteria: time.criteria.clone(), motions });
+                Some(MotionAssessment { note: time.note.clone(), criteria: time.criteria.clone(), motions });
         }
         Ok(answer)
     }

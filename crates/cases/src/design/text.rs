@@ -3,9 +3,10 @@
 use standfast::Verdict;
 
 use super::quantity::{DIGITS, with_unit};
-use super::set::{Beyond, End, Stretch};
+use super::set::{End, OuterState, Stretch};
 use super::{
-    Change, Design, Extreme, Target, farthest, least, load_factor, overturning, overturns, sliding, steepest,
+    Design, Extreme, SensitivityChange, Target, farthest, least, load_factor, overturning, overturns,
+    sliding, steepest,
 };
 use crate::assess::verdict::departure_word;
 use crate::assess::{Assessed, Assessment, heading};
@@ -171,7 +172,7 @@ fn with_unit_to(design: &Design, end: &End) -> String {
 /// That the target is met elsewhere, too.
 fn apart(Stretch { least, greatest }: &Stretch) -> String {
     let why = [least, greatest].into_iter().filter_map(|end| end.beyond.words()).collect::<Vec<_>>();
-    let end = if matches!(greatest.beyond, Beyond::Range) { ", the end of the range" } else { "" };
+    let end = if matches!(greatest.beyond, OuterState::Range) { ", the end of the range" } else { "" };
     let why = if why.is_empty() { String::new() } else { format!("; {}", why.join("; ")) };
     format!("Apart from that the target is met from {} to {}{end}{why}.", least.text, greatest.text)
 }
@@ -189,7 +190,7 @@ fn sensitivities(design: &Design) -> String {
     if in_time {
         rows[0].extend(row!["slide", "|θ|"]);
     }
-    let signed = |change: Change| match change.number() {
+    let signed = |change: SensitivityChange| match change.number() {
         Some(change) => format!("{change:+.5}"),
         None => change.words().to_owned(),
     };

@@ -3,15 +3,15 @@
 use standfast::Wrench;
 use standfast::contact::Block;
 use standfast::loads::{LoadSource, Pose};
-use standfast_motion::{Load, MotionError, Problem, is_own_weight};
+use standfast_motion::{LoadInTime, MotionError, MotionProblem, is_own_weight};
 
 use super::MotionWarning;
 use super::criteria::MotionCriterion;
 use super::slips::slips;
 use crate::assess::load_words;
-use crate::case::{Acting, Case, CaseMotion, Foundation, Given, HistoryOf, said_by};
+use crate::case::{Acting, Case, CaseMotion, Foundation, HistoryOf, Reader, said_by};
 use crate::case_file::CaseFile;
-use crate::error::{CaseError, Fault, Problem as Wrong};
+use crate::error::{CaseError, Fault, Problem};
 use crate::inputs::Inputs;
 use crate::key::{Id, Key, Table};
 
@@ -23,7 +23,7 @@ pub struct BlockCase {
     /// Name of the alternative load or combination that acts, where there are several.
     pub situation: Option<String>,
     /// The problem.
-    pub problem: Problem,
+    pub problem: MotionProblem,
     /// The crest above the base, for its figures; of a `[block]` twice that of C.
     pub height: f64,
     /// True if water presses up on the base.
@@ -68,37 +68,37 @@ impl CaseFile {
 /// As [`CaseFile::motions`].
 pub(crate) fn motions(inputs: &Inputs) -> Result<Vec<BlockCase>, Fault> {
     if inputs.has(Table::Block) {
-        return Ok(vec![block_case(&Given { inputs })?]);
+        return Ok(vec![block_case(&Reader { inputs })?]);
     }
     // Histories on a [ground] are those of a motion where one is followed.
     let mut moving = inputs.clone();
     if !inputs.is_in_time() {
         moving.add_table(Table::Motion);
     }
-    let given = Given { inputs: &moving };
+    let given = Reader { inputs: &moving };
     let mut case = Case::of(&moving)?;
     let motion = match case.motion.take() {
         Some(motion) => motion,
         None => given.motion(HistoryOf::Base)?,
     };
     if let Some(strength) = case.ground.as_ref().and_then(Foundation::strength) {
-        return Err(Fault::new(Wrong::MovingOnCrushing { strength }, Key::Strength));
+        return Err(Fault::new(Problem::MovingOnCrushing { strength }, Key::Strength));
     }
     let acting = case.acting().into_iter();
     acting.map(|acts| body_case(&given, &case, &motion, acts)).collect()
 }
 
 /// One situation of a body in metres.
-fn body_case(given: &Given<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
+fn body_case(given: &Reader<'_>, case: &Case, motion: &CaseMotion, acts: Acting) -> Result<BlockCase, Fault> {
     let situation = case.situation(acts, None).map_err(|error| given.motion_refused(error.into()))?;
     let (body, gravity) = (situation.body(), situation.gravity());
     let acts_at_all = |wrench: Wrench| wrench != Wrench::ZERO;
-    let problem = Problem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
-        let problem = Problem { initial: motion.initial, t_max: motion.t_max, ..problem };
+    let problem = MotionProblem::of(&situation, motion.base.clone(), motion.impact).and_then(|problem| {
+        let problem = MotionProblem { initial: motion.initial, t_max: motion.t_max, ..problem };
         problem.check().map(|()| problem)
     });
     let problem = problem.map_err(|error| match error {
-        MotionError::NoHistory { load } => Fault::new(Wrong::Motion(error), said_by(load)),
+        MotionError::NoHistory { load } => Fault::new(Problem::Motion(error), said_by(load)),
         error => given.motion_refused(error),
     })?;
     let mut peaks = Vec::new();
@@ -136,11 +136,11 @@ fn body_case(given: &Given<'_>, case: &Case, motion: &CaseMotion, acts: Acting) 
 }
 
 /// A body in pure numbers.
-fn block_case(given: &Given<'_>) -> Result<BlockCase, Fault> {
+fn block_case(given: &Reader<'_>) -> Result<BlockCase, Fault> {
     let inputs = given.inputs;
     alone(inputs)?;
     given.ranges()?;
-    let mut problem = Problem::new(block(given)?, given.required(Key::BlockGravity)?);
+    let mut problem = MotionProblem::new(block(given)?, given.required(Key::BlockGravity)?);
     problem.mu_impact = given.number(Key::MuImpact);
     let mut motion = given.motion(HistoryOf::Pure)?;
     for index in 0..inputs.count(Table::BlockLoad) {
@@ -150,10 +150,11 @@ fn block_case(given: &Given<'_>) -> Result<BlockCase, Fault> {
         let direction = pair(Key::DirectionX, Key::DirectionY).ok_or_else(lacks)?;
         let read = given.history(Table::BlockLoadHistory, index, HistoryOf::Pure)?;
         let read = read.ok_or_else(|| {
-            let problem = Wrong::MissingTableIn { table: Table::BlockLoad, missing: Table::BlockLoadHistory };
+            let problem =
+                Problem::MissingTableIn { table: Table::BlockLoad, missing: Table::BlockLoadHistory };
             Fault::new(problem, crate::error::Place::Table(Table::BlockLoad, index))
         })?;
-        problem.loads.push(Load {
+        problem.loads.push(LoadInTime {
             at: pair(Key::AtX, Key::AtY).unwrap_or([0.0, 0.0]),
             direction,
             follows: inputs.truth(Id::new(Key::Follows, index)).unwrap_or(false),
@@ -196,21 +197,21 @@ fn alone(inputs: &Inputs) -> Result<(), Fault> {
         .into_iter()
         .find(|table| inputs.has(*table) && *table != Table::Criteria && !of_block(*table));
     if let Some(table) = table {
-        return Err(Fault::new(Wrong::NotOfBlock { path: table.path(0) }, table));
+        return Err(Fault::new(Problem::NotOfBlock { path: table.path(0) }, table));
     }
     match inputs.values().find(|(id, _)| !goes(*id)) {
-        Some((id, _)) => Err(Fault::new(Wrong::NotOfBlock { path: id.to_string() }, id)),
+        Some((id, _)) => Err(Fault::new(Problem::NotOfBlock { path: id.to_string() }, id)),
         None => Ok(()),
     }
 }
 
-fn block(given: &Given<'_>) -> Result<Block, Fault> {
+fn block(given: &Reader<'_>) -> Result<Block, Fault> {
     let or = |key, other: f64| given.number(key).unwrap_or(other);
     let (b1, b2, d) = (given.required(Key::B1)?, given.required(Key::B2)?, given.required(Key::D)?);
     let rho2 = match given.number(Key::Rho2) {
         Some(rho2) => rho2,
         None if b1 == 1.0 && b2 == 1.0 => (1.0 + d * d) / 3.0,
-        None => return Err(Fault::new(Wrong::NoInertia, Table::Block)),
+        None => return Err(Fault::new(Problem::NoInertia, Table::Block)),
     };
     let mu_s = given.required(Key::MuS)?;
     Ok(Block {

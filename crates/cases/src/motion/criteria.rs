@@ -5,9 +5,9 @@
 use std::fmt;
 
 use serde::{Serialize, Serializer};
-use standfast_motion::{End, Outcome};
+use standfast_motion::{End, MotionOutcome};
 
-use super::{BlockCase, Followed};
+use super::{BlockCase, FollowedMotion};
 use crate::error::{Fault, Problem};
 use crate::inputs::Inputs;
 use crate::key::Key;
@@ -112,7 +112,7 @@ impl MotionCriterion {
     }
 
     /// Check of it against a motion.
-    pub fn check(self, si: bool, outcome: &Outcome) -> MotionCheck {
+    pub fn check(self, si: bool, outcome: &MotionOutcome) -> MotionCheck {
         let value = match self {
             MotionCriterion::Slide(_) if outcome.overturned() => MotionValue::None,
             MotionCriterion::Slide(_) => MotionValue::Number(outcome.slide.abs()),
@@ -203,19 +203,23 @@ impl MotionCheck {
 
 impl BlockCase {
     /// The criteria of the case, the governing one first.
-    pub fn checks(&self, outcome: &Outcome) -> Vec<MotionCheck> {
+    pub fn checks(&self, outcome: &MotionOutcome) -> Vec<MotionCheck> {
         self.checks_of(&self.criteria, outcome)
     }
 
     /// Checks of other criteria than those of the case, the governing one first.
-    pub(crate) fn checks_of(&self, criteria: &[MotionCriterion], outcome: &Outcome) -> Vec<MotionCheck> {
+    pub(crate) fn checks_of(
+        &self,
+        criteria: &[MotionCriterion],
+        outcome: &MotionOutcome,
+    ) -> Vec<MotionCheck> {
         let mut checks: Vec<_> = criteria.iter().map(|criterion| criterion.check(self.si, outcome)).collect();
         checks.sort_by(|one, two| two.urgency().total_cmp(&one.urgency()));
         checks
     }
 
     /// True if all criteria are met; `None` where there is none.
-    pub fn met(&self, outcome: &Outcome) -> Option<bool> {
+    pub fn met(&self, outcome: &MotionOutcome) -> Option<bool> {
         (!self.criteria.is_empty()).then(|| self.checks(outcome).iter().all(|check| check.met))
     }
 }
@@ -223,7 +227,7 @@ impl BlockCase {
 /// Each criterion in the situation that meets it worst, with the place of that; the governing one first.
 pub(crate) fn worst_checks(
     criteria: &[MotionCriterion],
-    answers: &[(BlockCase, Followed)],
+    answers: &[(BlockCase, FollowedMotion)],
 ) -> Vec<(MotionCheck, usize)> {
     let worst = |criterion: &MotionCriterion| {
         let checks = answers.iter().enumerate();

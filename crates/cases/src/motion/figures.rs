@@ -5,10 +5,10 @@ use standfast_figures::{
     Figure, MotionLoad, MotionOutline, MotionPicture, MotionPose, motion_animation, motion_histories,
     motion_positions,
 };
-use standfast_motion::{Outcome, Position, Why};
+use standfast_motion::{MotionOutcome, Position, Why};
 
 use super::text::verdict;
-use super::{BlockCase, Followed};
+use super::{BlockCase, FollowedMotion};
 
 /// As many samples of slide and rotation as the page has places for, and some more.
 const SAMPLES: usize = 2400;
@@ -31,7 +31,7 @@ pub struct MotionFigure {
 
 impl BlockCase {
     /// Histories, positions and the motion as a picture that moves, if the whole motion was kept (see [`Follow`](super::Follow)).
-    pub fn figures(&self, followed: &Followed) -> Vec<MotionFigure> {
+    pub fn figures(&self, followed: &FollowedMotion) -> Vec<MotionFigure> {
         let outcome = &followed.outcome;
         if outcome.steps.is_empty() {
             return Vec::new();
@@ -74,7 +74,7 @@ struct Samples {
 }
 
 impl Samples {
-    fn of(case: &BlockCase, outcome: &Outcome) -> Samples {
+    fn of(case: &BlockCase, outcome: &MotionOutcome) -> Samples {
         let last = outcome.events.last().map_or(0.0, |event| event.t);
         let end = if outcome.overturned() { last } else { outcome.t_final };
         let end = if end > 0.0 && end.is_finite() { end } else { 1.0 };
@@ -113,7 +113,7 @@ impl Samples {
     }
 
     /// Positions of the body as it leaves rest, at its largest slide and rotation, at the end, and between them.
-    fn moments(&self, outcome: &Outcome) -> Vec<MotionPose> {
+    fn moments(&self, outcome: &MotionOutcome) -> Vec<MotionPose> {
         let leaves = self.states.iter().find(|(_, mode)| *mode != Mode::Rest).map_or(0.0, |(t, _)| *t);
         let rests = self.states.last().map_or(self.end, |(t, _)| *t);
         let rests = if outcome.at_rest() { rests } else { self.end };
@@ -136,7 +136,7 @@ impl Samples {
     }
 
     /// Positions of the body, so many that an eye sees it move; of a rest only the first and the last.
-    fn frames(&self, outcome: &Outcome) -> Vec<MotionPose> {
+    fn frames(&self, outcome: &MotionOutcome) -> Vec<MotionPose> {
         let step = (1.0 / PER_SECOND).max(self.end / PICTURES);
         let count = (self.end / step).ceil();
         let mut moments: Vec<f64> = (0..=count as usize).map(|i| self.end * i as f64 / count).collect();
@@ -161,7 +161,7 @@ impl Samples {
     }
 }
 
-fn pose(outcome: &Outcome, t: f64) -> Option<MotionPose> {
+fn pose(outcome: &MotionOutcome, t: f64) -> Option<MotionPose> {
     let Position { x, y, theta, slide, state, .. } = outcome.at(t)?;
     Some(MotionPose { t, x, y, theta, slide, mode: state })
 }

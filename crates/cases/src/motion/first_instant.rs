@@ -5,8 +5,8 @@
 
 use std::sync::Arc;
 
-use super::{BlockCase, Follow, Followed, GivenBase, MotionCriterion, follow_all};
-use crate::assess::{Assessment, InTime};
+use super::{BlockCase, Follow, FollowedMotion, GivenBase, MotionCriterion, follow_all};
+use crate::assess::{Assessment, MotionAssessment};
 use crate::case::Case;
 use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault};
@@ -87,7 +87,7 @@ impl CaseFile {
     ///
     /// # Errors
     /// If a load that varies has no history, or the problem is refused.
-    pub fn follow(&self, follow: &Follow) -> Result<Vec<(BlockCase, Followed)>, CaseError> {
+    pub fn follow(&self, follow: &Follow) -> Result<Vec<(BlockCase, FollowedMotion)>, CaseError> {
         follow_all(self.motions()?, follow).map_err(|error| self.motion_refused(error))
     }
 
@@ -166,7 +166,7 @@ impl Assessment {
             None if criteria.is_empty() => Vec::new(),
             None => file.follow(&Follow::default())?,
         };
-        assessment.in_time = Some(InTime { note: first.note.clone(), criteria, motions });
+        assessment.in_time = Some(MotionAssessment { note: first.note.clone(), criteria, motions });
         Ok(assessment)
     }
 }

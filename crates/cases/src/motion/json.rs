@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 use standfast::Mode;
-use standfast_motion::{End, Outcome};
+use standfast_motion::{End, MotionOutcome};
 
 use super::criteria::{MotionCheck, MotionCriterion, MotionValue};
-use super::{BlockCase, Followed, MotionWarning};
+use super::{BlockCase, FollowedMotion, MotionWarning};
 use crate::assess::optional_number_or_word;
 
 /// Every key is there in every answer, as docs/simulate.schema.json has them: `null`, or an empty list, where there is no such thing.
@@ -93,18 +93,18 @@ pub(super) fn end_word(end: End) -> &'static str {
 }
 
 /// The largest |θ| over that of balance, of the side to which it is nearer to it.
-pub(super) fn of_balance(case: &BlockCase, outcome: &Outcome) -> f64 {
+pub(super) fn of_balance(case: &BlockCase, outcome: &MotionOutcome) -> f64 {
     let block = &case.problem.block;
     outcome.max_theta / (block.b1.min(block.b2) / block.d).atan()
 }
 
 impl BlockCase {
     /// The answer as a JSON document, in the units of the case.
-    pub fn json(&self, followed: &Followed) -> String {
+    pub fn json(&self, followed: &FollowedMotion) -> String {
         crate::json(&self.document(followed))
     }
 
-    fn document<'a>(&'a self, followed: &'a Followed) -> Document<'a> {
+    fn document<'a>(&'a self, followed: &'a FollowedMotion) -> Document<'a> {
         let outcome = &followed.outcome;
         let events = outcome.events.iter().map(|event| EventEntry {
             t: event.t,
@@ -151,7 +151,7 @@ impl BlockCase {
 }
 
 /// The answers to a case's situations as one JSON document: that of the first, with the `others` in it, and the files of its figures.
-pub fn all_json(answers: &[(BlockCase, Followed)], figures: &[String]) -> String {
+pub fn all_json(answers: &[(BlockCase, FollowedMotion)], figures: &[String]) -> String {
     let mut documents = answers.iter().map(|(case, followed)| case.document(followed));
     let Some(mut first) = documents.next() else { return crate::json(&Vec::<()>::new()) };
     first.others = documents.collect();

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use standfast_motion::Outcome;
+use standfast_motion::MotionOutcome;
 use thiserror::Error;
 
 use super::json::{end_word, of_balance};
@@ -257,7 +257,7 @@ impl MotionRows {
         let cases = motions(&inputs).map_err(|fault| fault.to_string())?;
         let answers = follow_all(cases, &Follow::default()).map_err(|error| error.to_string())?;
         let Some((case, followed)) = answers.first() else { return Err("no situation".to_owned()) };
-        let outcome: &Outcome = &followed.outcome;
+        let outcome: &MotionOutcome = &followed.outcome;
         let checks = case.checks(outcome);
         let governing = checks.first();
         let names: Vec<&str> = followed.warnings.iter().map(|warning| warning.name).collect();

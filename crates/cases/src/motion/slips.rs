@@ -1,6 +1,6 @@
 //! Slips that may be in a case in time whose values are possible.
 
-use standfast_motion::{History, Impact, Problem};
+use standfast_motion::{History, Impact, MotionProblem};
 
 use super::MotionWarning;
 
@@ -14,7 +14,7 @@ const COARSE: f64 = 0.05;
 const LOSSLESS: f64 = 0.999;
 
 /// Possible slips in a problem whose histories have points up to `step` apart, if they have points.
-pub(super) fn slips(problem: &Problem, step: Option<f64>) -> Vec<MotionWarning> {
+pub(super) fn slips(problem: &MotionProblem, step: Option<f64>) -> Vec<MotionWarning> {
     let mut slips = Vec::new();
     let gravity = problem.gravity;
     for (key, history) in [("horizontal", &problem.base.horizontal), ("vertical", &problem.base.vertical)] {

@@ -19,7 +19,7 @@ use crate::suggest::closest;
 
 /// Values of a quantity, from one to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Steps {
+pub struct SpectrumSteps {
     /// The first.
     pub from: f64,
     /// The last, greater.
@@ -31,7 +31,7 @@ pub struct Steps {
 /// At most so many motions in a spectrum.
 const MOST: usize = 10_000_000;
 
-impl Steps {
+impl SpectrumSteps {
     /// At equal steps.
     pub fn even(&self) -> Vec<f64> {
         let last = (self.count - 1) as f64;
@@ -47,10 +47,10 @@ impl Steps {
 }
 
 /// `FROM,TO` or `FROM,TO,COUNT`; a count of 0 is one that was left out.
-impl FromStr for Steps {
+impl FromStr for SpectrumSteps {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<Steps, String> {
+    fn from_str(text: &str) -> Result<SpectrumSteps, String> {
         let expected = || {
             format!("{text} is none; expected FROM,TO or FROM,TO,COUNT with 0 < FROM < TO and COUNT from 2")
         };
@@ -65,7 +65,7 @@ impl FromStr for Steps {
             None => 0,
         };
         match from < to {
-            true => Ok(Steps { from, to, count }),
+            true => Ok(SpectrumSteps { from, to, count }),
             false => {
                 let why = if from > to { "is above" } else { "is the same as" };
                 Err(format!(
@@ -120,13 +120,13 @@ pub struct SpectrumRequest {
     /// Kind of the spectrum.
     pub kind: SpectrumKind,
     /// The half diagonals of a rocking spectrum; from a quarter of that of the case to its eightfold if left out.
-    pub size: Option<Steps>,
+    pub size: Option<SpectrumSteps>,
     /// The slendernesses of a rocking spectrum, heights over widths; 2 to 8 if left out.
-    pub slenderness: Option<Steps>,
+    pub slenderness: Option<SpectrumSteps>,
     /// The yield accelerations over the peak of a Newmark spectrum; 0.02 to 0.98 if left out.
-    pub ratio: Option<Steps>,
+    pub ratio: Option<SpectrumSteps>,
     /// The factors on the shaking of an overturning curve; 0.05 to 5 if left out.
-    pub scale: Option<Steps>,
+    pub scale: Option<SpectrumSteps>,
     /// Number of threads that work; the answer does not depend on it.
     pub threads: usize,
 }
@@ -247,7 +247,7 @@ impl BlockCase {
         let points = match request.kind {
             SpectrumKind::Rocking => self.rocking(request, progress)?,
             SpectrumKind::Newmark => {
-                let ratios = steps(request.ratio, Steps { from: 0.02, to: 0.98, count: 49 }).even();
+                let ratios = steps(request.ratio, SpectrumSteps { from: 0.02, to: 0.98, count: 49 }).even();
                 let spectrum = NewmarkSpectrum::new(base.clone());
                 let slides = each(&ratios, request.threads, progress, |ratio| spectrum.at(*ratio)).map_err(
                     |(ratio, error)| SpectrumError::Motion { name: "yield ratio", value: *ratio, error },
@@ -281,8 +281,10 @@ impl BlockCase {
         }
         let block = &problem.block;
         let radius = block.b1.max(block.b2).hypot(block.d);
-        let sizes = steps(request.size, Steps { from: 0.25 * radius, to: 8.0 * radius, count: 41 }).factors();
-        let slendernesses = steps(request.slenderness, Steps { from: 2.0, to: 8.0, count: 31 }).even();
+        let sizes =
+            steps(request.size, SpectrumSteps { from: 0.25 * radius, to: 8.0 * radius, count: 41 }).factors();
+        let slendernesses =
+            steps(request.slenderness, SpectrumSteps { from: 2.0, to: 8.0, count: 31 }).even();
         let count = sizes.len().saturating_mul(slendernesses.len());
         if count > MOST {
             return Err(SpectrumError::Many { count });
@@ -307,7 +309,7 @@ impl BlockCase {
         request: &SpectrumRequest,
         progress: &(dyn Fn(Progressed) + Sync),
     ) -> Result<SpectrumPoints, SpectrumError> {
-        let scales = steps(request.scale, Steps { from: 0.05, to: 5.0, count: 199 }).even();
+        let scales = steps(request.scale, SpectrumSteps { from: 0.05, to: 5.0, count: 199 }).even();
         let curve = OverturningCurve::new(&self.problem);
         let at = |name, value: f64| move |error| SpectrumError::Motion { name, value, error };
         let bodies = each(&scales, request.threads, progress, |scale| curve.at(*scale))
@@ -339,8 +341,8 @@ pub enum Progressed {
     Done,
 }
 
-fn steps(given: Option<Steps>, silent: Steps) -> Steps {
-    given.map_or(silent, |steps| Steps {
+fn steps(given: Option<SpectrumSteps>, silent: SpectrumSteps) -> SpectrumSteps {
+    given.map_or(silent, |steps| SpectrumSteps {
         count: if steps.count == 0 { silent.count } else { steps.count },
         ..steps
     })
@@ -416,11 +418,11 @@ mod tests {
 
     #[test]
     fn steps_are_read_or_refused_with_what_is_expected() {
-        assert_eq!("0.5, 2,4".parse(), Ok(Steps { from: 0.5, to: 2.0, count: 4 }));
-        assert_eq!(Steps { from: 0.5, to: 2.0, count: 3 }.factors(), [0.5, 1.0, 2.0]);
-        assert_eq!(Steps { from: 0.5, to: 2.0, count: 4 }.even(), [0.5, 1.0, 1.5, 2.0]);
+        assert_eq!("0.5, 2,4".parse(), Ok(SpectrumSteps { from: 0.5, to: 2.0, count: 4 }));
+        assert_eq!(SpectrumSteps { from: 0.5, to: 2.0, count: 3 }.factors(), [0.5, 1.0, 2.0]);
+        assert_eq!(SpectrumSteps { from: 0.5, to: 2.0, count: 4 }.even(), [0.5, 1.0, 1.5, 2.0]);
         for wrong in ["", "1", "2,1", "1,2,1", "0,2", "1,nan", "1,2,3,4", "1,inf"] {
-            assert!(wrong.parse::<Steps>().unwrap_err().contains("expected FROM,TO"), "{wrong}");
+            assert!(wrong.parse::<SpectrumSteps>().unwrap_err().contains("expected FROM,TO"), "{wrong}");
         }
     }
 }

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use standfast::Mode;
-use standfast_motion::{End, Event, Outcome, Why};
+use standfast_motion::{End, Event, MotionOutcome, Why};
 
 use super::criteria::met_words;
 use super::json::of_balance;
-use super::{BlockCase, Followed};
+use super::{BlockCase, FollowedMotion};
 use crate::layout::{columns, paragraph, row, significant};
 
 /// So many events are shown one by one.
@@ -15,7 +15,7 @@ const SHOWN: usize = 24;
 
 impl BlockCase {
     /// The answer in words, then in numbers, in the units of the case; `all` shows every event.
-    pub fn text(&self, followed: &Followed, all: bool) -> String {
+    pub fn text(&self, followed: &FollowedMotion, all: bool) -> String {
         let outcome = &followed.outcome;
         let mut text = String::new();
         if let Some(title) = &self.title {
@@ -52,27 +52,27 @@ pub type Rows = Vec<Vec<String>>;
 
 impl BlockCase {
     /// Outcome for the body, in a sentence.
-    pub fn verdict(&self, followed: &Followed) -> String {
+    pub fn verdict(&self, followed: &FollowedMotion) -> String {
         verdict(&followed.outcome, self.seconds())
     }
 
     /// The numbers of the answer: what each is, the number with its unit, and when or how much of what it is.
-    pub fn number_rows(&self, followed: &Followed) -> Rows {
+    pub fn number_rows(&self, followed: &FollowedMotion) -> Rows {
         numbers(self, followed)
     }
 
     /// The events: when, why, and the state that goes on; of more than 24 the first and the last.
-    pub fn event_rows(&self, followed: &Followed) -> Rows {
+    pub fn event_rows(&self, followed: &FollowedMotion) -> Rows {
         event_rows(&followed.outcome, false, self.seconds(), "")
     }
 
     /// The balance of energy, J/kg of a body.
-    pub fn energy_rows(&self, followed: &Followed) -> Rows {
+    pub fn energy_rows(&self, followed: &FollowedMotion) -> Rows {
         energy(&followed.outcome)
     }
 
     /// Sentence on the uniqueness of the answer.
-    pub fn uniqueness(&self, followed: &Followed) -> String {
+    pub fn uniqueness(&self, followed: &FollowedMotion) -> String {
         uniqueness(&followed.outcome)
     }
 
@@ -87,7 +87,7 @@ fn number(x: f64) -> String {
 }
 
 /// Outcome for the body, in a sentence.
-pub(super) fn verdict(outcome: &Outcome, s: &str) -> String {
+pub(super) fn verdict(outcome: &MotionOutcome, s: &str) -> String {
     let at = |event: Option<&Event>| event.map_or_else(|| "0".to_owned(), |event| number(event.t)) + s;
     let moves = outcome.events.iter().find(|event| event.state != Mode::Rest);
     let Some(first) = moves else { return "The body stays at rest.".to_owned() };
@@ -125,7 +125,7 @@ pub(super) fn verdict(outcome: &Outcome, s: &str) -> String {
 }
 
 /// Criteria on the motion as text, the governing one first.
-fn criteria(case: &BlockCase, outcome: &Outcome) -> String {
+fn criteria(case: &BlockCase, outcome: &MotionOutcome) -> String {
     let checks = case.checks(outcome);
     let mut rows = vec![row!["criterion", "required", "value", "utilisation", ""]];
     rows.extend(checks.iter().map(|check| {
@@ -146,7 +146,7 @@ fn when(number: f64, words: impl Fn() -> String) -> String {
     if number == 0.0 { String::new() } else { words() }
 }
 
-fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
+fn numbers(case: &BlockCase, followed: &FollowedMotion) -> Vec<Vec<String>> {
     let outcome = &followed.outcome;
     let s = case.seconds();
     let [m, rad] = if case.si { [" m", " rad"] } else { ["", ""] };
@@ -175,12 +175,12 @@ fn numbers(case: &BlockCase, followed: &Followed) -> Vec<Vec<String>> {
     ]
 }
 
-fn events(outcome: &Outcome, all: bool, s: &str) -> String {
+fn events(outcome: &MotionOutcome, all: bool, s: &str) -> String {
     columns(&event_rows(outcome, all, s, "; --all shows them"), 2, &[])
 }
 
 /// The events, of many the first and the last; `how` says how to see the others.
-fn event_rows(outcome: &Outcome, all: bool, s: &str, how: &str) -> Rows {
+fn event_rows(outcome: &MotionOutcome, all: bool, s: &str, how: &str) -> Rows {
     let row = |event: &Event| {
         let others = event.consistent.without(Some(event.state));
         let also = if others.is_empty() { String::new() } else { format!(" (or {others})") };
@@ -202,7 +202,7 @@ fn event_rows(outcome: &Outcome, all: bool, s: &str, how: &str) -> Rows {
     rows
 }
 
-fn energy(outcome: &Outcome) -> Vec<Vec<String>> {
+fn energy(outcome: &MotionOutcome) -> Vec<Vec<String>> {
     let row = |words: &str, value: f64| vec![words.to_owned(), number(value)];
     vec![
         row("work of the loads", outcome.work),
@@ -215,7 +215,7 @@ fn energy(outcome: &Outcome) -> Vec<Vec<String>> {
 }
 
 /// Residual of the balance of energy; not the rounding errors, which are others on another machine.
-fn lacks(outcome: &Outcome) -> String {
+fn lacks(outcome: &MotionOutcome) -> String {
     let terms =
         [outcome.work, outcome.friction_loss, outcome.impact_loss, outcome.kinetic, outcome.potential];
     let largest = terms.into_iter().fold(0.0, |most: f64, term| most.max(term.abs()));
@@ -223,7 +223,7 @@ fn lacks(outcome: &Outcome) -> String {
     if lacks.abs() <= 1e-12 * largest { "nothing".to_owned() } else { format!("{lacks:.1e}") }
 }
 
-fn uniqueness(outcome: &Outcome) -> String {
+fn uniqueness(outcome: &MotionOutcome) -> String {
     if outcome.unique {
         return "At every event one state only satisfies all conditions.".to_owned();
     }

@@ -30,11 +30,11 @@ impl Crushing {
         Some(if self.mirrored { motion.mirrored() } else { motion })
     }
 
-    pub(super) fn base(&self) -> OnBase {
+    pub(super) fn base(&self) -> BaseNumbers {
         let omega = self.point.omega();
         let motion = self.motion();
         let neutral = motion.and_then(|motion| motion.neutral.map(|_| motion.pressed.width()));
-        OnBase {
+        BaseNumbers {
             omega,
             // N = P as a turn begins.
             pivot: motion.map(|_| neutral.map_or(omega, |neutral| neutral / 2.0)),
@@ -46,7 +46,7 @@ impl Crushing {
 
 /// Numbers of the base, in B.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct OnBase {
+pub(super) struct BaseNumbers {
     omega: f64,
     /// From the edge, the reaction of a body that turns, or is about to.
     pivot: Option<f64>,

@@ -4,20 +4,20 @@ use std::fmt;
 use std::str::FromStr;
 
 use standfast::Verdict;
-use standfast_probability::form::{DesignPoint, generalized};
+use standfast_probability::form::{FormPoint, generalized};
 use standfast_probability::sample::{Effort, Estimate};
 
-use super::asked::{Asked, problems_of};
 use super::chances::chances;
 use super::criterion::{ChanceCriterion, bound};
 use super::error::ProbabilityError;
-use super::joined::{Joined, joined};
+use super::fragility::Fragility;
+use super::joint::{JointChance, joined};
 use super::outcome::NOT_A_BODY;
-use super::over::Fragility;
 use super::overturn::Overturning;
-use super::problem::Problem;
-use super::quantity::Input;
+use super::problem::ChanceProblem;
+use super::quantity::RandomInput;
 use super::storm::{self, Sliding};
+use super::subject::{ChanceSubject, problems_of};
 use crate::case_file::CaseFile;
 use crate::couple::Variable;
 use crate::layout::digits;
@@ -82,7 +82,7 @@ impl FromStr for MethodAsked {
 
 /// Request for probabilities.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Request {
+pub struct ChanceRequest {
     /// The method; chosen where none is given.
     pub method: Option<Method>,
     /// Seed, precision, floor, points and threads.
@@ -95,12 +95,12 @@ pub struct Request {
     pub form: bool,
 }
 
-impl Request {
+impl ChanceRequest {
     /// Request with a method that is asked for.
-    pub fn with(self, asked: MethodAsked) -> Request {
+    pub fn with(self, asked: MethodAsked) -> ChanceRequest {
         match asked {
-            MethodAsked::By(method) => Request { method: Some(method), ..self },
-            MethodAsked::Form => Request { form: true, ..self },
+            MethodAsked::By(method) => ChanceRequest { method: Some(method), ..self },
+            MethodAsked::Form => ChanceRequest { form: true, ..self },
         }
     }
 }
@@ -129,9 +129,9 @@ pub struct Chances {
     /// Departure from rest that comes first as the variable loads rise.
     pub first_departure: FirstDeparture,
     /// The nearest point at which the body does not rest; none within reach.
-    pub design_point: Option<DesignPoint>,
+    pub design_point: Option<FormPoint>,
     /// The nearest point of every mode that has one within reach, and of numbers that do not go together; none unless asked for.
-    pub design_points: Option<Vec<(Happening, DesignPoint)>>,
+    pub design_points: Option<Vec<(Happening, FormPoint)>>,
     /// The probability of not resting if one number were known to have its median, for each.
     pub known: Vec<Estimate>,
     /// Over the years of a life.
@@ -221,7 +221,7 @@ pub struct RandomNumber {
 }
 
 impl RandomNumber {
-    pub(super) fn of(input: &Input) -> RandomNumber {
+    pub(super) fn of(input: &RandomInput) -> RandomNumber {
         let dimension = input.variable().and_then(Variable::dimension);
         RandomNumber { name: input.name.clone(), cut: input.cut, dimension }
     }
@@ -238,7 +238,7 @@ pub struct Probability {
     /// The file's name.
     pub(super) case: String,
     /// Request that was answered.
-    pub request: Request,
+    pub request: ChanceRequest,
     /// Random numbers.
     pub random: Vec<RandomNumber>,
     /// The number along which the modes are integrated, and whether in closed form.
@@ -247,7 +247,7 @@ pub struct Probability {
     /// None of a storm without a body.
     pub situations: Vec<Chances>,
     /// That any of several situations moves the body; none where there is only one.
-    pub joined: Option<Joined>,
+    pub joined: Option<JointChance>,
     /// Criterion that `[criteria]` sets for the probability.
     pub criterion: Option<ChanceCriterion>,
     /// Slides of the body in storms.
@@ -266,29 +266,29 @@ impl Probability {
     ///
     /// # Errors
     /// If the case or its random numbers are wrong, or the method asked for does not take as many.
-    pub fn of(file: &CaseFile, request: Request) -> Result<Probability, ProbabilityError> {
+    pub fn of(file: &CaseFile, request: ChanceRequest) -> Result<Probability, ProbabilityError> {
         Probability::along(file, request, None)
     }
 
     pub(super) fn of_asked(
         name: &str,
-        asked: &Asked,
-        request: Request,
+        asked: &ChanceSubject,
+        request: ChanceRequest,
     ) -> Result<Probability, ProbabilityError> {
         match asked {
-            Asked::Case { file, note } => Probability::of_case(file, note.clone(), request),
-            Asked::Point(of) => {
+            ChanceSubject::Case { file, note } => Probability::of_case(file, note.clone(), request),
+            ChanceSubject::Point(of) => {
                 let problem = of.problem(of.point, request.years)?;
                 Probability::of_problems(name, &[problem], None, request)
             }
-            Asked::Storm(pure) => pure.answer(name, request),
+            ChanceSubject::Storm(pure) => pure.answer(name, request),
         }
     }
 
     fn of_case(
         file: &CaseFile,
         note: Option<String>,
-        request: Request,
+        request: ChanceRequest,
     ) -> Result<Probability, ProbabilityError> {
         let problems = problems_of(file, request.years)?;
         let sliding = match storm::storm(file.inputs()).map_err(|fault| file.error(fault))? {
@@ -305,9 +305,9 @@ impl Probability {
 
     fn of_problems(
         name: &str,
-        problems: &[Problem],
+        problems: &[ChanceProblem],
         sliding: Option<Sliding>,
-        request: Request,
+        request: ChanceRequest,
     ) -> Result<Probability, ProbabilityError> {
         let mut situations: Vec<Chances> =
             problems.iter().map(|problem| chances(problem, &request)).collect::<Result<_, _>>()?;

@@ -2,22 +2,22 @@
 
 use std::borrow::Cow;
 
-use standfast_probability::form::{DesignPoint, design_point, distance, local_design_points};
+use standfast_probability::form::{FormPoint, design_point, distance, local_design_points};
 use standfast_probability::integrate::{
     Integrated, MOST_DIMENSIONS, integrate, integrate_above, integrate_known, integrate_life,
 };
 use standfast_probability::life::lives;
 use standfast_probability::points::MOST_COORDINATES;
-use standfast_probability::problem::{Inputs as Laws, Outcomes};
+use standfast_probability::problem::{Outcomes, RandomVector};
 use standfast_probability::sample::{
     Effort, Estimate, Sampled, importance, monte_carlo, sampled_known, sobol,
 };
 
-use super::answer::{Chances, FirstDeparture, Happening, LifeChances, Method, Request};
+use super::answer::{ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method};
 use super::departure::{AT_ONCE, Departures, NEVER};
 use super::error::ProbabilityError;
 use super::outcome::{LIFTED, NOT_UNIQUE, REST, not_rest};
-use super::problem::Problem;
+use super::problem::ChanceProblem;
 
 /// Above this index probabilities are looked for about the design points.
 const FAR: f64 = 2.5;
@@ -27,7 +27,7 @@ const UNLIKELIER: f64 = 1e-2;
 const APART: f64 = 0.1;
 
 /// The sets asked for: what excludes each other, and then the others.
-fn sets(problem: &Problem) -> Vec<u64> {
+fn sets(problem: &ChanceProblem) -> Vec<u64> {
     problem
         .exclusive()
         .map(|outcome| 1 << outcome)
@@ -37,8 +37,8 @@ fn sets(problem: &Problem) -> Vec<u64> {
 
 /// The modes of an event and that the body does not rest, and nothing else.
 pub(super) fn event(
-    problem: &Problem,
-    request: &Request,
+    problem: &ChanceProblem,
+    request: &ChanceRequest,
 ) -> Result<(Vec<(Happening, Estimate)>, Estimate), ProbabilityError> {
     let (problem, points) = placed(problem);
     let (_, sampled) = sampled(&problem, &points, request)?;
@@ -48,12 +48,12 @@ pub(super) fn event(
 }
 
 /// The nearest points at which the body does not rest (or if it does not at the medians, at which it rests), and the problem along the number that matters there.
-fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
+fn placed(problem: &ChanceProblem) -> (Cow<'_, ChanceProblem>, Vec<FormPoint>) {
     let of = |which| local_design_points(problem.laws(), problem, which);
     let mut points = of(not_rest());
     // Where it moves at the medians, what is looked for is the nearest point at which it does not.
     if points.first().is_some_and(|point| point.beta == 0.0) {
-        points = of(1 << REST).into_iter().map(DesignPoint::turned).collect();
+        points = of(1 << REST).into_iter().map(FormPoint::turned).collect();
     }
     let along = points.first().and_then(|point| problem.along_what_matters(&point.alpha));
     (along.map_or(Cow::Borrowed(problem), Cow::Owned), points)
@@ -61,9 +61,9 @@ fn placed(problem: &Problem) -> (Cow<'_, Problem>, Vec<DesignPoint>) {
 
 /// The method asked for, or the one that suits so many numbers and the nearest points at which the body does not rest.
 pub(super) fn method(
-    laws: &Laws,
-    request: &Request,
-    points: &[DesignPoint],
+    laws: &RandomVector,
+    request: &ChanceRequest,
+    points: &[FormPoint],
 ) -> Result<Method, ProbabilityError> {
     let numbers = laws.laws().len();
     let few = numbers <= MOST_DIMENSIONS + 1;
@@ -86,7 +86,7 @@ pub(super) fn method(
 /// The probabilities of sets of outcomes by a method; about these points where it takes any.
 pub(super) fn by<O: Outcomes>(
     method: Method,
-    laws: &Laws,
+    laws: &RandomVector,
     outcomes: &O,
     sets: &[u64],
     about: &[Vec<f64>],
@@ -102,11 +102,11 @@ pub(super) fn by<O: Outcomes>(
 
 /// The points about which an event is drawn: the nearest at which the body does not rest, and of every mode that may be likelier than
 /// the floor, so that none of them is missed and none takes points from the others that need not be precise; each once.
-pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Vec<Vec<f64>> {
+pub(super) fn about(problem: &ChanceProblem, points: &[FormPoint], floor: f64) -> Vec<Vec<f64>> {
     let of_modes = of_each(problem).into_iter().map(|(_, point)| point);
     let likely = of_modes.filter(|point| point.first_order() >= UNLIKELIER * floor);
     let mut about: Vec<Vec<f64>> = Vec::new();
-    for DesignPoint { u, .. } in points.iter().cloned().chain(likely) {
+    for FormPoint { u, .. } in points.iter().cloned().chain(likely) {
         if about.iter().all(|other| distance(other, &u) > APART) {
             about.push(u);
         }
@@ -115,7 +115,7 @@ pub(super) fn about(problem: &Problem, points: &[DesignPoint], floor: f64) -> Ve
 }
 
 /// The nearest point of every happening but rest, in which a body is when nothing happens.
-fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
+fn of_each(problem: &ChanceProblem) -> Vec<(Happening, FormPoint)> {
     let found = |outcome: usize| {
         let point = design_point(problem.laws(), problem, 1 << outcome)?;
         Some((Happening::of(outcome), point))
@@ -125,9 +125,9 @@ fn of_each(problem: &Problem) -> Vec<(Happening, DesignPoint)> {
 
 /// The method, and the probabilities of all sets.
 fn sampled(
-    problem: &Problem,
-    points: &[DesignPoint],
-    request: &Request,
+    problem: &ChanceProblem,
+    points: &[FormPoint],
+    request: &ChanceRequest,
 ) -> Result<(Method, Sampled), ProbabilityError> {
     let laws = problem.laws();
     let method = method(laws, request, points)?;
@@ -153,7 +153,7 @@ fn sampled(
 }
 
 /// The probabilities of one set of loads.
-pub(super) fn chances(problem: &Problem, request: &Request) -> Result<Chances, ProbabilityError> {
+pub(super) fn chances(problem: &ChanceProblem, request: &ChanceRequest) -> Result<Chances, ProbabilityError> {
     let (problem, points) = placed(problem);
     let problem = &*problem;
     let laws = problem.laws();
@@ -205,7 +205,7 @@ const UNLIKELY: f64 = 1e-9;
 /// Number of points that may be taken for departures at least, however few the modes need.
 const OF_DEPARTURES: u64 = 1 << 17;
 
-fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {
+fn first_departure(problem: &ChanceProblem, method: Method, effort: &Effort, points: u64) -> FirstDeparture {
     let (laws, departures) = (problem.laws(), Departures(problem));
     let codes: Vec<usize> = departures.exclusive().collect();
     let sets: Vec<u64> = codes.iter().map(|outcome| 1 << outcome).collect();
@@ -231,7 +231,7 @@ fn first_departure(problem: &Problem, method: Method, effort: &Effort, points: u
     FirstDeparture { modes, never: of(NEVER), at_once: of(AT_ONCE), precise }
 }
 
-fn life(problem: &Problem, effort: &Effort) -> Result<Option<LifeChances>, ProbabilityError> {
+fn life(problem: &ChanceProblem, effort: &Effort) -> Result<Option<LifeChances>, ProbabilityError> {
     let Some(life) = problem.life() else { return Ok(None) };
     let numbers = problem.random().len();
     let sets: Vec<u64> = problem.exclusive().map(|outcome| 1 << outcome).chain([not_rest()]).collect();

@@ -6,11 +6,11 @@
 
 use standfast_probability::sample::Estimate;
 
-use super::answer::Request;
-use super::asked::problems_of;
+use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
-use super::joined::by_acting;
-use super::problem::Problem;
+use super::joint::by_acting;
+use super::problem::ChanceProblem;
+use super::subject::problems_of;
 use crate::case::Acting;
 use crate::case_file::CaseFile;
 use crate::criteria::{Bound, Criterion};
@@ -28,8 +28,8 @@ pub struct ChanceCriterion {
 impl ChanceCriterion {
     pub(super) fn of(
         required: f64,
-        problems: &[Problem],
-        request: &Request,
+        problems: &[ChanceProblem],
+        request: &ChanceRequest,
     ) -> Result<ChanceCriterion, ProbabilityError> {
         let all = by_acting(problems, request)?.into_iter().map(|(_, not_rest)| not_rest);
         let worst = all.reduce(|one, two| if two.high > one.high { two } else { one });
@@ -62,5 +62,5 @@ pub(super) fn bound(criteria: &[Criterion]) -> Option<f64> {
 /// # Errors
 /// As [`Probability::of`](super::Probability::of).
 pub(crate) fn not_rest(file: &CaseFile) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
-    by_acting(&problems_of(file, None)?, &Request::default())
+    by_acting(&problems_of(file, None)?, &ChanceRequest::default())
 }

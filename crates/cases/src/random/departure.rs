@@ -9,7 +9,7 @@ use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::mechanics::Mechanics;
 use super::outcome::{COUNT, NOT_A_BODY, of_verdict};
-use super::problem::{Line, Problem};
+use super::problem::{ChanceProblem, Line};
 
 /// The body rests under any multiple of the variable loads.
 pub(super) const NEVER: usize = 16;
@@ -17,7 +17,7 @@ pub(super) const NEVER: usize = 16;
 pub(super) const AT_ONCE: usize = 17;
 
 /// First departures of a problem in place of modes under the full load.
-pub(super) struct Departures<'a>(pub(super) &'a Problem);
+pub(super) struct Departures<'a>(pub(super) &'a ChanceProblem);
 
 fn outcome(departure: Departure) -> usize {
     match departure {

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use standfast_probability::form::DesignPoint;
+use standfast_probability::form::FormPoint;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{Chances, Happening, Probability, RandomNumber};
-use super::over::{Along, Fit, Fragility};
-use super::overturn::{AtPeak, Overturning};
-use super::storm::{Exceeded, Quantile, Sliding};
+use super::fragility::{Fit, Fragility, FragilityPoint};
+use super::overturn::{Overturning, PeakChances};
+use super::storm::{Exceedance, Quantile, Sliding};
 use crate::assess::SCHEMA;
 use crate::key::Key;
 
@@ -69,7 +69,7 @@ struct AtPeakDocument {
 
 impl OverturningDocument<'_> {
     fn of(overturning: &Overturning) -> OverturningDocument<'_> {
-        let at = |at: &AtPeak| AtPeakDocument {
+        let at = |at: &PeakChances| AtPeakDocument {
             peak: at.peak,
             moved: interval(at.moved),
             rocked: interval(at.rocked),
@@ -108,7 +108,7 @@ impl FitDocument {
 
 impl FragilityDocument<'_> {
     fn of(fragility: &Fragility) -> FragilityDocument<'_> {
-        let along = |point: &Along| AlongDocument {
+        let along = |point: &FragilityPoint| AlongDocument {
             value: point.value,
             not_rest: interval(point.not_rest),
             modes: modes(&point.modes),
@@ -337,7 +337,7 @@ impl Probability {
             }
         });
         let named = |of: &[f64]| -> BTreeMap<&'a str, f64> { names().zip(of.iter().copied()).collect() };
-        let of_mode = |(happening, point): &(Happening, DesignPoint)| DesignPointDocument {
+        let of_mode = |(happening, point): &(Happening, FormPoint)| DesignPointDocument {
             mode: happening.name(),
             beta: point.beta,
             first_order: point.first_order(),
@@ -385,7 +385,7 @@ impl SlidingDocument {
             let Estimate { value, low, high } = quantile.slide;
             QuantileDocument { share: quantile.share, slide: value, low, high }
         };
-        let exceeded = |exceeded: &Exceeded| ExceededDocument {
+        let exceeded = |exceeded: &Exceedance| ExceededDocument {
             slide: exceeded.slide,
             interval: interval(exceeded.probability),
         };

@@ -4,11 +4,11 @@ use standfast::Mode;
 use standfast_probability::sample;
 
 use super::answer::{Happening, Method, Probability};
-use super::asked::Asked;
 use super::error::ProbabilityError;
 use super::mechanics::Mechanics;
-use super::problem::Problem;
-use super::quantity::Input;
+use super::problem::ChanceProblem;
+use super::quantity::RandomInput;
+use super::subject::ChanceSubject;
 use crate::case_file::CaseFile;
 use crate::units::Dimension;
 
@@ -21,12 +21,12 @@ pub struct Draws {
     /// The values of each, one for each draw.
     pub values: Vec<Vec<f64>>,
     /// Outcome of each draw for the body.
-    pub drawn: Vec<Drawn>,
+    pub drawn: Vec<Draw>,
 }
 
 /// Outcome of a draw for the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drawn {
+pub struct Draw {
     /// |X|/P and −M/(X H) of a body that the report's plane is of; none of any other, or where no force acts or nothing presses it
     /// on its base.
     pub effective: Option<[f64; 2]>,
@@ -45,7 +45,7 @@ impl Draws {
         count: u64,
         seed: u64,
     ) -> Result<Draws, ProbabilityError> {
-        let problem = one(Asked::of(file, None)?.problems(None)?, situation)?;
+        let problem = one(ChanceSubject::of(file, None)?.problems(None)?, situation)?;
         let mut values: Vec<Vec<f64>> = problem.random().iter().map(|_| Vec::new()).collect();
         let mut drawn = Vec::new();
         sample::draws(problem.laws(), seed, count, |draw| {
@@ -85,7 +85,7 @@ impl WeighedDraws {
     /// # Errors
     /// If it is another file, or of a storm without a body.
     pub fn of(file: &CaseFile, answer: &Probability) -> Result<WeighedDraws, ProbabilityError> {
-        let asked = Asked::of(file, answer.request.years)?;
+        let asked = ChanceSubject::of(file, answer.request.years)?;
         let problems = asked.problems(None)?;
         let mut all = WeighedDraws {
             inputs: Vec::new(),
@@ -97,7 +97,7 @@ impl WeighedDraws {
         };
         all.inputs = problems[0].random().iter().map(|input| (input.name.clone(), input.unit())).collect();
         for (place, chances) in answer.situations.iter().enumerate() {
-            let same = |problem: &&Problem| problem.situation() == chances.situation;
+            let same = |problem: &&ChanceProblem| problem.situation() == chances.situation;
             let problem = problems.iter().find(same).ok_or(ProbabilityError::NoRandom)?;
             let count = match chances.method {
                 Method::MonteCarlo => chances.points,
@@ -116,8 +116,8 @@ impl WeighedDraws {
 }
 
 /// The problem of the situation that is named, or the only one.
-fn one(problems: Vec<Problem>, situation: Option<&str>) -> Result<Problem, ProbabilityError> {
-    let known: Vec<String> = problems.iter().filter_map(Problem::situation).collect();
+fn one(problems: Vec<ChanceProblem>, situation: Option<&str>) -> Result<ChanceProblem, ProbabilityError> {
+    let known: Vec<String> = problems.iter().filter_map(ChanceProblem::situation).collect();
     let several = problems.len() > 1;
     let mut found = problems.into_iter().filter(|problem| match situation {
         None => !several,
@@ -126,12 +126,12 @@ fn one(problems: Vec<Problem>, situation: Option<&str>) -> Result<Problem, Proba
     found.next().ok_or_else(|| ProbabilityError::Situation { asked: situation.map(str::to_owned), known })
 }
 
-impl Problem {
-    pub(super) fn drawn(&self, values: &[f64]) -> Drawn {
+impl ChanceProblem {
+    pub(super) fn drawn(&self, values: &[f64]) -> Draw {
         let Some(mechanics) = self.mechanics(values) else {
-            return Drawn { effective: None, happens: Happening::NotABody };
+            return Draw { effective: None, happens: Happening::NotABody };
         };
-        Drawn { effective: mechanics.effective(), happens: Happening::reported(mechanics.outcomes()) }
+        Draw { effective: mechanics.effective(), happens: Happening::reported(mechanics.outcomes()) }
     }
 }
 
@@ -167,7 +167,7 @@ impl Happening {
     }
 }
 
-impl Input {
+impl RandomInput {
     /// The SI unit of its values.
     pub fn unit(&self) -> Option<&'static str> {
         self.variable()?.dimension().map(Dimension::si)

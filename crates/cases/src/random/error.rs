@@ -39,7 +39,7 @@ pub enum ProbabilityError {
         years: f64,
     },
     /// Missing or unknown name of a situation, where there are several.
-    #[error("{}; the case has {}", HowAsked(asked.as_deref()), known.join("; "))]
+    #[error("{}; the case has {}", SituationAsked(asked.as_deref()), known.join("; "))]
     Situation {
         /// Situation that was asked for.
         asked: Option<String>,
@@ -96,9 +96,9 @@ impl Explained for ProbabilityError {
 }
 
 /// Beginning of the message on a situation that is not known, as it was asked for.
-struct HowAsked<'a>(Option<&'a str>);
+struct SituationAsked<'a>(Option<&'a str>);
 
-impl fmt::Display for HowAsked<'_> {
+impl fmt::Display for SituationAsked<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             None => f.write_str("several sets of loads act one by one"),

@@ -9,11 +9,11 @@ use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{Chances, Happening, Method, Probability};
-use super::asked::Asked;
 use super::error::ProbabilityError;
-use super::over::{Fit, Fragility};
+use super::fragility::{Fit, Fragility};
 use super::overturn::Overturning;
 use super::storm::Sliding;
+use super::subject::ChanceSubject;
 use crate::case_file::CaseFile;
 use crate::key::Key;
 use crate::layout::{apart, digits};
@@ -82,8 +82,8 @@ impl Probability {
         worst: &Chances,
         title: &str,
     ) -> Result<Option<Figure>, ProbabilityError> {
-        let asked = Asked::of(file, None)?;
-        if matches!(asked, Asked::Storm(_)) {
+        let asked = ChanceSubject::of(file, None)?;
+        if matches!(asked, ChanceSubject::Storm(_)) {
             return Ok(None);
         }
         let problems = asked.problems(None)?;

@@ -15,18 +15,18 @@
 //! ([`Estimate::of_pairs`]). A lognormal curve is fitted as to any fragility.
 
 use standfast::Wrench;
-use standfast::loads::{Load as StaticLoad, LoadSource, Pose};
+use standfast::loads::{Load, LoadSource, Pose};
 use standfast_motion::{
-    Base, History, Keep, Load, MotionError, Problem as Motion, is_own_weight, shaken_water, simulate,
+    BaseMotion, History, Keep, LoadInTime, MotionError, MotionProblem, is_own_weight, shaken_water, simulate,
 };
 use standfast_probability::sample::{self, Estimate};
 
-use super::answer::Request;
-use super::asked::{Asked, problems_of};
+use super::answer::ChanceRequest;
 use super::error::ProbabilityError;
-use super::over::{Fit, Over};
-use super::problem::Problem;
-use super::quantity::{Bias, Input};
+use super::fragility::{Fit, ValueRange};
+use super::problem::ChanceProblem;
+use super::quantity::{Bias, RandomInput};
+use super::subject::{ChanceSubject, problems_of};
 use crate::assess::load_words;
 use crate::case::{Acting, Case};
 use crate::case_file::CaseFile;
@@ -48,7 +48,7 @@ pub struct Overturning {
     /// Number of draws that were no body: those are counted as standing.
     pub not_a_body: u64,
     /// At each peak, rising.
-    pub points: Vec<AtPeak>,
+    pub points: Vec<PeakChances>,
     /// A lognormal curve through the chances of overturning.
     pub fit: Option<Fit>,
     /// g of the case, m/s².
@@ -57,7 +57,7 @@ pub struct Overturning {
 
 /// Outcome for random bodies at one peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AtPeak {
+pub struct PeakChances {
     /// The largest |acceleration| of the base to the sides, m/s².
     pub peak: f64,
     /// That the body slips or turns at all.
@@ -73,12 +73,18 @@ impl Overturning {
     ///
     /// # Errors
     /// If the base does not move, the case has loads beside its weight, or a motion is refused.
-    pub fn of(file: &CaseFile, request: &Request, over: &Over) -> Result<Overturning, ProbabilityError> {
+    pub fn of(
+        file: &CaseFile,
+        request: &ChanceRequest,
+        over: &ValueRange,
+    ) -> Result<Overturning, ProbabilityError> {
         let wrong = |what: &str| over.wrong(what);
-        let asked = Asked::of(file, request.years)?;
-        let Asked::Case { file: case_file, .. } = &asked else { return Err(ProbabilityError::NoBody) };
+        let asked = ChanceSubject::of(file, request.years)?;
+        let ChanceSubject::Case { file: case_file, .. } = &asked else {
+            return Err(ProbabilityError::NoBody);
+        };
         let problem = &problems_of(case_file, None)?[0];
-        let shaken = |input: &Input| {
+        let shaken = |input: &RandomInput| {
             input.variable().is_some_and(|variable| variable.id().key.info().table == Table::Earthquake)
         };
         if problem.random().iter().any(shaken) {
@@ -102,12 +108,12 @@ impl Overturning {
                 .ok_or_else(|| over.wrong(format!("cannot read {record}: it is not read yet")))?;
             let record = text.record(None, None).map_err(|error| over.wrong(error.to_string()))?;
             let history = record.history(1.0).map_err(|error| over.wrong(error.to_string()))?;
-            bases.push(Base { horizontal: Some(history), vertical: None });
+            bases.push(BaseMotion { horizontal: Some(history), vertical: None });
         }
         let records =
             if bases.is_empty() { vec!["that of the case".to_owned()] } else { random.records.clone() };
         if bases.is_empty() {
-            bases.push(Base { horizontal: Some(own.clone()), vertical: motion.base.vertical.clone() });
+            bases.push(BaseMotion { horizontal: Some(own.clone()), vertical: motion.base.vertical.clone() });
         }
         let gravity = motion.gravity;
         let peaks = over.values(|text| peak(text, gravity))?;
@@ -126,10 +132,10 @@ impl Overturning {
             let of_record = |bodies: &Vec<[bool; 3]>| bodies.iter().map(|became| became[which]).collect();
             Estimate::of_pairs(&at.iter().map(of_record).collect::<Vec<Vec<bool>>>())
         };
-        let points: Vec<AtPeak> = peaks
+        let points: Vec<PeakChances> = peaks
             .iter()
             .zip(&followed)
-            .map(|(peak, at)| AtPeak {
+            .map(|(peak, at)| PeakChances {
                 peak: *peak,
                 moved: chance(at, MOVED),
                 rocked: chance(at, ROCKED),
@@ -143,11 +149,11 @@ impl Overturning {
 }
 
 /// That beside the shaking nothing varies.
-fn varies_not(problem: &Problem, over: &Over) -> Result<(), ProbabilityError> {
+fn varies_not(problem: &ChanceProblem, over: &ValueRange) -> Result<(), ProbabilityError> {
     let Some((case, _)) = problem.case() else { return Err(ProbabilityError::NoBody) };
     let case = Case { earthquake: None, ..case.clone() };
     let situation = case.situation(Acting::All, None).map_err(|error| over.wrong(error.to_string()))?;
-    let acts = |load: &&StaticLoad| {
+    let acts = |load: &&Load| {
         load.wrench(situation.body(), case.gravity, Pose::UPRIGHT) != Wrench::ZERO && !is_own_weight(load)
     };
     match situation.loads().iter().filter(acts).find(|load| !load.permanent) {
@@ -171,21 +177,21 @@ fn peak(text: &str, gravity: f64) -> Result<f64, String> {
 /// A body that was drawn.
 struct Body {
     /// It under its permanent loads, on a base that does not move.
-    still: Motion,
+    still: MotionProblem,
     /// The water that moves along, per unit of the base's acceleration to the right; its history is to be that of the base.
-    shaken: Vec<Load>,
+    shaken: Vec<LoadInTime>,
 }
 
 impl Body {
     /// The body that values make, for the rest as in `motion`; none if they do not go together.
-    fn of(problem: &Problem, motion: &Motion, values: &[f64]) -> Option<Body> {
+    fn of(problem: &ChanceProblem, motion: &MotionProblem, values: &[f64]) -> Option<Body> {
         // The peaks of the shaking, which the first instant has as an earthquake, come with time.
         let case = Case { earthquake: None, ..problem.case_with(values)? };
         let situation = case.situation(Acting::All, None).ok()?;
-        let stands = Motion::standing(&situation).ok()?;
-        let mut still = Motion { block: stands.block, loads: stands.loads, ..motion.clone() };
-        still.base = Base { horizontal: None, vertical: None };
-        if let Some(place) = problem.random().iter().position(Input::is_friction) {
+        let stands = MotionProblem::standing(&situation).ok()?;
+        let mut still = MotionProblem { block: stands.block, loads: stands.loads, ..motion.clone() };
+        still.base = BaseMotion { horizontal: None, vertical: None };
+        if let Some(place) = problem.random().iter().position(RandomInput::is_friction) {
             let ratio = if still.block.mu_s > 0.0 { still.block.mu_k / still.block.mu_s } else { 1.0 };
             (still.block.mu_s, still.block.mu_k) = (values[place], values[place] * ratio);
         }
@@ -201,12 +207,13 @@ impl Body {
     }
 
     /// Outcome on a base that moves so, times a factor.
-    fn under(&self, base: &Base, factor: f64) -> Result<[bool; 3], MotionError> {
+    fn under(&self, base: &BaseMotion, factor: f64) -> Result<[bool; 3], MotionError> {
         let mut motion = self.still.clone();
         let times = |history: &Option<History>| history.clone().map(|history| history.times_factor(factor));
-        motion.base = Base { horizontal: times(&base.horizontal), vertical: times(&base.vertical) };
+        motion.base = BaseMotion { horizontal: times(&base.horizontal), vertical: times(&base.vertical) };
         if let Some(history) = &motion.base.horizontal {
-            let along = self.shaken.iter().map(|load| Load { history: history.clone(), ..load.clone() });
+            let along =
+                self.shaken.iter().map(|load| LoadInTime { history: history.clone(), ..load.clone() });
             motion.loads.extend(along);
         }
         let outcome = simulate(&motion, Keep::default())?;
@@ -224,14 +231,14 @@ const ROCKED: usize = 1;
 const OVERTURNED: usize = 2;
 
 /// The largest |acceleration| of a base to the sides.
-fn peak_of(base: &Base) -> f64 {
+fn peak_of(base: &BaseMotion) -> f64 {
     base.horizontal.as_ref().map_or(0.0, |history| history.peak().abs())
 }
 
 /// Outcome for every body, under every record, at every peak, shared out to threads. A draw that is no body stands.
 fn follow(
     bodies: &[Option<Body>],
-    bases: &[Base],
+    bases: &[BaseMotion],
     peaks: &[f64],
     threads: usize,
 ) -> Result<Vec<Vec<Vec<[bool; 3]>>>, MotionError> {

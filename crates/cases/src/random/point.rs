@@ -13,9 +13,9 @@
 //!
 //! A number that is random by a law with a mean of its own need not stand in `[point]`.
 
-use super::asked::alone;
 use super::quantity::Coordinate;
 use super::read::RandomProblem;
+use super::subject::alone;
 use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::Table;

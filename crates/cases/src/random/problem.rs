@@ -8,12 +8,12 @@ use standfast::loads::Earthquake;
 use standfast::wave::Heights;
 use standfast::{Point, Wrench};
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
-use super::quantity::{Bias, Coordinate, Input, Quantity};
-use super::read::{At, Random, Rate};
+use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
+use super::read::{Random, Rate, ReadResult};
 use super::resolve::{Names, Resolve};
 use crate::case::{Acting, Case};
 use crate::case_file::CaseFile;
@@ -26,11 +26,11 @@ use standfast::ground::Base;
 
 /// A case, its random numbers, and the loads that act.
 #[derive(Debug, Clone)]
-pub struct Problem {
+pub struct ChanceProblem {
     id: u64,
     model: Model,
-    random: Vec<Input>,
-    laws: Laws,
+    random: Vec<RandomInput>,
+    laws: RandomVector,
     years: Option<f64>,
     lines: Lines,
     /// Of each number a value that it has as good as never more than.
@@ -67,14 +67,14 @@ pub(super) enum Line {
 }
 
 /// Of each number the value beyond which no method looks, twelve deviations from the median.
-fn reaches(laws: &Laws) -> Vec<f64> {
+fn reaches(laws: &RandomVector) -> Vec<f64> {
     laws.laws().iter().map(|law| law.value(12.0)).collect()
 }
 
 /// An |α| below which a number hardly matters.
 const NEGLIGIBLE: f64 = 0.02;
 
-impl Problem {
+impl ChanceProblem {
     /// The problems of a case file, which is of this case, with a `[random]` table: one for each set of loads that act together and each acceleration of
     /// the base that is tried.
     ///
@@ -85,7 +85,7 @@ impl Problem {
         case: Case,
         random: &Random,
         years: Option<f64>,
-    ) -> Result<Vec<Problem>, CaseError> {
+    ) -> Result<Vec<ChanceProblem>, CaseError> {
         let wrong = |(problem, span)| file.random_error(problem, span);
         let (inputs, laws) = Resolve(Names::Case(file, &case)).all(random).map_err(wrong)?;
         let lines = Lines::of(&inputs, Some(&case));
@@ -104,7 +104,7 @@ impl Problem {
                 let (inputs_of_case, case) = (Box::new(unnamed.clone()), Box::new(case.clone()));
                 let quick = only_heights(&inputs).then(|| Quick::of(&case, acting, earthquake)).flatten();
                 let quick = quick.map(Box::new);
-                problems.push(Problem {
+                problems.push(ChanceProblem {
                     id: unique(),
                     model: Model::Case { inputs: inputs_of_case, case, acting, shaking, quick },
                     random: inputs.clone(),
@@ -123,17 +123,21 @@ impl Problem {
     ///
     /// # Errors
     /// If a name, a law or a correlation is wrong.
-    pub(super) fn of_point(point: [f64; 4], random: &Random, years: Option<f64>) -> At<Problem> {
+    pub(super) fn of_point(
+        point: [f64; 4],
+        random: &Random,
+        years: Option<f64>,
+    ) -> ReadResult<ChanceProblem> {
         let (inputs, laws) = Resolve(Names::Point(point)).all(random)?;
         let lines = Lines::of(&inputs, None);
         let line = lines.first(&inputs, |_| true).unwrap_or(Line::Scan(0));
         let (model, years) = (Model::Point(point), years.or(random.years));
         let reaches = reaches(&laws);
-        Ok(Problem { id: unique(), model, random: inputs, laws, years, lines, reaches, line })
+        Ok(ChanceProblem { id: unique(), model, random: inputs, laws, years, lines, reaches, line })
     }
 
     /// Random numbers, in the order of the file.
-    pub fn random(&self) -> &[Input] {
+    pub fn random(&self) -> &[RandomInput] {
         &self.random
     }
 
@@ -146,7 +150,7 @@ impl Problem {
     }
 
     /// The laws of the random numbers and how they are correlated.
-    pub fn laws(&self) -> &Laws {
+    pub fn laws(&self) -> &RandomVector {
         &self.laws
     }
 
@@ -188,15 +192,15 @@ impl Problem {
     }
 
     /// Problem along a number that is drawn yearly, as a life needs it; none if there is no such number.
-    pub(super) fn along_yearly(&self) -> Option<Problem> {
+    pub(super) fn along_yearly(&self) -> Option<ChanceProblem> {
         let line = self.lines.first(&self.random, |place| self.random[place].every == Rate::Year)?;
-        Some(Problem { line, ..self.clone() })
+        Some(ChanceProblem { line, ..self.clone() })
     }
 
     /// Problem along the number that matters more, by the nearest point at which the body does not rest (α of each number): where friction
     /// hardly matters, or is certain, that number of those in which the wrench is linear that has the largest |α|. None if it is the number
     /// already.
-    pub(super) fn along_what_matters(&self, alpha: &[f64]) -> Option<Problem> {
+    pub(super) fn along_what_matters(&self, alpha: &[f64]) -> Option<ChanceProblem> {
         let own = match self.line {
             Line::Friction(place) | Line::Load(place) if alpha[place].abs() < NEGLIGIBLE => {
                 alpha[place].abs()
@@ -210,7 +214,11 @@ impl Problem {
         let linear = (0..self.random.len()).filter(|place| self.random[*place].is_linear());
         let best = linear.max_by(|a, b| alpha[*a].abs().total_cmp(&alpha[*b].abs()).then(b.cmp(a)))?;
         let line = Line::Load(best);
-        (line != self.line && alpha[best].abs() > own).then(|| Problem { line, id: unique(), ..self.clone() })
+        (line != self.line && alpha[best].abs() > own).then(|| ChanceProblem {
+            line,
+            id: unique(),
+            ..self.clone()
+        })
     }
 
     /// True if a number is friction that is put in beside what everything else makes: not where friction to slip has a law of its own.
@@ -383,9 +391,9 @@ fn unique() -> u64 {
 }
 
 /// True if of a case's numbers, beside friction, only heights of waves are random.
-fn only_heights(inputs: &[Input]) -> bool {
+fn only_heights(inputs: &[RandomInput]) -> bool {
     let heights = [Key::DeepWaterHeight, Key::H13, Key::Hmax];
-    let of_case = inputs.iter().filter(|input| !input.is_friction()).filter_map(Input::variable);
+    let of_case = inputs.iter().filter(|input| !input.is_friction()).filter_map(RandomInput::variable);
     of_case.into_iter().all(|variable| heights.contains(&variable.id().key))
 }
 
@@ -399,19 +407,19 @@ struct Lines {
 }
 
 impl Lines {
-    fn of(inputs: &[Input], case: Option<&Case>) -> Lines {
+    fn of(inputs: &[RandomInput], case: Option<&Case>) -> Lines {
         let gives_way = case.is_some_and(Case::gives_way);
-        Lines { friction: !inputs.iter().any(Input::is_kinetic_friction), loads: !gives_way }
+        Lines { friction: !inputs.iter().any(RandomInput::is_kinetic_friction), loads: !gives_way }
     }
 
     /// The first along which the modes are known, of those for which this holds.
-    fn first(self, inputs: &[Input], among: impl Fn(usize) -> bool) -> Option<Line> {
-        let find = |of: &dyn Fn(&Input) -> bool| {
+    fn first(self, inputs: &[RandomInput], among: impl Fn(usize) -> bool) -> Option<Line> {
+        let find = |of: &dyn Fn(&RandomInput) -> bool| {
             (0..inputs.len()).find(|place| among(*place) && of(&inputs[*place]))
         };
-        let friction = find(&Input::is_friction).filter(|_| self.friction).map(Line::Friction);
+        let friction = find(&RandomInput::is_friction).filter(|_| self.friction).map(Line::Friction);
         // On a base that gives way a load is scanned, which is quicker than another number.
-        let load = || find(&Input::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
+        let load = || find(&RandomInput::is_linear).map(if self.loads { Line::Load } else { Line::Scan });
         let scan = || find(&|_| true).map(Line::Scan);
         friction.or_else(load).or_else(scan)
     }

@@ -90,7 +90,7 @@ impl Bias {
 
 /// A number that is random.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Input {
+pub struct RandomInput {
     /// Its name, as in the file.
     pub name: String,
     /// Quantity that is random.
@@ -101,7 +101,7 @@ pub struct Input {
     pub cut: f64,
 }
 
-impl Input {
+impl RandomInput {
     pub(super) fn variable(&self) -> Option<&Variable> {
         match &self.quantity {
             Quantity::Key(variable) => Some(variable),

@@ -2,10 +2,10 @@
 
 use standfast_probability::copula::{Copula, CopulaError, Correlation};
 use standfast_probability::law::{Distribution, Law, LawError};
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 
-use super::quantity::{Bias, Coordinate, Input, Quantity};
-use super::read::{At, Named, Parameter, Random, RandomProblem, Written, years};
+use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
+use super::read::{Parameter, Random, RandomEntry, RandomProblem, ReadResult, Written, years};
 use super::storm::StormField;
 use crate::case::Case;
 use crate::case_file::CaseFile;
@@ -28,8 +28,8 @@ pub(super) enum Names<'a> {
 
 impl Resolve<'_> {
     /// The random numbers, and their laws.
-    pub(super) fn all(&self, random: &Random) -> At<(Vec<Input>, Laws)> {
-        let mut inputs: Vec<Input> = Vec::new();
+    pub(super) fn all(&self, random: &Random) -> ReadResult<(Vec<RandomInput>, RandomVector)> {
+        let mut inputs: Vec<RandomInput> = Vec::new();
         let mut laws = Vec::new();
         for named in &random.named {
             let quantity = self.quantity(named)?;
@@ -38,7 +38,7 @@ impl Resolve<'_> {
                 return Err((RandomProblem::Twice { name, other }, named.span.clone()));
             }
             let (law, cut) = self.law(named, &quantity)?;
-            inputs.push(Input { name: named.name.clone(), quantity, every: named.every, cut });
+            inputs.push(RandomInput { name: named.name.clone(), quantity, every: named.every, cut });
             laws.push(law);
         }
         let correlations: Vec<Correlation> = random
@@ -76,11 +76,11 @@ impl Resolve<'_> {
                 other => (RandomProblem::Other(other.to_string()), random.span.clone()),
             }
         })?;
-        Ok((inputs, Laws::new(laws, copula)))
+        Ok((inputs, RandomVector::new(laws, copula)))
     }
 
     /// Quantity that a name stands for.
-    fn quantity(&self, named: &Named) -> At<Quantity> {
+    fn quantity(&self, named: &RandomEntry) -> ReadResult<Quantity> {
         let (file, case) = match self.0 {
             Names::Case(file, case) => (file, case),
             Names::Storm(_) => return of_storm(named),
@@ -120,7 +120,7 @@ impl Resolve<'_> {
     }
 
     /// The law of a random number, and what was cut of it because no body has such values.
-    fn law(&self, named: &Named, quantity: &Quantity) -> At<(Distribution, f64)> {
+    fn law(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<(Distribution, f64)> {
         let law = self.plain_law(named, quantity)?;
         let (lower, upper) = self.bounds(named, quantity)?;
         let refused = |error: LawError| empty_range(named, lower, upper, &error);
@@ -145,7 +145,7 @@ impl Resolve<'_> {
     }
 
     /// Bounds at which a law is cut, without bound where nothing is said.
-    fn bounds(&self, named: &Named, quantity: &Quantity) -> At<(f64, f64)> {
+    fn bounds(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<(f64, f64)> {
         let bound = |parameter: &Option<Parameter>, none: f64| match parameter {
             Some(parameter) => self.value(named, quantity, parameter),
             None => Ok(none),
@@ -154,7 +154,7 @@ impl Resolve<'_> {
     }
 
     /// The law before truncation.
-    fn plain_law(&self, named: &Named, quantity: &Quantity) -> At<Law> {
+    fn plain_law(&self, named: &RandomEntry, quantity: &Quantity) -> ReadResult<Law> {
         let find = |name: &str| named.parameters.iter().find(|parameter| parameter.name == name);
         let measured =
             |name: &str| find(name).map(|parameter| self.value(named, quantity, parameter)).transpose();
@@ -166,7 +166,7 @@ impl Resolve<'_> {
         let need = |name: &'static str| measured(name).and_then(|value| value.ok_or_else(|| lacks(name)));
         let need_plain = |name: &'static str| plain(name).and_then(|value| value.ok_or_else(|| lacks(name)));
         // Mean and deviation; the mean is the case's value where none is given, and 1 of a bias.
-        let moments = || -> At<(f64, f64)> {
+        let moments = || -> ReadResult<(f64, f64)> {
             let own = match (quantity, self.0) {
                 (Quantity::Key(variable), Names::Case(file, case)) => variable.value(file.inputs(), case),
                 (Quantity::Point(coordinate), Names::Point(point)) => point[*coordinate as usize],
@@ -198,7 +198,7 @@ impl Resolve<'_> {
                     ([], None) => moments().map(|(mean, sd)| Law::gumbel_of_mean(mean, sd))?,
                     ([], Some(_)) => Law::gumbel(need("mode")?, need("scale")?),
                     ([one, two], None) => {
-                        let of = |parameter: &&Parameter| -> At<(f64, f64)> {
+                        let of = |parameter: &&Parameter| -> ReadResult<(f64, f64)> {
                             let value = self.value(named, quantity, parameter)?;
                             Ok((years(&parameter.name).unwrap_or(f64::NAN), value))
                         };
@@ -233,7 +233,7 @@ impl Resolve<'_> {
     }
 
     /// A parameter in SI units of the random number; deviations and scales too.
-    fn value(&self, named: &Named, quantity: &Quantity, parameter: &Parameter) -> At<f64> {
+    fn value(&self, named: &RandomEntry, quantity: &Quantity, parameter: &Parameter) -> ReadResult<f64> {
         match (&parameter.value, quantity, self.0) {
             (Written::Text(text), Quantity::Key(variable), Names::Case(file, _)) => {
                 variable.read(text, file.inputs()).map_err(|_| {
@@ -274,7 +274,7 @@ impl Resolve<'_> {
         }
     }
 
-    fn plain(&self, named: &Named, parameter: &Parameter) -> At<f64> {
+    fn plain(&self, named: &RandomEntry, parameter: &Parameter) -> ReadResult<f64> {
         match &parameter.value {
             Written::Number(number) if number.is_finite() => Ok(*number),
             written => {
@@ -306,7 +306,7 @@ pub(super) fn find(file: &CaseFile, case: &Case, name: &str) -> Result<Variable,
 }
 
 /// Quantity that a name stands for in a storm without a body.
-fn of_storm(named: &Named) -> At<Quantity> {
+fn of_storm(named: &RandomEntry) -> ReadResult<Quantity> {
     let biases = [Bias::Thrust, Bias::Uplift];
     if let Some(bias) = biases.into_iter().find(|bias| bias.name() == named.name) {
         return Ok(Quantity::Bias(bias));
@@ -331,7 +331,7 @@ fn range(quantity: &Quantity) -> Range {
 
 /// A range in which a law has no values.
 fn empty_range(
-    named: &Named,
+    named: &RandomEntry,
     lower: f64,
     upper: f64,
     error: &LawError,

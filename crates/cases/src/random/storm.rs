@@ -21,9 +21,9 @@ mod rotation;
 mod sea;
 
 use standfast_probability::legendre::panel;
-use standfast_probability::sums::{OfEvent, Other, Sums};
+use standfast_probability::sums::{EventMeans, OtherEvent, Sums};
 
-pub use answer::{Exceeded, Followed, Quantile, Rotating, Sliding, SlidingError};
+pub use answer::{Exceedance, FollowedWaves, Quantile, RotatingWaves, Sliding, SlidingError};
 pub use pulse::Pulse;
 pub use pure::StormField;
 pub(super) use pure::{PureStorm, of_file};
@@ -91,9 +91,9 @@ pub(super) trait Slide {
     }
 
     /// Outcome of a wave that begins a rotation.
-    fn turned(&self, level: f64) -> Other {
+    fn turned(&self, level: f64) -> OtherEvent {
         let _ = level;
-        Other::default()
+        OtherEvent::default()
     }
 }
 
@@ -105,7 +105,7 @@ impl<W: Slide> Year<W> {
         (-from).exp() * -(from - to).exp_m1() / all
     }
 
-    fn of_event(&self) -> OfEvent {
+    fn of_event(&self) -> EventMeans {
         let all = -(-self.cut).exp_m1();
         let mean = self.slides.iter().map(|&(from, to)| {
             let ends = PANELS.map(|end| (from + end).min(to));
@@ -115,7 +115,7 @@ impl<W: Slide> Year<W> {
                 .map(|(t, weight)| weight * (-t).exp() * self.wave.slide(t))
                 .sum::<f64>()
         });
-        OfEvent {
+        EventMeans {
             mean: mean.sum::<f64>() / all,
             adds: self.slides.iter().map(|interval| self.chance(interval)).sum(),
             other: self.turns.iter().map(|interval| self.chance(interval)).sum(),
@@ -164,7 +164,7 @@ impl<S: Storms> Sums for Slides<'_, S> {
         self.0.storm(values)
     }
 
-    fn of_event(&self, year: &Year<S::Wave>) -> OfEvent {
+    fn of_event(&self, year: &Year<S::Wave>) -> EventMeans {
         year.of_event()
     }
 
@@ -172,9 +172,9 @@ impl<S: Storms> Sums for Slides<'_, S> {
         year.amount(share)
     }
 
-    fn other(&self, year: &Year<S::Wave>) -> Option<impl Fn(f64) -> Other> {
+    fn other(&self, year: &Year<S::Wave>) -> Option<impl Fn(f64) -> OtherEvent> {
         let turned = |share: f64| {
-            year.level_of(&year.turns, share).map_or(Other::default(), |level| year.wave.turned(level))
+            year.level_of(&year.turns, share).map_or(OtherEvent::default(), |level| year.wave.turned(level))
         };
         year.wave.follows().then_some(turned)
     }

@@ -5,10 +5,10 @@ use std::fmt::Write;
 use standfast_probability::sample::{Effort, Estimate};
 
 use super::answer::{Chances, FirstDeparture, Happening, Method, Probability, RandomNumber};
-use super::joined::Joined;
-use super::over::{Fit, Fragility};
-use super::overturn::{AtPeak, Overturning};
-use super::storm::{Exceeded, Followed, Pulse, Quantile, Sliding};
+use super::fragility::{Fit, Fragility};
+use super::joint::JointChance;
+use super::overturn::{Overturning, PeakChances};
+use super::storm::{Exceedance, FollowedWaves, Pulse, Quantile, Sliding};
 use crate::layout::{apart, columns, digits, paragraph, row};
 
 impl Probability {
@@ -28,7 +28,7 @@ impl Probability {
             let _ = writeln!(text, "\nUnder {}", chances.situation.as_deref().unwrap_or("other loads"));
             text += &event_table(chances, self.floor());
         }
-        if let Some(Joined { count, not_rest, method }) = &self.joined {
+        if let Some(JointChance { count, not_rest, method }) = &self.joined {
             let within = match method {
                 Method::Integrate => String::new(),
                 _ => format!(", {} … {}", probability(not_rest.low), probability(not_rest.high)),
@@ -80,7 +80,7 @@ impl Probability {
             |e: Estimate, words: &dyn Fn(f64) -> String| format!("{} … {}", words(e.low), words(e.high));
         let mut rows = vec![row!["mean", metres(mean.value), within(*mean, &metres)]];
         rows.push(row!["slides at all", probability(sliding.ever.value), within(sliding.ever, &probability)]);
-        for Exceeded { slide, probability: p } in exceedance {
+        for Exceedance { slide, probability: p } in exceedance {
             rows.push(row![
                 format!("more than {slide:.2} m"),
                 probability(p.value),
@@ -100,7 +100,7 @@ impl Probability {
             );
             text += &paragraph(&words, 2);
         }
-        if let Some(Followed { slide, overturned }) = &sliding.followed {
+        if let Some(FollowedWaves { slide, overturned }) = &sliding.followed {
             let words = format!(
                 "Waves that begin a rotation, {} of all waves, are followed in time: they add {} ({}) to the mean above, and shares and chances \
                  of slides count them; {} of all lives end by overturning ({}), which counts as a slide beyond every limit.",
@@ -147,7 +147,7 @@ impl Probability {
             self.request.effort.seed
         );
         let mut rows = vec![row!["peak (g)", "moves", "rocks", "overturns", ""]];
-        for AtPeak { peak, moved, rocked, overturned } in points {
+        for PeakChances { peak, moved, rocked, overturned } in points {
             rows.push(row![
                 digits(peak / gravity),
                 probability(moved.value),

@@ -9,12 +9,12 @@ use standfast_cases::layout::paragraph;
 use standfast_cases::motion::{ColumnError, MotionRows, ROW_RESULTS, in_order};
 use standfast_cases::suggest::closest;
 use standfast_cases::sweep::heading;
-use standfast_tables::{Face, OnError, TableFormat, WrittenColumn, column_warnings, written};
+use standfast_tables::{Interface, OnError, TableFormat, WrittenColumn, column_warnings, written};
 use thiserror::Error;
 
 use crate::args::{BatchArgs, threads};
 use crate::case_file;
-use crate::files_read::{FilesRead, ReadAs};
+use crate::files_read::{FilePurpose, FilesRead};
 use crate::progress::Motions;
 use crate::write::{Pending, WriteError};
 
@@ -185,7 +185,8 @@ pub fn motions(
     let mut said = paragraph(&format!("varied: {}", words.collect::<Vec<_>>().join(", ")), 0);
     let places: Vec<usize> = varied.iter().map(|(place, _)| *place).collect();
     for warning in column_warnings(&file, &header, &places) {
-        said += &paragraph(&format!("warning: {} ({})", warning.words(Face::Program), warning.name()), 0);
+        said +=
+            &paragraph(&format!("warning: {} ({})", warning.words(Interface::Program), warning.name()), 0);
     }
     rows.notes().iter().for_each(|note| said += &paragraph(note, 0));
     if let Some(first) = first {
@@ -213,9 +214,9 @@ fn read(
 ) -> Result<(Vec<String>, Vec<csv::StringRecord>), MotionTableError> {
     let unread = |cause: String| MotionTableError::Read { name: name.to_owned(), cause };
     let bytes = if args.input.as_os_str() == "-" {
-        files.read_standard_input(ReadAs::Table)
+        files.read_standard_input(FilePurpose::Table)
     } else {
-        files.read(&args.input, ReadAs::Table)
+        files.read(&args.input, FilePurpose::Table)
     };
     let bytes = bytes.map_err(|cause| unread(cause.to_string()))?;
     let mut table = csv::ReaderBuilder::new().flexible(nulls).from_reader(&bytes[..]);

@@ -1,7 +1,7 @@
 //! Whatever a case file contains, it is answered or refused: no panic, and every refusal can be shown.
 
 use proptest::prelude::*;
-use standfast_cases::{Acting, Assessment, CaseFile, View, point};
+use standfast_cases::{Acting, Assessment, AssessmentView, CaseFile, point};
 
 use crate::mutated::{mutated, number};
 
@@ -21,7 +21,7 @@ fn try_case(text: &str) {
         // Answered, or refused by the mechanics as out of range.
         Ok(case) => {
             if let Ok(assessment) = Assessment::of(&case) {
-                assert!(!assessment.json(&View::default(), &[]).is_empty());
+                assert!(!assessment.json(&AssessmentView::default(), &[]).is_empty());
             }
         }
         Err(error) => assert!(!standfast_cases::report(&error).is_empty()),

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{At, Field};
+use super::{Field, PlacedProblem};
 use crate::digits::shortened;
 use crate::error::Problem;
 use crate::inputs::{Value, dimension};
@@ -18,13 +18,15 @@ pub fn read(id: Id, kind: Kind, units: Option<Extent>, written: &str) -> Result<
     let parsed = DeValue::parse(written).ok();
     let text = Spanned::new(0..written.len(), DeValue::String(Cow::Borrowed(written)));
     let value = parsed.as_ref().unwrap_or(&text);
-    Field { id, value, text: written, units }.value(kind).map_err(|At { problem, .. }| match problem {
-        // Two numbers to the one, a decimal to the other.
-        Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
-            let dimension = dimension(id, units);
-            Problem::Unit { key: id.key, dimension, written: shortened(written), error: UnitError::Comma }
+    Field { id, value, text: written, units }.value(kind).map_err(|PlacedProblem { problem, .. }| {
+        match problem {
+            // Two numbers to the one, a decimal to the other.
+            Problem::WrongType { .. } if written.replace(',', ".").parse::<f64>().is_ok() => {
+                let dimension = dimension(id, units);
+                Problem::Unit { key: id.key, dimension, written: shortened(written), error: UnitError::Comma }
+            }
+            other => other,
         }
-        other => other,
     })
 }
 

@@ -4,8 +4,8 @@
 
 use standfast::{Mode, Modes, Slip};
 
-use crate::outcome::{End, Event, Outcome, Why};
-use crate::problem::{Initial, Problem};
+use crate::outcome::{End, Event, MotionOutcome, Why};
+use crate::problem::{Initial, MotionProblem};
 use standfast::history::Piece;
 
 /// A share of what is compared below which nothing is decided here.
@@ -24,7 +24,7 @@ struct Constant {
 }
 
 impl Constant {
-    fn of(problem: &Problem) -> Option<Constant> {
+    fn of(problem: &MotionProblem) -> Option<Constant> {
         let block = &problem.block;
         let (mut x, mut p, mut m) = (0.0, problem.gravity, 0.0);
         for load in &problem.loads {
@@ -102,7 +102,7 @@ impl Course {
 }
 
 /// The motion, if it is as plain as that.
-pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
+pub(super) fn slides_only(problem: &MotionProblem) -> Option<MotionOutcome> {
     let base = problem.base.horizontal.as_ref()?;
     if problem.base.vertical.is_some() || problem.initial != Initial::default() {
         return None;
@@ -180,7 +180,7 @@ pub(super) fn slides_only(problem: &Problem) -> Option<Outcome> {
     let since = found.events.last()?.t;
     found.events.push(Event { t: since, why: Why::Rest, state: Mode::Rest, consistent: Modes::NONE });
     let block = problem.block;
-    Some(Outcome {
+    Some(MotionOutcome {
         end: End::AtRest,
         slide: found.x,
         max_slide: found.max_slide[0],
@@ -283,10 +283,10 @@ mod tests {
 
     use super::*;
     use crate::machine::{Keep, in_general};
-    use crate::{History, Load};
+    use crate::{History, LoadInTime};
 
     /// A block under seeded noise, with a side force in some cases, and with friction to stick above that to slip in others.
-    fn problem(seed: u64) -> Problem {
+    fn problem(seed: u64) -> MotionProblem {
         let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
         let mut unit = move || {
             state ^= state << 13;
@@ -302,7 +302,7 @@ mod tests {
         if seed.is_multiple_of(4) {
             block.m_x = 1.3;
         }
-        let mut problem = Problem::new(block, 9.81);
+        let mut problem = MotionProblem::new(block, 9.81);
         let values: Vec<f64> = (0..400)
             .map(|i| {
                 (1.0 - f64::from(i) / 400.0)
@@ -315,7 +315,7 @@ mod tests {
         problem.base.horizontal = Some(History::samples(0.01 + 0.02 * unit(), &values).unwrap());
         if seed.is_multiple_of(2) {
             let history = History::constant(2.0 * friction).unwrap();
-            problem.loads.push(Load {
+            problem.loads.push(LoadInTime {
                 at: [0.1, 0.05],
                 direction: [unit() - 0.5, 0.3],
                 follows: false,
@@ -336,7 +336,7 @@ mod tests {
             quick += 1;
             events += found.events.len();
             at_once += usize::from(found.events[0].state != Mode::Rest);
-            let told = |outcome: &Outcome| -> Vec<_> {
+            let told = |outcome: &MotionOutcome| -> Vec<_> {
                 outcome.events.iter().map(|event| (event.why, event.state, event.consistent)).collect()
             };
             assert_eq!(told(&found), told(&general), "{seed}");

@@ -318,7 +318,7 @@ impl Machine<'_> {
     fn keep_step(&mut self, τ: f64) {
         if self.keep.steps {
             let motion = &self.motion;
-            self.steps.push(Step {
+            self.steps.push(MotionStep {
                 t: self.t,
                 duration: τ,
                 state: self.mode,

@@ -4,7 +4,7 @@
 pub mod stepping;
 
 use standfast::contact::Block;
-use standfast_motion::{Base, History, Impact, Initial, Load, Problem};
+use standfast_motion::{BaseMotion, History, Impact, Initial, LoadInTime, MotionProblem};
 
 /// A small generator of numbers, so that a test is the same everywhere.
 pub struct Random(u64);
@@ -70,10 +70,10 @@ pub fn history(random: &mut Random, peak: f64) -> History {
 }
 
 /// A block that rests at first, under forces or a base motion that may move it.
-pub fn problem(random: &mut Random) -> Problem {
+pub fn problem(random: &mut Random) -> MotionProblem {
     let block = block(random);
     let γ = block.d;
-    let mut problem = Problem::new(block, 1.0);
+    let mut problem = MotionProblem::new(block, 1.0);
     let reach = (block.mu_s).min(1.0 / γ);
     match random.of(3) {
         0 => {
@@ -90,7 +90,7 @@ pub fn problem(random: &mut Random) -> Problem {
                 let angle =
                     random.between(-0.4, 0.4) + if random.of(2) == 0 { 0.0 } else { std::f64::consts::PI };
                 let history = history(random, peak);
-                problem.loads.push(Load {
+                problem.loads.push(LoadInTime {
                     at: [random.between(-1.0, 1.0), γ * random.between(-0.9, 0.9)],
                     direction: [angle.cos(), angle.sin()],
                     follows: random.of(3) == 0,
@@ -109,7 +109,7 @@ pub fn problem(random: &mut Random) -> Problem {
 }
 
 /// Left and right exchanged.
-pub fn mirrored(problem: &Problem) -> Problem {
+pub fn mirrored(problem: &MotionProblem) -> MotionProblem {
     let mut other = problem.clone();
     (other.block.b1, other.block.b2) = (problem.block.b2, problem.block.b1);
     for load in &mut other.loads {
@@ -123,8 +123,8 @@ pub fn mirrored(problem: &Problem) -> Problem {
 }
 
 /// Base motion alone.
-pub fn shaken(block: Block, horizontal: History) -> Problem {
-    let mut problem = Problem::new(block, 1.0);
-    problem.base = Base { horizontal: Some(horizontal), vertical: None };
+pub fn shaken(block: Block, horizontal: History) -> MotionProblem {
+    let mut problem = MotionProblem::new(block, 1.0);
+    problem.base = BaseMotion { horizontal: Some(horizontal), vertical: None };
     problem
 }

@@ -2,10 +2,10 @@
 #![allow(dead_code)]
 
 use standfast::contact::Block;
-use standfast_motion::Problem;
+use standfast_motion::MotionProblem;
 
 /// The pose after a time, by steps of `h`, and the largest |θ| on the way; `None` once it is over a quarter turn.
-pub fn stepped(problem: &Problem, end: f64, h: f64) -> Option<[f64; 3]> {
+pub fn stepped(problem: &MotionProblem, end: f64, h: f64) -> Option<[f64; 3]> {
     let Block { b1, b2, d, rho2, m_x, m_y, mu_k, .. } = problem.block;
     let mass = [m_x, m_y, rho2];
     let (mut q, mut v) = ([0.0, d, 0.0], [0.0; 3]);

@@ -7,9 +7,9 @@ use standfast_cases::assess::verdict;
 use standfast_cases::{Acting, Assessed, Assessment};
 
 use crate::measured::{Measured, NONE, number};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
-pub(super) fn steps(steps: &mut Steps, assessment: &Assessment, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut SheetSteps, assessment: &Assessment, assessed: &Assessed) {
     let case = &assessment.case;
     if let Acting::Combination(index) = assessed.acting {
         steps.note(

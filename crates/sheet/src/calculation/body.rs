@@ -6,10 +6,10 @@ use standfast_cases::units::Extent;
 use standfast_cases::{Case, Inputs, Key};
 
 use crate::measured::{ACCELERATION, AREA, DENSITY, INERTIA, KILONEWTON, MASS, METRE, NONE};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 use crate::symbols::numbered;
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, inputs: &Inputs) {
     let body = &case.body;
     steps.know("g", case.gravity, ACCELERATION);
     if case.section.is_some() {
@@ -62,7 +62,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, inputs: &Inputs) {
 }
 
 /// Shows mass and centre of each part, then those of all.
-fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
+fn of_parts(steps: &mut SheetSteps, case: &Case, section: &Section) {
     let body = &case.body;
     let masses = section.masses(case.water_table);
     let long = if case.extent == Extent::Whole { " L_b" } else { "" };
@@ -121,7 +121,7 @@ fn of_parts(steps: &mut Steps, case: &Case, section: &Section) {
 const CORNERS: &str = "Centre of mass from the corners O (left) and O′ (right)";
 
 /// Base and centre of mass of a uniform rectangle.
-fn uniform(steps: &mut Steps, body: &Body) {
+fn uniform(steps: &mut SheetSteps, body: &Body) {
     steps.add("Width of the base", "", ["B_c", "w"], body.base_width(), METRE, "");
     let about = "Centre of mass above the base";
     steps.add(about, "", ["y_C", "H"], body.centroid_height(), METRE, "centroid_height");
@@ -130,7 +130,7 @@ fn uniform(steps: &mut Steps, body: &Body) {
 }
 
 /// Base and centre of mass where the file says where they are.
-fn of_any_shape(steps: &mut Steps, body: &Body) {
+fn of_any_shape(steps: &mut SheetSteps, body: &Body) {
     let BaseEdges { left, right } = body.base_edges();
     steps.know("e_l", left, METRE);
     steps.know("e_r", right, METRE);
@@ -140,7 +140,7 @@ fn of_any_shape(steps: &mut Steps, body: &Body) {
 }
 
 /// The width of the base, and its corners, from its edges.
-fn base(steps: &mut Steps, body: &Body) {
+fn base(steps: &mut SheetSteps, body: &Body) {
     let about = "Width of the base, from its edges left and right of mid-width";
     steps.add(about, "", ["B_c", "e_l + e_r"], body.base_width(), METRE, "");
     steps.add(CORNERS, "", ["b_1", "e_l + x_C"], body.heel_distance(), METRE, "heel_distance");

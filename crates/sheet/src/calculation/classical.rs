@@ -8,12 +8,12 @@ use standfast_cases::{Assessed, Case};
 
 use super::loads::{grouped, parts, sum};
 use crate::measured::{KILONEWTON, KILOPASCAL, METRE, MOMENT, NONE};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// Value that common practice asks of both safety factors.
 pub const TARGET: f64 = 1.2;
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Classical checks");
     actions(steps, &assessed.outcome.actions, components);
     factors(steps, case, assessed, components);
@@ -36,7 +36,7 @@ fn sum_of(
     sum(parts)
 }
 
-fn actions(steps: &mut Steps, actions: &ClassicalActions, components: &[Component]) {
+fn actions(steps: &mut SheetSteps, actions: &ClassicalActions, components: &[Component]) {
     use LoadKind::{Horizontal, Uplift, Weight};
     let ClassicalActions { heel, buoyant_weight, weight_arm, uplift, uplift_moment, force, force_moment } =
         *actions;
@@ -92,7 +92,7 @@ fn actions(steps: &mut Steps, actions: &ClassicalActions, components: &[Componen
     steps.add(about, "", ["M_p", &formula], force_moment, MOMENT, "M_p");
 }
 
-fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
+fn factors(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
     if assessed.outcome.full.is_lifted() {
         return steps.note("Nothing presses the body on its base: safety factors mean nothing.");
     }
@@ -141,7 +141,7 @@ fn factors(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Co
 }
 
 /// Shows the margins of the inequalities of rest.
-fn margins(steps: &mut Steps, assessed: &Assessed) {
+fn margins(steps: &mut SheetSteps, assessed: &Assessed) {
     let margins = assessed.outcome.margins;
     let Margins { sliding, overturning_about_heel: heel, overturning_about_toe: toe } = margins;
     let about = "What friction leaves of the horizontal force; rest needs 0 or more, as of the next two";
@@ -155,7 +155,7 @@ fn margins(steps: &mut Steps, assessed: &Assessed) {
 }
 
 /// The factor by gross moments, where water presses under the base.
-fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
+fn gross(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component]) {
     let Outcome { actions, gross, .. } = &assessed.outcome;
     let key = "SF_overturning_gross";
     let about = "Safety against overturning by gross moments";
@@ -194,7 +194,14 @@ fn gross(steps: &mut Steps, assessed: &Assessed, components: &[Component]) {
 }
 
 /// A factor against overturning about a corner; `pushed` says whether a force turns the body about it.
-fn overturning(steps: &mut Steps, about: &str, formula: [&str; 2], factor: f64, pushed: bool, key: &str) {
+fn overturning(
+    steps: &mut SheetSteps,
+    about: &str,
+    formula: [&str; 2],
+    factor: f64,
+    pushed: bool,
+    key: &str,
+) {
     let words = match factor {
         // As well where a force pushes on, and the formula gives less than nothing.
         0.0 => "uplift or eccentric weight turn the body without any horizontal force",
@@ -204,7 +211,7 @@ fn overturning(steps: &mut Steps, about: &str, formula: [&str; 2], factor: f64, 
     steps.told(about, formula[0], factor, NONE, words, key);
 }
 
-fn pressure(steps: &mut Steps, assessed: &Assessed) {
+fn pressure(steps: &mut SheetSteps, assessed: &Assessed) {
     let stability = &assessed.outcome.stability;
     let Stability { resultant_arm, bearing, .. } = *stability;
     let base = assessed.situation.body().base_width();
@@ -281,7 +288,13 @@ fn rectangle((heel, toe): (f64, f64), whole: bool, long: &str) -> BearingFormula
 }
 
 /// On a circle; where part of it is pressed, the angle at which the contact ends is known to later steps.
-fn circle(steps: &mut Steps, (heel, toe): (f64, f64), whole: bool, arm: f64, base: f64) -> BearingFormulas {
+fn circle(
+    steps: &mut SheetSteps,
+    (heel, toe): (f64, f64),
+    whole: bool,
+    arm: f64,
+    base: f64,
+) -> BearingFormulas {
     if whole {
         return BearingFormulas {
             about: "for `ε` up to `B_c÷8`: the whole circle is pressed",

@@ -5,9 +5,9 @@ use standfast::relation::Relation;
 use standfast::{InputError, Situation, Wrench};
 
 use crate::measured::{Measured, NONE};
-use crate::steps::{Step, Steps};
+use crate::steps::{SheetStep, SheetSteps};
 
-pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) -> Result<(), InputError> {
+pub(super) fn steps(steps: &mut SheetSteps, situation: &Situation, total: &Wrench) -> Result<(), InputError> {
     steps.heading("Mode of response: the general contact problem");
     steps.note(
         "The load is no point of the report's diagram, which needs a uniform body with one friction and no added mass, pressed \
@@ -19,7 +19,7 @@ pub(super) fn steps(steps: &mut Steps, situation: &Situation, total: &Wrench) ->
     let Block { b1, b2, d, rho2, m_x, .. } = block;
     let mut add = |about: &str, name: &str, formula: &str, value: f64| {
         let result = Measured::of(value, NONE);
-        steps.step(&Step { about, reference: "", name, formula, result, key: "" });
+        steps.step(&SheetStep { about, reference: "", name, formula, result, key: "" });
     };
     add("The wrench in these units", "x", "X/(m g)", wrench.x);
     add("", "p", "V/(m g)", wrench.p);
@@ -78,7 +78,7 @@ mod tests {
     fn a_contact_problem_without_an_answer_leaves_no_sheet() -> Result<(), InputError> {
         let situation = Situation::new(Body::new(6.0, 7.0, 100e3)?, 0.6, 9.81)?;
         let wrench = Wrench { x: f64::NAN, p: 981e3, m: 0.0 };
-        assert!(steps(&mut Steps::new("Loads", Extent::PerMetre), &situation, &wrench).is_err());
+        assert!(steps(&mut SheetSteps::new("Loads", Extent::PerMetre), &situation, &wrench).is_err());
         Ok(())
     }
 }

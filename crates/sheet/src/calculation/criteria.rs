@@ -4,10 +4,10 @@ use standfast_cases::criteria::Bound;
 use standfast_cases::{Assessed, Case, CaseCheck, Key};
 
 use super::mode::capital;
-use crate::measured::{KILOPASCAL, METRE, MRAD, NONE, Unit};
-use crate::steps::Steps;
+use crate::measured::{KILOPASCAL, METRE, MRAD, NONE, SheetUnit};
+use crate::steps::SheetSteps;
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
     let checks = assessed.checks(case);
     if checks.is_empty() {
         return;
@@ -18,7 +18,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
     }
 }
 
-fn one(steps: &mut Steps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
+fn one(steps: &mut SheetSteps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
     let criterion = &check.criterion;
     let about = format!("{}, {}: {}", capital(criterion.words()), criterion.required(), check.met_words());
     let name = format!("u_{}", letters(criterion.key));
@@ -51,7 +51,7 @@ fn one(steps: &mut Steps, CaseCheck { check, assessed }: &CaseCheck<'_>) {
 }
 
 /// The name under which the calculation has the value of a criterion, and its unit.
-fn quantity(key: Key) -> (&'static str, Unit) {
+fn quantity(key: Key) -> (&'static str, SheetUnit) {
     match key {
         Key::LeastSliding => ("SF_sliding", NONE),
         Key::LeastOverturning => ("SF_overturning", NONE),

@@ -7,8 +7,8 @@ mod time;
 
 use standfast::ground::bearing::Reaction;
 use standfast::relation::Relation;
+use standfast_cases::assess::BaseResponse;
 use standfast_cases::assess::Component;
-use standfast_cases::assess::OnGround;
 use standfast_cases::assess::ground::left_out;
 use standfast_cases::case::{Foundation, Limit};
 use standfast_cases::units::Extent;
@@ -16,13 +16,13 @@ use standfast_cases::{Assessed, Case, Inputs, Key};
 
 use self::soil::NamedReaction;
 use crate::measured::{KILONEWTON, KILOPASCAL, METRE, NONE};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// In the place of a root of ground on which nothing presses.
 const LOST: &str = "the least λ at which the base does not bear the resultant";
 
 pub(super) fn steps(
-    steps: &mut Steps,
+    steps: &mut SheetSteps,
     case: &Case,
     inputs: &Inputs,
     assessed: &Assessed,
@@ -76,7 +76,7 @@ pub(super) fn steps(
 }
 
 /// The conditions of what begins.
-pub(super) fn decision(steps: &mut Steps, assessed: &Assessed) {
+pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed) {
     steps.heading("Mode of response: the conditions of this base");
     steps.note(
         "The report’s inequalities are those of a rigid base, and do not decide here. The mode that begins satisfies the equations of motion below, \
@@ -102,7 +102,7 @@ struct Sheet<'a> {
     assessed: &'a Assessed,
     components: &'a [Component],
     foundation: &'a Foundation,
-    ground: &'a OnGround,
+    ground: &'a BaseResponse,
     reaction: &'a Reaction,
     /// The length, where forces are of the whole object.
     long: &'static str,
@@ -115,7 +115,7 @@ impl Sheet<'_> {
         per_metre * body.plan().side(body.width())
     }
 
-    fn crushing(&self, steps: &mut Steps, strength: f64) {
+    fn crushing(&self, steps: &mut SheetSteps, strength: f64) {
         steps.know("q_u", strength, KILOPASCAL);
         let long = self.long;
         let omega = self.ground.omega.unwrap_or_default();
@@ -149,7 +149,7 @@ impl Sheet<'_> {
 }
 
 /// The effective width and the pressure on it, under the names of the JSON.
-fn width(steps: &mut Steps, reaction: &Reaction, extent: Extent, keys: [&str; 2]) {
+fn width(steps: &mut SheetSteps, reaction: &Reaction, extent: Extent, keys: [&str; 2]) {
     let about = "Resultant of all loads, right of the middle of the base";
     steps.add(about, "", ["e_b", "(X y_C − M)/V − (b_2 − b_1)/2"], reaction.e(), METRE, "");
     let (width, pressure) = (reaction.effective_width(), reaction.effective_pressure());

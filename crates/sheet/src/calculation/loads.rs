@@ -11,7 +11,7 @@ use standfast_cases::{Assessed, Case, Key};
 use crate::measured::{
     ACCELERATION, AREA, DENSITY, KILONEWTON, KILOPASCAL, MASS, METRE, MOMENT, Measured, NONE, number,
 };
-use crate::steps::{Step, Steps};
+use crate::steps::{SheetStep, SheetSteps};
 use crate::symbols::{numbered, point};
 
 /// The symbols of a component's parts: X, V and M with its number.
@@ -30,7 +30,7 @@ pub(super) fn grouped(formula: &str) -> String {
     if formula.contains(' ') { format!("({formula})") } else { formula.to_owned() }
 }
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, components: &[Component]) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, components: &[Component]) {
     steps.heading("Loads, at the centre of mass");
     steps.note(
         "`X` to the right, `V` downwards, `M` counter-clockwise about the centre of mass C. `V` is the net vertical force, which the \
@@ -66,7 +66,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed, compone
 }
 
 /// The loads one by one, in a table.
-fn table(steps: &mut Steps, extent: Extent, components: &[Component], total: &Wrench) {
+fn table(steps: &mut SheetSteps, extent: Extent, components: &[Component], total: &Wrench) {
     let (force, moment) = (extent.force_unit(), extent.moment_unit());
     steps.push(html! {
         table.numbers data-table="components" {
@@ -93,7 +93,7 @@ fn cells(wrench: &Wrench) -> Markup {
     }
 }
 
-fn added_mass(steps: &mut Steps, case: &Case) {
+fn added_mass(steps: &mut SheetSteps, case: &Case) {
     let (mass, height) = (case.added_mass.mass(), case.added_mass.height());
     if mass == 0.0 {
         return;
@@ -132,7 +132,7 @@ fn added_mass(steps: &mut Steps, case: &Case) {
 }
 
 /// The wrench of one load.
-fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
+fn one(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, i: usize, component: &Component) {
     let Component { name, wrench, .. } = component;
     let [x, v, m] = parts(i);
     given(steps, case, &component.load);
@@ -158,7 +158,14 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
             // A moment that is zero because the load acts at C needs no line.
             Some(formula) if value != 0.0 || unit != MOMENT => {
                 let result = Measured::of(value, unit);
-                steps.step(&Step { about, reference: "", name: &name, formula: &formula, result, key: "" });
+                steps.step(&SheetStep {
+                    about,
+                    reference: "",
+                    name: &name,
+                    formula: &formula,
+                    result,
+                    key: "",
+                });
                 about = "";
             }
             _ => steps.know(&name, value, unit),
@@ -167,7 +174,7 @@ fn one(steps: &mut Steps, case: &Case, assessed: &Assessed, i: usize, component:
 }
 
 /// The numbers that the formulas of a load's parts need.
-fn given(steps: &mut Steps, case: &Case, load: &Load) {
+fn given(steps: &mut SheetSteps, case: &Case, load: &Load) {
     match load.source {
         LoadSource::BuoyantWeight => {
             if let Weight::Buoyant { force, arm } = case.weight {
@@ -345,7 +352,7 @@ fn formulas(
 
 /// The sum of a pressure along its face, and its moment about where positions begin.
 fn pressure(
-    steps: &mut Steps,
+    steps: &mut SheetSteps,
     case: &Case,
     name: &str,
     [sum_name, lever_name]: &[String; 2],

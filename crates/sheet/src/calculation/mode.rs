@@ -12,10 +12,10 @@ use standfast_cases::{Assessed, Case};
 use super::loads::force_symbols;
 use crate::mathml::symbol;
 use crate::measured::{KILONEWTON, Measured, NONE};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// k and k' of a lone force in air.
-pub(super) fn in_air(steps: &mut Steps, case: &Case, assessed: &Assessed, reduced: &Reduced) {
+pub(super) fn in_air(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, reduced: &Reduced) {
     let point = &reduced.point;
     let loads = assessed.situation.loads().iter().enumerate();
     let Some((i, load)) = loads.into_iter().find(|(_, load)| load.source == LoadSource::Force) else {
@@ -35,7 +35,7 @@ pub(super) fn in_air(steps: &mut Steps, case: &Case, assessed: &Assessed, reduce
 }
 
 /// k_eff and k'_eff of loads that act together.
-pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
+pub(super) fn effective(steps: &mut SheetSteps, reduced: &Reduced) {
     let point = &reduced.point;
     steps.heading("The report's plane, in effective coordinates");
     steps.add("Horizontal by vertical load", "theory of loads", ["k_eff", "|X|/V"], point.k(), NONE, "k_eff");
@@ -57,7 +57,7 @@ pub(super) fn effective(steps: &mut Steps, reduced: &Reduced) {
 }
 
 /// The inequalities in the order they are tried.
-pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
+pub(super) fn decision(steps: &mut SheetSteps, reduced: &Reduced) {
     let point = &reduced.point;
     let chart = point.chart();
     let trace = point.explain();
@@ -98,7 +98,7 @@ pub(super) fn decision(steps: &mut Steps, reduced: &Reduced) {
 }
 
 /// Shows the changes of mode over the friction and, of a lone force in air, over the force; `weight` is then m g.
-pub(super) fn changes(steps: &mut Steps, reduced: &Reduced, weight: Option<f64>) {
+pub(super) fn changes(steps: &mut SheetSteps, reduced: &Reduced, weight: Option<f64>) {
     let margins = reduced.point.margins();
     steps.heading("Changes of mode");
     let force = |k: f64| weight.map(|weight| Measured::of(k * weight, KILONEWTON).html(""));

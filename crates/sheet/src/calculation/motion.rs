@@ -7,13 +7,13 @@ use standfast_cases::describe::{MOTION, RELATIVE};
 use standfast_cases::units::Extent;
 use standfast_cases::{Assessed, Case};
 
-use crate::fault::Fault;
+use crate::fault::SheetFault;
 use crate::mathml::{prose, symbol};
 use crate::measured::{ACCELERATION, INERTIA, KILONEWTON, MASS, METRE, ROTATION, number};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// The motion of the body, without what is zero.
-fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
+fn table(case: &Case, motion: &Motion) -> Result<Markup, SheetFault> {
     Ok(html! {
         table.numbers data-table="motion" {
             thead { tr { th {} th { "Quantity" } th.n { "of this body" } th {} } }
@@ -34,7 +34,7 @@ fn table(case: &Case, motion: &Motion) -> Result<Markup, Fault> {
 }
 
 /// The motion under the full load.
-pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, assessed: &Assessed) {
     let Some(motion) = assessed.motion() else { return };
     let Motion { x_ddot, y_ddot, theta_ddot, f_x, f_y, xi, .. } = *motion;
     let rests = [x_ddot, y_ddot, theta_ddot] == [0.0; 3];
@@ -67,7 +67,7 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, assessed: &Assessed) {
 }
 
 /// Shows the reaction along the base: from friction if the body slips, from balance if it does not accelerate.
-fn horizontal(steps: &mut Steps, case: &Case, assessed: &Assessed, motion: &Motion) {
+fn horizontal(steps: &mut SheetSteps, case: &Case, assessed: &Assessed, motion: &Motion) {
     let Motion { x_ddot, f_x, .. } = *motion;
     let about = "Along the base";
     match assessed.mode().and_then(|mode| mode.slip()) {
@@ -89,7 +89,7 @@ fn horizontal(steps: &mut Steps, case: &Case, assessed: &Assessed, motion: &Moti
     }
 }
 
-fn vertical(steps: &mut Steps, motion: &Motion) {
+fn vertical(steps: &mut SheetSteps, motion: &Motion) {
     let Motion { y_ddot, f_y, .. } = *motion;
     if y_ddot != 0.0 {
         let formula = if f_y != 0.0 { "(f_y − V)/m" } else { "−V/m" };
@@ -99,7 +99,7 @@ fn vertical(steps: &mut Steps, motion: &Motion) {
     }
 }
 
-fn rotation(steps: &mut Steps, assessed: &Assessed, motion: &Motion) {
+fn rotation(steps: &mut SheetSteps, assessed: &Assessed, motion: &Motion) {
     let Motion { theta_ddot, f_x, f_y, xi, .. } = *motion;
     let lever = if f_x != 0.0 { " + y_C f_x" } else { "" };
     if f_y != 0.0 {

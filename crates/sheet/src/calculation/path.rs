@@ -3,13 +3,18 @@
 use maud::html;
 use standfast::{Departure, Verdict, Wrench};
 use standfast_cases::assess::{Component, verdict};
-use standfast_cases::{Assessed, View};
+use standfast_cases::{Assessed, AssessmentView};
 
 use super::loads::{parts, sum};
 use crate::measured::{KILONEWTON, MOMENT, NONE, number};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
-pub(super) fn steps(steps: &mut Steps, assessed: &Assessed, components: &[Component], view: &View) {
+pub(super) fn steps(
+    steps: &mut SheetSteps,
+    assessed: &Assessed,
+    components: &[Component],
+    view: &AssessmentView,
+) {
     let stages = assessed.path_up_to(view.up_to);
     steps.heading("Load path: the variable loads rise by a factor, the permanent ones stay");
     if !stages.is_empty() {
@@ -49,7 +54,7 @@ struct Condition {
 }
 
 /// Shows the departure from rest: the condition of rest that the rising load crosses there.
-fn departure(steps: &mut Steps, assessed: &Assessed, components: &[Component], factor: f64) {
+fn departure(steps: &mut SheetSteps, assessed: &Assessed, components: &[Component], factor: f64) {
     const ABOUT: &str = "Load factor at which the body leaves rest";
     const NAME: &str = "λ_d";
     const KEY: &str = "load_factor";
@@ -144,7 +149,7 @@ fn written(terms: &[Term; 3]) -> String {
 
 /// The sums that the terms name, of the loads that are permanent or not.
 pub(super) fn sums(
-    steps: &mut Steps,
+    steps: &mut SheetSteps,
     components: &[Component],
     permanent: bool,
     terms: &[Term; 3],

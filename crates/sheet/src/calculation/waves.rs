@@ -1,15 +1,15 @@
 //! Waves: heights at the wall, Goda's pressures with Takahashi's impulsive coefficient, their resultants.
 
-use standfast::wave::{BreakingTerms, Goda, Heights, Impulsive, Sea, Section};
+use standfast::wave::{BreakingTerms, CaissonSection, Goda, Heights, Impulsive, Sea};
 use standfast_cases::Case;
 use standfast_cases::case::Waves;
 
 use crate::measured::{
     ACCELERATION, DEGREE, DENSITY, KILONEWTON, KILOPASCAL, METRE, MOMENT, Measured, NONE, SECOND,
 };
-use crate::steps::{Step, Steps};
+use crate::steps::{SheetStep, SheetSteps};
 
-pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
+pub(super) fn steps(steps: &mut SheetSteps, case: &Case, wave: &Waves) {
     let Waves { sea, choices, goda, .. } = wave;
     given(steps, case, wave);
     steps.heading("Wavelength and wave heights");
@@ -26,8 +26,8 @@ pub(super) fn steps(steps: &mut Steps, case: &Case, wave: &Waves) {
 }
 
 /// The numbers of the sea and of the section.
-fn given(steps: &mut Steps, case: &Case, Waves { sea, section, choices, .. }: &Waves) {
-    let Section { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
+fn given(steps: &mut SheetSteps, case: &Case, Waves { sea, section, choices, .. }: &Waves) {
+    let CaissonSection { base_depth, depth_above_berm, crest_height, berm_width, caisson_width } = *section;
     for (name, value, unit) in [
         ("h", sea.water_depth, METRE),
         ("i", sea.sea_bottom_slope, NONE),
@@ -47,7 +47,7 @@ fn given(steps: &mut Steps, case: &Case, Waves { sea, section, choices, .. }: &W
     }
 }
 
-fn coefficients(steps: &mut Steps, wave: &Waves) {
+fn coefficients(steps: &mut SheetSteps, wave: &Waves) {
     let Waves { choices, goda, .. } = wave;
     steps.heading("Coefficients");
     angle(steps, wave);
@@ -71,7 +71,7 @@ fn coefficients(steps: &mut Steps, wave: &Waves) {
     impulsive(steps, goda, choices.impulsive);
 }
 
-fn pressures(steps: &mut Steps, goda: &Goda, uplift: bool) {
+fn pressures(steps: &mut SheetSteps, goda: &Goda, uplift: bool) {
     steps.heading("Pressures");
     let formula = ["p1", "1/2 (1 + cos(β)) (λ1 α1 + λ2 α* cos(β)^2) ρ g H_max"];
     steps.add("At still water", "Goda", formula, goda.p1, KILOPASCAL, "p1");
@@ -87,7 +87,7 @@ fn pressures(steps: &mut Steps, goda: &Goda, uplift: bool) {
     }
 }
 
-fn resultants(steps: &mut Steps, goda: &Goda) {
+fn resultants(steps: &mut SheetSteps, goda: &Goda) {
     steps.heading("Resultants of the wave");
     let formula = ["P_w", "1/2 (p1 + p3) h' + 1/2 (p1 + p4) h_c*"];
     steps.add("Horizontal force", "Goda", formula, goda.force, KILONEWTON, "");
@@ -98,7 +98,7 @@ fn resultants(steps: &mut Steps, goda: &Goda) {
     steps.add("Its moment about the heel", "Goda", formula, goda.uplift_moment, MOMENT, "");
 }
 
-fn heights(steps: &mut Steps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
+fn heights(steps: &mut SheetSteps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
     let deep = match (heights, &goda.heights) {
         (Heights::DeepWater(height), Some(computed)) => Some((*height, computed)),
         _ => None,
@@ -135,14 +135,14 @@ fn heights(steps: &mut Steps, sea: &Sea, Waves { heights, goda, .. }: &Waves) {
     steps.add("Maximum wave height", "Goda", formula, goda.h_max, METRE, "Hmax");
 }
 
-fn breaking_depth(steps: &mut Steps, goda: &Goda) {
+fn breaking_depth(steps: &mut SheetSteps, goda: &Goda) {
     let about = "Depth five significant heights in front of the wall";
     steps.add(about, "Goda", ["h_b", "h + 5 H_13 i"], goda.h_b, METRE, "h_b");
 }
 
 /// The terms of a breaking height; `star` tells those of the maximum height, as Goda does.
 fn terms(
-    steps: &mut Steps,
+    steps: &mut SheetSteps,
     of: &str,
     star: &str,
     [c0, c1, s1, least, c_max]: [&str; 5],
@@ -158,7 +158,7 @@ fn terms(
     steps.add("", "Goda", [&name_max, &formula], beta_max, NONE, "");
 }
 
-fn angle(steps: &mut Steps, Waves { sea, choices, goda, .. }: &Waves) {
+fn angle(steps: &mut SheetSteps, Waves { sea, choices, goda, .. }: &Waves) {
     steps.know("β_g", sea.angle_deg, DEGREE);
     let about = "Angle of the waves from the wall's normal";
     let turned = choices.turn_deg > 0.0;
@@ -170,11 +170,11 @@ fn angle(steps: &mut Steps, Waves { sea, choices, goda, .. }: &Waves) {
         false => (format!("{about}, as given"), "β_g"),
     };
     let result = Measured::of(goda.angle_deg, DEGREE);
-    steps.step(&Step { about: &about, reference: "", name: "β", formula, result, key: "angle_deg" });
+    steps.step(&SheetStep { about: &about, reference: "", name: "β", formula, result, key: "angle_deg" });
 }
 
 /// Takahashi's coefficient and α*.
-fn impulsive(steps: &mut Steps, goda: &Goda, used: bool) {
+fn impulsive(steps: &mut SheetSteps, goda: &Goda, used: bool) {
     const TAKAHASHI: &str = "Takahashi";
     let Impulsive { delta_11, delta_22, delta_1, delta_2, alpha_i0, alpha_i1 } = goda.impulsive;
     let formula = ["δ_11", "0.93 (B_M/L − 0.12) + 0.36 ((h − d_M)/h − 0.6)"];

@@ -70,7 +70,7 @@ pub(crate) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     // −b₁P ≤ Nξ ≤ b₂P: the reaction acts on the base.
     let on_base = |moment: T| [moment.clone() + mul(b1, p), mul(b2, p) - moment];
 
-    let mut all = Listed { all: std::array::from_fn(|_| T::of(0.0)), count: 0 };
+    let mut all = QuantityList { all: std::array::from_fn(|_| T::of(0.0)), count: 0 };
     // rest: pulled to the left, to the right; on the base
     let grip = mul(mu_s, p);
     all.extend([sub(&signed(Slip::Left, x), &grip), sub(x, &grip)]);
@@ -107,12 +107,12 @@ pub(crate) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
 }
 
 /// The quantities so far: in place, because this is where the time of a load path goes.
-struct Listed<T> {
+struct QuantityList<T> {
     all: [T; COUNT],
     count: usize,
 }
 
-impl<T> Listed<T> {
+impl<T> QuantityList<T> {
     #[inline]
     fn extend<const N: usize>(&mut self, more: [T; N]) {
         for value in more {

@@ -58,7 +58,7 @@
 use std::f64::consts::TAU;
 
 use crate::error::InputError;
-use crate::history::{Change, History};
+use crate::history::{History, HistoryChange};
 use crate::quantity::{Expected, Quantity};
 use crate::wrench::Wrench;
 
@@ -312,7 +312,7 @@ impl ElasticBody {
             InputError::finite(Quantity::WrenchM, wrench.m)?;
         }
         let ω = self.frequencies();
-        let mut changes: Vec<(Wrench, Change)> = Vec::new();
+        let mut changes: Vec<(Wrench, HistoryChange)> = Vec::new();
         for (wrench, history) in loads {
             let lines = history.changes();
             let lines = lines
@@ -393,7 +393,12 @@ impl ElasticBody {
     }
 
     /// S, N and M_O of the loads that vary: waves between moments at which a load changes.
-    fn borne(&self, ω: &[f64; 3], changes: &[(Wrench, Change)], until: f64) -> Vec<(f64, f64, [Wave; 3])> {
+    fn borne(
+        &self,
+        ω: &[f64; 3],
+        changes: &[(Wrench, HistoryChange)],
+        until: f64,
+    ) -> Vec<(f64, f64, [Wave; 3])> {
         let shares = self.shares(ω);
         let mut moments: Vec<f64> = changes.iter().map(|(_, change)| change.at).chain([0.0, until]).collect();
         moments.sort_by(f64::total_cmp);
@@ -421,7 +426,7 @@ impl ElasticBody {
 const PERIODS_AT_MOST: f64 = 1e5;
 
 /// Motion of a mode that a change of a load adds, in shares of its static displacement, from a moment on.
-fn moved(ω: &[f64; 3], mode: usize, change: &Change, from: f64) -> Wave {
+fn moved(ω: &[f64; 3], mode: usize, change: &HistoryChange, from: f64) -> Wave {
     let past = from - change.at;
     let (sin, cos) = (ω[mode] * past).sin_cos();
     let mut wave = Wave { level: change.step + change.slope * past, slope: change.slope, ..Wave::default() };

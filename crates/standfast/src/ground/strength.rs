@@ -119,19 +119,19 @@ impl<T: Real> Numbers<T> {
 }
 
 /// A problem whose numbers can be had in any arithmetic.
-trait Given {
+trait CrushProblem {
     fn numbers<T: Real>(&self) -> Numbers<T>;
 }
 
 /// Any wrench on any block.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Loaded {
+struct LoadedBlock {
     block: Block,
     wrench: Wrench,
     strength: f64,
 }
 
-impl Given for Loaded {
+impl CrushProblem for LoadedBlock {
     fn numbers<T: Real>(&self) -> Numbers<T> {
         let Block { b1, b2, d, rho2, m_x, m_y, mu_s, mu_k } = self.block;
         let Wrench { x, p, m } = self.wrench;
@@ -200,7 +200,7 @@ pub struct CrushSolution {
     /// Every consistent mode; none where the base cannot carry P.
     pub modes: Modes,
     verdict: Option<Verdict>,
-    given: Loaded,
+    given: LoadedBlock,
 }
 
 impl CrushSolution {
@@ -217,7 +217,7 @@ impl CrushSolution {
 
     /// P/(q (b₁ + b₂)): the share of the base that P needs; zero on a rigid base.
     pub fn omega(&self) -> f64 {
-        let Loaded { block, wrench, strength } = self.given;
+        let LoadedBlock { block, wrench, strength } = self.given;
         wrench.p / strength / (block.b1 + block.b2)
     }
 
@@ -225,7 +225,7 @@ impl CrushSolution {
     /// (z + ρ²/(m_y z))/d with z = |b − P/q|, or 1.5 (2ρ²z/m_y)^⅓/d where 2ρ² < m_y z²; the lesser of both edges. At z = 0 there is
     /// no bound: it is infinite.
     pub fn bound(&self) -> f64 {
-        let Loaded { block, wrench, strength } = self.given;
+        let LoadedBlock { block, wrench, strength } = self.given;
         let Block { b1, b2, d, rho2, m_y, .. } = block;
         let gyration = rho2 / m_y;
         let at = |b: f64| bound((b - wrench.p / strength).abs(), d, gyration, strength == f64::INFINITY);
@@ -249,7 +249,7 @@ fn bound(z: f64, d: f64, gyration: f64, rigid: bool) -> f64 {
 /// As the [contact problem's](crate::contact::solve); or if `strength` is neither above zero nor infinite.
 pub fn solve(block: &Block, wrench: &Wrench, strength: f64) -> Result<CrushSolution, InputError> {
     check(block, wrench, strength)?;
-    let given = Loaded { block: *block, wrench: *wrench, strength };
+    let given = LoadedBlock { block: *block, wrench: *wrench, strength };
     let Decision { modes, verdict } = enumerate(&given);
     Ok(CrushSolution { modes, verdict, given })
 }
@@ -264,7 +264,7 @@ fn check(block: &Block, wrench: &Wrench, strength: f64) -> Result<(), InputError
 }
 
 /// The motion of a consistent mode.
-fn motion(given: &impl Given, mode: Mode) -> CrushMotion {
+fn motion(given: &impl CrushProblem, mode: Mode) -> CrushMotion {
     let n = given.numbers::<f64>();
     let s = mode.slip().map_or(0.0, Slip::sign);
     let Some(corner) = mode.corner() else { return upright(&n, mode, s) };
@@ -330,7 +330,7 @@ fn upright(n: &Numbers<f64>, mode: Mode, s: f64) -> CrushMotion {
 }
 
 /// The equation of a consistent turn and its root: that which friction does not stop, nearest to a = 0.
-fn rate(given: &impl Given, n: &Numbers<f64>, corner: Corner, slip: Option<Slip>) -> (Rate, f64) {
+fn rate(given: &impl CrushProblem, n: &Numbers<f64>, corner: Corner, slip: Option<Slip>) -> (Rate, f64) {
     // Δ vanishes where the turn begins: its digits there are those of exact arithmetic.
     let surplus = Turn::about(&given.numbers::<Approx>(), corner, slip).surplus.precise();
     let exactly = || Turn::about(&given.numbers::<Exact>(), corner, slip).surplus.to_f64();

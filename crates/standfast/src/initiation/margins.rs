@@ -28,7 +28,7 @@ pub struct Crossing {
 /// # Ok::<(), standfast::InputError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Margins {
+pub struct PointMargins {
     /// As the force k grows from zero, at the point's friction.
     pub along_k: Vec<Crossing>,
     /// As the friction μ grows from zero, at the point's force.
@@ -45,8 +45,8 @@ pub struct Bounds {
     pub above: Option<Crossing>,
 }
 
-impl Margins {
-    pub(super) fn of(point: &Point) -> Margins {
+impl PointMargins {
+    pub(super) fn of(point: &Point) -> PointMargins {
         let Point { k, mu, .. } = *point;
         let curves = boundary_curves(&point.chart());
         let mode = |k, mu| Point { k, mu, ..*point }.mode();
@@ -54,7 +54,7 @@ impl Margins {
         // Every boundary is a line or a hyperbola a k + b = μ (c k + d): linear in k, and linear in μ.
         let forces = curves.iter().filter_map(|curve| curve.k_at(mu)).chain([point.chart().k_a()]);
         let frictions = curves.iter().map(|curve| curve.at(k));
-        Margins {
+        PointMargins {
             along_k: crossings(forces, k, |k| mode(k, mu)),
             along_mu: crossings(frictions, mu, |mu| mode(k, mu)),
             point: *point,

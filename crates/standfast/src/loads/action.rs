@@ -27,7 +27,7 @@ use crate::wrench::Wrench;
 
 /// A place on the body, in the frame of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place<T = f64> {
+pub struct BodyPoint<T = f64> {
     /// To the right of mid-width, m.
     pub x: T,
     /// Above the base, m.
@@ -139,7 +139,7 @@ pub enum Action<T = f64> {
     /// A force at a place of the body, its direction fixed in space; N per metre run.
     Force {
         /// Place at which it acts.
-        at: Place<T>,
+        at: BodyPoint<T>,
         /// To the right.
         right: T,
         /// Upwards.
@@ -172,12 +172,12 @@ impl<T> From<Wrench<T>> for Action<T> {
 impl<T: Scalar> Action<T> {
     /// A horizontal force `right` (N per metre run, to the right) at `elevation` above the base (m).
     pub fn horizontal(right: T, elevation: T) -> Action<T> {
-        Action::Force { at: Place { x: T::of(0.0), y: elevation }, right, up: T::of(0.0) }
+        Action::Force { at: BodyPoint { x: T::of(0.0), y: elevation }, right, up: T::of(0.0) }
     }
 
     /// A vertical force `down` (N per metre run) at `arm` to the right of O (m) and at the height of the centre of mass.
     pub fn vertical(body: &Body<T>, down: T, arm: T) -> Action<T> {
-        let at = Place { x: arm - body.base_edges().left, y: body.centroid_height() };
+        let at = BodyPoint { x: arm - body.base_edges().left, y: body.centroid_height() };
         Action::Force { at, right: T::of(0.0), up: -down }
     }
 
@@ -248,7 +248,7 @@ impl Action {
         match self {
             Action::Weight => Action::Weight,
             Action::Force { at, right, up } => {
-                Action::Force { at: Place { x: of(at.x), y: of(at.y) }, right: of(right), up: of(up) }
+                Action::Force { at: BodyPoint { x: of(at.x), y: of(at.y) }, right: of(right), up: of(up) }
             }
             Action::Pressure { face, diagram } => {
                 let points = diagram.points.iter().map(|at| (of(at.position), of(at.pressure)));
@@ -372,10 +372,10 @@ mod tests {
                     let s = (f64::from(i) + 0.5) * ds;
                     let force = pressure(s) * ds;
                     let (at, right, up) = match face {
-                        Face::Left => (Place { x: -5.0, y: s }, force, 0.0),
-                        Face::Right => (Place { x: 5.0, y: s }, -force, 0.0),
-                        Face::Base => (Place { x: s - 4.0, y: 0.0 }, 0.0, force),
-                        Face::Top => (Place { x: s - 4.0, y: 8.0 }, 0.0, -force),
+                        Face::Left => (BodyPoint { x: -5.0, y: s }, force, 0.0),
+                        Face::Right => (BodyPoint { x: 5.0, y: s }, -force, 0.0),
+                        Face::Base => (BodyPoint { x: s - 4.0, y: 0.0 }, 0.0, force),
+                        Face::Top => (BodyPoint { x: s - 4.0, y: 8.0 }, 0.0, -force),
                     };
                     let (sin, cos) = f64::sin_cos(theta);
                     let turned =
@@ -401,10 +401,10 @@ mod tests {
         let body = body();
         let quarter = Pose { theta: std::f64::consts::FRAC_PI_2 };
         // 2 m above C: turned by 90° it lies 2 m to the left of C, where a push to the left has no moment.
-        let upright = Action::Force { at: Place { x: 0.5, y: 5.0 }, right: -100.0, up: 0.0 };
+        let upright = Action::Force { at: BodyPoint { x: 0.5, y: 5.0 }, right: -100.0, up: 0.0 };
         assert!(close(upright.wrench(&body, 9.81, Pose::UPRIGHT), Wrench { x: -100.0, p: 0.0, m: 200.0 }));
         assert!(close(upright.wrench(&body, 9.81, quarter), Wrench { x: -100.0, p: 0.0, m: 0.0 }));
-        let lift = Action::Force { at: Place { x: 0.5, y: 5.0 }, right: 0.0, up: 100.0 };
+        let lift = Action::Force { at: BodyPoint { x: 0.5, y: 5.0 }, right: 0.0, up: 100.0 };
         assert!(close(lift.wrench(&body, 9.81, quarter), Wrench { x: 0.0, p: -100.0, m: -200.0 }));
         for action in [Action::Weight, Action::Inertia { right: 2.0, up: -1.0 }] {
             assert_eq!(action.wrench(&body, 9.81, quarter), action.wrench(&body, 9.81, Pose::UPRIGHT));

@@ -1,6 +1,6 @@
 //! Horizontal forces in SI units, and their reduction to the report's k and k'.
 
-use super::{Load, LoadKind, Place};
+use super::{BodyPoint, Load, LoadKind};
 use crate::body::Body;
 use crate::error::InputError;
 use crate::initiation::Point;
@@ -46,7 +46,7 @@ impl HorizontalForce {
 
     /// The force as a load that varies.
     pub fn load(&self) -> Load {
-        let at = Place { x: 0.0, y: self.elevation };
+        let at = BodyPoint { x: 0.0, y: self.elevation };
         Load { kind: LoadKind::Horizontal, ..Load::force(at, self.direction.sign() * self.magnitude, 0.0) }
     }
 

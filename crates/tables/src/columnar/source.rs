@@ -10,7 +10,7 @@ use arrow_schema::SchemaRef;
 use super::ipc::{ArrowFile, Batches};
 use super::parquet::{self as pq, Part};
 use crate::memory::inputs::Inputs;
-use crate::pieces::Input;
+use crate::pieces::TableInput;
 use crate::task::Task;
 use crate::text::{self as rows, Header, Text};
 use crate::{Progress, TableError, TableFormat, TableOptions};
@@ -19,10 +19,10 @@ use crate::{Progress, TableError, TableFormat, TableOptions};
 const TEXT_OF_ROW: usize = 1 << 6;
 
 /// A file that can be read from any place: a stream is copied into a temporary one.
-fn seekable(input: Input<'_>) -> io::Result<File> {
+fn seekable(input: TableInput<'_>) -> io::Result<File> {
     match input {
-        Input::File(file) => Ok(file),
-        Input::Stream(mut stream) => {
+        TableInput::File(file) => Ok(file),
+        TableInput::Stream(mut stream) => {
             let mut file = tempfile::tempfile()?;
             io::copy(&mut stream, &mut file)?;
             Ok(file)
@@ -85,7 +85,7 @@ impl Reading {
 
 impl<'a> Source<'a> {
     pub(super) fn open(
-        input: Input<'a>,
+        input: TableInput<'a>,
         options: &'a TableOptions,
         progress: &dyn Progress,
     ) -> Result<(Source<'a>, Reading), TableError> {
@@ -133,7 +133,7 @@ impl<'a> Source<'a> {
 
     /// The table of a sheet, which is read as a whole.
     #[cfg(feature = "xlsx")]
-    fn sheet(input: Input<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
+    fn sheet(input: TableInput<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
         let unread =
             |cause: io::Error| TableError::Read { name: options.name.clone(), cause: cause.to_string() };
         let (batch, header_row) = super::sheet::read(seekable(input).map_err(unread)?, options)?;
@@ -145,7 +145,7 @@ impl<'a> Source<'a> {
     }
 
     #[cfg(not(feature = "xlsx"))]
-    fn sheet(_: Input<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
+    fn sheet(_: TableInput<'a>, options: &TableOptions) -> Result<(SourceKind<'a>, Reading), TableError> {
         let format = TableFormat::Xlsx.name();
         Err(TableError::LeftOut { name: options.name.clone(), format })
     }

@@ -19,7 +19,7 @@ use standfast_cases::results::{ResultName, ResultValue};
 use standfast_cases::sweep::SweepResult;
 use standfast_cases::{Assessment, Case, CaseFile};
 use standfast_tables::{
-    CaseTable, Input, OnError, Summary, TableError, TableFormat, TableOptions, TableWarning, run,
+    CaseTable, OnError, Summary, TableError, TableFormat, TableInput, TableOptions, TableWarning, run,
 };
 use tempfile::TempDir;
 
@@ -184,7 +184,7 @@ fn of_case(text: &str) -> Option<Arc<CaseTable>> {
 fn answer(folder: &TempDir, from: &str, to: &str, options: &TableOptions) -> Result<Summary, TableError> {
     let format = |name: &str| TableFormat::of(Path::new(name), "");
     let options = TableOptions { from: format(from)?, to: format(to)?, ..options.clone() };
-    let input = Input::File(File::open(folder.path().join(from)).unwrap());
+    let input = TableInput::File(File::open(folder.path().join(from)).unwrap());
     let mut output = Vec::new();
     let summary = standfast_tables::answer(input, &mut output, &options, &())?;
     fs::write(folder.path().join(to), output).unwrap();

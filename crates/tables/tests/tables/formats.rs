@@ -23,7 +23,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use standfast::Point;
 use standfast_tables::{
-    Input, Mapping, OnError, ResultColumn, Summary, TableError, TableFormat, TableOptions, run,
+    Mapping, OnError, ResultColumn, Summary, TableError, TableFormat, TableInput, TableOptions, run,
 };
 use tempfile::TempDir;
 
@@ -149,7 +149,7 @@ fn options(name: &str) -> TableOptions {
 fn answer(folder: &TempDir, from: &str, to: &str, options: &TableOptions) -> Result<Summary, TableError> {
     let format = |name: &str| TableFormat::of(Path::new(name), "");
     let options = TableOptions { from: format(from)?, to: format(to)?, ..options.clone() };
-    let input = Input::File(File::open(folder.path().join(from)).expect("a file"));
+    let input = TableInput::File(File::open(folder.path().join(from)).expect("a file"));
     let mut output = Vec::new();
     let summary = standfast_tables::answer(input, &mut output, &options, &())?;
     fs::write(folder.path().join(to), output).expect("written");
@@ -475,7 +475,7 @@ fn memory_does_not_grow_with_the_table() {
         let file = |name: &str| Path::new(&folder).join(name);
         let (from, to) = (TableFormat::Parquet, TableFormat::Parquet);
         let options = TableOptions { from, to, threads: 2, ..TableOptions::new("in.parquet") };
-        let input = Input::File(File::open(file("in.parquet")).expect("a file"));
+        let input = TableInput::File(File::open(file("in.parquet")).expect("a file"));
         let output = BufWriter::new(File::create(file("out.parquet")).expect("a file"));
         standfast_tables::answer(input, output, &options, &()).expect("answered");
         return;

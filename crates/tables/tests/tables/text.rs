@@ -5,7 +5,7 @@ use standfast::Point;
 use standfast::Wrench;
 use standfast::contact::{Block, solve};
 use standfast::ground::strength::CrushPoint;
-use standfast_tables::{OnError, Place, ResultColumn, TableError, TableOptions, TableProblem, run};
+use standfast_tables::{OnError, ResultColumn, TableError, TableOptions, TablePlace, TableProblem, run};
 
 use crate::mutated::{mutated, number};
 
@@ -188,7 +188,7 @@ fn lines_are_counted_through_blank_lines_quoted_fields_and_both_line_ends() {
                     let table = mark.to_owned() + &lines[..last].join(end) + tail;
                     match run(table.as_bytes(), Vec::new(), &TableOptions::new("t")) {
                         Err(TableError::Row { place, .. }) => {
-                            assert_eq!(place, Place::Line(expected), "{table:?}")
+                            assert_eq!(place, TablePlace::Line(expected), "{table:?}")
                         }
                         other => panic!("{other:?}"),
                     }

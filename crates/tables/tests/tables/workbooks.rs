@@ -5,13 +5,13 @@ use std::path::Path;
 
 use calamine::{Data, Reader, Xlsx};
 use rust_xlsxwriter::{ExcelDateTime, Format, Formula, Workbook};
-use standfast_tables::{Input, OnError, Summary, TableError, TableFormat, TableOptions};
+use standfast_tables::{OnError, Summary, TableError, TableFormat, TableInput, TableOptions};
 use tempfile::TempDir;
 
 fn answer(folder: &TempDir, from: &str, to: &str, options: TableOptions) -> Result<Summary, TableError> {
     let format = |name: &str| TableFormat::of(Path::new(name), "");
     let options = TableOptions { from: format(from)?, to: format(to)?, ..options };
-    let input = Input::File(fs::File::open(folder.path().join(from)).unwrap());
+    let input = TableInput::File(fs::File::open(folder.path().join(from)).unwrap());
     let mut output = Vec::new();
     let summary = standfast_tables::answer(input, &mut output, &options, &())?;
     fs::write(folder.path().join(to), output).unwrap();

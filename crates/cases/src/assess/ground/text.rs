@@ -3,7 +3,7 @@
 use standfast::ground::elastic::ContactState;
 use standfast::ground::impact::EventFound;
 
-use super::{Elastic, OnGround};
+use super::{BaseResponse, Elastic};
 use crate::assess::Assessed;
 use crate::case::{Case, Limit};
 use crate::layout::{columns, digits, paragraph, row};
@@ -122,7 +122,7 @@ pub(in super::super) fn render(case: &Case, assessed: &Assessed) -> String {
 }
 
 /// Rows of the reaction and of the resistance to it.
-fn reaction(assessed: &Assessed, ground: &OnGround) -> Vec<Vec<String>> {
+fn reaction(assessed: &Assessed, ground: &BaseResponse) -> Vec<Vec<String>> {
     let metres = |length: f64| format!("{} m", digits(length));
     let mut rows = Vec::new();
     if let Some(pivot) = ground.pivot().filter(|_| ground.omega.is_some_and(|omega| omega < 1.0)) {

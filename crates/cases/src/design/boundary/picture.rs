@@ -2,7 +2,7 @@
 
 use standfast_figures::{FeasibleSet, Figure, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 
-use super::Boundary;
+use super::DesignBoundary;
 use super::render::at_present;
 use crate::design::quantity::Quantity;
 use crate::design::set::End;
@@ -10,8 +10,8 @@ use crate::design::text::words;
 use crate::key::KeyInfo;
 use crate::units::Dimension;
 
-pub(super) fn draw(boundary: &Boundary) -> Option<Figure> {
-    let Boundary { request, up, across, present, .. } = boundary;
+pub(super) fn draw(boundary: &DesignBoundary) -> Option<Figure> {
+    let DesignBoundary { request, up, across, present, .. } = boundary;
     let (upwards, rightwards) = (Axis::of(up), Axis::of(across));
     let end = |end: &End| SetEnd { value: end.value / upwards.scale, by: end.beyond.by() };
     let columns = boundary.columns.iter().map(|column| {

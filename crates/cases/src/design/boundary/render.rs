@@ -3,17 +3,17 @@
 use serde::Serialize;
 use standfast::number::exact;
 
-use super::{Boundary, Column};
+use super::{Column, DesignBoundary};
 use crate::assess::{SCHEMA, heading};
-use crate::design::json::Met;
+use crate::design::json::MetRange;
 use crate::design::set::End;
 use crate::design::text::words;
 use crate::design::{Extreme, Quantity};
 use crate::layout::{columns, paragraph, plain, row};
 use crate::units::Dimension;
 
-pub(super) fn text(boundary: &Boundary) -> String {
-    let Boundary { request, up, across, present, .. } = boundary;
+pub(super) fn text(boundary: &DesignBoundary) -> String {
+    let DesignBoundary { request, up, across, present, .. } = boundary;
     let [name, other] = [up, across].map(|quantity| quantity.variable.name());
     let [range, other_range] = [up, across].map(Quantity::range_words);
     let mut text = heading(&present.case);
@@ -39,7 +39,7 @@ pub(super) fn text(boundary: &Boundary) -> String {
 }
 
 /// The present values and whether they meet the target.
-pub(super) fn at_present(boundary: &Boundary) -> String {
+pub(super) fn at_present(boundary: &DesignBoundary) -> String {
     let [up, across] = [&boundary.up, &boundary.across]
         .map(|one| format!("{} {}", one.variable.name(), one.shown(one.present)));
     let met = if boundary.request.target.is_met(&boundary.present) { "is met" } else { "is not met" };
@@ -47,8 +47,8 @@ pub(super) fn at_present(boundary: &Boundary) -> String {
 }
 
 /// The round columns: the end that is wanted, and what binds there.
-fn table(boundary: &Boundary) -> String {
-    let Boundary { request, up, across, .. } = boundary;
+fn table(boundary: &DesignBoundary) -> String {
+    let DesignBoundary { request, up, across, .. } = boundary;
     let mut rows = vec![row![
         across.variable.name(),
         format!("{} {}", request.extreme, up.variable.name()),
@@ -68,7 +68,7 @@ fn table(boundary: &Boundary) -> String {
 }
 
 /// Sentence on the columns of more than one stretch; `None` if there are none.
-fn gaps(boundary: &Boundary) -> Option<String> {
+fn gaps(boundary: &DesignBoundary) -> Option<String> {
     let several = boundary.columns.iter().filter(|column| column.stretches.len() > 1).count();
     (several > 0).then(|| {
         format!(
@@ -97,8 +97,8 @@ fn ordered(column: &Column, extreme: Extreme) -> Vec<(&End, &End)> {
 /// A row for each stretch: the value of the one quantity, the wanted end of the other, the other end if it is more than an end of
 /// the range, and what binds at each. A value without any
 /// has a row of its own, with what binds where the target is nearest to be met.
-pub(super) fn csv(boundary: &Boundary) -> String {
-    let Boundary { request, up, across, .. } = boundary;
+pub(super) fn csv(boundary: &DesignBoundary) -> String {
+    let DesignBoundary { request, up, across, .. } = boundary;
     let [name, other] = [up, across].map(|quantity| quantity.variable.key_name());
     let mut text = format!("{other},{name},binding,until,until_binding\n");
     for column in &boundary.columns {
@@ -143,13 +143,13 @@ struct Varied<'a> {
 #[derive(Serialize)]
 struct Values {
     value: f64,
-    met: Vec<Met>,
+    met: Vec<MetRange>,
     /// Failure that binds, in a word, where it is nearest to be met, if it is nowhere.
     binds: Option<&'static str>,
 }
 
-pub(super) fn json(boundary: &Boundary) -> String {
-    let Boundary { request, up, across, present, .. } = boundary;
+pub(super) fn json(boundary: &DesignBoundary) -> String {
+    let DesignBoundary { request, up, across, present, .. } = boundary;
     let [vary, and] = [up, across].map(|quantity| Varied {
         name: quantity.variable.name(),
         unit: quantity.variable.dimension().map(Dimension::si),
@@ -170,7 +170,7 @@ pub(super) fn json(boundary: &Boundary) -> String {
             .iter()
             .map(|column| Values {
                 value: column.at,
-                met: column.stretches.iter().map(Met::of).collect(),
+                met: column.stretches.iter().map(MetRange::of).collect(),
                 binds: column.none,
             })
             .collect(),

@@ -11,7 +11,7 @@ use super::areas::{COARSE, FINE, areas};
 use super::{escaped, in_markup, rounded};
 use crate::layout::digits;
 use crate::random::answer::{Chances, Happening};
-use crate::random::problem::Problem;
+use crate::random::problem::ChanceProblem;
 
 /// Share of a heavy tail that is left outside of a picture, at each end.
 const TAIL: f64 = 0.005;
@@ -44,7 +44,7 @@ const NAMES: [&str; 4] = ["slenderness $γ$", "force $k$", "elevation $k′$", "
 
 impl Draws {
     /// None of a problem of one random number, which has no cloud.
-    pub(super) fn of(problem: &Problem, seed: u64) -> Option<Draws> {
+    pub(super) fn of(problem: &ChanceProblem, seed: u64) -> Option<Draws> {
         if problem.random().len() < 2 {
             return None;
         }
@@ -59,7 +59,7 @@ impl Draws {
         Some(draws)
     }
 
-    pub(super) fn figure(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
+    pub(super) fn figure(&self, problem: &ChanceProblem, worst: &Chances, title: &str) -> Option<Figure> {
         let title = format!("Draws: {title}");
         let placed: Vec<Place> = self.places.iter().copied().flatten().collect();
         // The report's plane is that of a rigid base.
@@ -121,7 +121,7 @@ impl Draws {
     }
 
     /// The two numbers that matter most, of a body that the report's plane is not of.
-    fn of_numbers(&self, problem: &Problem, worst: &Chances, title: &str) -> Option<Figure> {
+    fn of_numbers(&self, problem: &ChanceProblem, worst: &Chances, title: &str) -> Option<Figure> {
         let mut order: Vec<usize> = (0..problem.random().len()).collect();
         if let Some(point) = &worst.design_point {
             order.sort_by(|a, b| point.alpha[*b].abs().total_cmp(&point.alpha[*a].abs()));
@@ -202,7 +202,7 @@ fn panel<'a>((across, xs): (&'a str, &[f64]), (up, ys): (&'a str, &[f64])) -> Cl
     CloudPanel { across: axis(across, xs), up: axis(up, ys), areas: Vec::new(), points }
 }
 
-impl Problem {
+impl ChanceProblem {
     /// Place of a draw in effective coordinates, if the report's plane is of the body.
     fn place(&self, values: &[f64]) -> Option<Place> {
         let mechanics = self.mechanics(values)?;

@@ -1,14 +1,14 @@
 //! Slides of the body over a life of storms.
 
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::{Effort, Estimate};
-use standfast_probability::sums::{Lives, OfLife, expected, lives};
+use standfast_probability::sums::{LifeSums, Lives, expected, lives};
 use thiserror::Error;
 
 use super::{Slides, Storm, Storms};
 use crate::explained::Explained;
-use crate::random::answer::Request;
+use crate::random::answer::ChanceRequest;
 
 /// Slides over a life of storms, one a year; m.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,17 +32,17 @@ pub struct Sliding {
     /// Slides that shares of all lives stay below.
     pub quantiles: Vec<Quantile>,
     /// The chance that the slide of a life exceeds a value.
-    pub exceedance: Vec<Exceeded>,
+    pub exceedance: Vec<Exceedance>,
     /// Chances of exceeding slides between the least and the greatest that can be told, by equal factors.
-    pub course: Vec<Exceeded>,
+    pub course: Vec<Exceedance>,
     /// The share of the mean that comes of the worst twentieth of all lives.
     pub of_worst: f64,
     /// The mean over the lives drawn: not the answer, but a check of both.
     pub drawn: Estimate,
     /// Outcome of waves that begin a rotation, where they are followed in time.
-    pub followed: Option<Followed>,
+    pub followed: Option<FollowedWaves>,
     /// Waves that begin a rotation, for which the slide of a pulse says nothing.
-    pub rotating: Rotating,
+    pub rotating: RotatingWaves,
 }
 
 /// A slide that a share of all lives stays below.
@@ -56,7 +56,7 @@ pub struct Quantile {
 
 /// The chance that the slide of a life exceeds a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Exceeded {
+pub struct Exceedance {
     /// The value, m.
     pub slide: f64,
     /// The chance.
@@ -65,7 +65,7 @@ pub struct Exceeded {
 
 /// Outcome of waves that begin a rotation, followed in time; of the lives drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Followed {
+pub struct FollowedWaves {
     /// The mean slide that they add to a life, m.
     pub slide: Estimate,
     /// That a life ends by overturning.
@@ -74,7 +74,7 @@ pub struct Followed {
 
 /// Waves that begin a rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rotating {
+pub struct RotatingWaves {
     /// The chance that a wave of any storm is one.
     pub wave: Estimate,
     /// That a life has one.
@@ -164,14 +164,14 @@ const LEAST: f64 = 1e-4;
 const EACH_DECADE: f64 = 16.0;
 
 /// The chance that the slide of a life exceeds slides by equal factors, up to the greatest that was drawn.
-fn course(drawn: &Lives) -> Vec<Exceeded> {
+fn course(drawn: &Lives) -> Vec<Exceedance> {
     let greatest = drawn.groups.iter().flatten().map(|life| life.sum + life.other_sum).fold(0.0, f64::max);
     if greatest <= LEAST {
         return Vec::new();
     }
     let count = (EACH_DECADE * (greatest / LEAST).log10()).ceil();
     let slide = |i: usize| LEAST * (greatest / LEAST).powf(i as f64 / count);
-    let exceeded = |slide: f64| Exceeded {
+    let exceeded = |slide: f64| Exceedance {
         slide,
         probability: drawn.chance(|life| life.ended || life.sum + life.other_sum > slide),
     };
@@ -185,9 +185,9 @@ const MOST_FOLLOWED: f64 = 1e5;
 pub(in crate::random) fn sliding<S: Storms>(
     storm: &Storm,
     storms: &S,
-    laws: &Laws,
+    laws: &RandomVector,
     life: &Life,
-    request: &Request,
+    request: &ChanceRequest,
 ) -> Result<Sliding, SlidingError> {
     let effort = &request.effort;
     let years = life.years;
@@ -205,7 +205,7 @@ pub(in crate::random) fn sliding<S: Storms>(
     let drawn_effort = Effort { points: (effort.points as f64 / fewer) as u64, ..*effort };
     let drawn = lives(laws, &slides, storm.waves, life, &drawn_effort);
     // A body that lies on its side has slid too far.
-    let slid = |more: f64| drawn.chance(|life: &OfLife| life.ended || life.sum + life.other_sum > more);
+    let slid = |more: f64| drawn.chance(|life: &LifeSums| life.ended || life.sum + life.other_sum > more);
     Ok(Sliding {
         storm: storm.clone(),
         years,
@@ -217,15 +217,15 @@ pub(in crate::random) fn sliding<S: Storms>(
         lives: drawn.count() as u64,
         ever: slid(0.0),
         quantiles: SHARES.map(|share| Quantile { share, slide: drawn.quantile(share) }).to_vec(),
-        exceedance: EXCEEDED.iter().map(|&slide| Exceeded { slide, probability: slid(slide) }).collect(),
+        exceedance: EXCEEDED.iter().map(|&slide| Exceedance { slide, probability: slid(slide) }).collect(),
         course: course(&drawn),
         of_worst: drawn.of_worst(WORST),
         drawn: drawn.mean(|life| life.sum),
-        followed: request.follow.then(|| Followed {
+        followed: request.follow.then(|| FollowedWaves {
             slide: drawn.mean(|life| life.other_sum),
             overturned: drawn.chance(|life| life.ended),
         }),
-        rotating: Rotating {
+        rotating: RotatingWaves {
             wave: Estimate { high: turning.high.min(1.0), ..turning },
             life: drawn.chance(|life| life.others > 0),
         },

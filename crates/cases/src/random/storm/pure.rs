@@ -21,7 +21,7 @@
 
 use standfast::{Mode, Verdict};
 use standfast_probability::integrate::Life;
-use standfast_probability::problem::Inputs as Laws;
+use standfast_probability::problem::RandomVector;
 use standfast_probability::sample::Estimate;
 
 use super::answer::{SlidingError, sliding};
@@ -31,14 +31,14 @@ use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Range, Table};
 use crate::random::answer::{
-    Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber, Request,
+    ChanceRequest, Chances, FirstDeparture, Happening, LifeChances, Method, Probability, RandomNumber,
 };
-use crate::random::asked::alone;
 use crate::random::error::ProbabilityError;
 use crate::random::outcome::exclusive;
-use crate::random::quantity::{Bias, Input, Quantity};
-use crate::random::read::{At, Random, RandomProblem, Rate};
+use crate::random::quantity::{Bias, Quantity, RandomInput};
+use crate::random::read::{Random, RandomProblem, Rate, ReadResult};
 use crate::random::resolve::{Names, Resolve};
+use crate::random::subject::alone;
 use crate::units::Dimension;
 
 /// A number of a pure problem of sliding.
@@ -102,8 +102,8 @@ pub(in crate::random) struct PureStorm {
     pub(in crate::random) storm: Storm,
     values: [f64; 6],
     tau0: f64,
-    pub(in crate::random) random: Vec<Input>,
-    pub(in crate::random) laws: Laws,
+    pub(in crate::random) random: Vec<RandomInput>,
+    pub(in crate::random) laws: RandomVector,
     years: Option<f64>,
 }
 
@@ -154,7 +154,13 @@ pub(in crate::random) fn of_file(
 }
 
 impl PureStorm {
-    fn of(storm: Storm, values: [f64; 6], tau0: f64, random: &Random, years: Option<f64>) -> At<PureStorm> {
+    fn of(
+        storm: Storm,
+        values: [f64; 6],
+        tau0: f64,
+        random: &Random,
+        years: Option<f64>,
+    ) -> ReadResult<PureStorm> {
         let (inputs, laws) = Resolve(Names::Storm(values)).all(random)?;
         Ok(PureStorm { storm, values, tau0, random: inputs, laws, years: years.or(random.years) })
     }
@@ -163,7 +169,7 @@ impl PureStorm {
     pub(in crate::random) fn answer(
         &self,
         name: &str,
-        request: Request,
+        request: ChanceRequest,
     ) -> Result<Probability, ProbabilityError> {
         let life = self.life();
         if request.follow {

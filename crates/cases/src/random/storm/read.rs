@@ -3,7 +3,7 @@
 use standfast::number::exact;
 
 use super::{Pulse, Storm, Tau0};
-use crate::case::Given;
+use crate::case::Reader;
 use crate::error::{Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
@@ -17,7 +17,7 @@ pub(in crate::random) fn storm(inputs: &Inputs) -> Result<Option<Storm>, Fault> 
     if !inputs.has(Table::Storm) {
         return Ok(None);
     }
-    Given { inputs }.ranges()?;
+    Reader { inputs }.ranges()?;
     let other = |words: &str| Problem::from(RandomProblem::Other(words.to_owned()));
     let lacks = |words: &str| Fault::new(other(&format!("[storm] lacks {words}")), Table::Storm);
     let number = |key| inputs.number(key);

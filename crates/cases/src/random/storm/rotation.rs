@@ -5,8 +5,8 @@
 
 use standfast::loads::{LoadSource, Pose};
 use standfast::wave::Goda;
-use standfast_motion::{History, Keep, Problem, is_own_weight, simulate};
-use standfast_probability::sums::Other;
+use standfast_motion::{History, Keep, MotionProblem, is_own_weight, simulate};
+use standfast_probability::sums::OtherEvent;
 
 use crate::case::{Acting, Case, Waves};
 use crate::random::quantity::Bias;
@@ -19,11 +19,11 @@ pub(super) fn wave(
     duration: f64,
     [mu_s, mu_k]: [f64; 2],
     bias: impl Fn(Bias) -> f64,
-) -> Option<Other> {
+) -> Option<OtherEvent> {
     let case = Case { wave: Some(Waves { goda, ..waves.clone() }), ..case.clone() };
     let situation = case.situation(Acting::All, None).ok()?;
     let body = situation.body();
-    let mut problem = Problem::standing(&situation).ok()?;
+    let mut problem = MotionProblem::standing(&situation).ok()?;
     (problem.block.mu_s, problem.block.mu_k) = (mu_s, mu_k);
     for load in situation.loads().iter().filter(|load| !is_own_weight(load)) {
         if load.wrench(body, case.gravity, Pose::UPRIGHT) == standfast::Wrench::ZERO {
@@ -38,5 +38,5 @@ pub(super) fn wave(
         problem.add(&situation, load, &history.ok()?);
     }
     let outcome = simulate(&problem, Keep::default()).ok()?;
-    Some(Other { amount: outcome.slide.abs(), ends: outcome.overturned() })
+    Some(OtherEvent { amount: outcome.slide.abs(), ends: outcome.overturned() })
 }

@@ -4,19 +4,19 @@ use standfast::contact::{Block, solve};
 use standfast::wave::Goda;
 use standfast::{Mode, Wrench};
 use standfast_probability::integrate::Life;
-use standfast_probability::sums::Other;
+use standfast_probability::sums::OtherEvent;
 
 use super::answer::{Sliding, SlidingError, sliding};
 use super::{Pulse, Slide, Storm, Storms, Tau0, Year, height, level, rotation};
 use crate::case::{Acting, Case, Waves};
-use crate::random::answer::Request;
+use crate::random::answer::ChanceRequest;
 use crate::random::mechanics::Components;
-use crate::random::problem::Problem;
+use crate::random::problem::ChanceProblem;
 use crate::random::quantity::Bias;
 
 /// The storms of a case with random numbers.
 pub(in crate::random) struct SeaStorm<'a> {
-    pub(in crate::random) problem: &'a Problem,
+    pub(in crate::random) problem: &'a ChanceProblem,
     pub(in crate::random) storm: &'a Storm,
     /// True if waves that begin a rotation are followed in time.
     pub(in crate::random) follow: bool,
@@ -47,7 +47,7 @@ enum Effect {
 }
 
 impl GodaWave {
-    fn of(problem: &Problem, storm: &Storm, case: &Case, values: &[f64]) -> Option<GodaWave> {
+    fn of(problem: &ChanceProblem, storm: &Storm, case: &Case, values: &[f64]) -> Option<GodaWave> {
         let components = problem.components(values)?;
         let block = problem.mechanics(values)?.block;
         let weight = case.body.mass() * case.gravity;
@@ -125,11 +125,11 @@ impl Slide for GodaWave {
         self.followed.is_some()
     }
 
-    fn turned(&self, level: f64) -> Other {
+    fn turned(&self, level: f64) -> OtherEvent {
         let height = height(level, self.waves.goda.h_13);
         let goda = self.goda(height);
         let duration = self.duration(height, &goda);
-        let Some(case) = &self.followed else { return Other::default() };
+        let Some(case) = &self.followed else { return OtherEvent::default() };
         let friction = [self.block.mu_s, self.block.mu_k];
         let bias = |bias: Bias| self.biases[bias as usize].unwrap_or(1.0);
         // What cannot be followed is counted, as it is without this.
@@ -140,8 +140,8 @@ impl Slide for GodaWave {
 /// The slides of a case's storms.
 pub(in crate::random) fn of_case(
     storm: &Storm,
-    problems: &[Problem],
-    request: &Request,
+    problems: &[ChanceProblem],
+    request: &ChanceRequest,
 ) -> Result<Sliding, SlidingError> {
     let [problem] = problems else {
         return Err(SlidingError::Choice {

@@ -2,13 +2,13 @@
 
 use standfast::Wrench;
 use standfast::ground::bearing::Reaction;
-use standfast_cases::assess::OnGround;
+use standfast_cases::assess::BaseResponse;
 
 use super::super::path::{self, Term};
 use super::soil::NamedReaction;
 use super::{LOST, Sheet};
 use crate::measured::{KILONEWTON, METRE, MOMENT, NONE};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 const ABOUT: &str = "Load factor at which the ground fails";
 /// By how much a number put in may miss what it is to give.
@@ -24,7 +24,7 @@ fn term(minus: bool, factor: &'static str, name: &'static str, value: f64) -> Te
 
 impl Sheet<'_> {
     /// R/V, where it falls to 1 along the load, and along the ray of the resultant.
-    pub(super) fn factors(&self, steps: &mut Steps) {
+    pub(super) fn factors(&self, steps: &mut SheetSteps) {
         if let Some(factor) = self.ground.factor {
             steps.add("Factor of the ground", "", ["F_R", "R/V"], factor, NONE, "ground_factor");
         }
@@ -56,7 +56,7 @@ impl Sheet<'_> {
     }
 
     /// The names of both sums, as far as they are not zero; what is zero is known to be that.
-    fn sums(&self, steps: &mut Steps) -> [Wrench; 2] {
+    fn sums(&self, steps: &mut SheetSteps) -> [Wrench; 2] {
         let both = self.parted();
         for (permanent, (names, total)) in [(true, (GIVEN, both[0])), (false, (RISING, both[1]))] {
             let terms = [total.x, total.p, total.m];
@@ -72,9 +72,9 @@ impl Sheet<'_> {
     }
 
     /// Shows the load factor at which a base that crushes ceases to bear: the least root of a quadratic.
-    fn crushed_at(&self, steps: &mut Steps, strength: f64, factor: f64) {
+    fn crushed_at(&self, steps: &mut SheetSteps, strength: f64, factor: f64) {
         const KEY: &str = "load_factor_ground";
-        let told = |steps: &mut Steps, words: &str| steps.told(ABOUT, "λ_R", factor, NONE, words, KEY);
+        let told = |steps: &mut SheetSteps, words: &str| steps.told(ABOUT, "λ_R", factor, NONE, words, KEY);
         if factor == 0.0 {
             return told(steps, "the base does not bear the permanent loads alone");
         }
@@ -121,7 +121,7 @@ impl Sheet<'_> {
     }
 
     /// The load factor of ground that fails put in: R/V there.
-    fn put_in(&self, steps: &mut Steps) {
+    fn put_in(&self, steps: &mut SheetSteps) {
         let (Some(ground), Some(factors)) = (self.soil(), self.ground.load_factors) else { return };
         let factor = factors.given;
         if factor == 0.0 || !factor.is_finite() {
@@ -164,7 +164,7 @@ impl Sheet<'_> {
     }
 
     /// The inclination at which the ground fails on the way of the resultant.
-    fn along_ray(&self, steps: &mut Steps) {
+    fn along_ray(&self, steps: &mut SheetSteps) {
         let Some(k_bf) = self.ground.k_bf else { return };
         let about = "`|X|÷V` at which the ground fails, if force and moment grow as they stand to each other";
         match self.soil() {
@@ -212,7 +212,7 @@ impl Sheet<'_> {
 }
 
 /// Tells the load factor at which R/V falls to 1.
-pub(super) fn load_factors(steps: &mut Steps, ground: &OnGround, words: &str) {
+pub(super) fn load_factors(steps: &mut SheetSteps, ground: &BaseResponse, words: &str) {
     let Some(factors) = ground.load_factors else { return };
     steps.told(ABOUT, "λ_R", factors.given, NONE, words, "load_factor_ground");
     for (factor, name, words, key) in [
@@ -226,6 +226,6 @@ pub(super) fn load_factors(steps: &mut Steps, ground: &OnGround, words: &str) {
 }
 
 /// Tells these load factors where nothing presses on the base.
-pub(super) fn of_lifted(steps: &mut Steps, ground: &OnGround) {
+pub(super) fn of_lifted(steps: &mut SheetSteps, ground: &BaseResponse) {
     load_factors(steps, ground, LOST);
 }

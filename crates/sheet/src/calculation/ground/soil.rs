@@ -6,7 +6,7 @@ use standfast_cases::case::{COUPLING, Limit, T_H, T_M};
 
 use super::Sheet;
 use crate::measured::{DEGREE, KILONEWTON, KILOPASCAL, NONE, UNIT_WEIGHT};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// A reaction at which R is worked out, under the names that its quantities have.
 pub(super) struct NamedReaction<'a> {
@@ -56,7 +56,7 @@ impl Sheet<'_> {
     }
 
     /// Shows the quantities that are equal for all reactions.
-    pub(super) fn of_ground(&self, steps: &mut Steps) {
+    pub(super) fn of_ground(&self, steps: &mut SheetSteps) {
         match self.soil().and_then(|ground| ground.factors()) {
             Some(factors) => self.bearing_factors(steps, factors),
             None => {
@@ -69,7 +69,7 @@ impl Sheet<'_> {
         }
     }
 
-    fn bearing_factors(&self, steps: &mut Steps, factors: BearingFactors) {
+    fn bearing_factors(&self, steps: &mut SheetSteps, factors: BearingFactors) {
         let law = self.law();
         steps.know("φ", self.given(Key::GroundAngle), DEGREE);
         steps.know("γ'", self.given(Key::UnitWeight), UNIT_WEIGHT);
@@ -85,7 +85,7 @@ impl Sheet<'_> {
     }
 
     /// R at a reaction.
-    pub(super) fn bears(&self, steps: &mut Steps, at: &NamedReaction<'_>) {
+    pub(super) fn bears(&self, steps: &mut SheetSteps, at: &NamedReaction<'_>) {
         let Some(ground) = self.soil() else { return };
         let resistance = self.whole(ground.resistance(&at.reaction));
         let name = at.name("R");
@@ -101,7 +101,7 @@ impl Sheet<'_> {
 
     fn by_factors(
         &self,
-        steps: &mut Steps,
+        steps: &mut SheetSteps,
         at: &NamedReaction<'_>,
         factors: BearingFactors,
         resistance: f64,
@@ -148,7 +148,7 @@ impl Sheet<'_> {
         steps.add(about, law, [&at.name("R"), &formula], resistance, KILONEWTON, at.key);
     }
 
-    fn by_envelope(&self, steps: &mut Steps, at: &NamedReaction<'_>, resistance: f64) {
+    fn by_envelope(&self, steps: &mut SheetSteps, at: &NamedReaction<'_>, resistance: f64) {
         let or = |key, otherwise| self.inputs.number(key).unwrap_or(otherwise);
         let (t_h, t_m, coupling) = (
             or(Key::EnvelopeHorizontal, T_H),

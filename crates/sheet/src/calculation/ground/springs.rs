@@ -5,10 +5,10 @@ use standfast_cases::assess::ground::{Elastic, state};
 
 use super::Sheet;
 use crate::measured::{MOMENT, MRAD, NONE, STIFFNESS};
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 impl Sheet<'_> {
-    pub(super) fn elastic(&self, steps: &mut Steps, elastic: &Elastic) {
+    pub(super) fn elastic(&self, steps: &mut SheetSteps, elastic: &Elastic) {
         const LAW: &str = "springs without tension";
         let long = self.long;
         steps.know("k_n", self.foundation.stiffness.unwrap_or_default(), STIFFNESS);

@@ -2,7 +2,7 @@
 
 use standfast::Wrench;
 use standfast::ground::impact::{ImpactEvent, ImpactResponse};
-use standfast::history::{Change, History};
+use standfast::history::{History, HistoryChange};
 use standfast_cases::assess::ground::Elastic;
 
 use super::super::loads::{grouped, parts, sum};
@@ -11,7 +11,7 @@ use crate::measured::{
     FOURTH, INERTIA, KILONEWTON, MASS, METRE, MOMENT, NONE, PER_SECOND, SECOND, SPRING, SPRING_OF_OBJECT,
     SQUARE, STIFFNESS, TURNING, TURNING_OF_OBJECT,
 };
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// Springs, mass and inertia of the whole, or of a metre.
 struct Swaying {
@@ -23,7 +23,7 @@ struct Swaying {
 }
 
 impl Sheet<'_> {
-    pub(super) fn in_time(&self, steps: &mut Steps, elastic: &Elastic) {
+    pub(super) fn in_time(&self, steps: &mut SheetSteps, elastic: &Elastic) {
         let Some(periods) = elastic.periods else { return };
         steps.know("k_t", self.foundation.tangential_stiffness.unwrap_or_default(), STIFFNESS);
         steps.note(
@@ -73,7 +73,7 @@ impl Sheet<'_> {
     }
 
     /// D: formulas where the loads in time have one course; where they have several, what the sum is and why it is not put in.
-    fn amplified(&self, steps: &mut Steps, impact: &ImpactResponse, swaying: &Swaying) {
+    fn amplified(&self, steps: &mut SheetSteps, impact: &ImpactResponse, swaying: &Swaying) {
         let timed = self.components.iter().enumerate();
         let timed: Vec<(usize, Wrench, &History)> = timed
             .filter_map(|(i, component)| Some((i, component.wrench, component.load.history.as_ref()?)))
@@ -150,7 +150,7 @@ impl Sheet<'_> {
     }
 
     /// ω, shape and share of both modes.
-    fn shares(&self, steps: &mut Steps, impact: &ImpactResponse, swaying: &Swaying, (x, m): (f64, f64)) {
+    fn shares(&self, steps: &mut SheetSteps, impact: &ImpactResponse, swaying: &Swaying, (x, m): (f64, f64)) {
         let Swaying { mass, inertia, height, k_x, k_θ } = *swaying;
         let name = |letter: &str, mode: usize| format!("{letter}_{mode}");
         for mode in [1, 2] {
@@ -186,12 +186,12 @@ impl Sheet<'_> {
 
 /// A change of a load in time, with the number in its names.
 struct Numbered {
-    change: Change,
+    change: HistoryChange,
     number: usize,
 }
 
 /// The moments at which a load changes, and by how much.
-fn changes(steps: &mut Steps, history: &History) -> Vec<Numbered> {
+fn changes(steps: &mut SheetSteps, history: &History) -> Vec<Numbered> {
     let real =
         history.changes().into_iter().flatten().filter(|change| change.step != 0.0 || change.slope != 0.0);
     let numbered: Vec<_> = real.enumerate().map(|(i, change)| Numbered { change, number: i + 1 }).collect();
@@ -228,7 +228,7 @@ fn course(changes: &[Numbered], mode: usize, when: &str, at: f64) -> String {
 
 fn response(changes: &[Numbered], ω: f64, at: f64) -> f64 {
     let before = changes.iter().map(|numbered| numbered.change).filter(|change| change.at < at);
-    let one = |Change { at: from, step, slope }: Change| {
+    let one = |HistoryChange { at: from, step, slope }: HistoryChange| {
         let past = at - from;
         slope * (past - (ω * past).sin() / ω) + step * (1.0 - (ω * past).cos())
     };

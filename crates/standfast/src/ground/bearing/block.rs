@@ -3,7 +3,7 @@
 use super::Ground;
 use super::edges::MOST_INCLINED;
 use super::path::{Footing, GroundPath};
-use super::situated::On;
+use super::situated::SituatedGround;
 use crate::contact::departure::by_friction;
 use crate::contact::{self, Block, friction, path};
 use crate::departure::{Departure, DepartureSpan, parting};
@@ -68,7 +68,7 @@ impl BearingBlock {
     pub fn decide(&self, block: &Block, wrench: &Wrench) -> Result<Decision, InputError> {
         let mode = contact::solve(block, wrench)?.mode();
         let path = self.path(block, wrench, &Wrench::ZERO);
-        Ok(On::new(path, block.mu_k).decide(mode, 0.0))
+        Ok(SituatedGround::new(path, block.mu_k).decide(mode, 0.0))
     }
 
     /// The spans of friction from zero without end: those of the rigid base, parted where the ground begins or ceases to bear a body
@@ -96,7 +96,7 @@ impl BearingBlock {
             match span.mode() {
                 Some(mode) if upright(mode) && ratio > 0.0 => {
                     let slip = if mode == Mode::SlideRight { Slip::Right } else { Slip::Left };
-                    let borne = Borne { path: &path, slip };
+                    let borne = SlidingGround { path: &path, slip };
                     let stretch = borne.between(span.from * ratio, span.to * ratio);
                     let fails = Decision::from(Some(Verdict::BearingFailure));
                     match stretch {
@@ -119,7 +119,9 @@ impl BearingBlock {
                     }
                 }
                 // At one friction as at any other: neither rest nor what turns asks the ground of it.
-                mode => add(span.from, span.to, On::new(path, 0.0).decide(mode, 0.0), span.boundary),
+                mode => {
+                    add(span.from, span.to, SituatedGround::new(path, 0.0).decide(mode, 0.0), span.boundary)
+                }
             }
         }
         spans.truncate(spans.iter().take_while(|span| span.from < up_to).count().max(1));
@@ -153,7 +155,7 @@ impl BearingBlock {
         permanent: &Wrench,
         variable: &Wrench,
     ) -> Result<Departure, InputError> {
-        let on = On::new(self.path(block, permanent, variable), block.mu_k);
+        let on = SituatedGround::new(self.path(block, permanent, variable), block.mu_k);
         let rigid = path::departure(block, permanent, variable)?;
         let verdict = |factor: f64| on.decide(rigid.mode(), factor).verdict;
         let failure = Some(Verdict::BearingFailure);
@@ -197,12 +199,12 @@ impl BearingBlock {
 const BORNE: usize = 64;
 
 /// The ground under a body that slides, for each friction to slip.
-struct Borne<'a> {
+struct SlidingGround<'a> {
     path: &'a GroundPath,
     slip: Slip,
 }
 
-impl Borne<'_> {
+impl SlidingGround<'_> {
     fn excess(&self, mu: f64) -> f64 {
         self.path.excess(Some((self.slip, mu)), 0.0)
     }

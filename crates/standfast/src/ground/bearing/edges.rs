@@ -1,6 +1,6 @@
 //! The boundaries of the plane of load factor and friction on ground that fails.
 
-use super::situated::On;
+use super::situated::SituatedGround;
 use super::{Ground, GroundPath};
 use crate::error::InputError;
 use crate::ground::load_plane::{LoadEdge, Rising, rigid};
@@ -35,7 +35,7 @@ impl FailingEdges {
         factor: f64,
         friction: f64,
     ) -> Result<Option<Verdict>, InputError> {
-        let on = On::new(self.path, friction * self.rising.ratio);
+        let on = SituatedGround::new(self.path, friction * self.rising.ratio);
         Ok(on.decide(rigid(&self.rising, factor, friction)?, factor).verdict)
     }
 

@@ -26,7 +26,8 @@ pub struct BearingOutcome {
 /// As [`GroundPath::new`]; or if a number is out of range.
 pub fn outcome(situation: &Situation, ground: Ground) -> Result<BearingOutcome, InputError> {
     let rigid = situation.outcome()?;
-    let on = On { path: GroundPath::new(ground, situation)?, friction: situation.kinetic_friction() };
+    let on =
+        SituatedGround { path: GroundPath::new(ground, situation)?, friction: situation.kinetic_friction() };
     let load_factors = on.path.load_factors();
     let mode = rigid.full.mode();
     let decision = on.decide(mode, 1.0);
@@ -43,14 +44,14 @@ pub fn outcome(situation: &Situation, ground: Ground) -> Result<BearingOutcome, 
 }
 
 /// The ground under a situation, and its friction to slip.
-pub(super) struct On {
+pub(super) struct SituatedGround {
     path: GroundPath,
     friction: f64,
 }
 
-impl On {
-    pub(super) fn new(path: GroundPath, friction: f64) -> On {
-        On { path, friction }
+impl SituatedGround {
+    pub(super) fn new(path: GroundPath, friction: f64) -> SituatedGround {
+        SituatedGround { path, friction }
     }
 
     /// Slip and friction with which a mode of the rigid problem presses the ground, neither of rest; `None` of one that turns, or flies.

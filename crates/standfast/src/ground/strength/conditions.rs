@@ -3,7 +3,7 @@
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 use super::turning::{Rate, Turn};
-use super::{Given, Numbers};
+use super::{CrushProblem, Numbers};
 use crate::approx::Approx;
 use crate::exact::{Exact, Real};
 use crate::ground::roots::{RootSigned, RootSigns};
@@ -14,7 +14,7 @@ pub(super) const SLIPS: [Slip; 2] = [Slip::Left, Slip::Right];
 pub(super) const CORNERS: [Corner; 2] = [Corner::O, Corner::OPrime];
 
 /// Every mode tried: in tracked floating point, or exactly where that cannot tell.
-pub(super) fn enumerate(given: &impl Given) -> Decision {
+pub(super) fn enumerate(given: &impl CrushProblem) -> Decision {
     let float = given.numbers::<f64>();
     let found = of(&given.numbers::<Approx>(), &float).or_else(|| of(&given.numbers::<Exact>(), &float));
     found.expect("exact signs are always known")

@@ -2,7 +2,7 @@
 
 use super::conditions::enumerate;
 use super::turning::{Rate, Turn, orientation};
-use super::{Given, Loaded};
+use super::{CrushProblem, LoadedBlock};
 use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::Exact;
@@ -30,9 +30,9 @@ impl CrushEdges {
         &self.rising
     }
 
-    fn given(&self, factor: f64, friction: f64) -> Loaded {
+    fn given(&self, factor: f64, friction: f64) -> LoadedBlock {
         let (block, wrench) = (self.rising.block(friction), self.rising.wrench(factor));
-        Loaded { block, wrench, strength: self.strength }
+        LoadedBlock { block, wrench, strength: self.strength }
     }
 
     pub(in crate::ground) fn verdict(
@@ -61,8 +61,8 @@ impl CrushEdges {
 }
 
 /// The friction to slip with which a body that slides puts its reaction as near to a corner as the base bears it.
-pub(super) fn reaction(given: &Loaded, slip: Slip, corner: Corner) -> Option<f64> {
-    let Loaded { block, wrench: Wrench { p, m, .. }, strength } = given;
+pub(super) fn reaction(given: &LoadedBlock, slip: Slip, corner: Corner) -> Option<f64> {
+    let LoadedBlock { block, wrench: Wrench { p, m, .. }, strength } = given;
     let σ = orientation(corner);
     let b = if corner == Corner::O { block.b1 } else { block.b2 };
     let room = b * p - p * p / (2.0 * strength);
@@ -70,7 +70,7 @@ pub(super) fn reaction(given: &Loaded, slip: Slip, corner: Corner) -> Option<f64
 }
 
 /// |X + m_x dθ̈|/N of a body that rocks about a corner; `None` of one that does not.
-pub(super) fn turn(given: &Loaded, corner: Corner) -> Option<f64> {
+pub(super) fn turn(given: &LoadedBlock, corner: Corner) -> Option<f64> {
     let n = given.numbers::<f64>();
     // As of a motion, with exact digits where the turn begins.
     let surplus = Turn::about(&given.numbers::<Approx>(), corner, None).surplus.precise();

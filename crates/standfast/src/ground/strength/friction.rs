@@ -22,7 +22,7 @@
 use super::conditions::{CORNERS, SLIPS, enumerate};
 use super::edges::{reaction, turn};
 use super::turning::orientation;
-use super::{Loaded, check, rest_range, solve};
+use super::{LoadedBlock, check, rest_range, solve};
 use crate::contact::{Block, with_friction};
 use crate::departure::{Departure, DepartureSpan, HELD, parting};
 use crate::error::InputError;
@@ -62,12 +62,12 @@ pub fn friction_spans(
     up_to: f64,
 ) -> Result<Vec<Span>, InputError> {
     check(block, wrench, strength)?;
-    let on = |μ: f64| Loaded { block: with_friction(block, μ), wrench: *wrench, strength };
+    let on = |μ: f64| LoadedBlock { block: with_friction(block, μ), wrench: *wrench, strength };
     Span::between(boundaries(&on(1.0), up_to), up_to, |μ| Ok(enumerate(&on(μ))))
 }
 
 /// The frictions to stick up to one at which something may change, ascending, with their numbers; `given` has a friction to stick of 1.
-fn boundaries(given: &Loaded, up_to: f64) -> Vec<(f64, usize)> {
+fn boundaries(given: &LoadedBlock, up_to: f64) -> Vec<(f64, usize)> {
     let ratio = given.block.mu_k;
     let frictions = [false, true].map(|slips| if slips { ratio } else { 1.0 });
     let Wrench { x, p, .. } = given.wrench;
@@ -100,8 +100,8 @@ fn boundaries(given: &Loaded, up_to: f64) -> Vec<(f64, usize)> {
 }
 
 /// The frictions to slip at which two roots of a slide-rock's equation meet.
-fn meeting(given: &Loaded, corner: Corner, slip: Slip) -> Vec<f64> {
-    let Loaded { block, wrench: Wrench { p, m, .. }, strength: q } = *given;
+fn meeting(given: &LoadedBlock, corner: Corner, slip: Slip) -> Vec<f64> {
+    let LoadedBlock { block, wrench: Wrench { p, m, .. }, strength: q } = *given;
     let Block { b1, b2, d, rho2: inertia, m_y, .. } = block;
     let (σ, b) = if corner == Corner::O { (1.0, b1) } else { (-1.0, b2) };
     debug_assert_eq!(σ, orientation(corner));

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use super::conditions::{CORNERS, SLIPS, enumerate};
 use super::events::events;
-use super::{Loaded, check};
+use super::{LoadedBlock, check};
 use crate::contact::Block;
 use crate::error::{InputError, LARGEST};
 use crate::mode::{Corner, Slip};
@@ -167,7 +167,7 @@ pub fn stages(
 
     let at = |λ: f64| {
         let wrench = *permanent + *variable * λ;
-        enumerate(&Loaded { block: *block, wrench, strength })
+        enumerate(&LoadedBlock { block: *block, wrench, strength })
     };
     let mut stages = Vec::new();
     let mut add = |from: f64, to: f64, Decision { verdict, modes }: Decision| {

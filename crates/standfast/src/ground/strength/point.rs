@@ -2,7 +2,7 @@
 
 use super::conditions::enumerate;
 use super::turning::{Rate, Turn};
-use super::{CrushMotion, Given, Numbers, bound, motion};
+use super::{CrushMotion, CrushProblem, Numbers, bound, motion};
 use crate::approx::Approx;
 use crate::error::InputError;
 use crate::exact::{Exact, Real};
@@ -49,7 +49,7 @@ pub struct CrushPoint {
 }
 
 /// The report's block with all its inertia trebled, so that ρ² = 1 + γ² is one of its numbers; accelerations are a third.
-impl Given for CrushPoint {
+impl CrushProblem for CrushPoint {
     fn numbers<T: Real>(&self) -> Numbers<T> {
         let point = &self.point;
         let [γ, k_prime, k, μ] = [point.gamma(), point.k_prime(), point.k(), point.mu()].map(T::of);

@@ -10,7 +10,7 @@ use crate::relation::{Relation, Sign};
 use std::cmp::Ordering;
 
 /// All changes of mode when one of k and μ varies and everything else stays as it is; see
-/// [`Margins`](crate::initiation::Margins), whose those of a rigid base are.
+/// [`PointMargins`](crate::initiation::PointMargins), whose those of a rigid base are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrushMargins {
     /// Changes as k grows from zero, in order.

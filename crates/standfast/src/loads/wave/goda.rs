@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::heights::breaking_depth;
-use super::{Choices, DesignHeights, Heights, Sea, Section, Warning, deep_water_wavelength, wavelength};
+use super::{
+    CaissonSection, Choices, DesignHeights, Heights, Sea, WaveWarning, deep_water_wavelength, wavelength,
+};
 use crate::body::Body;
 use crate::error::InputError;
 use crate::loads::{Action, Face, Load, LoadKind, LoadSource, PressureDiagram};
@@ -64,7 +66,7 @@ pub struct Goda {
     /// crest or η*, a base below all pressure. Pressures have a kink where it changes.
     pub formulas: u32,
     /// Conditions outside the range of the formulas.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<WaveWarning>,
 }
 
 /// The steps to Takahashi's α_I = α_I0 α_I1 (Takahashi, Tanimoto and Shimosako 1994).
@@ -95,7 +97,12 @@ pub struct Impulsive {
 /// # Errors
 /// If a number is not finite or not possible: a berm deeper than the sea, a crest under water, a maximum wave below
 /// the significant one, a turn beyond 15 degrees.
-pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) -> Result<Goda, InputError> {
+pub fn goda(
+    sea: &Sea,
+    heights: &Heights,
+    section: &CaissonSection,
+    choices: &Choices,
+) -> Result<Goda, InputError> {
     sea.check()?;
     heights.check()?;
     section.check(sea)?;
@@ -112,7 +119,7 @@ pub fn goda(sea: &Sea, heights: &Heights, section: &Section, choices: &Choices) 
         Heights::Local { significant, maximum } => (None, significant, maximum),
     };
     let mut goda = pressures(sea, (l0, l), computed, [h_13, h_max], section, choices);
-    goda.warnings = Warning::all(sea, heights, section, &goda);
+    goda.warnings = WaveWarning::all(sea, heights, section, &goda);
     Ok(goda)
 }
 
@@ -122,11 +129,11 @@ fn pressures(
     (l0, l): (f64, f64),
     computed: Option<DesignHeights>,
     [h_13, h_max]: [f64; 2],
-    section: &Section,
+    section: &CaissonSection,
     choices: &Choices,
 ) -> Goda {
     let Sea { water_depth: h, water_density: ρ, gravity: g, .. } = *sea;
-    let Section { base_depth, depth_above_berm: d, crest_height, caisson_width, .. } = *section;
+    let CaissonSection { base_depth, depth_above_berm: d, crest_height, caisson_width, .. } = *section;
     let [λ1, λ2, λ3] = choices.lambda;
     let h_b = breaking_depth(sea, h_13);
     let angle_deg = (sea.angle_deg - choices.turn_deg).max(0.0);
@@ -200,7 +207,7 @@ impl Goda {
     pub fn from_deep_water(
         &self,
         sea: &Sea,
-        section: &Section,
+        section: &CaissonSection,
         choices: &Choices,
         height: f64,
     ) -> Option<Goda> {
@@ -212,7 +219,7 @@ impl Goda {
     }
 
     /// The pressures under one wave of this height (m) in the same sea, whose H_1/3 and wavelength stay. Warnings are left out.
-    pub fn under_wave(&self, sea: &Sea, section: &Section, choices: &Choices, height: f64) -> Goda {
+    pub fn under_wave(&self, sea: &Sea, section: &CaissonSection, choices: &Choices, height: f64) -> Goda {
         let lengths = (self.deep_water_wavelength, self.wavelength);
         pressures(sea, lengths, self.heights, [self.h_13, height], section, choices)
     }

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use super::{Goda, Heights, Sea, Section, shoaling};
+use super::{CaissonSection, Goda, Heights, Sea, shoaling};
 
 /// A condition outside the formulas' range, with the values that triggered it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Warning {
+pub enum WaveWarning {
     /// The berm or the bed may make the waves break onto the wall, with impulsive pressures beyond these.
     ImpulsiveBreaking {
         /// B_M/L.
@@ -67,8 +67,13 @@ const LONGEST_PERIOD: f64 = 30.0;
 /// The steepest bed of the charts of wave heights that the formulas approximate.
 const STEEPEST_BED: f64 = 0.1;
 
-impl Warning {
-    pub(super) fn all(sea: &Sea, heights: &Heights, section: &Section, goda: &Goda) -> Vec<Warning> {
+impl WaveWarning {
+    pub(super) fn all(
+        sea: &Sea,
+        heights: &Heights,
+        section: &CaissonSection,
+        goda: &Goda,
+    ) -> Vec<WaveWarning> {
         let h = sea.water_depth;
         let berm_width_ratio = section.berm_width / goda.wavelength;
         let berm_depth_ratio = section.depth_above_berm / h;
@@ -85,7 +90,7 @@ impl Warning {
         let high_berm = berm_width_ratio > 0.02 && berm_width_ratio < 0.3 && berm_depth_ratio < 0.6;
         let steep_front = goda.angle_deg < 20.0 && section.crest_height / goda.h_13 > 0.3;
         if steep_front && (narrow_berm || high_berm) {
-            warnings.push(Warning::ImpulsiveBreaking {
+            warnings.push(WaveWarning::ImpulsiveBreaking {
                 berm_width_ratio,
                 berm_depth_ratio,
                 bed_slope,
@@ -94,52 +99,52 @@ impl Warning {
         }
         let ratio = h / goda.deep_water_wavelength;
         if ratio >= 0.2 && matches!(heights, Heights::DeepWater(_)) {
-            warnings.push(Warning::DeepWater { ratio });
+            warnings.push(WaveWarning::DeepWater { ratio });
         }
         let limit = 0.142 * goda.wavelength * (std::f64::consts::TAU * h / goda.wavelength).tanh();
         if goda.h_max > limit {
-            warnings.push(Warning::HigherThanBreaking { height: goda.h_max, limit });
+            warnings.push(WaveWarning::HigherThanBreaking { height: goda.h_max, limit });
         }
         if goda.alpha_3 <= 0.0 {
-            warnings.push(Warning::NoPressureAtBase { alpha_3: goda.alpha_3 });
+            warnings.push(WaveWarning::NoPressureAtBase { alpha_3: goda.alpha_3 });
         }
-        let Section { base_depth, depth_above_berm, .. } = *section;
+        let CaissonSection { base_depth, depth_above_berm, .. } = *section;
         if base_depth > h {
-            warnings.push(Warning::BaseBelowBed { base_depth, water_depth: h });
+            warnings.push(WaveWarning::BaseBelowBed { base_depth, water_depth: h });
         }
         if depth_above_berm > base_depth {
-            warnings.push(Warning::BermBelowBase { depth_above_berm, base_depth });
+            warnings.push(WaveWarning::BermBelowBase { depth_above_berm, base_depth });
         }
         if sea.period > LONGEST_PERIOD {
-            warnings.push(Warning::LongPeriod { period: sea.period });
+            warnings.push(WaveWarning::LongPeriod { period: sea.period });
         }
         if bed_slope > STEEPEST_BED {
-            warnings.push(Warning::SteepBed { bed_slope });
+            warnings.push(WaveWarning::SteepBed { bed_slope });
         }
         warnings
     }
 }
 
-impl Warning {
+impl WaveWarning {
     /// Its name, to be told apart by programs.
     pub fn name(&self) -> &'static str {
         match self {
-            Warning::ImpulsiveBreaking { .. } => "impulsive-breaking",
-            Warning::DeepWater { .. } => "deep-water",
-            Warning::HigherThanBreaking { .. } => "higher-than-breaking",
-            Warning::NoPressureAtBase { .. } => "no-pressure-at-base",
-            Warning::BaseBelowBed { .. } => "base-below-bed",
-            Warning::BermBelowBase { .. } => "berm-below-base",
-            Warning::LongPeriod { .. } => "long-period",
-            Warning::SteepBed { .. } => "steep-bed",
+            WaveWarning::ImpulsiveBreaking { .. } => "impulsive-breaking",
+            WaveWarning::DeepWater { .. } => "deep-water",
+            WaveWarning::HigherThanBreaking { .. } => "higher-than-breaking",
+            WaveWarning::NoPressureAtBase { .. } => "no-pressure-at-base",
+            WaveWarning::BaseBelowBed { .. } => "base-below-bed",
+            WaveWarning::BermBelowBase { .. } => "berm-below-base",
+            WaveWarning::LongPeriod { .. } => "long-period",
+            WaveWarning::SteepBed { .. } => "steep-bed",
         }
     }
 }
 
-impl fmt::Display for Warning {
+impl fmt::Display for WaveWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Warning::ImpulsiveBreaking { berm_width_ratio, berm_depth_ratio, bed_slope, steepness } => {
+            WaveWarning::ImpulsiveBreaking { berm_width_ratio, berm_depth_ratio, bed_slope, steepness } => {
                 write!(
                     f,
                     "impulsive breaking is possible: berm width B_M/L = {berm_width_ratio:.3}, depth above the berm \
@@ -147,34 +152,34 @@ impl fmt::Display for Warning {
                  pressures may be exceeded"
                 )
             }
-            Warning::DeepWater { ratio } => write!(
+            WaveWarning::DeepWater { ratio } => write!(
                 f,
                 "h/L0 = {ratio:.3} is not below 0.2: wave heights are shoaled from deep water without breaking"
             ),
-            Warning::HigherThanBreaking { height, limit } => write!(
+            WaveWarning::HigherThanBreaking { height, limit } => write!(
                 f,
                 "H_max = {height:.2} m is above the breaking limit {limit:.2} m at the wall's depth \
                  (0.142 L tanh 2πh/L)"
             ),
-            Warning::NoPressureAtBase { alpha_3 } => {
+            WaveWarning::NoPressureAtBase { alpha_3 } => {
                 write!(f, "alpha_3 = {alpha_3:.3}: no pressure is taken at so deep a base")
             }
-            Warning::BaseBelowBed { base_depth, water_depth } => write!(
+            WaveWarning::BaseBelowBed { base_depth, water_depth } => write!(
                 f,
                 "base_depth = {base_depth:.2} m is more than the water depth {water_depth:.2} m: the base would lie \
                  below the sea bed in front of it"
             ),
-            Warning::BermBelowBase { depth_above_berm, base_depth } => write!(
+            WaveWarning::BermBelowBase { depth_above_berm, base_depth } => write!(
                 f,
                 "depth_above_berm = {depth_above_berm:.2} m is more than base_depth = {base_depth:.2} m: the berm \
                  would lie below the base"
             ),
-            Warning::LongPeriod { period } => write!(
+            WaveWarning::LongPeriod { period } => write!(
                 f,
                 "period = {period} s is longer than that of wind waves and swell ({LONGEST_PERIOD} s at most), for which \
                  the formulas were found"
             ),
-            Warning::SteepBed { bed_slope } => write!(
+            WaveWarning::SteepBed { bed_slope } => write!(
                 f,
                 "bed slope {bed_slope}: the wave heights were computed for beds of {STEEPEST_BED} at most"
             ),

@@ -1,9 +1,9 @@
 //! Spelling of options.
 
-/// By which face one speaks to the library, and so how its options are spelt.
+/// Interface by which one speaks to the library, and so how its options are spelt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
-pub enum Face {
+pub enum Interface {
     /// A program's command line: `--map mu=friction`, `--columns mode`.
     #[default]
     Program,
@@ -11,28 +11,28 @@ pub enum Face {
     Python,
 }
 
-impl Face {
+impl Interface {
     /// Option that reads a column of the table, called `theirs`, as `ours`.
     pub fn map(self, ours: &str, theirs: &str) -> String {
         match self {
-            Face::Program => format!("--map \"{ours}={theirs}\""),
-            Face::Python => format!("map={{\"{ours}\": \"{theirs}\"}}"),
+            Interface::Program => format!("--map \"{ours}={theirs}\""),
+            Interface::Python => format!("map={{\"{ours}\": \"{theirs}\"}}"),
         }
     }
 
     /// Option that has a text and its figures show every situation.
     pub fn all(self) -> &'static str {
         match self {
-            Face::Program => "--all",
-            Face::Python => "all=True",
+            Interface::Program => "--all",
+            Interface::Python => "all=True",
         }
     }
 
     /// The option that chooses results.
     pub fn columns(self) -> &'static str {
         match self {
-            Face::Program => "--columns",
-            Face::Python => "columns",
+            Interface::Program => "--columns",
+            Interface::Python => "columns",
         }
     }
 }

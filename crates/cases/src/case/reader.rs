@@ -21,11 +21,11 @@ const SAME_DENSITY: f64 = 1e-6;
 
 /// Inputs, read with what goes wrong.
 #[derive(Clone, Copy)]
-pub(crate) struct Given<'a> {
+pub(crate) struct Reader<'a> {
     pub(crate) inputs: &'a Inputs,
 }
 
-impl Given<'_> {
+impl Reader<'_> {
     /// Every number is in the range of its key.
     pub(crate) fn ranges(&self) -> Result<(), Fault> {
         for (id, number) in self.inputs.numbers() {
@@ -302,7 +302,7 @@ impl Given<'_> {
             let problem = Problem::CaissonWidth { width, base: caisson_width };
             return Err(Fault::new(problem, Key::CaissonWidth).and(self.base_key()));
         }
-        let section = wave::Section {
+        let section = wave::CaissonSection {
             base_depth: self.required(Key::BaseDepth)?,
             depth_above_berm: self.required(Key::DepthAboveBerm)?,
             crest_height: self.required(Key::CrestHeight)?,
@@ -323,7 +323,7 @@ impl Given<'_> {
         };
         let goda =
             goda(&sea, &heights, &section, &choices).map_err(|error| self.blame(Table::Wave, error))?;
-        let wave::Section { base_depth, crest_height, .. } = section;
+        let wave::CaissonSection { base_depth, crest_height, .. } = section;
         if (base_depth + crest_height - body.height()).abs() > SAME_LENGTH {
             let problem = Problem::Height { base_depth, crest_height, height: body.height() };
             return Err(Fault::new(problem, Key::CrestHeight).and(Key::Height));
@@ -355,12 +355,12 @@ impl Given<'_> {
 
 /// Refusal of the case of inputs by the motion, at the number that brings it about.
 pub(crate) fn motion_fault(inputs: &Inputs, error: MotionError) -> Fault {
-    Given { inputs }.motion_refused(error)
+    Reader { inputs }.motion_refused(error)
 }
 
 /// Refusal of the case of inputs by the mechanics, at the number that brings it about.
 pub(crate) fn fault(inputs: &Inputs, error: InputError) -> Fault {
-    Given { inputs }.blame(Table::Top, error)
+    Reader { inputs }.blame(Table::Top, error)
 }
 
 /// Two keys that have to agree and do not.

@@ -24,9 +24,9 @@ use arrow_array::{ArrayRef, RecordBatch};
 
 use crate::guard::guarded;
 use crate::memory::inputs::{Inputs, Numbers};
-use crate::minded::RowWarnings;
-use crate::pieces::{Done, Input, answer_pieces};
+use crate::pieces::{Done, TableInput, answer_pieces};
 use crate::results::{SYMBOLS, Values};
+use crate::row_warning::RowWarnings;
 use crate::text::{self as rows, Header};
 use crate::{Progress, RowProblem, Summary, TableError, TableOptions};
 use csv::write_batch;
@@ -47,7 +47,7 @@ pub(crate) fn write_sheet(batch: &RecordBatch, output: impl Write) -> Result<(),
 
 /// Answers a whole table.
 pub(crate) fn answer<W: Write + Send>(
-    input: Input<'_>,
+    input: TableInput<'_>,
     output: W,
     options: &TableOptions,
     progress: &dyn Progress,

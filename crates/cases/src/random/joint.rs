@@ -8,15 +8,15 @@ use standfast_probability::form::local_design_points;
 use standfast_probability::problem::{Outcomes, Pieces};
 use standfast_probability::sample::Estimate;
 
-use super::answer::{Method, Request};
+use super::answer::{ChanceRequest, Method};
 use super::chances::{self, event};
 use super::error::ProbabilityError;
-use super::problem::Problem;
+use super::problem::ChanceProblem;
 use crate::case::Acting;
 
 /// The chance that any of several sets of loads moves the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Joined {
+pub struct JointChance {
     /// Number of sets of loads.
     pub count: usize,
     /// Method by which it was found.
@@ -30,7 +30,7 @@ const RESTS: usize = 0;
 const MOVES: usize = 1;
 
 /// Problems with the same random numbers.
-struct AnyOf<'a>(Vec<&'a Problem>);
+struct AnyOf<'a>(Vec<&'a ChanceProblem>);
 
 impl Outcomes for AnyOf<'_> {
     fn count(&self) -> usize {
@@ -90,14 +90,17 @@ impl Outcomes for AnyOf<'_> {
 ///
 /// # Errors
 /// If the method asked for does not take as many numbers.
-pub(super) fn joined(problems: &[&Problem], request: &Request) -> Result<Option<Joined>, ProbabilityError> {
+pub(super) fn joined(
+    problems: &[&ChanceProblem],
+    request: &ChanceRequest,
+) -> Result<Option<JointChance>, ProbabilityError> {
     let [first, _, ..] = problems else { return Ok(None) };
     let any = AnyOf(problems.to_vec());
     let points = local_design_points(first.laws(), &any, 1 << MOVES);
     let method = chances::method(first.laws(), request, &points)?;
     let about: Vec<Vec<f64>> = points.into_iter().map(|point| point.u).collect();
     let sampled = chances::by(method, first.laws(), &any, &[1 << MOVES], &about, &request.effort);
-    Ok(Some(Joined { count: problems.len(), method, not_rest: sampled.estimates[0] }))
+    Ok(Some(JointChance { count: problems.len(), method, not_rest: sampled.estimates[0] }))
 }
 
 /// The chance that the body does not stay at rest, for each set of loads that act together; under any of the accelerations of the
@@ -106,16 +109,16 @@ pub(super) fn joined(problems: &[&Problem], request: &Request) -> Result<Option<
 /// # Errors
 /// As [`joined`].
 pub(super) fn by_acting(
-    problems: &[Problem],
-    request: &Request,
+    problems: &[ChanceProblem],
+    request: &ChanceRequest,
 ) -> Result<Vec<(Acting, Estimate)>, ProbabilityError> {
     let mut found: Vec<(Acting, Estimate)> = Vec::new();
-    for acting in problems.iter().filter_map(Problem::case).map(|(_, acting)| acting) {
+    for acting in problems.iter().filter_map(ChanceProblem::case).map(|(_, acting)| acting) {
         if found.iter().any(|(known, _)| *known == acting) {
             continue;
         }
-        let is_same = |problem: &&Problem| problem.case().is_some_and(|(_, of)| of == acting);
-        let same: Vec<&Problem> = problems.iter().filter(is_same).collect();
+        let is_same = |problem: &&ChanceProblem| problem.case().is_some_and(|(_, of)| of == acting);
+        let same: Vec<&ChanceProblem> = problems.iter().filter(is_same).collect();
         let not_rest = match joined(&same, request)? {
             Some(joined) => joined.not_rest,
             None => event(same[0], request)?.1,

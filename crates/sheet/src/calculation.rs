@@ -13,18 +13,18 @@ mod path;
 mod waves;
 
 use maud::Markup;
-use standfast_cases::{Assessed, Assessment, Inputs, View};
+use standfast_cases::{Assessed, Assessment, AssessmentView, Inputs};
 
 pub use classical::TARGET;
 pub use mode::capital;
 
 use crate::SheetError;
-use crate::steps::Steps;
+use crate::steps::SheetSteps;
 
 /// The calculation of the situations shown.
-pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Markup, SheetError> {
+pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &AssessmentView) -> Result<Markup, SheetError> {
     let case = &assessment.case;
-    let mut steps = Steps::new("Body", case.extent);
+    let mut steps = SheetSteps::new("Body", case.extent);
     body::steps(&mut steps, case, inputs);
     if let Some(wave) = &case.wave {
         steps.part("Waves and pressures (Goda, Takahashi)", None);
@@ -48,11 +48,11 @@ pub fn steps(assessment: &Assessment, inputs: &Inputs, view: &View) -> Result<Ma
 }
 
 fn situation(
-    steps: &mut Steps,
+    steps: &mut SheetSteps,
     assessment: &Assessment,
     assessed: &Assessed,
     inputs: &Inputs,
-    view: &View,
+    view: &AssessmentView,
 ) -> Result<(), SheetError> {
     let case = &assessment.case;
     let components = assessed.components();

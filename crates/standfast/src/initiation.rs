@@ -56,7 +56,7 @@ mod trace;
 
 pub use chart::{Chart, ChartCase, NamedPoint, PointName};
 pub use limits::{LimitState, LimitStates};
-pub use margins::{Bounds, Crossing, Margins};
+pub use margins::{Bounds, Crossing, PointMargins};
 pub use trace::{Step, Trace};
 
 use crate::approx::Approx;
@@ -189,8 +189,8 @@ impl Point {
     }
 
     /// At which forces and frictions the mode changes.
-    pub fn margins(&self) -> Margins {
-        Margins::of(self)
+    pub fn margins(&self) -> PointMargins {
+        PointMargins::of(self)
     }
 
     /// Distances from the inequalities that decide its mode, as limit states.

@@ -14,37 +14,37 @@ use std::str::FromStr;
 use standfast_probability::lognormal::Lognormal;
 use standfast_probability::sample::Estimate;
 
-use super::answer::{Happening, Probability, Request};
-use super::asked::{Asked, problems_of};
+use super::answer::{ChanceRequest, Happening, Probability};
 use super::chances::event;
 use super::error::ProbabilityError;
 use super::overturn::Overturning;
-use super::problem::Problem;
+use super::problem::ChanceProblem;
 use super::quantity::Coordinate;
 use super::resolve::find;
+use super::subject::{ChanceSubject, problems_of};
 use crate::case_file::CaseFile;
 use crate::couple::vary;
 
 /// The number and the values along which probabilities are asked for: `NAME=FROM..TO:COUNT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Over {
+pub struct ValueRange {
     name: String,
     from: String,
     to: String,
     count: usize,
 }
 
-impl FromStr for Over {
+impl FromStr for ValueRange {
     type Err = String;
 
-    fn from_str(text: &str) -> Result<Over, String> {
+    fn from_str(text: &str) -> Result<ValueRange, String> {
         let parts = || {
             let (name, range) = text.split_once('=')?;
             let (values, count) = range.rsplit_once(':')?;
             let (from, to) = values.split_once("..")?;
             let count = count.trim().parse().ok().filter(|count| (2..=10_000).contains(count))?;
             let [name, from, to] = [name, from, to].map(|part| part.trim().to_owned());
-            Some(Over { name, from, to, count })
+            Some(ValueRange { name, from, to, count })
         };
         parts().ok_or_else(|| {
             "expected NAME=FROM..TO:COUNT with two values or more, as in width=12 m..20 m:9".to_owned()
@@ -60,14 +60,14 @@ pub struct Fragility {
     /// Its unit in SI, where it has one.
     pub unit: Option<&'static str>,
     /// The probabilities at each value.
-    pub points: Vec<Along>,
+    pub points: Vec<FragilityPoint>,
     /// The curve through the probabilities of not resting.
     pub fit: Option<Fit>,
 }
 
 /// The probabilities at one value, under the least safe set of loads.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Along {
+pub struct FragilityPoint {
     /// The value, SI.
     pub value: f64,
     /// That the body does not stay at rest.
@@ -108,11 +108,11 @@ impl Probability {
     /// As [`of`](Probability::of) and [`Overturning::of`]; or if the number is none of the case, or random itself.
     pub fn along(
         file: &CaseFile,
-        request: Request,
-        over: Option<&Over>,
+        request: ChanceRequest,
+        over: Option<&ValueRange>,
     ) -> Result<Probability, ProbabilityError> {
-        let asked = Asked::of(file, request.years)?;
-        let in_time = matches!(&asked, Asked::Case { note: Some(_), .. });
+        let asked = ChanceSubject::of(file, request.years)?;
+        let in_time = matches!(&asked, ChanceSubject::Case { note: Some(_), .. });
         let of_peak = over.filter(|over| in_time && over.is_of_peak());
         let along = over.filter(|_| of_peak.is_none());
         let fragility = along.map(|over| over.fragility(&asked, &request)).transpose()?;
@@ -122,7 +122,7 @@ impl Probability {
     }
 }
 
-impl Over {
+impl ValueRange {
     /// True if it asks for overturning over the peak of a shaking, which is none of the numbers of a case.
     pub fn is_of_peak(&self) -> bool {
         self.name == "pga"
@@ -151,9 +151,13 @@ impl Over {
         ProbabilityError::Over { name: self.name.clone(), what: what.into() }
     }
 
-    fn fragility(&self, asked: &Asked, request: &Request) -> Result<Fragility, ProbabilityError> {
+    fn fragility(
+        &self,
+        asked: &ChanceSubject,
+        request: &ChanceRequest,
+    ) -> Result<Fragility, ProbabilityError> {
         let (unit, points) = match asked {
-            Asked::Point(of) => {
+            ChanceSubject::Point(of) => {
                 let coordinate = Coordinate::ALL.into_iter().find(|c| c.name() == self.name);
                 let Some(coordinate) = coordinate else {
                     return Err(self.wrong("it is none of gamma, k_prime, k and mu"));
@@ -174,8 +178,8 @@ impl Over {
                 };
                 (None, self.points(read(&self.from)?, read(&self.to)?, request, at)?)
             }
-            Asked::Storm(_) => return Err(ProbabilityError::NoBody),
-            Asked::Case { file, .. } => {
+            ChanceSubject::Storm(_) => return Err(ProbabilityError::NoBody),
+            ChanceSubject::Case { file, .. } => {
                 let case = file.case()?;
                 let unknown = if self.is_of_peak() {
                     "it is the peak of a shaking, and the case has no [motion.base]; that of an [earthquake] is earthquake.horizontal"
@@ -193,7 +197,8 @@ impl Over {
                 };
                 // The problems as they are, for what is random.
                 let random = problems_of(file, None)?;
-                let same = |problem: &Problem| problem.random().iter().any(|input| input.is_of(&variable));
+                let same =
+                    |problem: &ChanceProblem| problem.random().iter().any(|input| input.is_of(&variable));
                 if random.iter().any(same) {
                     return Err(self.wrong("it is random itself"));
                 }
@@ -214,19 +219,20 @@ impl Over {
         &self,
         from: f64,
         to: f64,
-        request: &Request,
-        problems: impl Fn(f64) -> Result<Vec<Problem>, ProbabilityError>,
-    ) -> Result<Vec<Along>, ProbabilityError> {
+        request: &ChanceRequest,
+        problems: impl Fn(f64) -> Result<Vec<ChanceProblem>, ProbabilityError>,
+    ) -> Result<Vec<FragilityPoint>, ProbabilityError> {
         self.rising(from, to)?
             .into_iter()
             .map(|value| {
-                let mut worst: Option<Along> = None;
+                let mut worst: Option<FragilityPoint> = None;
                 for problem in problems(value)? {
                     let (modes, not_rest) = event(&problem, request)?;
                     // Of what is as likely but for rounding, as under a shaking to either side, the first along all values.
-                    let above = |worst: &Along| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
+                    let above =
+                        |worst: &FragilityPoint| not_rest.value > worst.not_rest.value * (1.0 + AS_LIKELY);
                     if worst.as_ref().is_none_or(above) {
-                        worst = Some(Along { value, not_rest, modes });
+                        worst = Some(FragilityPoint { value, not_rest, modes });
                     }
                 }
                 worst.ok_or_else(|| self.wrong("the case has no loads"))

@@ -19,7 +19,7 @@ mod uplift;
 mod water;
 pub mod wave;
 
-pub use action::{Action, BodyForce, Face, Place, Pose, PressureAt, PressureDiagram};
+pub use action::{Action, BodyForce, BodyPoint, Face, Pose, PressureAt, PressureDiagram};
 pub use earthquake::{AddedMass, Earthquake};
 pub use force::{HorizontalForce, Reduced};
 pub use uplift::Uplift;
@@ -137,7 +137,7 @@ impl<T: Scalar> Load<T> {
 
     /// A force at a place of the body (N per metre run, to the right and upwards), that varies: a vertical one counts as weight,
     /// any other as a push.
-    pub fn force(at: Place<T>, right: T, up: T) -> Load<T> {
+    pub fn force(at: BodyPoint<T>, right: T, up: T) -> Load<T> {
         let kind = if right == T::of(0.0) { LoadKind::Weight } else { LoadKind::Horizontal };
         Load::variable(LoadSource::Force, kind, Action::Force { at, right, up })
     }

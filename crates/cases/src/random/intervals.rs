@@ -7,9 +7,9 @@ use standfast_probability::problem::{Outcomes, Pieces};
 
 use super::base;
 use super::outcome::{COUNT, LIFTED, NOT_A_BODY, of_modes, push_all, told_apart};
-use super::problem::{Line, Problem};
+use super::problem::{ChanceProblem, Line};
 
-impl Outcomes for Problem {
+impl Outcomes for ChanceProblem {
     fn count(&self) -> usize {
         COUNT
     }

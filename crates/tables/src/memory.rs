@@ -8,10 +8,10 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{ArrowError, Field, Schema};
 
-use crate::minded::RowWarnings;
 use crate::pipeline;
 use crate::results::Values;
-use crate::{OnError, Place, Progress, RowProblem, Summary, TableError, TableOptions, Varied};
+use crate::row_warning::RowWarnings;
+use crate::{OnError, Progress, RowProblem, Summary, TableError, TableOptions, TablePlace, Varied};
 use inputs::Inputs;
 
 /// Number of rows of a case with one situation that are worked on as one: a millisecond or two, so that a run that is
@@ -111,7 +111,7 @@ impl MemoryTable {
             without.extend(problems.iter().map(|(row, _)| summary.rows + *row as u64));
             let wrong = problems.into_iter().find(|(_, problem)| !matches!(problem, RowProblem::Null { .. }));
             if let Some((row, problem)) = wrong {
-                let place = Place::Row(summary.rows + row as u64 + 1);
+                let place = TablePlace::Row(summary.rows + row as u64 + 1);
                 let error = TableError::Row { name: self.options.name.clone(), place, problem };
                 if self.options.on_error == OnError::Stop {
                     return Err(error);

@@ -37,7 +37,7 @@
 //!
 //! References: Y. Goda, *Random Seas and Design of Maritime Structures*; S. Takahashi, K. Tanimoto, K. Shimosako (1994)
 //! for the impulsive coefficient. Validity: a wall on a berm, waves that do not overtop so far that the pressure is
-//! relieved; [`Warning`] names what leaves the range of the formulas.
+//! relieved; [`WaveWarning`] names what leaves the range of the formulas.
 
 mod added_mass;
 mod dispersion;
@@ -49,7 +49,7 @@ pub use added_mass::{added_mass, added_mass_height};
 pub use dispersion::{deep_water_wavelength, shoaling, wavelength};
 pub use goda::{Goda, Impulsive, goda};
 pub use heights::{BreakingTerms, DesignHeights};
-pub use warning::Warning;
+pub use warning::WaveWarning;
 
 use crate::error::InputError;
 use crate::quantity::{Expected, Quantity};
@@ -87,7 +87,7 @@ pub enum Heights {
 
 /// The caisson and its berm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
+pub struct CaissonSection {
     /// h', depth of the caisson's base below still water, m.
     pub base_depth: f64,
     /// d, depth above the berm's armour, m.
@@ -151,7 +151,7 @@ impl Heights {
     }
 }
 
-impl Section {
+impl CaissonSection {
     fn check(&self, sea: &Sea) -> Result<(), InputError> {
         InputError::positive(Quantity::BaseDepth, self.base_depth)?;
         InputError::positive(Quantity::BermDepth, self.depth_above_berm)?;

@@ -2,7 +2,7 @@
 
 use super::error::ProbabilityError;
 use super::point;
-use super::problem::Problem;
+use super::problem::ChanceProblem;
 use super::read::{Random, RandomProblem};
 use super::storm::{self, PureStorm};
 use crate::case_file::CaseFile;
@@ -10,7 +10,7 @@ use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Table};
 
 /// Subject that is asked about.
-pub(super) enum Asked {
+pub(super) enum ChanceSubject {
     /// A `[body]` with its loads, of a case in time at its first instant.
     Case {
         file: Box<CaseFile>,
@@ -18,50 +18,54 @@ pub(super) enum Asked {
         note: Option<String>,
     },
     /// A `[point]`.
-    Point(Box<OfPoint>),
+    Point(Box<PointSubject>),
     /// A `[storm]` without a body.
     Storm(Box<PureStorm>),
 }
 
 /// A point with its random numbers, and where they stand.
-pub(super) struct OfPoint {
+pub(super) struct PointSubject {
     file: CaseFile,
     pub(super) point: [f64; 4],
     pub(super) random: Random,
 }
 
-impl OfPoint {
+impl PointSubject {
     /// The problem of the point, or of another with the same random numbers.
-    pub(super) fn problem(&self, point: [f64; 4], years: Option<f64>) -> Result<Problem, ProbabilityError> {
+    pub(super) fn problem(
+        &self,
+        point: [f64; 4],
+        years: Option<f64>,
+    ) -> Result<ChanceProblem, ProbabilityError> {
         let wrong = |(problem, span): (RandomProblem, _)| self.file.random_error(problem, span);
-        Ok(Problem::of_point(point, &self.random, years).map_err(wrong)?)
+        Ok(ChanceProblem::of_point(point, &self.random, years).map_err(wrong)?)
     }
 }
 
-impl Asked {
+impl ChanceSubject {
     /// Subject of a file; of a storm without a body, over this life.
-    pub(super) fn of(file: &CaseFile, years: Option<f64>) -> Result<Asked, CaseError> {
+    pub(super) fn of(file: &CaseFile, years: Option<f64>) -> Result<ChanceSubject, CaseError> {
         if let Some(point) = point::of_file(file)? {
             let random = file.random().cloned();
             let random =
                 random.ok_or_else(|| file.error(Fault::new(RandomProblem::Nothing.into(), Table::Point)))?;
-            return Ok(Asked::Point(Box::new(OfPoint { file: file.clone(), point, random })));
+            return Ok(ChanceSubject::Point(Box::new(PointSubject { file: file.clone(), point, random })));
         }
         if let Some(pure) = storm::of_file(file, years)? {
-            return Ok(Asked::Storm(Box::new(pure)));
+            return Ok(ChanceSubject::Storm(Box::new(pure)));
         }
         Ok(match file.first_instant()? {
-            Some(first) => Asked::Case { file: Box::new(first.file), note: Some(first.note) },
-            None => Asked::Case { file: Box::new(file.clone()), note: None },
+            Some(first) => ChanceSubject::Case { file: Box::new(first.file), note: Some(first.note) },
+            None => ChanceSubject::Case { file: Box::new(file.clone()), note: None },
         })
     }
 
     /// Its problems: one for each set of loads that act together, and each acceleration of the base that is tried.
-    pub(super) fn problems(&self, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
+    pub(super) fn problems(&self, years: Option<f64>) -> Result<Vec<ChanceProblem>, ProbabilityError> {
         match self {
-            Asked::Case { file, .. } => problems_of(file, years),
-            Asked::Point(of) => Ok(vec![of.problem(of.point, years)?]),
-            Asked::Storm(_) => Err(ProbabilityError::NoBody),
+            ChanceSubject::Case { file, .. } => problems_of(file, years),
+            ChanceSubject::Point(of) => Ok(vec![of.problem(of.point, years)?]),
+            ChanceSubject::Storm(_) => Err(ProbabilityError::NoBody),
         }
     }
 }
@@ -82,21 +86,24 @@ pub(super) fn alone(file: &CaseFile, table: Table, what: &str) -> Result<(), Cas
     Err(file.error(Fault::new(problem.into(), at)))
 }
 
-impl Problem {
+impl ChanceProblem {
     /// The problems of a file with a `[random]` table, to be handed to any method of `standfast_probability` with their
-    /// [laws](Problem::laws): one for each set of loads that act together and each acceleration of the base that is tried; of a `[point]`
+    /// [laws](ChanceProblem::laws): one for each set of loads that act together and each acceleration of the base that is tried; of a `[point]`
     /// the one. Outcomes are numbered by [`Mode::code`](standfast::Mode::code).
     ///
     /// # Errors
     /// If the file has no random numbers, or is of a storm without a body.
-    pub fn of_file(file: &CaseFile) -> Result<Vec<Problem>, ProbabilityError> {
-        Asked::of(file, None)?.problems(None)
+    pub fn of_file(file: &CaseFile) -> Result<Vec<ChanceProblem>, ProbabilityError> {
+        ChanceSubject::of(file, None)?.problems(None)
     }
 }
 
 /// The problems of a case file with a `[random]` table.
-pub(super) fn problems_of(file: &CaseFile, years: Option<f64>) -> Result<Vec<Problem>, ProbabilityError> {
+pub(super) fn problems_of(
+    file: &CaseFile,
+    years: Option<f64>,
+) -> Result<Vec<ChanceProblem>, ProbabilityError> {
     let random = file.random().ok_or(ProbabilityError::NoRandom)?;
     let case = file.case()?;
-    Ok(Problem::of(file, case, random, years)?)
+    Ok(ChanceProblem::of(file, case, random, years)?)
 }
