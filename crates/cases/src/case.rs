@@ -51,7 +51,7 @@ pub(crate) use section::OF_PARTS;
 use crate::criteria::Criterion;
 use crate::error::{Fault, Place, Problem};
 use crate::inputs::{GRAVITY, Inputs};
-use crate::key::{Key, Table};
+use crate::key::{Id, Key, Table};
 use crate::units::Extent;
 
 /// A case: one body and the loads on it.
@@ -298,11 +298,11 @@ impl<T: Scalar> Case<T> {
         let mut situation = self.bare()?;
         for (of, load) in self.loads(acting, earthquake.or_else(|| self.earthquake.clone())) {
             let factor = match acting {
-                Acting::Combination(index) => self.factor(&self.combinations[index], of, &load),
-                Acting::All | Acting::Alone(_) => 1.0,
+                Acting::Combination(index) => self.factor_as_written(index, of, &load),
+                Acting::All | Acting::Alone(_) => T::of(1.0),
             };
-            if factor != 0.0 {
-                situation = situation.with(load.times(T::written(factor)).with_id(of.into()));
+            if factor != T::of(0.0) {
+                situation = situation.with(load.times(factor).with_id(of.into()));
             }
         }
         Ok(situation)
@@ -362,13 +362,28 @@ impl<T: Scalar> Case<T> {
 
     /// Factor of a combination on a load: one that it does not name acts as it is if it is permanent, and else not.
     fn factor(&self, combination: &Combination, of: LoadOrigin, load: &Load<T>) -> f64 {
-        let name = match of {
+        let factor = self.called(of).and_then(|name| combination.factor(name));
+        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
+    }
+
+    /// The same factor of a combination, by its place, with all its decimals.
+    fn factor_as_written(&self, index: usize, of: LoadOrigin, load: &Load<T>) -> T {
+        let combination = &self.combinations[index];
+        let named = |name| combination.factors.iter().position(|(known, _)| known == name);
+        let factor = self.factor(combination, of, load);
+        let id = Id::new(Key::LoadFactors, index);
+        self.called(of)
+            .and_then(named)
+            .map_or_else(|| T::written(factor), |place| self.inputs.element(id, place, factor))
+    }
+
+    /// The name by which a combination calls a load.
+    fn called(&self, of: LoadOrigin) -> Option<&str> {
+        match of {
             LoadOrigin::Table(table) => table.in_combination(),
             LoadOrigin::Pressure(index) => self.pressures[index].name.as_deref(),
             LoadOrigin::Force(index) => self.forces[index].name.as_deref(),
-        };
-        let factor = name.and_then(|name| combination.factor(name));
-        factor.unwrap_or(if load.permanent { 1.0 } else { 0.0 })
+        }
     }
 }
 

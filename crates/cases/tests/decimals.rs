@@ -172,6 +172,65 @@ fn a_round_number_on_overturning_rests_with_a_factor_of_one() {
     assert_eq!(assess(&text("264.869999999999999999999999999")).all[0].outcome.full.mode(), Some(Mode::Rest));
 }
 
+/// What the boundary is that is asked for: a factor that is exactly 1.1 meets 1.1, and not with a last digit more of the force.
+#[test]
+fn criteria_are_met_by_decimals() {
+    let text = |force: &str, elevation: &str, friction: &str| {
+        format!(
+            "[body]\nwidth = 8\nheight = 8\nmass = 150e3\nbuoyant_weight = \"286 kN/m\"\nfriction = {friction}\n[[load]]\n\
+             force = \"{force} kN/m\"\nelevation = {elevation}\n[criteria]\nSF_sliding = 1.1\nSF_overturning = 1.1\nload_factor = 1.1\n"
+        )
+    };
+    // 0.5 · 286/130 = 1.1, and 286 · 4/(130 · 8) = 1.1.
+    for (elevation, friction) in [("1", "0.5"), ("8", "9")] {
+        let met = |force: &str| {
+            let answer = assess(&text(force, elevation, friction));
+            let outcome = &answer.all[0].outcome;
+            let factor = outcome.stability.sliding.min(outcome.stability.overturning());
+            assert_eq!(outcome.departure.load_factor(), factor, "{force}");
+            (factor, answer.checks().iter().all(|check| check.check.met))
+        };
+        assert_eq!(met("130"), (1.1, true));
+        assert!(met("129.99999").1 && !met("130.00001").1);
+    }
+}
+
+/// Digits beyond those of f64 count wherever they stand: in a force, a factor of a combination, a list; and everything that is said of the
+/// body agrees, though f64 cannot tell its numbers from those of the boundary.
+#[test]
+fn long_decimals_count_wherever_they_stand() {
+    let body = "gravity = 10\n[body]\nwidth = 8\nheight = 8\nmass = 100e3\nfriction = 0.5\n";
+    let force =
+        |force: &str| format!("{body}[[load]]\nname = \"T\"\nforce = \"{force} kN/m\"\nelevation = 2\n");
+    let combined = |factor: &str| {
+        format!("{}[[combination]]\nname = \"K\"\nfactors = {{ T = {factor} }}\n", force("500"))
+    };
+    let pressed = |pressure: &str| {
+        format!(
+            "{body}[[pressure]]\nface = \"right\"\nelevation = [0, 5]\npressure = [\"{pressure} kPa\", \"100 kPa\"]\n"
+        )
+    };
+    let tries: [&dyn Fn(&str) -> String; 3] = [&force, &combined, &pressed];
+    for (text, [on, inside, beyond]) in tries.into_iter().zip([
+        ["500", "499.99999999999999999999", "500.00000000000000000001"],
+        ["1", "0.99999999999999999999", "1.00000000000000000001"],
+        ["100", "99.99999999999999999999", "100.00000000000000000001"],
+    ]) {
+        for (number, mode) in [(on, Mode::Rest), (inside, Mode::Rest), (beyond, Mode::SlideLeft)] {
+            let answer = assess(&text(number));
+            let outcome = &answer.all[0].outcome;
+            let moves = mode != Mode::Rest;
+            assert_eq!(outcome.full.mode(), Some(mode), "{}", text(number));
+            assert_eq!(outcome.full.boundary, (number == on).then_some(Boundary::Exact), "{}", text(number));
+            assert_eq!(outcome.stability.sliding < 1.0, moves, "{}", text(number));
+            assert_eq!(outcome.departure.load_factor() < 1.0, moves, "{}", text(number));
+            assert_eq!(outcome.departure.mode(), Some(Mode::SlideLeft));
+            assert_eq!(outcome.margins.sliding < 0.0, moves, "{}", text(number));
+            assert_eq!(outcome.full.motion.unwrap().x_ddot < 0.0, moves, "{}", text(number));
+        }
+    }
+}
+
 /// A row of a table is answered as the case that says the same.
 #[test]
 fn a_table_s_decimals_are_as_exact() {

@@ -58,8 +58,8 @@ impl Value {
 pub struct Inputs {
     /// In the order of their keys.
     values: Vec<(Id, Value)>,
-    /// Numbers with more decimals than an f64 says, as they are written.
-    decimals: Vec<(Id, Ball)>,
+    /// Numbers with more decimals than an f64 says, as they are written, with their places in a list.
+    decimals: Vec<((Id, usize), Ball)>,
     /// Number of tables of each kind, in the order of [`Table::ALL`].
     tables: [usize; Table::ALL.len()],
 }
@@ -84,23 +84,27 @@ impl Inputs {
     /// The number under a key in any arithmetic: the decimal that its f64 stands for, or the longer one that was written.
     pub fn scalar<T: Scalar>(&self, id: impl Into<Id>) -> Option<T> {
         let id = id.into();
-        let written = |x: f64| match self.decimals.iter().find(|(other, _)| *other == id) {
-            Some((_, decimal)) => T::of_decimal(decimal),
-            None => T::written(x),
-        };
         match self.get(id)? {
-            Value::Number(number) => Some(written(*number)),
+            Value::Number(number) => Some(self.element(id, 0, *number)),
             Value::InGravity(share) => {
                 let gravity = self.scalar(Key::Gravity).unwrap_or_else(|| T::written(GRAVITY));
-                Some(written(*share) * gravity)
+                Some(self.element::<T>(id, 0, *share) * gravity)
             }
             _ => None,
         }
     }
 
-    /// Puts the decimal that was written beside its number.
-    pub fn put_decimal(&mut self, id: Id, decimal: Ball) {
-        self.decimals.push((id, decimal));
+    /// The number of which the f64 is `x`, at a place of the list under a key, in any arithmetic.
+    pub fn element<T: Scalar>(&self, id: Id, place: usize, x: f64) -> T {
+        match self.decimals.iter().find(|(of, _)| *of == (id, place)) {
+            Some((_, decimal)) => T::of_decimal(decimal),
+            None => T::written(x),
+        }
+    }
+
+    /// Puts the decimal that was written beside its number, at a place of the list under a key; 0 of one number.
+    pub fn put_decimal(&mut self, id: Id, place: usize, decimal: Ball) {
+        self.decimals.push(((id, place), decimal));
     }
 
     /// The words under a key.
@@ -176,7 +180,7 @@ impl Inputs {
 
     /// Puts a value under a key.
     pub fn put(&mut self, id: Id, value: Value) {
-        self.decimals.retain(|(other, _)| *other != id);
+        self.decimals.retain(|((other, _), _)| *other != id);
         match self.place(id) {
             Ok(place) => self.values[place].1 = value,
             Err(place) => self.values.insert(place, (id, value)),

@@ -300,8 +300,8 @@ impl CaseText {
                 }
                 kind => {
                     self.inputs.put(id, field.value(kind)?);
-                    if let Some(decimal) = field.long_decimal() {
-                        self.inputs.put_decimal(id, decimal);
+                    for (place, decimal) in field.long_decimals() {
+                        self.inputs.put_decimal(id, place, decimal);
                     }
                 }
             }
@@ -567,6 +567,21 @@ impl Field<'_> {
             let written = self.written(self.value);
             self.problem(Problem::Unit { key: self.id.key, dimension: Some(dimension), written, error })
         })
+    }
+
+    /// The decimals of the numbers, by their places in a list, that have more digits than an f64 can say.
+    fn long_decimals(&self) -> Vec<(usize, Ball)> {
+        let values: Vec<&Spanned<DeValue<'_>>> = match self.value.get_ref() {
+            DeValue::Array(list) => list.iter().collect(),
+            DeValue::Table(table) => {
+                let mut entries: Vec<_> = table.iter().collect();
+                entries.sort_by_key(|(name, _)| name.span().start);
+                entries.into_iter().map(|(_, value)| value).collect()
+            }
+            _ => vec![self.value],
+        };
+        let fields = values.into_iter().map(|value| Field { value, ..*self }).enumerate();
+        fields.filter_map(|(place, field)| Some((place, field.long_decimal()?))).collect()
     }
 
     /// The decimal as it is written, in SI units or in g, of a number that has more digits than an f64 can say.

@@ -215,9 +215,10 @@ impl Reader<'_> {
             return Err(Fault::new(problem, id(along)));
         }
         let scale = self.inputs.scalar(id(Key::PressureFactor)).unwrap_or_else(|| T::of(1.0));
-        let points = positions.iter().zip(pressures).map(|(&position, &pressure)| PressureAt {
-            position: T::written(position),
-            pressure: T::written(pressure) * scale.clone(),
+        let points = positions.iter().zip(pressures).enumerate();
+        let points = points.map(|(place, (&position, &pressure))| PressureAt {
+            position: self.inputs.element(id(along), place, position),
+            pressure: self.inputs.element::<T>(id(Key::Pressures), place, pressure) * scale.clone(),
         });
         let diagram = PressureDiagram::new(points.collect()).map_err(|error: InputError| {
             let key = match error.quantity {
