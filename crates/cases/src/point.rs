@@ -9,7 +9,7 @@ use standfast::ground::strength::CrushPoint;
 use standfast::initiation::{Crossing, Step};
 use standfast::loads::Reduced;
 use standfast::relation::Relation;
-use standfast::{InputError, Mode, Modes, Motion, Verdict};
+use standfast::{InputError, Mode, Modes, Motion, Response, Verdict};
 
 use self::crush::{BaseNumbers, Crushing};
 use crate::assess::SCHEMA;
@@ -269,6 +269,18 @@ impl PointDocument {
     /// The answer to a point on a rigid base.
     pub(crate) fn of_rigid(reduced: &Reduced) -> PointDocument {
         PointDocument::of(&PlacedPoint { reduced: *reduced, crushing: None })
+    }
+
+    /// The document of a point with the modes of a response, which is decided by other numbers than those of the point.
+    pub(crate) fn decided(self, response: &Response) -> PointDocument {
+        let verdict = response.verdict.unwrap_or(self.mode);
+        PointDocument {
+            mode: verdict,
+            mode_words: verdict.words(),
+            unique: response.is_unique(),
+            also: response.others(),
+            ..self
+        }
     }
 }
 

@@ -270,3 +270,32 @@ fn what_is_not_rational_is_on_the_boundary_to_its_digits() {
         assert!(answer.all[0].outcome.full.is_unique());
     }
 }
+
+/// At every distance from a boundary that is known to some digits only, all that is said agrees: a body that may rest has a factor of 1
+/// at least, meets it, and leaves rest at its load or beyond.
+#[test]
+fn what_is_known_to_some_digits_is_said_alike_everywhere() {
+    let text = |share: String| {
+        format!(
+            "[body]\nshape = \"cylinder\"\nwidth = 1.2\nheight = 0.6\ndensity = 2720\nfriction = 0.5\n[earthquake]\n\
+             horizontal = \"{share} g\"\nhorizontal_fixed = true\n[criteria]\nSF_sliding = 1\nload_factor = 1\n"
+        )
+    };
+    let mut open = 0;
+    for digit in 0..60 {
+        // 0.5 ± 3e-12 in steps of 1e-13.
+        let answer = assess(&text(decimal(5_000_000_000_000 + digit - 30, 13)));
+        let outcome = &answer.all[0].outcome;
+        let (rests, sliding) = (outcome.full.mode() == Some(Mode::Rest), outcome.stability.sliding);
+        assert_eq!(rests, digit <= 30 || outcome.full.boundary.is_some(), "{digit}");
+        assert_eq!(rests, sliding >= 1.0, "{digit}: {sliding}");
+        assert_eq!(rests, outcome.departure.load_factor() >= 1.0, "{digit}: {:?}", outcome.departure);
+        assert_eq!(rests, outcome.margins.sliding >= 0.0, "{digit}");
+        assert_eq!(rests, answer.checks().iter().all(|check| check.check.met), "{digit}");
+        let modes = outcome.full.modes;
+        let is_open = outcome.full.boundary == Some(Boundary::ToTheDigits);
+        assert_eq!(modes.contains(Mode::Rest) && modes.contains(Mode::SlideLeft), is_open, "{digit}");
+        open += usize::from(is_open);
+    }
+    assert!((1..10).contains(&open), "{open}");
+}

@@ -173,7 +173,7 @@ impl Inputs {
         self.values.iter().any(|(id, _)| (id.table, id.index) == (table, index))
     }
 
-    /// Puts a number (SI) under a key. Whether the key takes such a number is [`Case::of`](crate::Case::of)'s to say.
+    /// Puts a number (SI) under a key. The key need not take such a number: who makes a case of the inputs refuses it.
     pub fn set(&mut self, id: impl Into<Id>, number: f64) {
         self.put(id.into(), Value::Number(number));
     }
