@@ -1,8 +1,9 @@
 //! A drawing under way: what is on the page already, and the labels, leaders and marks that keep off it.
 
+use crate::axes::Axes;
 use crate::labels::{Board, Leader, Lines};
 use crate::palette::{INK, MARK, PAPER};
-use crate::plot::{Arc, Frame, Piece};
+use crate::plot::{Arc, Piece};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{DesignPoint, is_drawable};
@@ -19,8 +20,8 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    pub(crate) fn new(frame: Frame) -> Canvas {
-        Canvas { scene: Scene::default(), board: Board::new(frame), hatched: Vec::new() }
+    pub(crate) fn new(axes: Axes) -> Canvas {
+        Canvas { scene: Scene::default(), board: Board::new(axes), hatched: Vec::new() }
     }
 
     /// Sets a label, if there is a place for it, and keeps others off.
@@ -108,25 +109,25 @@ impl Canvas {
 
     /// Points without names, given as (k, μ), as far as the window shows them.
     pub(crate) fn cloud(&mut self, points: &[(f64, f64)]) {
-        let frame = self.board.frame;
-        let seen = points.iter().filter(|point| is_drawable(point) && frame.shows(point.0, point.1));
-        let places: Vec<_> = seen.map(|&(k, mu)| frame.at(k, mu)).collect();
+        let axes = self.board.axes;
+        let seen = points.iter().filter(|point| is_drawable(point) && axes.shows(point.0, point.1));
+        let places: Vec<_> = seen.map(|&(k, mu)| axes.at(k, mu)).collect();
         self.dots(&places);
     }
 
     /// Design points with their names. What lies outside is pointed at from the nearest place of the edge. Gives the points that carry a
     /// number in place of their name, for want of room.
     pub(crate) fn design_points(&mut self, points: &[DesignPoint]) -> Vec<usize> {
-        let frame = self.board.frame;
+        let axes = self.board.axes;
         let at = |point: &DesignPoint| {
-            let ((x, y), Rect { x0, y0, x1, y1 }) = (frame.at(point.k, point.mu), frame.area.grown(-7.0));
-            if frame.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
+            let ((x, y), Rect { x0, y0, x1, y1 }) = (axes.at(point.k, point.mu), axes.area.grown(-7.0));
+            if axes.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
         };
         for point in points.iter().filter(|point| point.is_drawable()) {
-            if frame.shows(point.k, point.mu) {
+            if axes.shows(point.k, point.mu) {
                 self.diamond(at(point));
             } else {
-                self.pointer(at(point), frame.at(point.k, point.mu));
+                self.pointer(at(point), axes.at(point.k, point.mu));
             }
         }
         let mut numbered = Vec::new();

@@ -6,7 +6,6 @@
 mod bars;
 mod cloud;
 mod lines;
-mod plot;
 mod tornado;
 
 pub use bars::{ChanceBar, ChanceBars, ChanceGroup, chance_bars};
@@ -15,6 +14,7 @@ pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
 pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;
+use crate::axes::{Axis, Look, Tick, room};
 use crate::below::title_and_caption;
 use crate::scene::Scene;
 
@@ -31,6 +31,17 @@ pub struct Chance {
 
 /// Left and right edge of what stands above, beside and below plots.
 const LEFT: f64 = 16.0;
+const LOOK: Look = Look { tick: 0.8, drop: 18.0 };
+
+/// As many ticks as an axis of this length has room for, below a plot.
+fn across_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
+    axis.ticks(room(length, 58.0, 9.0))
+}
+
+/// The same, beside it.
+fn up_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
+    axis.ticks(room(length, 38.0, 8.0))
+}
 
 /// Title and caption below, and the figure. `description` is what a reader is told who does not see it.
 fn finished(

@@ -24,13 +24,13 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
     }
     let height = |k: f64| mu_star.at(k) - ab.at(k);
     let summit = (1..40).map(|i| height(from + (to - from) * f64::from(i) / 40.0)).fold(0.0, f64::max);
-    let frame = board.frame;
-    let in_main = frame.y(0.0) - frame.y(summit);
-    if in_main >= THICK || to > frame.window.k_max {
+    let axes = board.axes;
+    let in_main = axes.y(0.0) - axes.y(summit);
+    if in_main >= THICK || to > axes.view().k_max {
         return;
     }
     let rooms = [Mode::RockO, Mode::SlideRockOPrimeLeft].map(|mode| {
-        diagram.region(mode).map_or(Vec::new(), |region| clip_strips(&region.strips, &frame.window))
+        diagram.region(mode).map_or(Vec::new(), |region| clip_strips(&region.strips, &axes.view()))
     });
     let sizes = [(168.0, 112.0), (150.0, 96.0)].into_iter();
     let place = |size: (f64, f64)| rooms.iter().find_map(|pieces| board.inside(pieces, size.0, size.1));

@@ -10,6 +10,7 @@ mod spectra;
 
 use standfast::Mode;
 
+use crate::axes::{Axes, Axis, Look, NUMBER};
 use crate::below::{modes_key, title_and_caption};
 use crate::caption::SMALL;
 use crate::palette::{INK, symbol, tint};
@@ -176,6 +177,14 @@ fn key(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f
     }
     modes.sort_by_key(|mode| Mode::ALL.iter().position(|known| known == mode));
     modes_key(scene, &modes, edges, top)
+}
+
+/// The time below: numbers and its name; returns the y below.
+fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 {
+    let axes = Axes::over(area, Axis::linear(0.0, picture.end));
+    axes.below(scene, &axes.across.numbers(8.0), Look::PLAIN);
+    axes.name_below(scene, &Text::new(&with_unit("time $t$", picture.time_unit), NUMBER), 34.0);
+    area.y1 + 40.0
 }
 
 /// Title and caption below; returns the y below.

@@ -2,11 +2,10 @@
 
 use standfast::Mode;
 
-use super::plot::{Edge, Plot, up_width};
-use super::{LEFT, finished};
+use super::{LEFT, LOOK, across_ticks, finished, up_ticks};
 use crate::Figure;
+use crate::axes::{Axes, NUMBER, widest};
 use crate::below::modes_key;
-use crate::margins::NUMBER;
 use crate::motion::SpectrumAxis;
 use crate::palette::{FAINT, INK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -59,18 +58,19 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
     let wide = if chart.panels.len() > 1 { BESIDE } else { ALONE };
     let (mut left, mut right, mut bottom) = (LEFT, LEFT, TOP);
     for panel in chart.panels {
-        let (across, up) = (Edge::of(&panel.across), Edge::of(&panel.up));
-        let x0 = left + up_width(&up, DOWN) + 9.0;
+        let (across, up) = (panel.across.axis(), panel.up.axis());
+        let ticks = [across_ticks(&across, wide), up_ticks(&up, DOWN)];
+        let x0 = left + widest(&ticks[1], 20.0) + 9.0;
         let area = Rect { x0, x1: x0 + wide, y0: TOP, y1: TOP + DOWN };
-        let plot = Plot { area, across, up };
-        paint(&mut scene, &plot, &panel.areas);
-        plot.grid(&mut scene);
+        let axes = Axes { area, across, up };
+        paint(&mut scene, &axes, &panel.areas);
+        axes.grid(&mut scene, &ticks);
         for (_, mode) in &order {
             let of_mode = panel.points.iter().zip(chart.modes).filter(|(_, other)| *other == mode);
-            let shown = of_mode.filter(|((x, y), _)| plot.across.shows(*x) && plot.up.shows(*y));
+            let shown = of_mode.filter(|((x, y), _)| axes.across.shows(*x) && axes.up.shows(*y));
             let mut dots = Path::default();
             for ((x, y), _) in shown {
-                let (x, y) = (plot.x(*x), plot.y(*y));
+                let (x, y) = axes.at(*x, *y);
                 dots.move_to(x, y);
                 dots.line_to(x + 0.1, y);
             }
@@ -79,11 +79,11 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
             let inner = mode.map_or(crate::palette::PAPER, tint);
             scene.stroke(&dots, Pen { colour: inner, width: 3.4, dashes: "0 9" });
         }
-        let below = plot.draw(&mut scene);
+        axes.framed(&mut scene, &ticks, LOOK);
         let [name, up_name] = [panel.across.name, panel.up.name].map(|name| Text::inline(name, NUMBER));
         scene.text(&up_name, left, TOP - 14.0, INK);
-        scene.text(&name, (area.x0 + area.x1 - name.width) / 2.0, below + 14.0, INK);
-        (right, bottom) = (area.x1 + 18.0, below + 24.0);
+        axes.name_below(&mut scene, &name, 36.0);
+        (right, bottom) = (area.x1 + 18.0, area.y1 + 46.0);
         left = area.x1 + GAP;
     }
     let has_area =
@@ -104,10 +104,9 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
 }
 
 /// Areas in the colours of their modes, and thin lines where they meet.
-fn paint(scene: &mut Scene, plot: &Plot, areas: &[(Mode, Vec<(f64, f64)>)]) {
+fn paint(scene: &mut Scene, axes: &Axes, areas: &[(Mode, Vec<(f64, f64)>)]) {
     let outline = |corners: &[(f64, f64)]| {
-        let mut path =
-            Path::through(&corners.iter().map(|(x, y)| (plot.x(*x), plot.y(*y))).collect::<Vec<_>>());
+        let mut path = Path::through(&corners.iter().map(|(x, y)| axes.held(*x, *y)).collect::<Vec<_>>());
         path.close();
         path
     };

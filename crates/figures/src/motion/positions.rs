@@ -2,7 +2,7 @@
 
 use super::{MotionOutline, MotionPicture, MotionPose, extent, key, polygon, words_below};
 use crate::Figure;
-use crate::margins::NUMBER;
+use crate::axes::NUMBER;
 use crate::number::significant;
 use crate::palette::{FAINT, INK, symbol, tint};
 use crate::scene::{Pen, Rect, Scene};
