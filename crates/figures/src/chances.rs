@@ -15,7 +15,7 @@ pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;
 use crate::axes::{Axis, Look, Tick, room};
-use crate::below::title_and_caption;
+use crate::below::Words;
 use crate::scene::Scene;
 
 /// A number with its interval.
@@ -45,13 +45,11 @@ fn up_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
 
 /// Title and caption below, and the figure. `description` is what a reader is told who does not see it.
 fn finished(
-    mut scene: Scene,
+    scene: Scene,
     (title, caption): (&str, &str),
     (right, top): (f64, f64),
     description: &str,
 ) -> Figure {
-    let below = title_and_caption(&mut scene, (title, caption), (LEFT, right), top);
-    let size = ((right + 14.0).ceil(), (below + 10.0).ceil());
-    let (svg, labels) = scene.finish(size.0, size.1, title, &format!("{description} {caption}"));
-    Figure { svg, title: title.to_owned(), caption: caption.to_owned(), labels, size }
+    let description = format!("{description} {caption}");
+    Words::verbatim(title, caption).figure(scene, (LEFT, right), top, 14.0, &description)
 }

@@ -8,8 +8,9 @@ use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
 
 use crate::axes::{Axes, Names};
+use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
-use crate::caption::{SIZE, SMALL};
+use crate::caption::SIZE;
 use crate::drawing::Drawing;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
@@ -370,17 +371,12 @@ impl<'a> Draft<'a> {
         margins::above(&mut self.canvas.scene, &axes, std::mem::take(&mut self.above));
 
         let width = (right + 12.0).max(axes.area.x1 + 46.0);
-        let title = caption::title(self.given);
         let mut words = vec![Text::verbatim(self.given.heading, SIZE)];
         words.extend(margins::words(self.given.caption, SIZE));
         let details = caption::details(self.given, &self.legend, &self.numbered);
         let edges = (16.0, width - 16.0);
-        let below = margins::paragraph(&mut self.canvas.scene, &words, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(&mut self.canvas.scene, &details, edges, below + 5.0, SMALL);
-        let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
-        let description = caption::description(self.given, &caption);
-        let size = (width.ceil(), (below + 10.0).ceil());
-        let (svg, labels) = self.canvas.scene.finish(size.0, size.1, &title, &description);
-        Figure { svg, title, caption, labels, size }
+        let words = Words { title: caption::title(self.given), ..Words::new(words, details) };
+        let description = caption::description(self.given, &words.caption);
+        words.figure(self.canvas.scene, edges, bottom + 16.0, 16.0, &description)
     }
 }

@@ -7,8 +7,8 @@ use standfast::region::{Curve, Strip};
 
 use crate::Figure;
 use crate::axes::{Axes, Names, Tick, widest};
+use crate::below::Words;
 use crate::canvas::Canvas;
-use crate::caption::{SIZE, SMALL, shortened};
 use crate::margins::{self, Tab};
 use crate::palette::{FEASIBLE, INK, MARK};
 use crate::plot::{Piece, View, arcs_path, clip, clip_strips, outline};
@@ -171,26 +171,13 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -
     let along =
         if binds.is_empty() { String::new() } else { format!(" Along the boundary: {}.", binds.join(", ")) };
     let caption = format!("{}{along}", set.caption);
-    let words = |text: &str, size: f64| -> Vec<Text> {
-        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
-    };
-    let below = margins::paragraph(
-        &mut canvas.scene,
-        &words(set.title, SIZE),
-        edges,
-        baseline + name.descent + 14.0,
-        SIZE,
-    );
-    let below = margins::paragraph(&mut canvas.scene, &words(&caption, SMALL), edges, below + 5.0, SMALL);
-    let size = (width.ceil(), (below + 10.0).ceil());
     let description = format!(
         "Chart of {}, upwards, over {}, to the right. {caption}",
         axis_name(&set.up).plain,
         axis_name(&set.across).plain
     );
-    let title = set.title.to_owned();
-    let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
-    Figure { svg, title, caption, labels, size }
+    let words = Words { gap: 5.0, ..Words::verbatim(set.title, &caption) };
+    words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
 }
 
 /// Ticks and numbers beside the axis upwards, down to its origin.

@@ -13,6 +13,7 @@ use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
 use crate::axes::{Axes, Names};
+use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{self, SIZE, SMALL, Said, pair};
 use crate::chart::{LETTER, PLOT, TOP};
@@ -303,15 +304,9 @@ impl Draft {
         let view = axes.view();
         let said = |point: &DesignPoint| plane.said(point);
         details.extend(caption::of_points(content.points, content.cloud, &view, numbered, said));
-        let scene = &mut self.canvas.scene;
-        let below = margins::paragraph(scene, &heading, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(scene, &details, edges, below + 5.0, SMALL);
-        let [title, caption] = [&heading, &details]
-            .map(|words| words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" "));
-        let description = self.description(&caption);
-        let size = (width.ceil(), (below + 10.0).ceil());
-        let (svg, labels) = self.canvas.scene.finish(size.0, size.1, &title, &description);
-        Figure { svg, title, caption, labels, size }
+        let words = Words::new(heading, details);
+        let description = self.description(&words.caption);
+        words.figure(self.canvas.scene, edges, bottom + 16.0, 16.0, &description)
     }
 
     /// What is to be known of the whole plane, in markup.

@@ -10,8 +10,9 @@ mod spectra;
 
 use standfast::Mode;
 
+use crate::Figure;
 use crate::axes::{Axes, Axis, Look, NUMBER};
-use crate::below::{modes_key, title_and_caption};
+use crate::below::{Words, modes_key};
 use crate::caption::SMALL;
 use crate::palette::{INK, symbol, tint};
 use crate::scene::{Path, Rect, Scene};
@@ -187,9 +188,20 @@ fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 
     area.y1 + 40.0
 }
 
-/// Title and caption below; returns the y below.
-fn words_below(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
-    title_and_caption(scene, (picture.title, picture.caption), edges, top)
+/// The figure of a `kind`, with title and caption from `top` on and so much of the page `beyond` the right edge.
+fn finished(
+    scene: Scene,
+    picture: &MotionPicture<'_>,
+    kind: &str,
+    edges: (f64, f64),
+    top: f64,
+    beyond: f64,
+    description: &str,
+) -> Figure {
+    let title = format!("{}: {kind}", picture.title);
+    let description = format!("{description} {}", picture.caption);
+    let words = Words { title, ..Words::verbatim(picture.title, picture.caption) };
+    words.figure(scene, edges, top, beyond, &description)
 }
 
 /// A name with its unit in brackets, in markup.

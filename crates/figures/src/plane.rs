@@ -11,8 +11,9 @@ use standfast::region::{Curve, Region, Strip};
 use standfast::{Stage, Verdict};
 
 use crate::axes::{Axes, NUMBER, Names};
+use crate::below::{Words, verbatim};
 use crate::canvas::Canvas;
-use crate::caption::{SIZE, SMALL, also, shortened};
+use crate::caption::{SIZE, SMALL, also};
 use crate::labels::Lines;
 use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
@@ -137,22 +138,11 @@ fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
     let width = (right.unwrap_or(axes.area.x1) + 12.0).max(axes.area.x1 + 46.0);
     let edges = (16.0, width - 16.0);
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
-    let words: Vec<Text> =
-        heading.split_whitespace().map(|word| Text::verbatim(&shortened(word), SIZE)).collect();
     let behind = if given.rigid.is_empty() { "" } else { " Grey: on rigid ground." };
     let details = margins::words(&(path.caption() + behind), SMALL);
-    let title = joined(&words);
-    let caption = joined(&details);
-    let below = margins::paragraph(&mut canvas.scene, &words, edges, baseline + name.descent + 14.0, SIZE);
-    let below = margins::paragraph(&mut canvas.scene, &details, edges, below + 5.0, SMALL);
-    let size = (width.ceil(), (below + 10.0).ceil());
-    let description = description(&window, &areas, &caption);
-    let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
-    Figure { svg, title, caption, labels, size }
-}
-
-fn joined(words: &[Text]) -> String {
-    words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ")
+    let words = Words::new(verbatim(heading, SIZE), details);
+    let description = description(&window, &areas, &words.caption);
+    words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
 }
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region

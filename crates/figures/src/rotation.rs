@@ -7,6 +7,7 @@ use standfast::InputError;
 use standfast::ground::elastic::{ContactState, ElasticBase, LargestMoment};
 
 use crate::axes::{Axes, Names};
+use crate::below::{Words, verbatim};
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{SIZE, SMALL};
 use crate::ground::arcs;
@@ -131,27 +132,22 @@ impl Draft<'_> {
             canvas = Some(own);
             left = area.x1 + GAP;
         }
-        let mut canvas = canvas.expect("there is a plot");
+        let canvas = canvas.expect("there is a plot");
         let width = left - GAP + 84.0;
         let edges = (16.0, width - 16.0);
         let title = match self.given.title {
             "" => "Moment and rotation of the elastic base".to_owned(),
             title => format!("Moment and rotation of the elastic base: {title}"),
         };
-        let heading: Vec<_> = title
-            .split_whitespace()
-            .map(|word| Text::verbatim(&crate::caption::shortened(word), SIZE))
-            .collect();
-        let details = margins::words(&self.caption()?, SMALL);
-        let below = margins::paragraph(&mut canvas.scene, &heading, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(&mut canvas.scene, &details, edges, below + 5.0, SMALL);
-        let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
-        let size = (width.ceil(), (below + 10.0).ceil());
+        let words = Words {
+            title: title.clone(),
+            ..Words::new(verbatim(&title, SIZE), margins::words(&self.caption()?, SMALL))
+        };
         let description = format!(
-            "Chart of the moment about the middle of the base in P B, upwards, over the rotation in mrad, to the right. {caption}"
+            "Chart of the moment about the middle of the base in P B, upwards, over the rotation in mrad, to the right. {}",
+            words.caption
         );
-        let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
-        Ok(Figure { svg, title, caption, labels, size })
+        Ok(words.figure(canvas.scene, edges, bottom + 16.0, 16.0, &description))
     }
 
     /// One plot; gives the y below it.

@@ -5,6 +5,7 @@ use standfast::Mode;
 use super::{Chance, LEFT, LOOK, across_ticks, finished, up_ticks};
 use crate::Figure;
 use crate::axes::{Axes, NUMBER, widest};
+use crate::below::Key;
 use crate::caption::SMALL;
 use crate::labels::spread;
 use crate::motion::SpectrumAxis;
@@ -158,12 +159,10 @@ fn marks(scene: &mut Scene, axes: &Axes, marks: &[ChanceMark<'_>]) {
 
 /// The key: a stretch of each line with its name; returns the y below.
 fn swatches(scene: &mut Scene, lines: &[ChanceLine<'_>], edges: (f64, f64), top: f64) -> f64 {
-    let (mut x, mut y) = (edges.0, top);
+    let mut key = Key::new(edges, top);
     for line in lines {
         let words = Text::inline(line.name, SMALL);
-        if x > edges.0 && x + 30.0 + words.width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
+        let (x, y) = key.entry(30.0 + words.width, 18.0);
         let has_band =
             line.look == LineLook::Answer && line.points.iter().any(|(_, p)| p.high - p.low > 1e-6 * p.high);
         if has_band {
@@ -173,7 +172,6 @@ fn swatches(scene: &mut Scene, lines: &[ChanceLine<'_>], edges: (f64, f64), top:
             scene.line((x, y + 6.5), (x + 24.0, y + 6.5), pen);
         }
         scene.text(&words, x + 30.0, y + 10.5, INK);
-        x += 30.0 + words.width + 18.0;
     }
-    if lines.is_empty() { y } else { y + 17.0 }
+    key.below()
 }

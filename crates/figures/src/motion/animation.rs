@@ -5,9 +5,7 @@ use std::fmt::Write;
 
 use standfast::Mode;
 
-use super::{
-    MotionPicture, MotionPose, band, extent, key, polygon, positions::ground, time_axis, words_below,
-};
+use super::{MotionPicture, MotionPose, band, extent, finished, key, polygon, positions::ground, time_axis};
 use crate::Figure;
 use crate::palette::{FAINT, INK, MARK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -40,14 +38,8 @@ pub fn motion_animation(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     let below = time(&mut scene, picture, strip, &clock);
     let edges = (LEFT, LEFT + WIDTH);
     let below = key(&mut scene, picture, edges, below + 10.0);
-    let below = words_below(&mut scene, picture, edges, below + 8.0);
-    let (width, height) = (WIDTH + 2.0 * LEFT, below + 10.0);
-    let description =
-        format!("The motion, one second for each unit of time, relative to the base. {}", picture.caption);
-    let title = format!("{}: the motion", picture.title);
-    let (svg, labels) = scene.finish(width, height, &title, &description);
-    let size = (width.ceil(), height.ceil());
-    Figure { svg, title, caption: picture.caption.to_owned(), labels, size }
+    let description = "The motion, one second for each unit of time, relative to the base.";
+    finished(scene, picture, "the motion", edges, below + 8.0, LEFT, description)
 }
 
 /// Clock that turns moments into shares of the time from one beginning to the next.

@@ -2,10 +2,10 @@
 
 use crate::Figure;
 use crate::axes::{Axes, Axis, Look, NUMBER, Tick, widest};
-use crate::below::title_and_caption;
+use crate::below::{Key, Words};
 use crate::caption::SMALL;
 use crate::number::significant;
-use crate::palette::{FAINT, INK, MARK, PUSH};
+use crate::palette::{INK, MARK, PUSH};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -95,23 +95,13 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
         }
     }
     let below = plot.draw(&mut scene);
-    let edges = plot.edges();
-    let (mut x, mut y) = (edges.0, below + 10.0);
+    let mut key = Key::new(plot.edges(), below + 10.0);
     for (i, (colour, words)) in map.classes.iter().enumerate() {
-        if !map.cells.contains(&i) {
-            continue;
+        if map.cells.contains(&i) {
+            key.patch(&mut scene, colour, &[Text::inline(words, SMALL)]);
         }
-        let words = Text::inline(words, SMALL);
-        if x > edges.0 && x + 16.0 + words.width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
-        let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
-        scene.fill(&Path::rectangle(&patch), colour);
-        scene.stroke(&Path::rectangle(&patch), Pen::solid(FAINT, 0.5));
-        scene.text(&words, x + 16.0, y + 10.5, INK);
-        x += 16.0 + words.width + 16.0;
     }
-    finished(scene, map.title, map.caption, [&map.across, &map.up], edges, y + 24.0)
+    plot.figure(scene, (map.title, map.caption), key.y + 24.0)
 }
 
 /// Lines over a quantity.
@@ -158,29 +148,24 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         scene.stroke(&path, pen);
     }
     let below = plot.draw(&mut scene);
-    let edges = plot.edges();
-    let (mut x, mut y) = (edges.0, below + 10.0);
-    let swatch =
-        |scene: &mut Scene, x: &mut f64, y: &mut f64, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
-            let words = Text::inline(words, SMALL);
-            if *x > edges.0 && *x + 28.0 + words.width > edges.1 {
-                (*x, *y) = (edges.0, *y + 17.0);
-            }
-            draw(scene, *x, *y);
-            scene.text(&words, *x + 28.0, *y + 10.5, INK);
-            *x += 28.0 + words.width + 16.0;
-        };
+    let mut key = Key::new(plot.edges(), below + 10.0);
+    let mut swatch = |scene: &mut Scene, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
+        let words = Text::inline(words, SMALL);
+        let (x, y) = key.entry(28.0 + words.width, 16.0);
+        draw(scene, x, y);
+        scene.text(&words, x + 28.0, y + 10.5, INK);
+    };
     for ((words, _), pen) in chart.lines.iter().zip(LINES) {
         let line = |scene: &mut Scene, x: f64, y: f64| scene.line((x, y + 6.0), (x + 24.0, y + 6.0), pen);
-        swatch(&mut scene, &mut x, &mut y, words, &line);
+        swatch(&mut scene, words, &line);
     }
     if !chart.shaded.0.is_empty() {
         let patch = |scene: &mut Scene, x: f64, y: f64| {
             scene.fill(&Path::rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), SHADED);
         };
-        swatch(&mut scene, &mut x, &mut y, chart.shaded.1, &patch);
+        swatch(&mut scene, chart.shaded.1, &patch);
     }
-    finished(scene, chart.title, chart.caption, [&chart.across, &chart.up], edges, y + 24.0)
+    plot.figure(scene, (chart.title, chart.caption), key.y + 24.0)
 }
 
 /// The plot on the page.
@@ -220,20 +205,11 @@ impl<'a> Plot<'a> {
         self.axes.name_below(scene, &across, 35.0);
         self.axes.area.y1 + 42.0
     }
-}
 
-fn finished(
-    mut scene: Scene,
-    title: &str,
-    caption: &str,
-    axes: [&SpectrumAxis<'_>; 2],
-    edges: (f64, f64),
-    top: f64,
-) -> Figure {
-    let below = title_and_caption(&mut scene, (title, caption), edges, top);
-    let size = ((edges.1 + 12.0).ceil(), (below + 10.0).ceil());
-    let [across, up] = axes.map(|axis| Text::inline(axis.name, NUMBER).plain);
-    let description = format!("Chart of {up}, upwards, over {across}, to the right. {caption}");
-    let (svg, labels) = scene.finish(size.0, size.1, title, &description);
-    Figure { svg, title: title.to_owned(), caption: caption.to_owned(), labels, size }
+    /// The figure with its words from `top` on.
+    fn figure(&self, scene: Scene, (title, caption): (&str, &str), top: f64) -> Figure {
+        let [across, up] = self.names().map(|name| name.plain);
+        let description = format!("Chart of {up}, upwards, over {across}, to the right. {caption}");
+        Words::verbatim(title, caption).figure(scene, self.edges(), top, 12.0, &description)
+    }
 }
