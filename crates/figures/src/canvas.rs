@@ -1,9 +1,10 @@
 //! A drawing under way: what is on the page already, and the labels, leaders and marks that keep off it.
 
 use crate::axes::Axes;
+use crate::ground::arcs;
 use crate::labels::{Board, Leader, Lines};
 use crate::palette::{INK, MARK, PAPER};
-use crate::plot::{Arc, Piece};
+use crate::plot::{Arc, Piece, arcs_path};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{DesignPoint, is_drawable};
@@ -74,6 +75,43 @@ impl Canvas {
     /// Clears the paper behind a label on hatching.
     fn patch(&mut self, rect: &Rect, margin: f64, colour: &str) {
         self.scene.fill(&Path::rectangle(&rect.grown(margin)), colour);
+    }
+
+    /// Draws parts of curves, and keeps labels off them.
+    pub(crate) fn arcs(&mut self, arcs: Vec<Arc>, pen: Pen) {
+        self.scene.stroke(&arcs_path(&self.board.axes, &arcs), pen);
+        self.board.arcs.extend(arcs);
+    }
+
+    /// Draws upright lines at values between two others, and keeps labels off them.
+    pub(crate) fn verticals(&mut self, lines: impl Iterator<Item = (f64, f64, f64)>, pen: Pen) {
+        let axes = self.board.axes;
+        let mut path = Path::default();
+        for (at, low, high) in lines {
+            let (x, top, bottom) = (axes.x(at), axes.y(high), axes.y(low));
+            path.move_to(x, top);
+            path.line_to(x, bottom);
+            self.board.verticals.push((x, top, bottom));
+        }
+        self.scene.stroke(&path, pen);
+    }
+
+    /// Draws a line through values, and keeps labels off it.
+    pub(crate) fn line(&mut self, points: &[(f64, f64)], pen: Pen) {
+        let axes = self.board.axes;
+        let places: Vec<_> = points.iter().map(|&(across, up)| axes.at(across, up)).collect();
+        self.scene.stroke(&Path::through(&places), pen);
+        let upright = places.windows(2).filter(|pair| (pair[1].0 - pair[0].0).abs() < 1e-6);
+        self.board
+            .verticals
+            .extend(upright.map(|pair| (pair[0].0, pair[0].1.min(pair[1].1), pair[0].1.max(pair[1].1))));
+        self.board.arcs.extend(arcs(points));
+    }
+
+    /// A dot that labels keep off, itself and the room about it.
+    pub(crate) fn dot(&mut self, at: (f64, f64), radius: f64, room: f64) {
+        self.scene.dot(at, radius, INK, None);
+        self.board.reserve(Rect::around(at.0, at.1, room, room));
     }
 
     /// A design point.

@@ -14,7 +14,7 @@ use crate::caption::SIZE;
 use crate::drawing::Drawing;
 use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
-use crate::plot::{Arc, Piece, View, arcs_path, clip, clip_strips, hatch, level, outline};
+use crate::plot::{Arc, Piece, View, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
@@ -209,9 +209,7 @@ impl<'a> Draft<'a> {
                 }
                 continue;
             }
-            let arcs = self.given.stretch(trace);
-            self.canvas.scene.stroke(&arcs_path(&axes, &arcs), pen);
-            self.canvas.board.arcs.extend(arcs);
+            self.canvas.arcs(self.given.stretch(trace), pen);
         }
     }
 
@@ -232,9 +230,7 @@ impl<'a> Draft<'a> {
         let axes = self.canvas.board.axes;
         let shown: Vec<_> = self.given.named().filter(|point| axes.shows(point.k, point.mu)).collect();
         for point in &shown {
-            let (x, y) = axes.at(point.k, point.mu);
-            self.canvas.scene.dot((x, y), 2.6, INK, None);
-            self.canvas.board.reserve(Rect::around(x, y, 6.5, 6.5));
+            self.canvas.dot(axes.at(point.k, point.mu), 2.6, 6.5);
         }
         for point in &shown {
             let text = Text::new(&letter_markup(point.name), LETTER);

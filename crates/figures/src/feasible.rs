@@ -9,10 +9,11 @@ use crate::Figure;
 use crate::axes::{Axes, Names, Tick, widest};
 use crate::below::Words;
 use crate::canvas::Canvas;
+use crate::ground::shape::through;
 use crate::margins::{self, Tab};
 use crate::palette::{FEASIBLE, INK, MARK};
-use crate::plot::{Piece, View, arcs_path, clip, clip_strips, outline};
-use crate::scene::{Path, Pen, Rect};
+use crate::plot::{Piece, View, clip, clip_strips, outline};
+use crate::scene::{Pen, Rect};
 use crate::text::Text;
 
 const PLOT: (f64, f64) = (430.0, 320.0);
@@ -236,8 +237,8 @@ impl FeasibleSet<'_> {
             let (from, to) = (left.at, right.at);
             if left.stretches.len() == right.stretches.len() {
                 let joined = left.stretches.iter().zip(&right.stretches).map(|(one, other)| {
-                    let lower = line((from, one.from.value), (to, other.from.value));
-                    let upper = line((from, one.to.value), (to, other.to.value));
+                    let lower = through((from, one.from.value), (to, other.from.value));
+                    let upper = through((from, one.to.value), (to, other.to.value));
                     Strip { from, to, lower, upper: Some(upper) }
                 });
                 strips.extend(joined.enumerate());
@@ -317,34 +318,17 @@ impl FeasibleSet<'_> {
     }
 }
 
-/// The line through two points.
-fn line((x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Curve {
-    let slope = (y1 - y0) / (x1 - x0);
-    Curve::Line { slope, intercept: y0 - slope * x0 }
-}
-
 /// Draws the boundary and keeps labels off it; a dot where something else begins to bind.
 fn boundary(canvas: &mut Canvas, runs: &[Run], steps: &[Step]) {
     let axes = canvas.board.axes;
     let mut starts: Vec<(f64, f64)> = Vec::new();
     for run in runs {
-        let arcs: Vec<_> = run
-            .points
-            .windows(2)
-            .flat_map(|pair| clip(line(pair[0], pair[1]), pair[0].0, pair[1].0, &axes.view()))
-            .collect();
-        canvas.scene.stroke(&arcs_path(&axes, &arcs), BOUNDARY);
-        canvas.board.arcs.extend(arcs);
+        let lines = run.points.windows(2).map(|pair| (through(pair[0], pair[1]), pair[0].0, pair[1].0));
+        let arcs = lines.flat_map(|(line, from, to)| clip(line, from, to, &axes.view())).collect();
+        canvas.arcs(arcs, BOUNDARY);
         starts.extend(run.points.first());
     }
-    let mut path = Path::default();
-    for Step { at, from, to, .. } in steps {
-        let (x, top, bottom) = (axes.x(*at), axes.y(*to), axes.y(*from));
-        path.move_to(x, top);
-        path.line_to(x, bottom);
-        canvas.board.verticals.push((x, top, bottom));
-    }
-    canvas.scene.stroke(&path, BOUNDARY);
+    canvas.verticals(steps.iter().map(|step| (step.at, step.from, step.to)), BOUNDARY);
     let ends: Vec<_> = runs.iter().filter_map(|run| run.points.last()).collect();
     for start in starts.into_iter().filter(|start| ends.contains(&start)) {
         canvas.scene.dot(axes.at(start.0, start.1), 2.4, INK, None);

@@ -22,7 +22,7 @@ use crate::number::digits;
 use crate::outlines::{OutlinedLine, Outlines, polygons};
 use crate::palette::{BEHIND, FAINT, INK, verdict_symbol, verdict_tint};
 use crate::plot::{Arc, Piece, View, clip_strips, hatch, outline};
-use crate::scene::{Path, Pen, Rect};
+use crate::scene::Pen;
 use crate::text::Text;
 use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
 
@@ -182,31 +182,17 @@ impl Draft {
         }
         self.hatching(plane, content);
         for part in plane.rigid_lines(self.window) {
-            self.line(&part, RIGID);
+            self.canvas.line(&part, RIGID);
         }
         for line in std::mem::take(&mut self.shape.lines) {
             for part in &line.parts {
-                self.line(part, if line.dashed { DASHED } else { BOUNDARY });
+                self.canvas.line(part, if line.dashed { DASHED } else { BOUNDARY });
             }
             self.shape.lines.push(line);
         }
         axes.arrows(&mut self.canvas.scene, &Names::NUMBERED);
         let numbered = self.marks(content);
         self.finish(plane, content, &numbered)
-    }
-
-    /// Draws a line and keeps labels off it.
-    fn line(&mut self, part: &[(f64, f64)], pen: Pen) {
-        let axes = self.canvas.board.axes;
-        let places: Vec<_> = part.iter().map(|&(k, mu)| axes.at(k, mu)).collect();
-        self.canvas.scene.stroke(&Path::through(&places), pen);
-        for pair in part.windows(2) {
-            let [(x0, y0), (x1, y1)] = [pair[0], pair[1]].map(|(k, mu)| axes.at(k, mu));
-            if (x1 - x0).abs() < 1e-6 {
-                self.canvas.board.verticals.push((x0, y0.min(y1), y0.max(y1)));
-            }
-        }
-        self.canvas.board.arcs.extend(arcs(part));
     }
 
     /// Hatches where several modes are consistent, if a point lies there.
@@ -235,9 +221,7 @@ impl Draft {
         let axes = self.canvas.board.axes;
         self.canvas.cloud(content.cloud);
         for point in &self.shape.points {
-            let (x, y) = axes.at(point.k, point.mu);
-            self.canvas.scene.dot((x, y), 2.6, INK, None);
-            self.canvas.board.reserve(Rect::around(x, y, 6.5, 6.5));
+            self.canvas.dot(axes.at(point.k, point.mu), 2.6, 6.5);
         }
         for point in &self.shape.points {
             self.canvas.letter(&Text::new(&point.markup, LETTER), axes.at(point.k, point.mu));
@@ -316,21 +300,9 @@ impl Draft {
     }
 
     fn description(&self, caption: &str) -> String {
-        let plain = |markup: &str| Text::inline(markup, SMALL).plain;
-        let shaded = self.areas.iter().map(|(verdict, _)| {
-            format!(
-                "{}, where the body {}",
-                plain(verdict_symbol(*verdict)),
-                verdict.words().replace('\'', "′")
-            )
-        });
-        format!(
-            "Chart of the friction coefficient μ, upwards from 0 to {}, over the force k, to the right from 0 to {}. \
-             Shaded: {}. {caption}",
-            plain(&format!("${}$", digits(self.window.mu))),
-            plain(&format!("${}$", digits(self.window.k))),
-            shaded.collect::<Vec<_>>().join("; ")
-        )
+        let shaded =
+            self.areas.iter().map(|(verdict, _)| caption::region(verdict_symbol(*verdict), verdict.words()));
+        format!("{} {caption}", caption::chart("the force k", &self.canvas.board.axes.view(), shaded))
     }
 }
 

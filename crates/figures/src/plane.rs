@@ -19,10 +19,10 @@ use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::outlines::Polyline;
 use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol, verdict_tint};
-use crate::plot::{Arc, Piece, View, arcs_path, clip_strips, level, outline};
-use crate::scene::{Path, Pen, Rect, Scene};
+use crate::plot::{Arc, Piece, View, clip_strips, level, outline};
+use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
-use crate::{Figure, LoadPlane};
+use crate::{Figure, LoadPlane, caption};
 
 const PLOT: (f64, f64) = (430.0, 310.0);
 const TOP: f64 = 42.0;
@@ -128,7 +128,7 @@ fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
 
     let name = Text::new("load factor $λ$", 13.5);
     let baseline = below + 8.0 + name.ascent;
-    canvas.scene.text(&name, (axes.area.x0 + axes.area.x1 - name.width) / 2.0, baseline, INK);
+    axes.name_below(&mut canvas.scene, &name, baseline - axes.area.y1);
     let right = path.friction.map(|mu| {
         let text = Text::new(&format!("$μ = {}$", digits(mu)), NUMBER);
         Tab { at: axes.y(mu), text }
@@ -194,18 +194,10 @@ fn areas(regions: &[Shaded], window: &View) -> Vec<Area> {
 
 /// Draws lines between different verdicts, and keeps labels off them.
 fn boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area], pen: Pen) {
-    let axes = canvas.board.axes;
-    let arcs = edges(areas, &axes.view());
-    canvas.scene.stroke(&arcs_path(&axes, &arcs), pen);
-    canvas.board.arcs.extend(arcs);
-    let mut path = Path::default();
-    for side in sides(regions, areas, &axes.view()) {
-        let (x, top, bottom) = (axes.x(side.at), axes.y(side.high), axes.y(side.low));
-        path.move_to(x, top);
-        path.line_to(x, bottom);
-        canvas.board.verticals.push((x, top, bottom));
-    }
-    canvas.scene.stroke(&path, pen);
+    let window = canvas.board.axes.view();
+    canvas.arcs(edges(areas, &window), pen);
+    let sides = sides(regions, areas, &window).into_iter();
+    canvas.verticals(sides.map(|side| (side.at, side.low, side.high)), pen);
 }
 
 /// The lower and upper edges of all areas, each once, as long as they run on.
@@ -414,21 +406,14 @@ fn reach(axes: &Axes, at: f64, pair: &[Stage]) -> f64 {
 
 /// The figure in words.
 fn description(window: &View, areas: &[Area], caption: &str) -> String {
-    let plain = |markup: &str| Text::inline(markup, SMALL).plain;
     let mut verdicts: Vec<Verdict> = areas.iter().map(|area| area.verdict).collect();
     verdicts.sort_by_key(|verdict| verdict.code());
     verdicts.dedup();
-    let shaded = verdicts.iter().map(|verdict| {
-        let words = verdict.words().replace('\'', "′");
-        format!("{}, where the body {words}", plain(verdict_symbol(*verdict)))
-    });
+    let shaded = verdicts.iter().map(|verdict| caption::region(verdict_symbol(*verdict), verdict.words()));
     format!(
-        "Chart of the friction coefficient μ, upwards from 0 to {}, over the load factor λ, to the right from 0 to {}. \
-         Shaded: {}. The load path is a line at the body's friction with a tick at every change; a diamond marks the \
-         full load. {caption}",
-        plain(&format!("${}$", digits(window.mu_max))),
-        plain(&format!("${}$", digits(window.k_max))),
-        shaded.collect::<Vec<_>>().join("; ")
+        "{} The load path is a line at the body's friction with a tick at every change; a diamond marks the full load. \
+         {caption}",
+        caption::chart("the load factor λ", window, shaded)
     )
 }
 

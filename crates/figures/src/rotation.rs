@@ -10,12 +10,11 @@ use crate::axes::{Axes, Names};
 use crate::below::{Words, verbatim};
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{SIZE, SMALL};
-use crate::ground::arcs;
 use crate::margins;
 use crate::number::digits;
 use crate::palette::{BEHIND, FAINT, INK, MARK};
 use crate::plot::View;
-use crate::scene::{Path, Pen, Rect};
+use crate::scene::{Pen, Rect};
 use crate::text::Text;
 use crate::{DesignPoint, Figure};
 
@@ -156,17 +155,17 @@ impl Draft<'_> {
         let base = &self.given.base;
         for limit in self.limits() {
             let ends = [(0.0, limit), (axes.view().k_max, limit)];
-            line(canvas, &ends, LIMIT);
+            canvas.line(&ends, LIMIT);
         }
         let points: Vec<_> =
             base.curve(panel.to)?.iter().map(|[turn, m]| (1e3 * turn, self.share(*m))).collect();
-        line(canvas, &points, CURVE);
+        canvas.line(&points, CURVE);
         let lean = base.p() * self.given.height / 1e3 / (base.p() * base.half_width());
         if self.stands() {
             let left: Vec<_> = points.iter().map(|(turn, m)| (*turn, m - lean * turn)).collect();
             // Below zero it stands no more.
             let left: Vec<_> = left.into_iter().take_while(|(_, m)| *m >= 0.0).collect();
-            line(canvas, &left, LEFT_FOR_LOAD);
+            canvas.line(&left, LEFT_FOR_LOAD);
         }
         axes.arrows(&mut canvas.scene, &NAMES);
         let heading = Text::new(panel.heading, SMALL);
@@ -187,21 +186,19 @@ impl Draft<'_> {
         let base = &self.given.base;
         for turn in self.joints.iter().filter(|turn| **turn <= panel.to) {
             let at = axes.at(1e3 * turn, self.share(base.moment(*turn)?));
-            canvas.scene.dot(at, 2.6, INK, None);
-            canvas.board.reserve(Rect::around(at.0, at.1, 6.5, 6.5));
+            canvas.dot(at, 2.6, 6.5);
         }
         if self.stands() && self.largest.rotation <= panel.to {
             let (turn, m) = (1e3 * self.largest.rotation, self.share(self.largest.moment));
             let at = axes.at(turn, m);
-            canvas.scene.dot(at, 3.2, INK, None);
-            canvas.board.reserve(Rect::around(at.0, at.1, 7.5, 7.5));
+            canvas.dot(at, 3.2, 7.5);
             canvas.letter(&Text::new("largest", FORMULA), at);
         }
         // The moment of the full load, from its axis to where the base bears it.
         let share = self.share(self.given.moment);
         let to = self.design.map_or(axes.view().k_max, |turn| (1e3 * turn).min(axes.view().k_max));
         if share < axes.view().mu_max {
-            line(canvas, &[(0.0, share), (to, share)], FULL_LOAD);
+            canvas.line(&[(0.0, share), (to, share)], FULL_LOAD);
         }
         let beyond = 2.0 * axes.view().k_max;
         let turn = self.design.map_or(beyond, |turn| 1e3 * turn);
@@ -284,14 +281,6 @@ impl Draft<'_> {
         });
         Ok(parts.join(". ") + ".")
     }
-}
-
-/// Draws a line, and keeps labels off it.
-fn line(canvas: &mut Canvas, points: &[(f64, f64)], pen: Pen) {
-    let axes = canvas.board.axes;
-    let places: Vec<_> = points.iter().map(|&(k, mu)| axes.at(k, mu)).collect();
-    canvas.scene.stroke(&Path::through(&places), pen);
-    canvas.board.arcs.extend(arcs(points));
 }
 
 fn words(state: ContactState) -> &'static str {
