@@ -201,7 +201,7 @@ impl<'a> Draft<'a> {
                 Style::Dotted => Pen { colour: INK, width: 1.5, dashes: "0 3.6" },
             };
             if let Some((k, from)) = trace.line.vertical(self.given.diagram.chart()) {
-                let from = from.max(axes.view().mu_min);
+                let from = from.max(axes.up.from);
                 if axes.shows(k, from) {
                     let (x, y) = axes.at(k, from);
                     self.canvas.scene.line((x, y), (x, axes.area.y0), pen);
@@ -264,7 +264,7 @@ impl<'a> Draft<'a> {
     fn exit(&self, line: Line) -> Option<(f64, f64)> {
         let axes = self.canvas.board.axes;
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
-            return axes.shows(k, from.max(axes.view().mu_min)).then(|| (axes.x(k), axes.area.y0));
+            return axes.shows(k, from.max(axes.up.from)).then(|| (axes.x(k), axes.area.y0));
         }
         let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
         let arc = traces.flat_map(|trace| self.given.stretch(trace)).max_by(|a, b| a.to.total_cmp(&b.to))?;
@@ -342,7 +342,7 @@ impl<'a> Draft<'a> {
         let chart = self.given.diagram.chart();
         let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
             let k = chart.point(name)?.k;
-            (axes.view().k_min..=axes.view().k_max).contains(&k).then(|| (axes.x(k), k_markup(name, chart)))
+            (axes.across.from..=axes.across.to).contains(&k).then(|| (axes.x(k), k_markup(name, chart)))
         });
         let marks: Vec<_> = marks.collect();
         let tabs = |full: bool| {

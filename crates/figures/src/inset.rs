@@ -26,7 +26,7 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
     let summit = (1..40).map(|i| height(from + (to - from) * f64::from(i) / 40.0)).fold(0.0, f64::max);
     let axes = board.axes;
     let in_main = axes.y(0.0) - axes.y(summit);
-    if in_main >= THICK || to > axes.view().k_max {
+    if in_main >= THICK || to > axes.across.to {
         return;
     }
     let rooms = [Mode::RockO, Mode::SlideRockOPrimeLeft].map(|mode| {

@@ -168,18 +168,6 @@ fn polygon(places: &[(f64, f64)]) -> Path {
     path
 }
 
-/// The colours that occur with their symbols and words, in rows between two edges; returns the y below.
-fn key(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
-    let mut modes: Vec<Mode> = Vec::new();
-    for (_, mode) in picture.states {
-        if !modes.contains(mode) {
-            modes.push(*mode);
-        }
-    }
-    modes.sort_by_key(|mode| Mode::ALL.iter().position(|known| known == mode));
-    modes_key(scene, &modes, edges, top)
-}
-
 /// The time below: numbers and its name; returns the y below.
 fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 {
     let axes = Axes::over(area, Axis::linear(0.0, picture.end));
@@ -188,9 +176,9 @@ fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 
     area.y1 + 40.0
 }
 
-/// The figure of a `kind`, with title and caption from `top` on and so much of the page `beyond` the right edge.
+/// The figure of a `kind`: from `top` on the key of the states that occur, title and caption, and so much of the page `beyond` the right edge.
 fn finished(
-    scene: Scene,
+    mut scene: Scene,
     picture: &MotionPicture<'_>,
     kind: &str,
     edges: (f64, f64),
@@ -198,10 +186,13 @@ fn finished(
     beyond: f64,
     description: &str,
 ) -> Figure {
+    let occurs = |mode: &Mode| picture.states.iter().any(|(_, state)| state == mode);
+    let modes: Vec<Mode> = Mode::ALL.into_iter().filter(occurs).collect();
+    let below = modes_key(&mut scene, &modes, edges, top);
     let title = format!("{}: {kind}", picture.title);
     let description = format!("{description} {}", picture.caption);
     let words = Words { title, ..Words::verbatim(picture.title, picture.caption) };
-    words.figure(scene, edges, top, beyond, &description)
+    words.figure(scene, edges, below + 8.0, beyond, &description)
 }
 
 /// A name with its unit in brackets, in markup.

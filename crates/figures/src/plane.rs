@@ -297,7 +297,7 @@ impl LoadPath {
         let Some(mu) = self.friction else { return };
         let axes = canvas.board.axes;
         let y = axes.y(mu);
-        let x = |factor: f64| axes.x(factor.clamp(0.0, axes.view().k_max));
+        let x = |factor: f64| axes.x(factor.clamp(0.0, axes.across.to));
         let Rect { x0, x1, .. } = axes.area;
         canvas.scene.line((x0, y), (x1, y), Pen::solid(PAPER, 4.0));
         for stage in &self.stages {
@@ -353,7 +353,7 @@ impl LoadPath {
         for stage in &self.stages {
             let Some(verdict) = stage.verdict else { continue };
             let text = Text::new(verdict_symbol(verdict), NUMBER);
-            let (from, to) = (axes.x(stage.from), axes.x(stage.to.min(axes.view().k_max)));
+            let (from, to) = (axes.x(stage.from), axes.x(stage.to.min(axes.across.to)));
             let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
             let mut places =
                 shares.flat_map(|share| [-1.0, 1.0].map(|down| (share, down))).map(|(share, down)| {
@@ -400,7 +400,7 @@ impl LoadPath {
 fn reach(axes: &Axes, at: f64, pair: &[Stage]) -> f64 {
     const DIAMOND: f64 = 5.2;
     let reach = if pair[0].verdict == pair[1].verdict { 3.5 } else { 6.5 };
-    let is_under = axes.view().k_max >= 1.0 && (axes.x(at) - axes.x(1.0)).abs() < DIAMOND + 2.0;
+    let is_under = axes.across.to >= 1.0 && (axes.x(at) - axes.x(1.0)).abs() < DIAMOND + 2.0;
     if is_under { reach + DIAMOND } else { reach }
 }
 

@@ -154,7 +154,7 @@ impl Draft<'_> {
         let axes = canvas.board.axes;
         let base = &self.given.base;
         for limit in self.limits() {
-            let ends = [(0.0, limit), (axes.view().k_max, limit)];
+            let ends = [(0.0, limit), (axes.across.to, limit)];
             canvas.line(&ends, LIMIT);
         }
         let points: Vec<_> =
@@ -196,11 +196,11 @@ impl Draft<'_> {
         }
         // The moment of the full load, from its axis to where the base bears it.
         let share = self.share(self.given.moment);
-        let to = self.design.map_or(axes.view().k_max, |turn| (1e3 * turn).min(axes.view().k_max));
-        if share < axes.view().mu_max {
+        let to = self.design.map_or(axes.across.to, |turn| (1e3 * turn).min(axes.across.to));
+        if share < axes.up.to {
             canvas.line(&[(0.0, share), (to, share)], FULL_LOAD);
         }
-        let beyond = 2.0 * axes.view().k_max;
+        let beyond = 2.0 * axes.across.to;
         let turn = self.design.map_or(beyond, |turn| 1e3 * turn);
         let point = DesignPoint { k: turn, mu: share, label: "full load".into(), mirrored: false };
         canvas.design_points(&[point]);
@@ -229,7 +229,7 @@ impl Draft<'_> {
             }
         }
         for (limit, name) in self.limits().into_iter().zip(["rigid", "strength alone"]) {
-            let at = [0.75, 0.5, 0.25, 0.9].map(|share| axes.at(share * axes.view().k_max, limit));
+            let at = [0.75, 0.5, 0.25, 0.9].map(|share| axes.at(share * axes.across.to, limit));
             canvas.joined(at, &Text::new(name, FORMULA));
         }
         Ok(())

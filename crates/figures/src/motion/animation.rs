@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use standfast::Mode;
 
-use super::{MotionPicture, MotionPose, band, extent, finished, key, polygon, positions::ground, time_axis};
+use super::{MotionPicture, MotionPose, band, extent, finished, polygon, positions::ground, time_axis};
 use crate::Figure;
 use crate::palette::{FAINT, INK, MARK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -37,9 +37,8 @@ pub fn motion_animation(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     let strip = Rect { x0: LEFT, y0: base + 22.0, x1: LEFT + WIDTH, y1: base + 39.0 };
     let below = time(&mut scene, picture, strip, &clock);
     let edges = (LEFT, LEFT + WIDTH);
-    let below = key(&mut scene, picture, edges, below + 10.0);
     let description = "The motion, one second for each unit of time, relative to the base.";
-    finished(scene, picture, "the motion", edges, below + 8.0, LEFT, description)
+    finished(scene, picture, "the motion", edges, below + 10.0, LEFT, description)
 }
 
 /// Clock that turns moments into shares of the time from one beginning to the next.

@@ -1,6 +1,6 @@
 //! Load, slide and rotation over the time, one above the other, with the states behind.
 
-use super::{MotionPicture, band, finished, key, time_axis, with_unit};
+use super::{MotionPicture, band, finished, time_axis, with_unit};
 use crate::Figure;
 use crate::axes::{Axes, Axis, Look, NUMBER, Tick, widest};
 use crate::palette::{FAINT, INK, MARK};
@@ -91,11 +91,10 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
     }
     let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: top });
     let edges = (16.0, left + WIDTH);
-    let below = key(&mut scene, picture, edges, below + 12.0);
     let quantities: Vec<String> =
         panels.iter().map(|panel| Text::inline(&panel.name, NUMBER).plain).collect();
     let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
-    finished(scene, picture, "histories", edges, below + 8.0, 22.0, &description)
+    finished(scene, picture, "histories", edges, below + 12.0, 22.0, &description)
 }
 
 fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {

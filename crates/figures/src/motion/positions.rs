@@ -1,6 +1,6 @@
 //! The body at some moments, side by side and to scale.
 
-use super::{MotionOutline, MotionPicture, MotionPose, extent, finished, key, polygon};
+use super::{MotionOutline, MotionPicture, MotionPose, extent, finished, polygon};
 use crate::Figure;
 use crate::axes::NUMBER;
 use crate::number::significant;
@@ -53,12 +53,11 @@ pub fn motion_positions(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     let rows = poses.len().div_ceil(per_row);
     let below = 14.0 + row_height * rows as f64;
     let edges = (LEFT, LEFT + WIDTH);
-    let below = key(&mut scene, picture, edges, below + 4.0);
     let description = format!(
         "The body to scale at {} moments, from left to right; dashed, where it stood before.",
         poses.len()
     );
-    finished(scene, picture, "positions", edges, below + 8.0, LEFT, &description)
+    finished(scene, picture, "positions", edges, below + 4.0, LEFT, &description)
 }
 
 fn body(
