@@ -6,7 +6,7 @@
 use standfast::region::{Curve, Strip};
 
 use crate::Figure;
-use crate::axes::{Axes, Names, Tick, widest};
+use crate::axes::{Axes, Names, widest};
 use crate::below::Words;
 use crate::canvas::Canvas;
 use crate::ground::shape::through;
@@ -127,10 +127,10 @@ impl Step {
 pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let window = window(set)?;
     let (across, up) = window.axes();
-    let [across, up] = [across, up].map(|axis| axis.numbers(NUMBERS));
-    let left = widest(&up, 0.0) + 30.0;
+    let ticks = [across, up].map(|axis| axis.numbers(NUMBERS));
+    let left = widest(&ticks[1], 0.0) + 30.0;
     let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
-    let axes = Axes::of(area, &window);
+    let axes = Axes { area, across, up };
     let mut canvas = Canvas::new(axes);
 
     let pieces = clip_strips(&set.strips(), &window);
@@ -140,8 +140,13 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let steps = set.steps(&window);
     boundary(&mut canvas, &runs, &steps);
     axes.arrows(&mut canvas.scene, &NAMES);
-    beside_axis(&mut canvas, up);
-    let under = across.into_iter().filter_map(|(value, text)| Some(Tab { at: axes.x(value), text: text? }));
+    let [across, up] = ticks.map(|ticks| ticks.into_iter().filter_map(|(value, text)| Some((value, text?))));
+    // Down to the origin.
+    for (value, text) in up {
+        let y = axes.y(value);
+        margins::beside(&mut canvas.scene, &axes, &Tab { at: y, text }, y);
+    }
+    let under = across.map(|(value, text)| Tab { at: axes.x(value), text });
     let (below, _) = margins::under_k_axis(&mut canvas.scene, &axes, under.collect(), Vec::new());
     present(&mut canvas, set);
     let upright = steps.iter().filter_map(|step| {
@@ -179,19 +184,6 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -
     );
     let words = Words { gap: 5.0, ..Words::verbatim(set.title, &caption) };
     words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
-}
-
-/// Ticks and numbers beside the axis upwards, down to its origin.
-fn beside_axis(canvas: &mut Canvas, ticks: Vec<Tick>) {
-    let axes = canvas.board.axes;
-    let x0 = axes.area.x0;
-    for (value, text) in ticks {
-        let (y, text) = (axes.y(value), text.unwrap_or_default());
-        canvas.scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
-        let rect =
-            Rect { x0: x0 - 8.0 - text.width, x1: x0 - 8.0, ..Rect::around(0.0, y, 0.0, text.height()) };
-        canvas.scene.text_in(&text, &rect, INK);
-    }
 }
 
 /// Words, symbol and unit of an axis.

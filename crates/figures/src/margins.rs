@@ -78,40 +78,49 @@ pub(crate) fn mu_width<'a>(tabs: impl Iterator<Item = &'a Tab>) -> f64 {
     tabs.fold(0.0, |m: f64, tab| m.max(tab.text.width)) + 17.0
 }
 
+/// Labels along an upright edge of the plot, each with the y where it finds room.
+fn upright(tabs: Vec<Tab>, low: f64, high: f64) -> Option<impl Iterator<Item = (Tab, f64)>> {
+    let tabs = sorted(tabs);
+    let at = places(&tabs, Text::height, low, high, 5.0)?;
+    Some(tabs.into_iter().zip(at))
+}
+
+/// A label that begins at `left`, centred at `y`.
+fn level(scene: &mut Scene, text: &Text, left: f64, y: f64) {
+    scene.text(text, left, y + (text.ascent - text.descent) / 2.0, INK);
+}
+
+/// A tick at the left of the plot and its label at `y`.
+pub(crate) fn beside(scene: &mut Scene, axes: &Axes, tab: &Tab, y: f64) {
+    let x0 = axes.area.x0;
+    scene.line((x0 - 4.0, tab.at), (x0, tab.at), TICK);
+    let moved = (tab.at - y).abs() > NEAR;
+    let right = x0 - if moved { 15.0 } else { 8.0 };
+    if moved {
+        scene.line((x0 - 5.0, tab.at), (right + 2.0, y), LEADER);
+    }
+    level(scene, &tab.text, right - tab.text.width, y);
+}
+
 /// Ticks and labels beside the μ axis.
 pub(crate) fn beside_mu_axis(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) {
-    let Rect { x0, y0, y1, .. } = axes.area;
-    let tabs = sorted(tabs);
-    let Some(at) = places(&tabs, Text::height, y0, y1 - 2.0, 5.0) else { return };
-    for (tab, y) in tabs.iter().zip(at) {
-        scene.line((x0 - 4.0, tab.at), (x0, tab.at), TICK);
-        let moved = (tab.at - y).abs() > NEAR;
-        let right = x0 - if moved { 15.0 } else { 8.0 };
-        if moved {
-            scene.line((x0 - 5.0, tab.at), (right + 2.0, y), LEADER);
-        }
-        let rect =
-            Rect { x0: right - tab.text.width, x1: right, ..Rect::around(0.0, y, 0.0, tab.text.height()) };
-        scene.text_in(&tab.text, &rect, INK);
+    for (tab, y) in upright(tabs, axes.area.y0, axes.area.y1 - 2.0).into_iter().flatten() {
+        beside(scene, axes, &tab, y);
     }
 }
 
 /// Labels right of the plot, at the ends of lines. Returns the x right of them, and whether they fitted.
 pub(crate) fn right_of(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) -> Option<f64> {
     let Rect { x1, y0, y1, .. } = axes.area;
-    let tabs = sorted(tabs);
-    let at = places(&tabs, Text::height, y0 + 1.0, y1 - 12.0, 5.0)?;
     let mut right = x1;
-    for (tab, y) in tabs.iter().zip(at) {
+    for (tab, y) in upright(tabs, y0 + 1.0, y1 - 12.0)? {
         let moved = (tab.at - y).abs() > NEAR;
         let left = x1 + if moved { 15.0 } else { 6.0 };
         if moved {
             scene.line((x1 + 1.0, tab.at), (left - 2.0, y), LEADER);
         }
-        let rect =
-            Rect { x0: left, x1: left + tab.text.width, ..Rect::around(0.0, y, 0.0, tab.text.height()) };
-        scene.text_in(&tab.text, &rect, INK);
-        right = right.max(rect.x1);
+        level(scene, &tab.text, left, y);
+        right = right.max(left + tab.text.width);
     }
     Some(right)
 }
