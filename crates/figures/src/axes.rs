@@ -4,6 +4,7 @@
 //! [`Look`].
 
 use crate::margins::{self, Tab};
+use crate::motion::SpectrumAxis;
 use crate::number::significant;
 use crate::palette::{BEHIND, INK};
 use crate::plot::View;
@@ -14,6 +15,7 @@ use crate::text::Text;
 /// The type size of an axis's numbers.
 pub(crate) const NUMBER: f64 = 12.5;
 const SMALL_TICK: Pen = Pen::solid(INK, 0.6);
+const GRID: Pen = Pen::solid(BEHIND, 0.35);
 /// From this many decades on they are written as powers of ten.
 const POWERS: f64 = 3.0;
 
@@ -32,7 +34,7 @@ pub struct Axis {
 pub(crate) type Tick = (f64, Option<Text>);
 
 impl Axis {
-    /// Equal steps between two values.
+    /// Axis of equal steps between two values.
     pub(crate) const fn linear(from: f64, to: f64) -> Axis {
         Axis { from, to, logarithmic: false }
     }
@@ -63,13 +65,13 @@ impl Axis {
         self.to - self.from
     }
 
-    /// Round numbers at equal steps, at most `most` of these.
+    /// Numbers, round and at equal steps; at most `most` steps.
     pub(crate) fn numbers(&self, most: f64) -> Vec<Tick> {
         let scale = Scale::new(self.from, self.to, most);
         scale.numbers().into_iter().map(|value| (value, Some(scale.text(value)))).collect()
     }
 
-    /// As many round numbers at equal steps as an axis of this length on the page has room for.
+    /// Numbers, round and at equal steps, as many as an axis of this length on the page has room for.
     pub(crate) fn scale(&self, length: f64, upright: bool) -> Scale {
         // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
         Scale::new(self.from, self.to, room(length, if upright { 38.0 } else { 52.0 }, 12.0))
@@ -91,7 +93,7 @@ impl Axis {
         self.to.log10().ceil() as i32
     }
 
-    /// At most about `most` numbers; of many decades, smaller ticks where a number is left out.
+    /// Numbers, at most about `most`; of many decades, smaller ticks where one is left out.
     pub(crate) fn ticks(&self, most: f64) -> Vec<Tick> {
         if !self.logarithmic || self.to < 4.0 * self.from {
             return self.numbers(most);
@@ -113,7 +115,7 @@ impl Axis {
     }
 }
 
-/// How many numbers, each with so much room, an axis of this length has; at most `most`.
+/// Count of numbers, each with so much room, along an axis of this length; at most `most`.
 pub(crate) fn room(length: f64, each: f64, most: f64) -> f64 {
     // A length that was found as a difference may be short of itself by its rounding.
     (length / each + 1e-9).floor().clamp(2.0, most)
@@ -130,12 +132,12 @@ fn written(ticks: &[Tick]) -> impl Iterator<Item = f64> + '_ {
     ticks.iter().filter(|(_, text)| text.is_some()).map(|(value, _)| *value)
 }
 
-/// How ticks and numbers are drawn.
+/// Look of ticks and numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Look {
     /// The width of a tick's line.
     pub tick: f64,
-    /// From the axis down to the line that numbers stand on.
+    /// Drop from the axis to the line that numbers stand on.
     pub drop: f64,
 }
 
@@ -153,16 +155,16 @@ pub(crate) struct Names {
 impl Names {
     /// The axes of the k–μ plane, as the report names them.
     pub(crate) const PLANE: Names = Names { right: "$k$", up: "$μ$", origin: "$O$" };
-    /// The same with numbers, from the origin.
+    /// Axes of the k–μ plane with numbers, from the origin.
     pub(crate) const NUMBERED: Names = Names { origin: "$0$", ..Names::PLANE };
-    /// The same with numbers, from elsewhere.
+    /// Axes of the k–μ plane with numbers, from elsewhere.
     pub(crate) const AWAY_FROM_ORIGIN: Names = Names { origin: "", ..Names::PLANE };
 }
 
 /// A plot's rectangle on the page, and the values along its lower and its left edge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Axes {
-    /// On the page.
+    /// Its place on the page.
     pub area: Rect,
     pub across: Axis,
     pub up: Axis,
@@ -234,7 +236,7 @@ impl Axes {
         scene.stroke(&Path::rectangle(&self.area), pen);
     }
 
-    /// Faint lines at numbers.
+    /// Lines at numbers, faint.
     pub(crate) fn grid(&self, scene: &mut Scene, [across, up]: &[Vec<Tick>; 2]) {
         let Rect { x0, y0, x1, y1 } = self.area;
         for x in written(across).map(|value| self.x(value)) {
@@ -299,7 +301,7 @@ impl Axes {
         scene.text_in(&origin, &rect, INK);
     }
 
-    /// Round numbers beside lines with arrowheads, and smaller ticks between them. Returns the y below.
+    /// Numbers, round, beside lines with arrowheads, and smaller ticks between them. Returns the y below.
     pub(crate) fn round_numbers(&self, scene: &mut Scene) -> f64 {
         let Rect { x0, y0, x1, y1 } = self.area;
         let [across, up] = [self.across.scale(x1 - x0, false), self.up.scale(y1 - y0, true)];
@@ -322,11 +324,49 @@ impl Axes {
     }
 }
 
-const GRID: Pen = Pen::solid(BEHIND, 0.35);
-
 /// The length of a tick.
 fn length(number: &Option<Text>) -> f64 {
     if number.is_some() { 4.0 } else { 2.2 }
+}
+
+/// A framed plot of two named quantities.
+pub(crate) struct Plot {
+    pub axes: Axes,
+    pub ticks: [Vec<Tick>; 2],
+    names: [Text; 2],
+}
+
+impl Plot {
+    /// Quantities across and upwards, with the numbers of the latter between `left` and the plot.
+    pub(crate) fn new(
+        quantities: [&SpectrumAxis<'_>; 2],
+        ticks: [Vec<Tick>; 2],
+        (left, top): (f64, f64),
+        (width, height): (f64, f64),
+    ) -> Plot {
+        let [across, up] = quantities.map(SpectrumAxis::axis);
+        let x0 = left + widest(&ticks[1], 20.0);
+        let axes = Axes { area: Rect { x0, y0: top, x1: x0 + width, y1: top + height }, across, up };
+        Plot { axes, ticks, names: quantities.map(|axis| Text::inline(axis.name, NUMBER)) }
+    }
+
+    /// Draws the frame with its numbers, the name of the quantity across so far below, and that of the one upwards at a place.
+    pub(crate) fn draw(&self, scene: &mut Scene, look: Look, down: f64, (x, y): (f64, f64)) {
+        self.axes.framed(scene, &self.ticks, look);
+        scene.text(&self.names[1], x, y, INK);
+        self.axes.name_below(scene, &self.names[0], down);
+    }
+
+    /// Its names as plain characters.
+    pub(crate) fn names(&self) -> [&str; 2] {
+        [&self.names[0].plain, &self.names[1].plain]
+    }
+
+    /// Description for readers who do not see it.
+    pub(crate) fn description(&self) -> String {
+        let [across, up] = self.names();
+        format!("Chart of {up}, upwards, over {across}, to the right.")
+    }
 }
 
 /// Numbers along an axis that is drawn by another tool.

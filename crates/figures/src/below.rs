@@ -11,7 +11,7 @@ use crate::text::Text;
 
 /// A key in rows between two edges.
 pub(crate) struct Key {
-    edges: (f64, f64),
+    pub edges: (f64, f64),
     x: f64,
     pub y: f64,
 }

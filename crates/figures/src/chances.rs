@@ -14,8 +14,9 @@ pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
 pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;
-use crate::axes::{Axis, Look, Tick, room};
+use crate::axes::{Axis, Look, Plot, Tick, room};
 use crate::below::Words;
+use crate::motion::SpectrumAxis;
 use crate::scene::Scene;
 
 /// A number with its interval.
@@ -33,14 +34,16 @@ pub struct Chance {
 const LEFT: f64 = 16.0;
 const LOOK: Look = Look { tick: 0.8, drop: 18.0 };
 
-/// As many ticks as an axis of this length has room for, below a plot.
+/// Ticks below a plot, as many as an axis of this length has room for.
 fn across_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
     axis.ticks(room(length, 58.0, 9.0))
 }
 
-/// The same, beside it.
-fn up_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
-    axis.ticks(room(length, 38.0, 8.0))
+/// A plot of two quantities, with as many numbers as have room.
+fn plot(quantities: [&SpectrumAxis<'_>; 2], (left, top): (f64, f64), size: (f64, f64)) -> Plot {
+    let up = quantities[1].axis().ticks(room(size.1, 38.0, 8.0));
+    let ticks = [across_ticks(&quantities[0].axis(), size.0), up];
+    Plot::new(quantities, ticks, (left + 9.0, top), size)
 }
 
 /// Title and caption below, and the figure. `description` is what a reader is told who does not see it.

@@ -3,6 +3,7 @@
 use standfast::Diagram;
 use standfast::Mode;
 
+use crate::axes::{Axes, Axis};
 use crate::labels::Board;
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
 use crate::plot::{clip_strips, hermite};
@@ -44,10 +45,10 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
 
     let inner = Rect { x0: x0 + 16.0, y0: y0 + 34.0, x1: x1 - 16.0, y1: y1 - 21.0 };
     let tall = 0.86 * (inner.y1 - inner.y0);
-    let x = |k: f64| inner.x0 + 6.0 + (k - from) / (to - from) * (inner.x1 - inner.x0 - 14.0);
-    let y = |mu: f64| inner.y1 - mu / summit * tall;
-    let steep = (to - from) / (inner.x1 - inner.x0 - 14.0) * tall / summit;
-    let graph = |k: f64| (x(k), y(height(k)), -(mu_star.slope(k) - ab.slope(k)) * steep);
+    let area = Rect { x0: inner.x0 + 6.0, x1: inner.x1 - 8.0, y0: inner.y1 - tall, y1: inner.y1 };
+    let magnified = Axes { area, across: Axis::linear(from, to), up: Axis::linear(0.0, summit) };
+    let (x, y) = (|k: f64| magnified.x(k), |mu: f64| magnified.y(mu));
+    let graph = |k: f64| (x(k), y(height(k)), magnified.tilt(mu_star.slope(k) - ab.slope(k)));
     let mut lens = Path::default();
     lens.move_to(x(from), inner.y1);
     hermite(&mut lens, &graph, from, to, 10);

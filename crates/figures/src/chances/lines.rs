@@ -2,9 +2,9 @@
 
 use standfast::Mode;
 
-use super::{Chance, LEFT, LOOK, across_ticks, finished, up_ticks};
+use super::{Chance, LEFT, LOOK, finished, plot};
 use crate::Figure;
-use crate::axes::{Axes, NUMBER, widest};
+use crate::axes::Axes;
 use crate::below::Key;
 use crate::caption::SMALL;
 use crate::labels::spread;
@@ -74,13 +74,10 @@ const FEW: usize = 40;
 /// Draws lines of probabilities.
 pub fn chance_lines(chart: &ChanceLines<'_>) -> Figure {
     let mut scene = Scene::default();
-    let (across, up) = (chart.across.axis(), chart.up.axis());
-    let ticks = [across_ticks(&across, PLOT.0), up_ticks(&up, PLOT.1)];
-    let left = LEFT + widest(&ticks[1], 20.0) + 9.0;
     let top = if chart.marks.is_empty() { TOP } else { TOP + MARKS };
-    let area = Rect { x0: left, x1: left + PLOT.0, y0: top, y1: top + PLOT.1 };
-    let axes = Axes { area, across, up };
-    axes.grid(&mut scene, &ticks);
+    let plot = plot([&chart.across, &chart.up], (LEFT, top), PLOT);
+    let axes = plot.axes;
+    axes.grid(&mut scene, &plot.ticks);
     for line in chart.lines.iter().rev() {
         band(&mut scene, &axes, line);
     }
@@ -88,15 +85,10 @@ pub fn chance_lines(chart: &ChanceLines<'_>) -> Figure {
         stroke(&mut scene, &axes, line);
     }
     marks(&mut scene, &axes, chart.marks);
-    axes.framed(&mut scene, &ticks, LOOK);
-    let [name, up_name] = [chart.across.name, chart.up.name].map(|name| Text::inline(name, NUMBER));
-    scene.text(&up_name, LEFT, TOP - 12.0, INK);
-    axes.name_below(&mut scene, &name, 36.0);
-    let right = area.x1 + 26.0;
-    let below = swatches(&mut scene, chart.lines, (LEFT, right), area.y1 + 50.0);
-    let [across, up] = [&name, &up_name].map(|text| text.plain.as_str());
-    let description = format!("Chart of {up}, upwards, over {across}, to the right.");
-    finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
+    plot.draw(&mut scene, LOOK, 36.0, (LEFT, TOP - 12.0));
+    let right = axes.area.x1 + 26.0;
+    let below = swatches(&mut scene, chart.lines, (LEFT, right), axes.area.y1 + 50.0);
+    finished(scene, (chart.title, chart.caption), (right, below + 8.0), &plot.description())
 }
 
 fn pens(look: LineLook) -> Vec<Pen> {

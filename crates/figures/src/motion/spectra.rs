@@ -1,7 +1,7 @@
 //! Spectra of motions: a map of classes over two quantities, and lines over one.
 
 use crate::Figure;
-use crate::axes::{Axes, Axis, Look, NUMBER, Tick, widest};
+use crate::axes::{Axis, Look, NUMBER, Plot, Tick};
 use crate::below::{Key, Words};
 use crate::caption::SMALL;
 use crate::number::significant;
@@ -37,7 +37,7 @@ impl SpectrumAxis<'_> {
         Axis { from, to, logarithmic }
     }
 
-    /// Round numbers with their text, all of them written.
+    /// Numbers, round, all of them written.
     fn numbers(&self, most: f64) -> Vec<Tick> {
         let axis = self.axis();
         if !self.logarithmic || self.to < 3.0 * self.from {
@@ -74,7 +74,7 @@ pub struct SpectrumMap<'a> {
 /// Draws a map of classes.
 pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
     let mut scene = Scene::default();
-    let plot = Plot::new(&map.across, &map.up);
+    let plot = plot(&map.across, &map.up);
     // Halfway to the neighbours, to the edge at the ends.
     let edges = |values: &[f64], place: &dyn Fn(f64) -> f64, ends: [f64; 2]| -> Vec<f64> {
         let between = values.windows(2).map(|pair| (place(pair[0]) + place(pair[1])) / 2.0);
@@ -94,14 +94,13 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
             j += run.len();
         }
     }
-    let below = plot.draw(&mut scene);
-    let mut key = Key::new(plot.edges(), below + 10.0);
+    let mut key = key(&mut scene, &plot);
     for (i, (colour, words)) in map.classes.iter().enumerate() {
         if map.cells.contains(&i) {
             key.patch(&mut scene, colour, &[Text::inline(words, SMALL)]);
         }
     }
-    plot.figure(scene, (map.title, map.caption), key.y + 24.0)
+    finished(scene, &plot, &key, (map.title, map.caption))
 }
 
 /// Lines over a quantity.
@@ -124,7 +123,7 @@ pub struct SpectrumLines<'a> {
 /// Draws lines over a quantity.
 pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
     let mut scene = Scene::default();
-    let plot = Plot::new(&chart.across, &chart.up);
+    let plot = plot(&chart.across, &chart.up);
     let (axes, area) = (plot.axes, plot.axes.area);
     for [from, to] in chart.shaded.0 {
         let [x0, x1] = [from, to].map(|value| axes.x(axes.across.held(*value)));
@@ -147,8 +146,7 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         }
         scene.stroke(&path, pen);
     }
-    let below = plot.draw(&mut scene);
-    let mut key = Key::new(plot.edges(), below + 10.0);
+    let mut key = key(&mut scene, &plot);
     let mut swatch = |scene: &mut Scene, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
         let words = Text::inline(words, SMALL);
         let (x, y) = key.entry(28.0 + words.width, 16.0);
@@ -165,51 +163,23 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         };
         swatch(&mut scene, chart.shaded.1, &patch);
     }
-    plot.figure(scene, (chart.title, chart.caption), key.y + 24.0)
+    finished(scene, &plot, &key, (chart.title, chart.caption))
 }
 
 /// The plot on the page.
-struct Plot<'a> {
-    axes: Axes,
-    ticks: [Vec<Tick>; 2],
-    names: [&'a str; 2],
+fn plot(across: &SpectrumAxis<'_>, up: &SpectrumAxis<'_>) -> Plot {
+    Plot::new([across, up], [across.numbers(8.0), up.numbers(7.0)], (24.0, TOP), PLOT)
 }
 
-impl<'a> Plot<'a> {
-    fn new(across: &SpectrumAxis<'a>, up: &SpectrumAxis<'a>) -> Plot<'a> {
-        let ticks = [across.numbers(8.0), up.numbers(7.0)];
-        let left = widest(&ticks[1], 20.0) + 24.0;
-        let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
-        Plot {
-            axes: Axes { area, across: across.axis(), up: up.axis() },
-            ticks,
-            names: [across.name, up.name],
-        }
-    }
+/// Draws the frame; gives the key below it.
+fn key(scene: &mut Scene, plot: &Plot) -> Key {
+    plot.draw(scene, Look::PLAIN, 35.0, (16.0, TOP - 12.0));
+    let Rect { x1, y1, .. } = plot.axes.area;
+    Key::new((16.0, x1 + 24.0), y1 + 52.0)
+}
 
-    /// The names of its axes.
-    fn names(&self) -> [Text; 2] {
-        self.names.map(|name| Text::inline(name, NUMBER))
-    }
-
-    /// The edges of what stands below it.
-    fn edges(&self) -> (f64, f64) {
-        (16.0, self.axes.area.x1 + 24.0)
-    }
-
-    /// The frame, its numbers and the names of its axes; returns the y below.
-    fn draw(&self, scene: &mut Scene) -> f64 {
-        self.axes.framed(scene, &self.ticks, Look::PLAIN);
-        let [across, up] = self.names();
-        scene.text(&up, 16.0, TOP - 12.0, INK);
-        self.axes.name_below(scene, &across, 35.0);
-        self.axes.area.y1 + 42.0
-    }
-
-    /// The figure with its words from `top` on.
-    fn figure(&self, scene: Scene, (title, caption): (&str, &str), top: f64) -> Figure {
-        let [across, up] = self.names().map(|name| name.plain);
-        let description = format!("Chart of {up}, upwards, over {across}, to the right. {caption}");
-        Words::verbatim(title, caption).figure(scene, self.edges(), top, 12.0, &description)
-    }
+/// The figure with its words below the key.
+fn finished(scene: Scene, plot: &Plot, key: &Key, (title, caption): (&str, &str)) -> Figure {
+    let description = format!("{} {caption}", plot.description());
+    Words::verbatim(title, caption).figure(scene, key.edges, key.y + 24.0, 12.0, &description)
 }
