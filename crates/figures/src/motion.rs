@@ -176,7 +176,8 @@ fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 
     area.y1 + 40.0
 }
 
-/// The figure of a `kind`: from `top` on the key of the states that occur, title and caption, and so much of the page `beyond` the right edge.
+/// The figure of a `kind`: from `top` on the key of the states that occur, title and caption, and so much of the page `beyond` the
+/// right edge.
 fn finished(
     mut scene: Scene,
     picture: &MotionPicture<'_>,
