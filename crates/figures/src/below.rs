@@ -1,43 +1,109 @@
-//! Parts below a plot: the key of modes, title and caption.
+//! Parts below a plot: a key, and the words that end a figure.
 
 use standfast::Mode;
 
+use crate::Figure;
 use crate::caption::{SIZE, SMALL, shortened};
 use crate::margins;
 use crate::palette::{FAINT, INK, symbol, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
-/// The modes with their tints and words, in rows between two edges; returns the y below.
-pub(crate) fn modes_key(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
-    let (mut x, mut y) = (edges.0, top);
-    for &mode in modes {
-        let [name, words] =
-            [Text::new(symbol(mode), SMALL), Text::verbatim(&mode.words().replace('\'', "′"), SMALL)];
-        let width = 16.0 + name.width + 6.0 + words.width;
-        if x > edges.0 && x + width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
-        let patch = Path::rectangle(&Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 });
-        scene.fill(&patch, tint(mode));
-        scene.stroke(&patch, Pen::solid(FAINT, 0.5));
-        scene.text(&name, x + 16.0, y + 10.5, INK);
-        scene.text(&words, x + 22.0 + name.width, y + 10.5, INK);
-        x += width + 16.0;
-    }
-    if modes.is_empty() { y } else { y + 17.0 }
+/// A key in rows between two edges.
+pub(crate) struct Key {
+    pub edges: (f64, f64),
+    x: f64,
+    pub y: f64,
 }
 
-/// Title and caption, in lines between two edges; returns the y below.
-pub(crate) fn title_and_caption(
-    scene: &mut Scene,
-    (title, caption): (&str, &str),
-    edges: (f64, f64),
-    top: f64,
-) -> f64 {
-    let words = |text: &str, size: f64| -> Vec<Text> {
-        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
-    };
-    let below = margins::paragraph(scene, &words(title, SIZE), edges, top, SIZE);
-    margins::paragraph(scene, &words(caption, SMALL), edges, below + 4.0, SMALL)
+impl Key {
+    pub(crate) fn new(edges: (f64, f64), top: f64) -> Key {
+        Key { edges, x: edges.0, y: top }
+    }
+
+    /// Place of an entry, on a new row where it does not fit; the next one is `apart` from it.
+    pub(crate) fn entry(&mut self, width: f64, apart: f64) -> (f64, f64) {
+        if self.x > self.edges.0 && self.x + width > self.edges.1 {
+            (self.x, self.y) = (self.edges.0, self.y + 17.0);
+        }
+        let place = (self.x, self.y);
+        self.x += width + apart;
+        place
+    }
+
+    /// A patch of a colour, and what it is.
+    pub(crate) fn patch(&mut self, scene: &mut Scene, colour: &str, words: &[Text]) {
+        let gaps = 6.0 * (words.len() - 1) as f64;
+        let width = 16.0 + words.iter().map(|text| text.width).sum::<f64>() + gaps;
+        let (mut x, y) = self.entry(width, 16.0);
+        let patch = Path::rectangle(&Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 });
+        scene.fill(&patch, colour);
+        scene.stroke(&patch, Pen::solid(FAINT, 0.5));
+        x += 16.0;
+        for text in words {
+            scene.text(text, x, y + 10.5, INK);
+            x += text.width + 6.0;
+        }
+    }
+
+    /// The y below its rows.
+    pub(crate) fn below(&self) -> f64 {
+        if self.x > self.edges.0 { self.y + 17.0 } else { self.y }
+    }
+}
+
+/// The modes with their tints and words, in rows between two edges; returns the y below.
+pub(crate) fn modes_key(scene: &mut Scene, modes: &[Mode], edges: (f64, f64), top: f64) -> f64 {
+    let mut key = Key::new(edges, top);
+    for &mode in modes {
+        let words = Text::verbatim(&mode.words().replace('\'', "′"), SMALL);
+        key.patch(scene, tint(mode), &[Text::new(symbol(mode), SMALL), words]);
+    }
+    key.below()
+}
+
+/// Words of a figure: those on the page, and the same as plain characters.
+pub(crate) struct Words {
+    pub heading: Vec<Text>,
+    pub details: Vec<Text>,
+    /// Between the heading and the details.
+    pub gap: f64,
+    pub title: String,
+    pub caption: String,
+}
+
+impl Words {
+    pub(crate) fn new(heading: Vec<Text>, details: Vec<Text>) -> Words {
+        let plain =
+            |words: &[Text]| words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
+        Words { title: plain(&heading), caption: plain(&details), heading, details, gap: 5.0 }
+    }
+
+    /// A title and a caption that are no markup.
+    pub(crate) fn verbatim(title: &str, caption: &str) -> Words {
+        let (heading, details) = (verbatim(title, SIZE), verbatim(caption, SMALL));
+        Words { heading, details, gap: 4.0, title: title.to_owned(), caption: caption.to_owned() }
+    }
+
+    /// The figure, with the words in lines between two edges from `top` on, and so much of the page `beyond` the right edge. `description`
+    /// is what a reader is told who does not see it.
+    pub(crate) fn figure(
+        self,
+        mut scene: Scene,
+        edges: (f64, f64),
+        top: f64,
+        beyond: f64,
+        description: &str,
+    ) -> Figure {
+        let below = margins::paragraph(&mut scene, &self.heading, edges, top, SIZE);
+        let below = margins::paragraph(&mut scene, &self.details, edges, below + self.gap, SMALL);
+        let size = ((edges.1 + beyond).ceil(), (below + 10.0).ceil());
+        let (svg, labels) = scene.finish(size.0, size.1, &self.title, description);
+        Figure { svg, title: self.title, caption: self.caption, labels, size }
+    }
+}
+
+/// Text that is no markup, in words that fit a line.
+pub(crate) fn verbatim(text: &str, size: f64) -> Vec<Text> {
+    text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
 }

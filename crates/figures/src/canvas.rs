@@ -1,8 +1,10 @@
 //! A drawing under way: what is on the page already, and the labels, leaders and marks that keep off it.
 
+use crate::axes::Axes;
+use crate::ground::arcs;
 use crate::labels::{Board, Leader, Lines};
 use crate::palette::{INK, MARK, PAPER};
-use crate::plot::{Arc, Frame, Piece};
+use crate::plot::{Arc, Piece, arcs_path};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 use crate::{DesignPoint, is_drawable};
@@ -19,8 +21,8 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    pub(crate) fn new(frame: Frame) -> Canvas {
-        Canvas { scene: Scene::default(), board: Board::new(frame), hatched: Vec::new() }
+    pub(crate) fn new(axes: Axes) -> Canvas {
+        Canvas { scene: Scene::default(), board: Board::new(axes), hatched: Vec::new() }
     }
 
     /// Sets a label, if there is a place for it, and keeps others off.
@@ -75,6 +77,43 @@ impl Canvas {
         self.scene.fill(&Path::rectangle(&rect.grown(margin)), colour);
     }
 
+    /// Draws parts of curves, and keeps labels off them.
+    pub(crate) fn arcs(&mut self, arcs: Vec<Arc>, pen: Pen) {
+        self.scene.stroke(&arcs_path(&self.board.axes, &arcs), pen);
+        self.board.arcs.extend(arcs);
+    }
+
+    /// Draws upright lines at values between two others, and keeps labels off them.
+    pub(crate) fn verticals(&mut self, lines: impl Iterator<Item = (f64, f64, f64)>, pen: Pen) {
+        let axes = self.board.axes;
+        let mut path = Path::default();
+        for (at, low, high) in lines {
+            let (x, top, bottom) = (axes.x(at), axes.y(high), axes.y(low));
+            path.move_to(x, top);
+            path.line_to(x, bottom);
+            self.board.verticals.push((x, top, bottom));
+        }
+        self.scene.stroke(&path, pen);
+    }
+
+    /// Draws a line through values, and keeps labels off it.
+    pub(crate) fn line(&mut self, points: &[(f64, f64)], pen: Pen) {
+        let axes = self.board.axes;
+        let places: Vec<_> = points.iter().map(|&(across, up)| axes.at(across, up)).collect();
+        self.scene.stroke(&Path::through(&places), pen);
+        let upright = places.windows(2).filter(|pair| (pair[1].0 - pair[0].0).abs() < 1e-6);
+        self.board
+            .verticals
+            .extend(upright.map(|pair| (pair[0].0, pair[0].1.min(pair[1].1), pair[0].1.max(pair[1].1))));
+        self.board.arcs.extend(arcs(points));
+    }
+
+    /// A dot that labels keep off, itself and the room about it.
+    pub(crate) fn dot(&mut self, at: (f64, f64), radius: f64, room: f64) {
+        self.scene.dot(at, radius, INK, None);
+        self.board.reserve(Rect::around(at.0, at.1, room, room));
+    }
+
     /// A design point.
     pub(crate) fn diamond(&mut self, (x, y): (f64, f64)) {
         let mut diamond = Path::through(&[(x, y - 5.2), (x + 5.2, y), (x, y + 5.2), (x - 5.2, y)]);
@@ -108,25 +147,25 @@ impl Canvas {
 
     /// Points without names, given as (k, μ), as far as the window shows them.
     pub(crate) fn cloud(&mut self, points: &[(f64, f64)]) {
-        let frame = self.board.frame;
-        let seen = points.iter().filter(|point| is_drawable(point) && frame.shows(point.0, point.1));
-        let places: Vec<_> = seen.map(|&(k, mu)| frame.at(k, mu)).collect();
+        let axes = self.board.axes;
+        let seen = points.iter().filter(|point| is_drawable(point) && axes.shows(point.0, point.1));
+        let places: Vec<_> = seen.map(|&(k, mu)| axes.at(k, mu)).collect();
         self.dots(&places);
     }
 
     /// Design points with their names. What lies outside is pointed at from the nearest place of the edge. Gives the points that carry a
     /// number in place of their name, for want of room.
     pub(crate) fn design_points(&mut self, points: &[DesignPoint]) -> Vec<usize> {
-        let frame = self.board.frame;
+        let axes = self.board.axes;
         let at = |point: &DesignPoint| {
-            let ((x, y), Rect { x0, y0, x1, y1 }) = (frame.at(point.k, point.mu), frame.area.grown(-7.0));
-            if frame.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
+            let ((x, y), Rect { x0, y0, x1, y1 }) = (axes.at(point.k, point.mu), axes.area.grown(-7.0));
+            if axes.shows(point.k, point.mu) { (x, y) } else { (x.clamp(x0, x1), y.clamp(y0, y1)) }
         };
         for point in points.iter().filter(|point| point.is_drawable()) {
-            if frame.shows(point.k, point.mu) {
+            if axes.shows(point.k, point.mu) {
                 self.diamond(at(point));
             } else {
-                self.pointer(at(point), frame.at(point.k, point.mu));
+                self.pointer(at(point), axes.at(point.k, point.mu));
             }
         }
         let mut numbered = Vec::new();

@@ -131,27 +131,31 @@ pub(crate) fn shortened(word: &str) -> String {
     }
 }
 
+/// A region in words, for readers who do not see it: its symbol in markup, and what the body does there.
+pub(crate) fn region(symbol: &str, words: &str) -> String {
+    format!("{}, where the body {}", Text::inline(symbol, SMALL).plain, words.replace('\'', "′"))
+}
+
+/// A chart in words: the friction over another quantity, and what is shaded.
+pub(crate) fn chart(over: &str, view: &View, shaded: impl Iterator<Item = String>) -> String {
+    let View { k_min, k_max, mu_min, mu_max } = *view;
+    let [k_min, k_max, mu_min, mu_max] = [k_min, k_max, mu_min, mu_max]
+        .map(|value| Text::inline(&format!("${}$", digits(value)), SMALL).plain);
+    format!(
+        "Chart of the friction coefficient μ, upwards from {mu_min} to {mu_max}, over {over}, to the right from {k_min} to {k_max}. \
+         Shaded: {}.",
+        shaded.collect::<Vec<_>>().join("; ")
+    )
+}
+
 /// The chart in words: axes, shaded regions, and the `details` below it.
 pub(crate) fn description(drawing: &Drawing, details: &str) -> String {
-    let View { k_min, k_max, mu_min, mu_max } = drawing.window;
-    let number = |value: f64| Text::inline(&format!("${}$", digits(value)), SMALL).plain;
     let shaded = drawing.sheet.shaded.iter().map(|part| match *part {
-        Part::Whole(mode) | Part::LeftOfE(mode) | Part::RightOfE(mode) => {
-            let words = mode.words().replace('\'', "′");
-            format!("{}, where the body {words}", Text::inline(symbol(mode), SMALL).plain)
-        }
+        Part::Whole(mode) | Part::LeftOfE(mode) | Part::RightOfE(mode) => region(symbol(mode), mode.words()),
         Part::Unresolved(mode) => {
             let symbol = Text::inline(symbol(mode), SMALL).plain;
             format!("hatched, where the conditions of {symbol} and of other modes hold together")
         }
     });
-    format!(
-        "Chart of the friction coefficient μ, upwards from {} to {}, over the force k, to the right from {} to {}. \
-         Shaded: {}. {details}",
-        number(mu_min),
-        number(mu_max),
-        number(k_min),
-        number(k_max),
-        shaded.collect::<Vec<_>>().join("; ")
-    )
+    format!("{} {details}", chart("the force k", &drawing.window, shaded))
 }

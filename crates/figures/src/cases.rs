@@ -5,16 +5,16 @@ use std::ops::Range;
 use standfast::initiation::{Chart, ChartCase};
 
 use crate::Figure;
-use crate::margins::NUMBER;
+use crate::axes::{Axis, Look, NUMBER};
 use crate::number;
 use crate::palette::{FAINT, INK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
-use crate::screen::{Axis, Picture};
+use crate::screen::Picture;
 use crate::text::Text;
 
 /// The slenderness shown, γ from squat to slender, and the elevation, k' from base to crest.
 const ACROSS: Axis = Axis { from: 0.1, to: 10.0, logarithmic: true };
-const UP: Axis = Axis { from: -1.0, to: 1.0, logarithmic: false };
+const UP: Axis = Axis::linear(-1.0, 1.0);
 const NAME: f64 = 14.0;
 const SMALL: f64 = 12.0;
 
@@ -106,24 +106,19 @@ impl Band {
 }
 
 fn axes(scene: &mut Scene, picture: &Picture) {
-    let Rect { x0, y0, x1, y1 } = picture.plot;
-    let mut border = Path::through(&[(x0, y0), (x0, y1), (x1, y1), (x1, y0)]);
-    border.close();
-    scene.stroke(&border, Pen::solid(FAINT, 0.8));
+    let (Rect { x0, x1, y1, .. }, axes) = (picture.plot, picture.axes());
+    axes.border(scene, Pen::solid(FAINT, 0.8));
     for (gamma, shown) in [(0.1, "0.1"), (0.3, "0.3"), (1.0, "1"), (3.0, "3"), (10.0, "10")] {
-        let (x, _) = picture.place(gamma, -1.0);
+        let x = axes.x(gamma);
         scene.line((x, y1), (x, y1 + 4.0), Pen::solid(INK, 0.9));
         let text = Text::new(shown, SMALL);
         scene.text(&text, (x - text.width / 2.0).min(x1 + 6.0 - text.width), y1 + 16.0, INK);
     }
-    for k_prime in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-        let (_, y) = picture.place(1.0, k_prime);
-        scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
-        let text = Text::new(&format!("${}$", number::digits(k_prime)), NUMBER);
-        scene.text(&text, x0 - 7.0 - text.width, y + 4.0, INK);
-    }
+    let number = |k_prime: f64| Text::new(&format!("${}$", number::digits(k_prime)), NUMBER);
+    let ticks = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k_prime| (k_prime, Some(number(k_prime))));
+    axes.beside(scene, &ticks, Look::PLAIN);
     let name = Text::new("$γ$", 14.0);
-    scene.text(&name, (picture.place(3.0, 0.0).0 + picture.place(10.0, 0.0).0) / 2.0, y1 + 17.0, INK);
+    scene.text(&name, (axes.x(3.0) + axes.x(10.0)) / 2.0, y1 + 17.0, INK);
     let name = Text::new("$k′$", 14.0);
-    scene.text(&name, x0 - 30.0, (picture.place(1.0, 0.75).1) + 4.0, INK);
+    scene.text(&name, x0 - 30.0, axes.y(0.75) + 4.0, INK);
 }

@@ -6,7 +6,6 @@
 mod bars;
 mod cloud;
 mod lines;
-mod plot;
 mod tornado;
 
 pub use bars::{ChanceBar, ChanceBars, ChanceGroup, chance_bars};
@@ -15,7 +14,9 @@ pub use lines::{ChanceLine, ChanceLines, ChanceMark, LineLook, chance_lines};
 pub use tornado::{Importance, Tornado, chance_tornado};
 
 use crate::Figure;
-use crate::below::title_and_caption;
+use crate::axes::{Axis, Look, Plot, Tick, room};
+use crate::below::Words;
+use crate::motion::SpectrumAxis;
 use crate::scene::Scene;
 
 /// A number with its interval.
@@ -31,16 +32,27 @@ pub struct Chance {
 
 /// Left and right edge of what stands above, beside and below plots.
 const LEFT: f64 = 16.0;
+const LOOK: Look = Look { tick: 0.8, drop: 18.0 };
+
+/// Ticks below a plot, as many as an axis of this length has room for.
+fn across_ticks(axis: &Axis, length: f64) -> Vec<Tick> {
+    axis.ticks(room(length, 58.0, 9.0))
+}
+
+/// A plot of two quantities, with as many numbers as have room.
+fn plot(quantities: [&SpectrumAxis<'_>; 2], (left, top): (f64, f64), size: (f64, f64)) -> Plot {
+    let up = quantities[1].axis().ticks(room(size.1, 38.0, 8.0));
+    let ticks = [across_ticks(&quantities[0].axis(), size.0), up];
+    Plot::new(quantities, ticks, (left + 9.0, top), size)
+}
 
 /// Title and caption below, and the figure. `description` is what a reader is told who does not see it.
 fn finished(
-    mut scene: Scene,
+    scene: Scene,
     (title, caption): (&str, &str),
     (right, top): (f64, f64),
     description: &str,
 ) -> Figure {
-    let below = title_and_caption(&mut scene, (title, caption), (LEFT, right), top);
-    let size = ((right + 14.0).ceil(), (below + 10.0).ceil());
-    let (svg, labels) = scene.finish(size.0, size.1, title, &format!("{description} {caption}"));
-    Figure { svg, title: title.to_owned(), caption: caption.to_owned(), labels, size }
+    let description = format!("{description} {caption}");
+    Words::verbatim(title, caption).figure(scene, (LEFT, right), top, 14.0, &description)
 }

@@ -7,19 +7,21 @@ use standfast::Mode;
 use standfast::initiation::NamedPoint;
 use standfast::region::Strip;
 
+use crate::axes::{Axes, Names};
+use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
-use crate::caption::{SIZE, SMALL};
+use crate::caption::SIZE;
 use crate::drawing::Drawing;
-use crate::margins::{self, Numbers, Tab};
+use crate::margins::{self, Tab};
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
-use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip, clip_strips, hatch, level, outline};
+use crate::plot::{Arc, Piece, View, clip, clip_strips, hatch, level, outline};
 use crate::scene::{Pen, Rect};
 use crate::sheet::{Line, Mark, Naming, Part, Style, Trace, k_markup, letter_markup};
 use crate::text::Text;
 use crate::{Figure, caption, inset};
 
 pub(crate) const PLOT: (f64, f64) = (400.0, 310.0);
-const TOP: f64 = 42.0;
+pub(crate) const TOP: f64 = 42.0;
 pub(crate) const LETTER: f64 = 14.5;
 pub(crate) const DROP: Pen = Pen { colour: FAINT, width: 0.7, dashes: "3.2 2.6" };
 
@@ -48,22 +50,23 @@ pub(crate) struct Draft<'a> {
 impl Drawing<'_> {
     /// Draws it.
     pub(crate) fn figure(&self) -> Figure {
-        let numbers = self.numbered.then(|| Numbers::of(&self.window, PLOT.0, PLOT.1));
         let mu_tabs = self.mu_marks();
-        let named_width = || margins::mu_width(mu_tabs.iter());
-        let left = numbers.as_ref().map_or_else(named_width, Numbers::width).max(34.0) + 6.0;
-        let frame = frame_at(left, self.window);
-        let mut draft = Draft::new(self, Canvas::new(frame));
+        let axes = if self.numbered {
+            Axes::beside_numbers(&self.window, PLOT, TOP)
+        } else {
+            axes_at(margins::mu_width(mu_tabs.iter()).max(34.0) + 6.0, &self.window)
+        };
+        let mut draft = Draft::new(self, Canvas::new(axes));
         draft.tints();
         draft.drop_lines();
         draft.traces();
         let scene = &mut draft.canvas.scene;
-        margins::axes(scene, &frame, if self.numbered { &margins::NUMBERED } else { &margins::PLANE });
-        if numbers.is_none() {
-            margins::beside_mu_axis(scene, &frame, mu_tabs);
+        axes.arrows(scene, if self.numbered { &Names::NUMBERED } else { &Names::PLANE });
+        if !self.numbered {
+            margins::beside_mu_axis(scene, &axes, mu_tabs);
         }
         draft.marks();
-        draft.finish(numbers)
+        draft.finish()
     }
 
     fn areas(&self) -> Vec<Area> {
@@ -109,7 +112,7 @@ impl Drawing<'_> {
         let chart = self.diagram.chart();
         let marks = self.sheet.mu_marks.iter().filter_map(|mark| {
             let mu = mark.mu(chart).filter(|mu| (self.window.mu_min..self.window.mu_max).contains(mu))?;
-            Some((frame_at(0.0, self.window).y(mu), equation(mark.markup(chart))))
+            Some((axes_at(0.0, &self.window).y(mu), equation(mark.markup(chart))))
         });
         let marks: Vec<(f64, String)> = marks.collect();
         let tabs = |set: fn(&str, f64) -> Text| -> Vec<Tab> {
@@ -132,8 +135,8 @@ impl Drawing<'_> {
 }
 
 /// A plot with its left edge at `left`.
-pub(crate) fn frame_at(left: f64, window: View) -> Frame {
-    Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window }
+fn axes_at(left: f64, window: &View) -> Axes {
+    Axes::of(Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, window)
 }
 
 /// `name = value` in markup; the value may be empty.
@@ -155,41 +158,41 @@ impl<'a> Draft<'a> {
     }
 
     pub(crate) fn tints(&mut self) {
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         for area in &self.areas {
-            self.canvas.scene.fill(&outline(&frame, &area.pieces), tint(area.mode));
+            self.canvas.scene.fill(&outline(&axes, &area.pieces), tint(area.mode));
         }
         for area in &self.areas {
             if let Some(which) = area.unresolved {
-                let lines = hatch(&frame, &area.pieces, 9.0, which % 2 == 1);
+                let lines = hatch(&axes, &area.pieces, 9.0, which % 2 == 1);
                 self.canvas.scene.stroke(&lines, Pen::solid(INK, 0.45));
             }
         }
         for (i, part) in self.given.hatched.iter().enumerate() {
-            let pieces = clip_strips(&part.strips, &frame.window);
-            let lines = hatch(&frame, &pieces, 9.0, i % 2 == 1);
+            let pieces = clip_strips(&part.strips, &axes.view());
+            let lines = hatch(&axes, &pieces, 9.0, i % 2 == 1);
             self.canvas.scene.stroke(&lines, Pen::solid(FAINT, 0.4));
             self.canvas.hatched.push((pieces, tint(part.resolved_as)));
         }
     }
 
     pub(crate) fn drop_lines(&mut self) {
-        let frame = self.canvas.board.frame;
-        for point in self.given.named().filter(|point| frame.shows(point.k, point.mu)) {
-            let (x, y) = frame.at(point.k, point.mu);
+        let axes = self.canvas.board.axes;
+        for point in self.given.named().filter(|point| axes.shows(point.k, point.mu)) {
+            let (x, y) = axes.at(point.k, point.mu);
             if self.given.sheet.k_marks.contains(&point.name) && point.mu > 0.0 {
-                self.canvas.scene.line((x, y), (x, frame.area.y1), DROP);
-                self.canvas.board.verticals.push((x, y, frame.area.y1));
+                self.canvas.scene.line((x, y), (x, axes.area.y1), DROP);
+                self.canvas.board.verticals.push((x, y, axes.area.y1));
             }
             if self.given.sheet.mu_marks.contains(&Mark::Of(point.name)) && point.k > 0.0 {
-                self.canvas.scene.line((frame.area.x0, y), (x, y), DROP);
+                self.canvas.scene.line((axes.area.x0, y), (x, y), DROP);
                 self.canvas.board.arcs.push(Arc { curve: level(point.mu), from: 0.0, to: point.k });
             }
         }
     }
 
     pub(crate) fn traces(&mut self) {
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         for trace in self.given.sheet.traces {
             let pen = match trace.style {
                 Style::Solid => Pen::solid(INK, 1.5),
@@ -198,17 +201,15 @@ impl<'a> Draft<'a> {
                 Style::Dotted => Pen { colour: INK, width: 1.5, dashes: "0 3.6" },
             };
             if let Some((k, from)) = trace.line.vertical(self.given.diagram.chart()) {
-                let from = from.max(frame.window.mu_min);
-                if frame.shows(k, from) {
-                    let (x, y) = frame.at(k, from);
-                    self.canvas.scene.line((x, y), (x, frame.area.y0), pen);
-                    self.canvas.board.verticals.push((x, frame.area.y0, y));
+                let from = from.max(axes.up.from);
+                if axes.shows(k, from) {
+                    let (x, y) = axes.at(k, from);
+                    self.canvas.scene.line((x, y), (x, axes.area.y0), pen);
+                    self.canvas.board.verticals.push((x, axes.area.y0, y));
                 }
                 continue;
             }
-            let arcs = self.given.stretch(trace);
-            self.canvas.scene.stroke(&arcs_path(&frame, &arcs), pen);
-            self.canvas.board.arcs.extend(arcs);
+            self.canvas.arcs(self.given.stretch(trace), pen);
         }
     }
 
@@ -226,16 +227,14 @@ impl<'a> Draft<'a> {
 
     /// Dots and letters of named points, letters at the ends of lines.
     fn letters(&mut self) {
-        let frame = self.canvas.board.frame;
-        let shown: Vec<_> = self.given.named().filter(|point| frame.shows(point.k, point.mu)).collect();
+        let axes = self.canvas.board.axes;
+        let shown: Vec<_> = self.given.named().filter(|point| axes.shows(point.k, point.mu)).collect();
         for point in &shown {
-            let (x, y) = frame.at(point.k, point.mu);
-            self.canvas.scene.dot((x, y), 2.6, INK, None);
-            self.canvas.board.reserve(Rect::around(x, y, 6.5, 6.5));
+            self.canvas.dot(axes.at(point.k, point.mu), 2.6, 6.5);
         }
         for point in &shown {
             let text = Text::new(&letter_markup(point.name), LETTER);
-            self.canvas.letter(&text, frame.at(point.k, point.mu));
+            self.canvas.letter(&text, axes.at(point.k, point.mu));
         }
         for &(letter, line) in self.given.sheet.ends {
             let text = Text::new(&format!("${letter}$"), LETTER);
@@ -249,7 +248,7 @@ impl<'a> Draft<'a> {
 
     /// Puts a label where a line leaves the window; gives it back if the line ends inside.
     fn at_edge(&mut self, line: Line, text: Text) -> Option<Text> {
-        let Rect { x1, y0, .. } = self.canvas.board.frame.area;
+        let Rect { x1, y0, .. } = self.canvas.board.axes.area;
         let Some((x, y)) = self.exit(line) else { return Some(text) };
         if x > x1 - 0.5 {
             self.right.push(Tab { at: y, text });
@@ -263,13 +262,13 @@ impl<'a> Draft<'a> {
 
     /// End of a drawn line on the page.
     fn exit(&self, line: Line) -> Option<(f64, f64)> {
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         if let Some((k, from)) = line.vertical(self.given.diagram.chart()) {
-            return frame.shows(k, from.max(frame.window.mu_min)).then(|| (frame.x(k), frame.area.y0));
+            return axes.shows(k, from.max(axes.up.from)).then(|| (axes.x(k), axes.area.y0));
         }
         let traces = self.given.sheet.traces.iter().filter(|trace| trace.line == line);
         let arc = traces.flat_map(|trace| self.given.stretch(trace)).max_by(|a, b| a.to.total_cmp(&b.to))?;
-        Some(frame.at(arc.to, arc.curve.at(arc.to)))
+        Some(axes.at(arc.to, arc.curve.at(arc.to)))
     }
 
     fn lens(&mut self) {
@@ -313,11 +312,11 @@ impl<'a> Draft<'a> {
         let chart = self.given.diagram.chart();
         let markup = line.formula(chart);
         let text = Text::new(markup, FORMULA);
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         let longest = &arcs[0];
         let places = [0.5, 0.7, 0.3].map(|share| {
             let k = longest.from + share * (longest.to - longest.from);
-            frame.at(k, longest.curve.at(k))
+            axes.at(k, longest.curve.at(k))
         });
         if self.canvas.beside_line(arcs, &text) || self.canvas.joined(places, &text) {
             return;
@@ -339,20 +338,18 @@ impl<'a> Draft<'a> {
 
     /// The named values under the k axis; their formulas in the caption for want of room. Returns the y below.
     fn k_marks(&mut self) -> f64 {
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         let chart = self.given.diagram.chart();
         let marks = self.given.sheet.k_marks.iter().filter_map(|&name| {
             let k = chart.point(name)?.k;
-            (frame.window.k_min..=frame.window.k_max)
-                .contains(&k)
-                .then(|| (frame.x(k), k_markup(name, chart)))
+            (axes.across.from..=axes.across.to).contains(&k).then(|| (axes.x(k), k_markup(name, chart)))
         });
         let marks: Vec<_> = marks.collect();
         let tabs = |full: bool| {
             let text = |&(name, value)| Text::new(&equation((name, if full { value } else { "" })), FORMULA);
             marks.iter().map(|(at, markup)| Tab { at: *at, text: text(markup) }).collect()
         };
-        let (bottom, full) = margins::under_k_axis(&mut self.canvas.scene, &frame, tabs(true), tabs(false));
+        let (bottom, full) = margins::under_k_axis(&mut self.canvas.scene, &axes, tabs(true), tabs(false));
         if !full {
             self.legend.extend(marks.iter().map(|(_, markup)| equation(*markup)));
         }
@@ -360,29 +357,22 @@ impl<'a> Draft<'a> {
     }
 
     /// Edges, caption, and the document.
-    fn finish(mut self, numbers: Option<Numbers>) -> Figure {
-        let frame = self.canvas.board.frame;
+    fn finish(mut self) -> Figure {
+        let axes = self.canvas.board.axes;
         self.legend.extend(caption::hatching(self.given.hatched));
-        let bottom = match numbers {
-            Some(numbers) => numbers.draw(&mut self.canvas.scene, &frame),
-            None => self.k_marks(),
-        };
+        let bottom =
+            if self.given.numbered { axes.round_numbers(&mut self.canvas.scene) } else { self.k_marks() };
         let right = std::mem::take(&mut self.right);
-        let right = margins::right_of(&mut self.canvas.scene, &frame, right).unwrap_or(frame.area.x1);
-        margins::above(&mut self.canvas.scene, &frame, std::mem::take(&mut self.above));
+        let right = margins::right_of(&mut self.canvas.scene, &axes, right).unwrap_or(axes.area.x1);
+        margins::above(&mut self.canvas.scene, &axes, std::mem::take(&mut self.above));
 
-        let width = (right + 12.0).max(frame.area.x1 + 46.0);
-        let title = caption::title(self.given);
+        let width = (right + 12.0).max(axes.area.x1 + 46.0);
         let mut words = vec![Text::verbatim(self.given.heading, SIZE)];
         words.extend(margins::words(self.given.caption, SIZE));
         let details = caption::details(self.given, &self.legend, &self.numbered);
         let edges = (16.0, width - 16.0);
-        let below = margins::paragraph(&mut self.canvas.scene, &words, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(&mut self.canvas.scene, &details, edges, below + 5.0, SMALL);
-        let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
-        let description = caption::description(self.given, &caption);
-        let size = (width.ceil(), (below + 10.0).ceil());
-        let (svg, labels) = self.canvas.scene.finish(size.0, size.1, &title, &description);
-        Figure { svg, title, caption, labels, size }
+        let words = Words { title: caption::title(self.given), ..Words::new(words, details) };
+        let description = caption::description(self.given, &words.caption);
+        words.figure(self.canvas.scene, edges, bottom + 16.0, 16.0, &description)
     }
 }

@@ -6,20 +6,21 @@
 use standfast::region::{Curve, Strip};
 
 use crate::Figure;
+use crate::axes::{Axes, Names, widest};
+use crate::below::Words;
 use crate::canvas::Canvas;
-use crate::caption::{SIZE, SMALL, shortened};
-use crate::margins::{self, Axes, Tab};
+use crate::ground::shape::through;
+use crate::margins::{self, Tab};
 use crate::palette::{FEASIBLE, INK, MARK};
-use crate::plot::{Frame, Piece, View, arcs_path, clip, clip_strips, outline};
-use crate::scale::Scale;
-use crate::scene::{Path, Pen, Rect};
+use crate::plot::{Piece, View, clip, clip_strips, outline};
+use crate::scene::{Pen, Rect};
 use crate::text::Text;
 
 const PLOT: (f64, f64) = (430.0, 320.0);
 const TOP: f64 = 46.0;
 const LABEL: f64 = 13.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.5);
-const AXES: Axes = Axes { right: "", up: "", origin: "" };
+const NAMES: Names = Names { right: "", up: "", origin: "" };
 /// At most so many numbers along an axis.
 const NUMBERS: f64 = 8.0;
 
@@ -125,25 +126,29 @@ impl Step {
 /// ```
 pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
     let window = window(set)?;
-    let shifted = Shifted { set, origin: (window.k_min, window.mu_min) };
-    let [across, up] = [(window.k_min, window.k_max), (window.mu_min, window.mu_max)]
-        .map(|(least, greatest)| numbers(least, greatest));
-    let left = up.iter().map(|(_, text)| text.width).fold(0.0, f64::max) + 30.0;
+    let (across, up) = window.axes();
+    let ticks = [across, up].map(|axis| axis.numbers(NUMBERS));
+    let left = widest(&ticks[1], 0.0) + 30.0;
     let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
-    let frame = Frame { area, window: View::from_origin(window.width(), window.height()) };
-    let mut canvas = Canvas::new(frame);
+    let axes = Axes { area, across, up };
+    let mut canvas = Canvas::new(axes);
 
-    let pieces = clip_strips(&shifted.strips(), &frame.window);
+    let pieces = clip_strips(&set.strips(), &window);
     // One path, for two that touch show a seam.
-    canvas.scene.fill(&outline(&frame, &pieces), FEASIBLE);
-    let runs = shifted.runs();
-    let steps = shifted.steps(&frame.window);
+    canvas.scene.fill(&outline(&axes, &pieces), FEASIBLE);
+    let runs = set.runs();
+    let steps = set.steps(&window);
     boundary(&mut canvas, &runs, &steps);
-    margins::axes(&mut canvas.scene, &frame, &AXES);
-    beside_axis(&mut canvas, up.into_iter().map(|(value, text)| (frame.y(value - window.mu_min), text)));
-    let under = across.into_iter().map(|(value, text)| Tab { at: frame.x(value - window.k_min), text });
-    let (below, _) = margins::under_k_axis(&mut canvas.scene, &frame, under.collect(), Vec::new());
-    present(&mut canvas, &shifted);
+    axes.arrows(&mut canvas.scene, &NAMES);
+    let [across, up] = ticks.map(|ticks| ticks.into_iter().filter_map(|(value, text)| Some((value, text?))));
+    // Down to the origin.
+    for (value, text) in up {
+        let y = axes.y(value);
+        margins::beside(&mut canvas.scene, &axes, &Tab { at: y, text }, y);
+    }
+    let under = across.map(|(value, text)| Tab { at: axes.x(value), text });
+    let (below, _) = margins::under_k_axis(&mut canvas.scene, &axes, under.collect(), Vec::new());
+    present(&mut canvas, set);
     let upright = steps.iter().filter_map(|step| {
         Some(Run {
             by: step.by?,
@@ -158,7 +163,7 @@ pub fn feasible_set(set: &FeasibleSet<'_>) -> Option<Figure> {
 
 /// Writes the names of the axes, the title and the caption around the plot.
 fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -> Figure {
-    let area = canvas.board.frame.area;
+    let area = canvas.board.axes.area;
     let name = axis_name(&set.up);
     canvas.scene.text(&name, (area.x0 - 14.0).max(12.0), area.y0 - 27.0, INK);
     let name = axis_name(&set.across);
@@ -172,37 +177,13 @@ fn framed(mut canvas: Canvas, set: &FeasibleSet<'_>, runs: &[Run], below: f64) -
     let along =
         if binds.is_empty() { String::new() } else { format!(" Along the boundary: {}.", binds.join(", ")) };
     let caption = format!("{}{along}", set.caption);
-    let words = |text: &str, size: f64| -> Vec<Text> {
-        text.split_whitespace().map(|word| Text::verbatim(&shortened(word), size)).collect()
-    };
-    let below = margins::paragraph(
-        &mut canvas.scene,
-        &words(set.title, SIZE),
-        edges,
-        baseline + name.descent + 14.0,
-        SIZE,
-    );
-    let below = margins::paragraph(&mut canvas.scene, &words(&caption, SMALL), edges, below + 5.0, SMALL);
-    let size = (width.ceil(), (below + 10.0).ceil());
     let description = format!(
         "Chart of {}, upwards, over {}, to the right. {caption}",
         axis_name(&set.up).plain,
         axis_name(&set.across).plain
     );
-    let title = set.title.to_owned();
-    let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
-    Figure { svg, title, caption, labels, size }
-}
-
-/// Ticks and numbers beside the axis upwards, down to its origin.
-fn beside_axis(canvas: &mut Canvas, numbers: impl Iterator<Item = (f64, Text)>) {
-    let x0 = canvas.board.frame.area.x0;
-    for (y, text) in numbers {
-        canvas.scene.line((x0 - 4.0, y), (x0, y), Pen::solid(INK, 0.9));
-        let rect =
-            Rect { x0: x0 - 8.0 - text.width, x1: x0 - 8.0, ..Rect::around(0.0, y, 0.0, text.height()) };
-        canvas.scene.text_in(&text, &rect, INK);
-    }
+    let words = Words { gap: 5.0, ..Words::verbatim(set.title, &caption) };
+    words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
 }
 
 /// Words, symbol and unit of an axis.
@@ -230,46 +211,26 @@ fn window(set: &FeasibleSet<'_>) -> Option<View> {
     Some(View { k_min, k_max, mu_min: low, mu_max: greatest + 0.12 * size })
 }
 
-/// Round numbers along an axis.
-fn numbers(least: f64, greatest: f64) -> Vec<(f64, Text)> {
-    let scale = Scale::new(least, greatest, NUMBERS);
-    scale.numbers().into_iter().map(|number| (number, margins::number(&scale, number))).collect()
-}
-
-/// The set with the lower left corner of the window as its origin.
-struct Shifted<'a> {
-    set: &'a FeasibleSet<'a>,
-    origin: (f64, f64),
-}
-
-impl Shifted<'_> {
-    fn x(&self, column: &SetColumn) -> f64 {
-        column.at - self.origin.0
-    }
-
-    fn y(&self, end: &SetEnd) -> f64 {
-        end.value - self.origin.1
-    }
-
+impl FeasibleSet<'_> {
     /// Neighbouring columns.
     fn pairs(&self) -> impl Iterator<Item = (&SetColumn, &SetColumn)> {
-        self.set.columns.windows(2).map(|pair| (&pair[0], &pair[1]))
+        self.columns.windows(2).map(|pair| (&pair[0], &pair[1]))
     }
 
     /// The strips of the set between neighbouring columns: those of the first stretches, then those of the second ones.
     fn strips(&self) -> Vec<Strip> {
         let level = |stretch: &SetStretch, from: f64, to: f64| {
             let [lower, upper] =
-                [&stretch.from, &stretch.to].map(|end| Curve::Line { slope: 0.0, intercept: self.y(end) });
+                [&stretch.from, &stretch.to].map(|end| Curve::Line { slope: 0.0, intercept: end.value });
             Strip { from, to, lower, upper: Some(upper) }
         };
         let mut strips = Vec::new();
         for (left, right) in self.pairs() {
-            let (from, to) = (self.x(left), self.x(right));
+            let (from, to) = (left.at, right.at);
             if left.stretches.len() == right.stretches.len() {
                 let joined = left.stretches.iter().zip(&right.stretches).map(|(one, other)| {
-                    let lower = line((from, self.y(&one.from)), (to, self.y(&other.from)));
-                    let upper = line((from, self.y(&one.to)), (to, self.y(&other.to)));
+                    let lower = through((from, one.from.value), (to, other.from.value));
+                    let upper = through((from, one.to.value), (to, other.to.value));
                     Strip { from, to, lower, upper: Some(upper) }
                 });
                 strips.extend(joined.enumerate());
@@ -290,7 +251,7 @@ impl Shifted<'_> {
             self.pairs().filter(|(left, right)| left.stretches.len() != right.stretches.len())
         {
             let both = [left, right].map(|column| -> Vec<(f64, f64)> {
-                column.stretches.iter().map(|one| (self.y(&one.from), self.y(&one.to))).collect()
+                column.stretches.iter().map(|one| (one.from.value, one.to.value)).collect()
             });
             let mut cuts: Vec<f64> = both.iter().flatten().flat_map(|(from, to)| [*from, *to]).collect();
             cuts.sort_by(f64::total_cmp);
@@ -300,13 +261,13 @@ impl Shifted<'_> {
                 let middle = (cut[0] + cut[1]) / 2.0;
                 inside(&both[0], middle) != inside(&both[1], middle)
             });
-            let x = (self.x(left) + self.x(right)) / 2.0;
+            let x = (left.at + right.at) / 2.0;
             let by = left.none.or(right.none);
             steps.extend(parts.map(|cut| Step { at: x, from: cut[0], to: cut[1], by }));
         }
         // Within the window.
         steps.retain_mut(|step| {
-            (step.from, step.to) = (step.from.max(0.0), step.to.min(window.mu_max));
+            (step.from, step.to) = (step.from.max(window.mu_min), step.to.min(window.mu_max));
             step.from < step.to
         });
         steps
@@ -314,7 +275,7 @@ impl Shifted<'_> {
 
     /// The boundary, cut where something else begins to bind.
     fn runs(&self) -> Vec<Run> {
-        let most = self.set.columns.iter().map(|column| column.stretches.len()).max().unwrap_or(0);
+        let most = self.columns.iter().map(|column| column.stretches.len()).max().unwrap_or(0);
         let ends: [fn(&SetStretch) -> &SetEnd; 2] = [|stretch| &stretch.from, |stretch| &stretch.to];
         let mut runs: Vec<Run> = Vec::new();
         for place in 0..most {
@@ -331,7 +292,7 @@ impl Shifted<'_> {
                         open = false;
                         continue;
                     };
-                    let (from, to) = ((self.x(left), self.y(one)), (self.x(right), self.y(other)));
+                    let (from, to) = ((left.at, one.value), (right.at, other.value));
                     match runs.last_mut().filter(|run| open && run.by == by) {
                         Some(run) => run.points.push(to),
                         None => runs.push(Run { by, points: vec![from, to] }),
@@ -349,47 +310,29 @@ impl Shifted<'_> {
     }
 }
 
-/// The line through two points.
-fn line((x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> Curve {
-    let slope = (y1 - y0) / (x1 - x0);
-    Curve::Line { slope, intercept: y0 - slope * x0 }
-}
-
 /// Draws the boundary and keeps labels off it; a dot where something else begins to bind.
 fn boundary(canvas: &mut Canvas, runs: &[Run], steps: &[Step]) {
-    let frame = canvas.board.frame;
+    let axes = canvas.board.axes;
     let mut starts: Vec<(f64, f64)> = Vec::new();
     for run in runs {
-        let arcs: Vec<_> = run
-            .points
-            .windows(2)
-            .flat_map(|pair| clip(line(pair[0], pair[1]), pair[0].0, pair[1].0, &frame.window))
-            .collect();
-        canvas.scene.stroke(&arcs_path(&frame, &arcs), BOUNDARY);
-        canvas.board.arcs.extend(arcs);
+        let lines = run.points.windows(2).map(|pair| (through(pair[0], pair[1]), pair[0].0, pair[1].0));
+        let arcs = lines.flat_map(|(line, from, to)| clip(line, from, to, &axes.view())).collect();
+        canvas.arcs(arcs, BOUNDARY);
         starts.extend(run.points.first());
     }
-    let mut path = Path::default();
-    for Step { at, from, to, .. } in steps {
-        let (x, top, bottom) = (frame.x(*at), frame.y(*to), frame.y(*from));
-        path.move_to(x, top);
-        path.line_to(x, bottom);
-        canvas.board.verticals.push((x, top, bottom));
-    }
-    canvas.scene.stroke(&path, BOUNDARY);
+    canvas.verticals(steps.iter().map(|step| (step.at, step.from, step.to)), BOUNDARY);
     let ends: Vec<_> = runs.iter().filter_map(|run| run.points.last()).collect();
     for start in starts.into_iter().filter(|start| ends.contains(&start)) {
-        canvas.scene.dot(frame.at(start.0, start.1), 2.4, INK, None);
+        canvas.scene.dot(axes.at(start.0, start.1), 2.4, INK, None);
     }
 }
 
 /// Marks the present values.
-fn present(canvas: &mut Canvas, shifted: &Shifted<'_>) {
-    let frame = canvas.board.frame;
-    let set = shifted.set;
-    let (x, y) = (set.across.present - shifted.origin.0, set.up.present - shifted.origin.1);
-    if frame.shows(x, y) {
-        let at = frame.at(x, y);
+fn present(canvas: &mut Canvas, set: &FeasibleSet<'_>) {
+    let axes = canvas.board.axes;
+    let (x, y) = (set.across.present, set.up.present);
+    if axes.shows(x, y) {
+        let at = axes.at(x, y);
         canvas.diamond(at);
         let text = Text::new("present", LABEL);
         let place = canvas.board.beside(at, &text, 9.0);
@@ -401,11 +344,11 @@ fn present(canvas: &mut Canvas, shifted: &Shifted<'_>) {
 fn name(canvas: &mut Canvas, run: &Run) {
     const SHARES: [f64; 7] = [0.5, 0.38, 0.62, 0.25, 0.75, 0.12, 0.88];
     const SHORT: f64 = 24.0;
-    let frame = canvas.board.frame;
-    let points: Vec<_> = run.points.iter().filter(|(x, y)| frame.shows(*x, *y)).collect();
+    let axes = canvas.board.axes;
+    let points: Vec<_> = run.points.iter().filter(|(x, y)| axes.shows(*x, *y)).collect();
     let length: f64 = points
         .windows(2)
-        .map(|pair| (frame.x(pair[1].0) - frame.x(pair[0].0)).hypot(frame.y(pair[1].1) - frame.y(pair[0].1)))
+        .map(|pair| (axes.x(pair[1].0) - axes.x(pair[0].0)).hypot(axes.y(pair[1].1) - axes.y(pair[0].1)))
         .sum();
     if length < SHORT {
         return;
@@ -413,7 +356,7 @@ fn name(canvas: &mut Canvas, run: &Run) {
     let text = Text::new(run.by, LABEL);
     let at = |share: f64| {
         let (x, y) = points[((points.len() - 1) as f64 * share) as usize];
-        frame.at(*x, *y)
+        axes.at(*x, *y)
     };
     let clear = SHARES.into_iter().find_map(|share| {
         let place = canvas.board.beside(at(share), &text, 7.0)?;

@@ -12,15 +12,17 @@ use standfast::ground::strength::{CrushMap, CrushPoint};
 use standfast::{Diagram, Modes, Verdict};
 
 use self::shape::{Shape, through};
+use crate::axes::{Axes, Names};
+use crate::below::Words;
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{self, SIZE, SMALL, Said, pair};
-use crate::chart::{LETTER, PLOT, frame_at};
-use crate::margins::{self, Numbers};
+use crate::chart::{LETTER, PLOT, TOP};
+use crate::margins;
 use crate::number::digits;
 use crate::outlines::{OutlinedLine, Outlines, polygons};
 use crate::palette::{BEHIND, FAINT, INK, verdict_symbol, verdict_tint};
 use crate::plot::{Arc, Piece, View, clip_strips, hatch, outline};
-use crate::scene::{Path, Pen, Rect};
+use crate::scene::Pen;
 use crate::text::Text;
 use crate::{DesignPoint, DiagramContent, Figure, map, outlines};
 
@@ -158,7 +160,6 @@ struct Draft {
     shape: Shape,
     window: Window,
     areas: Vec<(Verdict, Vec<Piece>)>,
-    numbers: Numbers,
     /// What is said below of lines and hatching, in markup.
     legend: Vec<String>,
 }
@@ -168,45 +169,30 @@ impl Draft {
         let window = plane.window_of(content);
         let view = View::from_origin(window.k, window.mu);
         let shape = plane.shape(&view);
-        let numbers = Numbers::of(&view, PLOT.0, PLOT.1);
-        let canvas = Canvas::new(frame_at(numbers.width().max(34.0) + 6.0, view));
+        let canvas = Canvas::new(Axes::beside_numbers(&view, PLOT, TOP));
         let areas = shape.areas.iter().map(|(verdict, strips)| (*verdict, clip_strips(strips, &view)));
         let areas = areas.filter(|(_, pieces)| !pieces.is_empty()).collect();
-        Draft { canvas, shape, window, areas, numbers, legend: Vec::new() }
+        Draft { canvas, shape, window, areas, legend: Vec::new() }
     }
 
     fn figure(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>) -> Figure {
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         for (verdict, pieces) in &self.areas {
-            self.canvas.scene.fill(&outline(&frame, pieces), verdict_tint(*verdict));
+            self.canvas.scene.fill(&outline(&axes, pieces), verdict_tint(*verdict));
         }
         self.hatching(plane, content);
         for part in plane.rigid_lines(self.window) {
-            self.line(&part, RIGID);
+            self.canvas.line(&part, RIGID);
         }
         for line in std::mem::take(&mut self.shape.lines) {
             for part in &line.parts {
-                self.line(part, if line.dashed { DASHED } else { BOUNDARY });
+                self.canvas.line(part, if line.dashed { DASHED } else { BOUNDARY });
             }
             self.shape.lines.push(line);
         }
-        margins::axes(&mut self.canvas.scene, &frame, &margins::NUMBERED);
+        axes.arrows(&mut self.canvas.scene, &Names::NUMBERED);
         let numbered = self.marks(content);
         self.finish(plane, content, &numbered)
-    }
-
-    /// Draws a line and keeps labels off it.
-    fn line(&mut self, part: &[(f64, f64)], pen: Pen) {
-        let frame = self.canvas.board.frame;
-        let places: Vec<_> = part.iter().map(|&(k, mu)| frame.at(k, mu)).collect();
-        self.canvas.scene.stroke(&Path::through(&places), pen);
-        for pair in part.windows(2) {
-            let [(x0, y0), (x1, y1)] = [pair[0], pair[1]].map(|(k, mu)| frame.at(k, mu));
-            if (x1 - x0).abs() < 1e-6 {
-                self.canvas.board.verticals.push((x0, y0.min(y1), y0.max(y1)));
-            }
-        }
-        self.canvas.board.arcs.extend(arcs(part));
     }
 
     /// Hatches where several modes are consistent, if a point lies there.
@@ -220,10 +206,10 @@ impl Draft {
         if !content.marked().iter().any(is_several) {
             return;
         }
-        let frame = self.canvas.board.frame;
-        let (strips, modes) = crush::undecided(chart, &frame.window);
-        let pieces = clip_strips(&strips, &frame.window);
-        self.canvas.scene.stroke(&hatch(&frame, &pieces, 9.0, false), Pen::solid(FAINT, 0.4));
+        let axes = self.canvas.board.axes;
+        let (strips, modes) = crush::undecided(chart, &axes.view());
+        let pieces = clip_strips(&strips, &axes.view());
+        self.canvas.scene.stroke(&hatch(&axes, &pieces, 9.0, false), Pen::solid(FAINT, 0.4));
         for (verdict, own) in &self.areas {
             self.canvas.hatched.push((common(&pieces, own), verdict_tint(*verdict)));
         }
@@ -232,15 +218,13 @@ impl Draft {
 
     /// Letters, points, names of regions and formulas. Gives the points that carry numbers.
     fn marks(&mut self, content: &DiagramContent<'_>) -> Vec<usize> {
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         self.canvas.cloud(content.cloud);
         for point in &self.shape.points {
-            let (x, y) = frame.at(point.k, point.mu);
-            self.canvas.scene.dot((x, y), 2.6, INK, None);
-            self.canvas.board.reserve(Rect::around(x, y, 6.5, 6.5));
+            self.canvas.dot(axes.at(point.k, point.mu), 2.6, 6.5);
         }
         for point in &self.shape.points {
-            self.canvas.letter(&Text::new(&point.markup, LETTER), frame.at(point.k, point.mu));
+            self.canvas.letter(&Text::new(&point.markup, LETTER), axes.at(point.k, point.mu));
         }
         let numbered = self.canvas.design_points(content.points);
         for (verdict, pieces) in &self.areas {
@@ -258,12 +242,12 @@ impl Draft {
         if line.formula.is_empty() || line.parts.is_empty() {
             return;
         }
-        let frame = self.canvas.board.frame;
+        let axes = self.canvas.board.axes;
         let longest = line.parts.iter().max_by(|one, other| length(one).total_cmp(&length(other)));
         let Some(part) = longest else { return };
         // What is too short to be seen is not to be named.
         let seen = part.first().zip(part.last()).map(|(one, other)| {
-            let ((x0, y0), (x1, y1)) = (frame.at(one.0, one.1), frame.at(other.0, other.1));
+            let ((x0, y0), (x1, y1)) = (axes.at(one.0, one.1), axes.at(other.0, other.1));
             (x1 - x0).hypot(y1 - y0)
         });
         if seen.is_none_or(|length| length < SHORTEST) {
@@ -277,7 +261,7 @@ impl Draft {
             let off = |arc: &Arc| ((arc.from + arc.to) / 2.0 - middle).abs();
             off(one).total_cmp(&off(other))
         });
-        let places = || [2, 3, 4, 1].map(|i| part[(part.len() - 1) * i / 5]).map(|(k, mu)| frame.at(k, mu));
+        let places = || [2, 3, 4, 1].map(|i| part[(part.len() - 1) * i / 5]).map(|(k, mu)| axes.at(k, mu));
         for markup in [line.formula, line.short] {
             let text = Text::new(markup, FORMULA);
             if !markup.is_empty()
@@ -290,9 +274,9 @@ impl Draft {
     }
 
     fn finish(mut self, plane: GroundPlane<'_>, content: &DiagramContent<'_>, numbered: &[usize]) -> Figure {
-        let frame = self.canvas.board.frame;
-        let bottom = self.numbers.draw(&mut self.canvas.scene, &frame);
-        let width = frame.area.x1 + 46.0;
+        let axes = self.canvas.board.axes;
+        let bottom = axes.round_numbers(&mut self.canvas.scene);
+        let width = axes.area.x1 + 46.0;
         let edges = (16.0, width - 16.0);
         let heading = margins::words(&format!("{} {}", plane.heading(), plane.given()), SIZE);
         let parts =
@@ -301,18 +285,12 @@ impl Draft {
         let stop = if parts.is_empty() { "" } else { "." };
         let known = format!("{}{stop} Grey: on rigid ground. {}", parts.join(", "), self.remark(plane));
         let mut details = margins::words(known.trim(), SMALL);
-        let view = frame.window;
+        let view = axes.view();
         let said = |point: &DesignPoint| plane.said(point);
         details.extend(caption::of_points(content.points, content.cloud, &view, numbered, said));
-        let scene = &mut self.canvas.scene;
-        let below = margins::paragraph(scene, &heading, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(scene, &details, edges, below + 5.0, SMALL);
-        let [title, caption] = [&heading, &details]
-            .map(|words| words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" "));
-        let description = self.description(&caption);
-        let size = (width.ceil(), (below + 10.0).ceil());
-        let (svg, labels) = self.canvas.scene.finish(size.0, size.1, &title, &description);
-        Figure { svg, title, caption, labels, size }
+        let words = Words::new(heading, details);
+        let description = self.description(&words.caption);
+        words.figure(self.canvas.scene, edges, bottom + 16.0, 16.0, &description)
     }
 
     /// What is to be known of the whole plane, in markup.
@@ -322,21 +300,9 @@ impl Draft {
     }
 
     fn description(&self, caption: &str) -> String {
-        let plain = |markup: &str| Text::inline(markup, SMALL).plain;
-        let shaded = self.areas.iter().map(|(verdict, _)| {
-            format!(
-                "{}, where the body {}",
-                plain(verdict_symbol(*verdict)),
-                verdict.words().replace('\'', "′")
-            )
-        });
-        format!(
-            "Chart of the friction coefficient μ, upwards from 0 to {}, over the force k, to the right from 0 to {}. \
-             Shaded: {}. {caption}",
-            plain(&format!("${}$", digits(self.window.mu))),
-            plain(&format!("${}$", digits(self.window.k))),
-            shaded.collect::<Vec<_>>().join("; ")
-        )
+        let shaded =
+            self.areas.iter().map(|(verdict, _)| caption::region(verdict_symbol(*verdict), verdict.words()));
+        format!("{} {caption}", caption::chart("the force k", &self.canvas.board.axes.view(), shaded))
     }
 }
 

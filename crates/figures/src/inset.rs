@@ -3,6 +3,7 @@
 use standfast::Diagram;
 use standfast::Mode;
 
+use crate::axes::{Axes, Axis};
 use crate::labels::Board;
 use crate::palette::{FAINT, INK, PAPER, symbol, tint};
 use crate::plot::{clip_strips, hermite};
@@ -24,13 +25,13 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
     }
     let height = |k: f64| mu_star.at(k) - ab.at(k);
     let summit = (1..40).map(|i| height(from + (to - from) * f64::from(i) / 40.0)).fold(0.0, f64::max);
-    let frame = board.frame;
-    let in_main = frame.y(0.0) - frame.y(summit);
-    if in_main >= THICK || to > frame.window.k_max {
+    let axes = board.axes;
+    let in_main = axes.y(0.0) - axes.y(summit);
+    if in_main >= THICK || to > axes.across.to {
         return;
     }
     let rooms = [Mode::RockO, Mode::SlideRockOPrimeLeft].map(|mode| {
-        diagram.region(mode).map_or(Vec::new(), |region| clip_strips(&region.strips, &frame.window))
+        diagram.region(mode).map_or(Vec::new(), |region| clip_strips(&region.strips, &axes.view()))
     });
     let sizes = [(168.0, 112.0), (150.0, 96.0)].into_iter();
     let place = |size: (f64, f64)| rooms.iter().find_map(|pieces| board.inside(pieces, size.0, size.1));
@@ -44,10 +45,10 @@ pub(crate) fn draw(scene: &mut Scene, board: &mut Board, diagram: &Diagram) {
 
     let inner = Rect { x0: x0 + 16.0, y0: y0 + 34.0, x1: x1 - 16.0, y1: y1 - 21.0 };
     let tall = 0.86 * (inner.y1 - inner.y0);
-    let x = |k: f64| inner.x0 + 6.0 + (k - from) / (to - from) * (inner.x1 - inner.x0 - 14.0);
-    let y = |mu: f64| inner.y1 - mu / summit * tall;
-    let steep = (to - from) / (inner.x1 - inner.x0 - 14.0) * tall / summit;
-    let graph = |k: f64| (x(k), y(height(k)), -(mu_star.slope(k) - ab.slope(k)) * steep);
+    let area = Rect { x0: inner.x0 + 6.0, x1: inner.x1 - 8.0, y0: inner.y1 - tall, y1: inner.y1 };
+    let magnified = Axes { area, across: Axis::linear(from, to), up: Axis::linear(0.0, summit) };
+    let (x, y) = (|k: f64| magnified.x(k), |mu: f64| magnified.y(mu));
+    let graph = |k: f64| (x(k), y(height(k)), magnified.tilt(mu_star.slope(k) - ab.slope(k)));
     let mut lens = Path::default();
     lens.move_to(x(from), inner.y1);
     hermite(&mut lens, &graph, from, to, 10);

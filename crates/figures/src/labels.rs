@@ -3,7 +3,8 @@
 //! A [`Board`] knows what is drawn: arcs, straight lines and boxes. Curves are monotone, so whether a box touches one
 //! takes two evaluations; a few thousand candidate places cost well under a millisecond.
 
-use crate::plot::{Arc, Frame, Piece};
+use crate::axes::Axes;
+use crate::plot::{Arc, Piece};
 use crate::scene::Rect;
 use crate::text::Text;
 
@@ -53,7 +54,7 @@ fn places_around((x, y): (f64, f64), text: &Text, distances: &[f64], directions:
 /// Everything a label has to keep clear of.
 #[derive(Debug)]
 pub(crate) struct Board {
-    pub frame: Frame,
+    pub axes: Axes,
     pub arcs: Vec<Arc>,
     /// Vertical lines: x and the y they run between.
     pub verticals: Vec<(f64, f64, f64)>,
@@ -63,8 +64,8 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    pub(crate) fn new(frame: Frame) -> Board {
-        Board { frame, arcs: Vec::new(), verticals: Vec::new(), letters: Vec::new(), boxes: Vec::new() }
+    pub(crate) fn new(axes: Axes) -> Board {
+        Board { axes, arcs: Vec::new(), verticals: Vec::new(), letters: Vec::new(), boxes: Vec::new() }
     }
 
     /// Keeps later labels off a rectangle.
@@ -75,17 +76,18 @@ impl Board {
     /// True if a rectangle lies in the plot, `margin` away from all boxes.
     fn off_boxes(&self, rect: &Rect, margin: f64) -> bool {
         let grown = rect.grown(margin);
-        let Rect { x0, .. } = self.frame.area;
+        let Rect { x0, .. } = self.axes.area;
         // The μ axis is a drawn line, the other edges of the plot are not.
         x0 + 4.0 < rect.x0
-            && self.frame.area.contains(&rect.grown(1.5))
+            && self.axes.area.contains(&rect.grown(1.5))
             && !self.boxes.iter().any(|other| other.overlaps(&grown))
     }
 
     /// True if a rectangle is `margin` away from all lines.
     pub(crate) fn off_lines(&self, rect: &Rect, margin: f64) -> bool {
         let Rect { x0, y0, x1, y1 } = rect.grown(margin);
-        let (k0, k1, high, low) = (self.frame.k(x0), self.frame.k(x1), self.frame.mu(y0), self.frame.mu(y1));
+        let (k0, k1, high, low) =
+            (self.axes.across_at(x0), self.axes.across_at(x1), self.axes.up_at(y0), self.axes.up_at(y1));
         let on_arc =
             |arc: &Arc| arc.range(k0, k1).is_some_and(|(least, greatest)| least < high && greatest > low);
         let on_vertical = |&(x, top, bottom): &(f64, f64, f64)| x0 < x && x < x1 && top < y1 && bottom > y0;
@@ -165,13 +167,13 @@ impl Board {
         const SLICES: u32 = 16;
         let (mut area, mut x_moment, mut y_moment) = (0.0, 0.0, 0.0);
         for piece in pieces {
-            let thin = (self.frame.x(piece.to) - self.frame.x(piece.from)) / f64::from(SLICES);
+            let thin = (self.axes.x(piece.to) - self.axes.x(piece.from)) / f64::from(SLICES);
             for i in 0..SLICES {
                 let k = piece.from + (piece.to - piece.from) * (f64::from(i) + 0.5) / f64::from(SLICES);
-                let (top, bottom) = (self.frame.y(piece.upper.at(k)), self.frame.y(piece.lower.at(k)));
+                let (top, bottom) = (self.axes.y(piece.upper.at(k)), self.axes.y(piece.lower.at(k)));
                 let slice = thin * (bottom - top);
                 area += slice;
-                x_moment += slice * self.frame.x(k);
+                x_moment += slice * self.axes.x(k);
                 y_moment += slice * (top + bottom) / 2.0;
             }
         }
@@ -182,11 +184,11 @@ impl Board {
     fn holds(&self, pieces: &[Piece], rect: &Rect) -> bool {
         /// A gap between pieces that is none, as a share of the window.
         const SEAM: f64 = 1e-6;
-        if !self.frame.area.contains(rect) {
+        if !self.axes.area.contains(rect) {
             return false;
         }
-        let (k0, k1) = (self.frame.k(rect.x0), self.frame.k(rect.x1));
-        let (low, high) = (self.frame.mu(rect.y1), self.frame.mu(rect.y0));
+        let (k0, k1) = (self.axes.across_at(rect.x0), self.axes.across_at(rect.x1));
+        let (low, high) = (self.axes.up_at(rect.y1), self.axes.up_at(rect.y0));
         let mut reached = k0;
         for piece in pieces.iter().filter(|piece| piece.to > k0 && piece.from < k1) {
             let (from, to) = (piece.from.max(k0), piece.to.min(k1));
@@ -194,19 +196,19 @@ impl Board {
             let upper = Arc { curve: piece.upper, from, to }.range(from, to);
             let inside =
                 lower.is_some_and(|(_, most)| most <= low) && upper.is_some_and(|(least, _)| least >= high);
-            if from > reached + SEAM * self.frame.window.width() || !inside {
+            if from > reached + SEAM * self.axes.view().width() || !inside {
                 return false;
             }
             reached = to;
         }
-        reached + SEAM * self.frame.window.width() >= k1
+        reached + SEAM * self.axes.view().width() >= k1
     }
 
     /// True if a corner, the middle of an edge, or the centre of a rectangle on the page lies in a region.
     pub(crate) fn touches(&self, pieces: &[Piece], rect: &Rect) -> bool {
         let (x, y) = rect.centre();
         let points = [rect.x0, x, rect.x1].into_iter().flat_map(|x| [rect.y0, y, rect.y1].map(|y| (x, y)));
-        points.map(|(x, y)| (self.frame.k(x), self.frame.mu(y))).any(|(k, mu)| {
+        points.map(|(x, y)| (self.axes.across_at(x), self.axes.up_at(y))).any(|(k, mu)| {
             let holds = |piece: &Piece| {
                 (piece.from..=piece.to).contains(&k) && (piece.lower.at(k)..=piece.upper.at(k)).contains(&mu)
             };
@@ -217,15 +219,15 @@ impl Board {
     fn bounds(&self, pieces: &[Piece]) -> Option<Rect> {
         let (first, last) = (pieces.first()?, pieces.last()?);
         let mut bounds = Rect {
-            x0: self.frame.x(first.from),
-            x1: self.frame.x(last.to),
+            x0: self.axes.x(first.from),
+            x1: self.axes.x(last.to),
             y0: f64::INFINITY,
             y1: f64::NEG_INFINITY,
         };
         for piece in pieces {
             for k in [piece.from, piece.to] {
-                bounds.y0 = bounds.y0.min(self.frame.y(piece.upper.at(k)));
-                bounds.y1 = bounds.y1.max(self.frame.y(piece.lower.at(k)));
+                bounds.y0 = bounds.y0.min(self.axes.y(piece.upper.at(k)));
+                bounds.y1 = bounds.y1.max(self.axes.y(piece.lower.at(k)));
             }
         }
         Some(bounds)
@@ -236,8 +238,8 @@ impl Board {
         let width = self.bounds(pieces).map(|bounds| bounds.x1 - bounds.x0)?;
         let sample = |piece: &Piece, share: f64| {
             let k = piece.from + share * (piece.to - piece.from);
-            let (top, bottom) = (self.frame.y(piece.upper.at(k)), self.frame.y(piece.lower.at(k)));
-            ((self.frame.x(k), (top + bottom) / 2.0), (bottom - top).min(width))
+            let (top, bottom) = (self.axes.y(piece.upper.at(k)), self.axes.y(piece.lower.at(k)));
+            ((self.axes.x(k), (top + bottom) / 2.0), (bottom - top).min(width))
         };
         pieces
             .iter()
@@ -290,9 +292,9 @@ impl Board {
         const PLACES: [f64; 13] = [0.6, 0.7, 0.5, 0.8, 0.4, 0.65, 0.55, 0.75, 0.3, 0.88, 0.45, 0.2, 0.1];
         let beside = |share: f64, gap: f64, side: f64, centred: f64| {
             let k = arc.from + share * (arc.to - arc.from);
-            let (x, y) = self.frame.at(k, arc.curve.at(k));
+            let (x, y) = self.axes.at(k, arc.curve.at(k));
             let step = (arc.to - arc.from) * 1e-3;
-            let ahead = self.frame.at(k + step, arc.curve.at(k + step));
+            let ahead = self.axes.at(k + step, arc.curve.at(k + step));
             let (dx, dy) = (ahead.0 - x, ahead.1 - y);
             // The normal on the asked side; the label's corner or edge touches its tip.
             let (nx, ny) = (side * dy / dx.hypot(dy), -side * dx / dx.hypot(dy));
@@ -386,14 +388,14 @@ mod tests {
             let diagram = Diagram::new(slenderness, k_prime).expect("a valid body");
             let whole = diagram.window();
             let window = View::from_origin(whole.k, whole.mu);
-            let frame = Frame { area: Rect { x0: 60.0, y0: 40.0, x1: 460.0, y1: 350.0 }, window };
+            let axes = Axes::of(Rect { x0: 60.0, y0: 40.0, x1: 460.0, y1: 350.0 }, &window);
             let mut placed = 0;
             for region in diagram.regions() {
                 let pieces = clip_strips(&region.strips, &window);
-                let Some(rect) = Board::new(frame).inside(&pieces, 30.0, 12.0) else { continue };
+                let Some(rect) = Board::new(axes).inside(&pieces, 30.0, 12.0) else { continue };
                 for (x, y) in [(rect.x0, rect.y0), (rect.x1, rect.y0), (rect.x0, rect.y1), (rect.x1, rect.y1)]
                 {
-                    assert_eq!(diagram.mode_at(frame.k(x), frame.mu(y)), Ok(region.mode));
+                    assert_eq!(diagram.mode_at(axes.across_at(x), axes.up_at(y)), Ok(region.mode));
                 }
                 placed += 1;
             }

@@ -21,7 +21,7 @@
 //! | How likely is each mode? | `chances`: bars, what matters, lines with intervals, clouds of draws |
 //! | What became of a body in time? | `motion`: histories, positions, a picture that moves |
 //! | What does a chart show, as coordinates? | [`outlines`](mod@outlines) |
-//! | Where does it lie on the page? | `plot`, `scale` (numbers of an axis), `canvas`, `chart` (of a `drawing`), `inset` |
+//! | Where does it lie on the page? | `axes`, `scale` (numbers of an axis), `plot`, `canvas`, `chart` (of a `drawing`), `inset` |
 //! | Where do the words go? | `labels`, `margins`, `caption` |
 //! | How is it written down? | `text`, `font`, `scene`, `render`, `pdf` |
 //! | What does a reader move about in on a screen? | `screen`, `cases` (γ–k′), `free_body` |
@@ -32,6 +32,7 @@
 
 #![forbid(unsafe_code)]
 
+mod axes;
 mod below;
 mod canvas;
 mod caption;
@@ -75,6 +76,7 @@ use standfast::{Diagram, Stage};
 
 use ground::GroundPlane;
 
+pub use axes::{Axis, AxisNumbers, axis_numbers};
 pub use cases::cases_on_screen;
 pub use chances::{
     Chance, ChanceBar, ChanceBars, ChanceCloud, ChanceGroup, ChanceLine, ChanceLines, ChanceMark, CloudPanel,
@@ -83,7 +85,6 @@ pub use chances::{
 pub use feasible::{FeasibleSet, SetAxis, SetColumn, SetEnd, SetStretch, feasible_set};
 pub use font::{ITALIC_FONT, UPRIGHT_FONT};
 pub use free_body::{FreeBody, Pose, free_body};
-pub use margins::{AxisNumbers, axis_numbers};
 pub use motion::{
     MotionLoad, MotionOutline, MotionPicture, MotionPose, SpectrumAxis, SpectrumLines, SpectrumMap,
     motion_animation, motion_histories, motion_positions, spectrum_lines, spectrum_map,
@@ -98,7 +99,7 @@ pub use rotation::{RotationCurve, rotation_curve};
 #[doc(hidden)]
 pub use scene::Label;
 pub use scene::Rect;
-pub use screen::{Axis, Map, Picture, tint_on_screen};
+pub use screen::{Map, Picture, tint_on_screen};
 pub use section::{
     Arrow, BaseReaction, Level, Material, Measure, Mound, Outline, Pressed, Section, Side, section,
 };

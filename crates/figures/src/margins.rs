@@ -1,18 +1,14 @@
 //! The labels around the plot: values under the k axis and beside the μ axis, letters and formulas at the ends of
-//! lines along the right and upper edges, the caption below. An axis has the report's named values or round numbers.
+//! lines along the right and upper edges, the caption below.
 
+use crate::axes::Axes;
 use crate::labels::spread;
 use crate::palette::{FAINT, INK};
-use crate::plot::{Frame, View};
-use crate::scale::Scale;
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
 const LEADER: Pen = Pen::solid(FAINT, 0.6);
 const TICK: Pen = Pen::solid(INK, 0.9);
-const SMALL_TICK: Pen = Pen::solid(INK, 0.6);
-/// The type size of an axis's numbers.
-pub(crate) const NUMBER: f64 = 12.5;
 
 /// A label that belongs to a place on an edge of the plot, given by x or y on the page.
 #[derive(Debug)]
@@ -36,9 +32,9 @@ fn places(tabs: &[Tab], length: impl Fn(&Text) -> f64, low: f64, high: f64, gap:
 
 /// Ticks and labels under the k axis, `full` ones if they fit near their ticks, else `short` ones. Returns the y
 /// below them, and whether the full ones were drawn.
-pub(crate) fn under_k_axis(scene: &mut Scene, frame: &Frame, full: Vec<Tab>, short: Vec<Tab>) -> (f64, bool) {
+pub(crate) fn under_k_axis(scene: &mut Scene, axes: &Axes, full: Vec<Tab>, short: Vec<Tab>) -> (f64, bool) {
     const FAR: f64 = 70.0;
-    let Rect { x0, x1, y1, .. } = frame.area;
+    let Rect { x0, x1, y1, .. } = axes.area;
     let (full, short) = (sorted(full), sorted(short));
     let row = |tabs: &[Tab]| places(tabs, |text| text.width, x0 - 1.0, x1 + 10.0, 15.0);
     let moved = |tabs: &[Tab], at: &[f64]| {
@@ -82,47 +78,56 @@ pub(crate) fn mu_width<'a>(tabs: impl Iterator<Item = &'a Tab>) -> f64 {
     tabs.fold(0.0, |m: f64, tab| m.max(tab.text.width)) + 17.0
 }
 
-/// Ticks and labels beside the μ axis.
-pub(crate) fn beside_mu_axis(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) {
-    let Rect { x0, y0, y1, .. } = frame.area;
+/// Labels along an upright edge of the plot, each with the y where it finds room.
+fn upright(tabs: Vec<Tab>, low: f64, high: f64) -> Option<impl Iterator<Item = (Tab, f64)>> {
     let tabs = sorted(tabs);
-    let Some(at) = places(&tabs, Text::height, y0, y1 - 2.0, 5.0) else { return };
-    for (tab, y) in tabs.iter().zip(at) {
-        scene.line((x0 - 4.0, tab.at), (x0, tab.at), TICK);
-        let moved = (tab.at - y).abs() > NEAR;
-        let right = x0 - if moved { 15.0 } else { 8.0 };
-        if moved {
-            scene.line((x0 - 5.0, tab.at), (right + 2.0, y), LEADER);
-        }
-        let rect =
-            Rect { x0: right - tab.text.width, x1: right, ..Rect::around(0.0, y, 0.0, tab.text.height()) };
-        scene.text_in(&tab.text, &rect, INK);
+    let at = places(&tabs, Text::height, low, high, 5.0)?;
+    Some(tabs.into_iter().zip(at))
+}
+
+/// A label that begins at `left`, centred at `y`.
+fn level(scene: &mut Scene, text: &Text, left: f64, y: f64) {
+    scene.text(text, left, y + (text.ascent - text.descent) / 2.0, INK);
+}
+
+/// A tick at the left of the plot and its label at `y`.
+pub(crate) fn beside(scene: &mut Scene, axes: &Axes, tab: &Tab, y: f64) {
+    let x0 = axes.area.x0;
+    scene.line((x0 - 4.0, tab.at), (x0, tab.at), TICK);
+    let moved = (tab.at - y).abs() > NEAR;
+    let right = x0 - if moved { 15.0 } else { 8.0 };
+    if moved {
+        scene.line((x0 - 5.0, tab.at), (right + 2.0, y), LEADER);
+    }
+    level(scene, &tab.text, right - tab.text.width, y);
+}
+
+/// Ticks and labels beside the μ axis.
+pub(crate) fn beside_mu_axis(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) {
+    for (tab, y) in upright(tabs, axes.area.y0, axes.area.y1 - 2.0).into_iter().flatten() {
+        beside(scene, axes, &tab, y);
     }
 }
 
 /// Labels right of the plot, at the ends of lines. Returns the x right of them, and whether they fitted.
-pub(crate) fn right_of(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<f64> {
-    let Rect { x1, y0, y1, .. } = frame.area;
-    let tabs = sorted(tabs);
-    let at = places(&tabs, Text::height, y0 + 1.0, y1 - 12.0, 5.0)?;
+pub(crate) fn right_of(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) -> Option<f64> {
+    let Rect { x1, y0, y1, .. } = axes.area;
     let mut right = x1;
-    for (tab, y) in tabs.iter().zip(at) {
+    for (tab, y) in upright(tabs, y0 + 1.0, y1 - 12.0)? {
         let moved = (tab.at - y).abs() > NEAR;
         let left = x1 + if moved { 15.0 } else { 6.0 };
         if moved {
             scene.line((x1 + 1.0, tab.at), (left - 2.0, y), LEADER);
         }
-        let rect =
-            Rect { x0: left, x1: left + tab.text.width, ..Rect::around(0.0, y, 0.0, tab.text.height()) };
-        scene.text_in(&tab.text, &rect, INK);
-        right = right.max(rect.x1);
+        level(scene, &tab.text, left, y);
+        right = right.max(left + tab.text.width);
     }
     Some(right)
 }
 
 /// Labels above the plot, at the ends of lines; `None` if they do not fit.
-pub(crate) fn above(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<()> {
-    let Rect { x0, x1, y0, .. } = frame.area;
+pub(crate) fn above(scene: &mut Scene, axes: &Axes, tabs: Vec<Tab>) -> Option<()> {
+    let Rect { x0, x1, y0, .. } = axes.area;
     let tabs = sorted(tabs);
     let at = places(&tabs, |text| text.width, x0 + 8.0, x1, 8.0)?;
     for (tab, x) in tabs.iter().zip(at) {
@@ -134,114 +139,6 @@ pub(crate) fn above(scene: &mut Scene, frame: &Frame, tabs: Vec<Tab>) -> Option<
         scene.text(&tab.text, x - tab.text.width / 2.0, bottom - tab.text.descent, INK);
     }
     Some(())
-}
-
-/// Labels at the arrowheads and at the origin, in markup; nothing where empty.
-pub(crate) struct Axes {
-    pub right: &'static str,
-    pub up: &'static str,
-    pub origin: &'static str,
-}
-
-/// The axes of the k–μ plane, as the report names them.
-pub(crate) const PLANE: Axes = Axes { right: "$k$", up: "$μ$", origin: "$O$" };
-/// Axes with numbers, from the origin or from elsewhere.
-pub(crate) const NUMBERED: Axes = Axes { origin: "$0$", ..PLANE };
-pub(crate) const AWAY_FROM_ORIGIN: Axes = Axes { origin: "", ..PLANE };
-
-/// Axes with arrowheads, their names, and the origin.
-pub(crate) fn axes(scene: &mut Scene, frame: &Frame, names: &Axes) {
-    let Rect { x0, y0, x1, y1 } = frame.area;
-    let pen = Pen::solid(INK, 1.1);
-    let (k_tip, mu_tip) = ((x1 + 20.0, y1), (x0, y0 - 20.0));
-    scene.line((x0, y1), (k_tip.0 - 5.0, y1), pen);
-    scene.line((x0, y1), (x0, mu_tip.1 + 5.0), pen);
-    scene.arrowhead(k_tip, (1.0, 0.0), INK);
-    scene.arrowhead(mu_tip, (0.0, -1.0), INK);
-    let [right, up, origin] = [names.right, names.up, names.origin].map(|letter| Text::new(letter, 15.0));
-    scene.text(&right, k_tip.0 + 6.0, y1 + 4.0, INK);
-    scene.text(&up, x0 - up.width - 8.0, mu_tip.1 + 8.0, INK);
-    let rect =
-        Rect { x0: x0 - 6.0 - origin.width, x1: x0 - 6.0, y0: y1 + 5.0, y1: y1 + 5.0 + origin.height() };
-    scene.text_in(&origin, &rect, INK);
-}
-
-/// Numbers along an axis that is drawn by another tool.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AxisNumbers {
-    /// Round numbers, rising, each with its text as markup.
-    pub numbers: Vec<(f64, String)>,
-    /// The places of smaller ticks between them.
-    pub between: Vec<f64>,
-}
-
-/// The round numbers between `from` and the greater `to` along an axis that is `length` times as long as its type is
-/// large: those that figures of this crate have there. An upright axis has room for more of them than one across.
-///
-/// ```
-/// let axis = standfast_figures::axis_numbers(0.0, 1.43, 36.0, false);
-/// assert_eq!(axis.numbers[1], (0.2, "$0.2$".to_owned()));
-/// assert_eq!(axis.between[0], 0.05);
-/// ```
-pub fn axis_numbers(from: f64, to: f64, length: f64, upright: bool) -> AxisNumbers {
-    let scale = numbers_along(from, to, length * NUMBER, upright);
-    let numbers = scale.numbers().into_iter().map(|number| (number, scale.markup(number)));
-    AxisNumbers { numbers: numbers.collect(), between: scale.between() }
-}
-
-/// As many round numbers as an axis of this length has room for.
-fn numbers_along(from: f64, to: f64, length: f64, upright: bool) -> Scale {
-    // A number of five figures takes 30 units across; with less room the axis would read as a line of text.
-    let each = if upright { 38.0 } else { 52.0 };
-    Scale::new(from, to, (length / each).floor().clamp(2.0, 12.0))
-}
-
-/// The round numbers of both axes of a plot.
-pub(crate) struct Numbers {
-    across: Scale,
-    up: Scale,
-}
-
-impl Numbers {
-    /// As many as a plot of this width and height has room for.
-    pub(crate) fn of(window: &View, width: f64, height: f64) -> Numbers {
-        Numbers {
-            across: numbers_along(window.k_min, window.k_max, width, false),
-            up: numbers_along(window.mu_min, window.mu_max, height, true),
-        }
-    }
-
-    /// The width they take left of the plot.
-    pub(crate) fn width(&self) -> f64 {
-        let numbers = self.up.numbers().into_iter();
-        numbers.fold(0.0, |most: f64, mu| most.max(number(&self.up, mu).width)) + 17.0
-    }
-
-    /// Draws them, and smaller ticks between them. Returns the y below.
-    pub(crate) fn draw(&self, scene: &mut Scene, frame: &Frame) -> f64 {
-        let Rect { x0, y0, y1, .. } = frame.area;
-        for k in self.across.between() {
-            scene.line((frame.x(k), y1), (frame.x(k), y1 + 2.2), SMALL_TICK);
-        }
-        for mu in self.up.between() {
-            scene.line((x0 - 2.2, frame.y(mu)), (x0, frame.y(mu)), SMALL_TICK);
-        }
-        // The origin has one zero for both axes; a number at the very top would run into the name of the axis.
-        let is_origin = |value: f64| frame.window.is_from_origin() && value == 0.0;
-        let across = || {
-            let shown = self.across.numbers().into_iter().filter(|k| !is_origin(*k));
-            shown.map(|k| Tab { at: frame.x(k), text: number(&self.across, k) }).collect()
-        };
-        let up = self.up.numbers().into_iter().map(|mu| (mu, frame.y(mu)));
-        let up = up.filter(|(mu, y)| !is_origin(*mu) && *y > y0 + 6.0);
-        beside_mu_axis(scene, frame, up.map(|(mu, at)| Tab { at, text: number(&self.up, mu) }).collect());
-        under_k_axis(scene, frame, across(), across()).0
-    }
-}
-
-/// A number of an axis.
-pub(crate) fn number(scale: &Scale, value: f64) -> Text {
-    Text::new(&scale.markup(value), NUMBER)
 }
 
 /// A paragraph between `left` and `right` with its first line's top at `top`; breaks at the spaces of words.

@@ -10,7 +10,9 @@ mod spectra;
 
 use standfast::Mode;
 
-use crate::below::{modes_key, title_and_caption};
+use crate::Figure;
+use crate::axes::{Axes, Axis, Look, NUMBER};
+use crate::below::{Words, modes_key};
 use crate::caption::SMALL;
 use crate::palette::{INK, symbol, tint};
 use crate::scene::{Path, Rect, Scene};
@@ -166,21 +168,32 @@ fn polygon(places: &[(f64, f64)]) -> Path {
     path
 }
 
-/// The colours that occur with their symbols and words, in rows between two edges; returns the y below.
-fn key(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
-    let mut modes: Vec<Mode> = Vec::new();
-    for (_, mode) in picture.states {
-        if !modes.contains(mode) {
-            modes.push(*mode);
-        }
-    }
-    modes.sort_by_key(|mode| Mode::ALL.iter().position(|known| known == mode));
-    modes_key(scene, &modes, edges, top)
+/// The time below: numbers and its name; returns the y below.
+fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 {
+    let axes = Axes::over(area, Axis::linear(0.0, picture.end));
+    axes.below(scene, &axes.across.numbers(8.0), Look::PLAIN);
+    axes.name_below(scene, &Text::new(&with_unit("time $t$", picture.time_unit), NUMBER), 34.0);
+    area.y1 + 40.0
 }
 
-/// Title and caption below; returns the y below.
-fn words_below(scene: &mut Scene, picture: &MotionPicture<'_>, edges: (f64, f64), top: f64) -> f64 {
-    title_and_caption(scene, (picture.title, picture.caption), edges, top)
+/// The figure of a `kind`: from `top` on the key of the states that occur, title and caption, and so much of the page `beyond` the
+/// right edge.
+fn finished(
+    mut scene: Scene,
+    picture: &MotionPicture<'_>,
+    kind: &str,
+    edges: (f64, f64),
+    top: f64,
+    beyond: f64,
+    description: &str,
+) -> Figure {
+    let occurs = |mode: &Mode| picture.states.iter().any(|(_, state)| state == mode);
+    let modes: Vec<Mode> = Mode::ALL.into_iter().filter(occurs).collect();
+    let below = modes_key(&mut scene, &modes, edges, top);
+    let title = format!("{}: {kind}", picture.title);
+    let description = format!("{description} {}", picture.caption);
+    let words = Words { title, ..Words::verbatim(picture.title, picture.caption) };
+    words.figure(scene, edges, below + 8.0, beyond, &description)
 }
 
 /// A name with its unit in brackets, in markup.

@@ -10,22 +10,24 @@ use standfast::ground::load_plane::LoadEdge;
 use standfast::region::{Curve, Region, Strip};
 use standfast::{Stage, Verdict};
 
+use crate::axes::{Axes, NUMBER, Names};
+use crate::below::{Words, verbatim};
 use crate::canvas::Canvas;
-use crate::caption::{SIZE, SMALL, also, shortened};
+use crate::caption::{SIZE, SMALL, also};
 use crate::labels::Lines;
-use crate::margins::{self, Axes, NUMBER, Numbers, Tab};
+use crate::margins::{self, Tab};
 use crate::number::{digits, distinct_digits};
 use crate::outlines::Polyline;
 use crate::palette::{BEHIND, INK, MARK, PAPER, verdict_symbol, verdict_tint};
-use crate::plot::{Arc, Frame, Piece, View, arcs_path, clip_strips, level, outline};
-use crate::scene::{Path, Pen, Rect, Scene};
+use crate::plot::{Arc, Piece, View, clip_strips, level, outline};
+use crate::scene::{Pen, Rect, Scene};
 use crate::text::Text;
-use crate::{Figure, LoadPlane};
+use crate::{Figure, LoadPlane, caption};
 
 const PLOT: (f64, f64) = (430.0, 310.0);
 const TOP: f64 = 42.0;
 const BOUNDARY: Pen = Pen::solid(INK, 1.3);
-const AXES: Axes = Axes { right: "", ..margins::NUMBERED };
+const NAMES: Names = Names { right: "", ..Names::NUMBERED };
 /// What counts as one load factor, as a share of the window: far below a pixel.
 const SAME: f64 = 1e-6;
 
@@ -105,21 +107,19 @@ pub(crate) fn figure_on_screen(given: &LoadPlane, across: f64) -> Figure {
 
 fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
     let window = window(given);
-    let numbers = Numbers::of(&window, across, PLOT.1);
-    let left = numbers.width().max(34.0) + 6.0;
-    let frame = Frame { area: Rect { x0: left, y0: TOP, x1: left + across, y1: TOP + PLOT.1 }, window };
+    let axes = Axes::beside_numbers(&window, (across, PLOT.1), TOP);
     let areas = areas(&given.regions, &window);
-    let mut canvas = Canvas::new(frame);
+    let mut canvas = Canvas::new(axes);
     canvas.scene = scene;
 
     for area in &areas {
-        canvas.scene.fill(&outline(&frame, &area.pieces), verdict_tint(area.verdict));
+        canvas.scene.fill(&outline(&axes, &area.pieces), verdict_tint(area.verdict));
     }
     let behind = self::areas(&given.rigid, &window);
     boundaries(&mut canvas, &given.rigid, &behind, RIGID);
     boundaries(&mut canvas, &given.regions, &areas, BOUNDARY);
-    margins::axes(&mut canvas.scene, &frame, &AXES);
-    let below = numbers.draw(&mut canvas.scene, &frame);
+    axes.arrows(&mut canvas.scene, &NAMES);
+    let below = axes.round_numbers(&mut canvas.scene);
     let path = LoadPath::of(given, window.k_max);
     path.draw(&mut canvas);
     for area in &areas {
@@ -128,32 +128,21 @@ fn drawn(given: &Plan, across: f64, scene: Scene) -> Figure {
 
     let name = Text::new("load factor $λ$", 13.5);
     let baseline = below + 8.0 + name.ascent;
-    canvas.scene.text(&name, (frame.area.x0 + frame.area.x1 - name.width) / 2.0, baseline, INK);
+    axes.name_below(&mut canvas.scene, &name, baseline - axes.area.y1);
     let right = path.friction.map(|mu| {
         let text = Text::new(&format!("$μ = {}$", digits(mu)), NUMBER);
-        Tab { at: frame.y(mu), text }
+        Tab { at: axes.y(mu), text }
     });
-    let right = margins::right_of(&mut canvas.scene, &frame, right.into_iter().collect());
+    let right = margins::right_of(&mut canvas.scene, &axes, right.into_iter().collect());
 
-    let width = (right.unwrap_or(frame.area.x1) + 12.0).max(frame.area.x1 + 46.0);
+    let width = (right.unwrap_or(axes.area.x1) + 12.0).max(axes.area.x1 + 46.0);
     let edges = (16.0, width - 16.0);
     let heading = if given.title.trim().is_empty() { "Load factor and friction" } else { given.title };
-    let words: Vec<Text> =
-        heading.split_whitespace().map(|word| Text::verbatim(&shortened(word), SIZE)).collect();
     let behind = if given.rigid.is_empty() { "" } else { " Grey: on rigid ground." };
     let details = margins::words(&(path.caption() + behind), SMALL);
-    let title = joined(&words);
-    let caption = joined(&details);
-    let below = margins::paragraph(&mut canvas.scene, &words, edges, baseline + name.descent + 14.0, SIZE);
-    let below = margins::paragraph(&mut canvas.scene, &details, edges, below + 5.0, SMALL);
-    let size = (width.ceil(), (below + 10.0).ceil());
-    let description = description(&window, &areas, &caption);
-    let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
-    Figure { svg, title, caption, labels, size }
-}
-
-fn joined(words: &[Text]) -> String {
-    words.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ")
+    let words = Words::new(verbatim(heading, SIZE), details);
+    let description = description(&window, &areas, &words.caption);
+    words.figure(canvas.scene, edges, baseline + name.descent + 14.0, 16.0, &description)
 }
 
 /// The part of the plane to be shown: all load factors, and twice the body's friction or the highest corner of a region
@@ -205,18 +194,10 @@ fn areas(regions: &[Shaded], window: &View) -> Vec<Area> {
 
 /// Draws lines between different verdicts, and keeps labels off them.
 fn boundaries(canvas: &mut Canvas, regions: &[Shaded], areas: &[Area], pen: Pen) {
-    let frame = canvas.board.frame;
-    let arcs = edges(areas, &frame.window);
-    canvas.scene.stroke(&arcs_path(&frame, &arcs), pen);
-    canvas.board.arcs.extend(arcs);
-    let mut path = Path::default();
-    for side in sides(regions, areas, &frame.window) {
-        let (x, top, bottom) = (frame.x(side.at), frame.y(side.high), frame.y(side.low));
-        path.move_to(x, top);
-        path.line_to(x, bottom);
-        canvas.board.verticals.push((x, top, bottom));
-    }
-    canvas.scene.stroke(&path, pen);
+    let window = canvas.board.axes.view();
+    canvas.arcs(edges(areas, &window), pen);
+    let sides = sides(regions, areas, &window).into_iter();
+    canvas.verticals(sides.map(|side| (side.at, side.low, side.high)), pen);
 }
 
 /// The lower and upper edges of all areas, each once, as long as they run on.
@@ -314,10 +295,10 @@ impl LoadPath {
     /// The line with ticks, the diamond, load factors and the names of stages.
     fn draw(&self, canvas: &mut Canvas) {
         let Some(mu) = self.friction else { return };
-        let frame = canvas.board.frame;
-        let y = frame.y(mu);
-        let x = |factor: f64| frame.x(factor.clamp(0.0, frame.window.k_max));
-        let Rect { x0, x1, .. } = frame.area;
+        let axes = canvas.board.axes;
+        let y = axes.y(mu);
+        let x = |factor: f64| axes.x(factor.clamp(0.0, axes.across.to));
+        let Rect { x0, x1, .. } = axes.area;
         canvas.scene.line((x0, y), (x1, y), Pen::solid(PAPER, 4.0));
         for stage in &self.stages {
             let dashes = if stage.modes.len() > 1 { "6 3" } else { "" };
@@ -326,13 +307,13 @@ impl LoadPath {
         }
         canvas.board.reserve(Rect { x0, y0: y - 2.0, x1, y1: y + 2.0 });
         for (at, pair) in self.changes() {
-            let (at, reach) = (x(at), reach(&frame, at, pair));
+            let (at, reach) = (x(at), reach(&axes, at, pair));
             canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(PAPER, 3.6));
             canvas.scene.line((at, y - reach), (at, y + reach), Pen::solid(MARK, 1.6));
             canvas.board.reserve(Rect::around(at, y, 3.0, 2.0 * reach + 1.0));
         }
-        if frame.shows(1.0, mu) {
-            canvas.diamond(frame.at(1.0, mu));
+        if axes.shows(1.0, mu) {
+            canvas.diamond(axes.at(1.0, mu));
         }
         self.numbers(canvas, y);
         self.names(canvas, y);
@@ -340,13 +321,13 @@ impl LoadPath {
 
     /// Load factors at the ticks: those of changes of mode first.
     fn numbers(&self, canvas: &mut Canvas, y: f64) {
-        let frame = canvas.board.frame;
+        let axes = canvas.board.axes;
         let (lesser, greater): (Vec<_>, Vec<_>) =
             self.changes().partition(|(_, pair)| pair[0].verdict == pair[1].verdict);
         for (at, pair) in greater.into_iter().chain(lesser) {
-            let tip = reach(&frame, at, pair) + 3.0;
+            let tip = reach(&axes, at, pair) + 3.0;
             let text = Text::new(&self.number(at), NUMBER);
-            let (x, size) = (frame.x(at), (text.width, text.height()));
+            let (x, size) = (axes.x(at), (text.width, text.height()));
             let ways = [0.0, 1.0, -1.0].into_iter().flat_map(|across| [-1.0, 1.0].map(|down| (across, down)));
             let places = ways.map(|(across, down)| {
                 let centre = y + down * (tip + text.height() / 2.0);
@@ -368,11 +349,11 @@ impl LoadPath {
 
     /// Symbols of modes along their stages, where there is room.
     fn names(&self, canvas: &mut Canvas, y: f64) {
-        let frame = canvas.board.frame;
+        let axes = canvas.board.axes;
         for stage in &self.stages {
             let Some(verdict) = stage.verdict else { continue };
             let text = Text::new(verdict_symbol(verdict), NUMBER);
-            let (from, to) = (frame.x(stage.from), frame.x(stage.to.min(frame.window.k_max)));
+            let (from, to) = (axes.x(stage.from), axes.x(stage.to.min(axes.across.to)));
             let shares = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter();
             let mut places =
                 shares.flat_map(|share| [-1.0, 1.0].map(|down| (share, down))).map(|(share, down)| {
@@ -416,30 +397,23 @@ impl LoadPath {
 
 /// How far a tick reaches to either side of the path. A change of the modes beside the one reported is a smaller event;
 /// the diamond of the full load must not hide a tick.
-fn reach(frame: &Frame, at: f64, pair: &[Stage]) -> f64 {
+fn reach(axes: &Axes, at: f64, pair: &[Stage]) -> f64 {
     const DIAMOND: f64 = 5.2;
     let reach = if pair[0].verdict == pair[1].verdict { 3.5 } else { 6.5 };
-    let is_under = frame.window.k_max >= 1.0 && (frame.x(at) - frame.x(1.0)).abs() < DIAMOND + 2.0;
+    let is_under = axes.across.to >= 1.0 && (axes.x(at) - axes.x(1.0)).abs() < DIAMOND + 2.0;
     if is_under { reach + DIAMOND } else { reach }
 }
 
 /// The figure in words.
 fn description(window: &View, areas: &[Area], caption: &str) -> String {
-    let plain = |markup: &str| Text::inline(markup, SMALL).plain;
     let mut verdicts: Vec<Verdict> = areas.iter().map(|area| area.verdict).collect();
     verdicts.sort_by_key(|verdict| verdict.code());
     verdicts.dedup();
-    let shaded = verdicts.iter().map(|verdict| {
-        let words = verdict.words().replace('\'', "′");
-        format!("{}, where the body {words}", plain(verdict_symbol(*verdict)))
-    });
+    let shaded = verdicts.iter().map(|verdict| caption::region(verdict_symbol(*verdict), verdict.words()));
     format!(
-        "Chart of the friction coefficient μ, upwards from 0 to {}, over the load factor λ, to the right from 0 to {}. \
-         Shaded: {}. The load path is a line at the body's friction with a tick at every change; a diamond marks the \
-         full load. {caption}",
-        plain(&format!("${}$", digits(window.mu_max))),
-        plain(&format!("${}$", digits(window.k_max))),
-        shaded.collect::<Vec<_>>().join("; ")
+        "{} The load path is a line at the body's friction with a tick at every change; a diamond marks the full load. \
+         {caption}",
+        caption::chart("the load factor λ", window, shaded)
     )
 }
 

@@ -6,6 +6,7 @@
 
 use standfast::region::{Curve, Strip};
 
+use crate::axes::{Axes, Axis};
 use crate::scene::{Path, Rect};
 
 /// The rectangle of the plane that a plot shows: `k_min` ≤ k ≤ `k_max`, `mu_min` ≤ μ ≤ `mu_max`.
@@ -36,53 +37,17 @@ impl View {
         (self.k_min..=self.k_max).contains(&k) && (self.mu_min..=self.mu_max).contains(&mu)
     }
 
+    /// The values to the right, and upwards.
+    pub(crate) fn axes(&self) -> (Axis, Axis) {
+        (Axis::linear(self.k_min, self.k_max), Axis::linear(self.mu_min, self.mu_max))
+    }
+
     pub(crate) fn width(&self) -> f64 {
         self.k_max - self.k_min
     }
 
     pub(crate) fn height(&self) -> f64 {
         self.mu_max - self.mu_min
-    }
-}
-
-/// The plot's rectangle on the page and the part of the plane it shows.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame {
-    /// On the page; the origin is its lower left corner.
-    pub area: Rect,
-    pub window: View,
-}
-
-impl Frame {
-    pub(crate) fn x(&self, k: f64) -> f64 {
-        self.area.x0 + (k - self.window.k_min) / self.window.width() * (self.area.x1 - self.area.x0)
-    }
-
-    pub(crate) fn y(&self, mu: f64) -> f64 {
-        self.area.y1 - (mu - self.window.mu_min) / self.window.height() * (self.area.y1 - self.area.y0)
-    }
-
-    pub(crate) fn at(&self, k: f64, mu: f64) -> (f64, f64) {
-        (self.x(k), self.y(mu))
-    }
-
-    pub(crate) fn k(&self, x: f64) -> f64 {
-        self.window.k_min + (x - self.area.x0) / (self.area.x1 - self.area.x0) * self.window.width()
-    }
-
-    pub(crate) fn mu(&self, y: f64) -> f64 {
-        self.window.mu_min + (self.area.y1 - y) / (self.area.y1 - self.area.y0) * self.window.height()
-    }
-
-    /// True if a point of the plane is in the window.
-    pub(crate) fn shows(&self, k: f64, mu: f64) -> bool {
-        self.window.shows(k, mu)
-    }
-
-    /// dy/dx on the page for a slope dμ/dk.
-    fn tilt(&self, slope: f64) -> f64 {
-        let Rect { x0, y0, x1, y1 } = self.area;
-        -slope * self.window.width() / self.window.height() * (y1 - y0) / (x1 - x0)
     }
 }
 
@@ -182,13 +147,13 @@ pub(crate) fn clip_strips(strips: &[Strip], window: &View) -> Vec<Piece> {
 }
 
 /// Appends a curve from `from` to `to` (either way) to a path that already stands at its start.
-fn follow(path: &mut Path, frame: &Frame, curve: &Curve, from: f64, to: f64) {
+fn follow(path: &mut Path, axes: &Axes, curve: &Curve, from: f64, to: f64) {
     if let Curve::Line { .. } = curve {
-        let (x, y) = frame.at(to, curve.at(to));
+        let (x, y) = axes.at(to, curve.at(to));
         path.line_to(x, y);
     } else {
-        let y = |k: f64| frame.y(curve.at(k));
-        hermite(path, &|k| (frame.x(k), y(k), frame.tilt(curve.slope(k))), from, to, 12);
+        let y = |k: f64| axes.y(curve.at(k));
+        hermite(path, &|k| (axes.x(k), y(k), axes.tilt(curve.slope(k))), from, to, 12);
     }
 }
 
@@ -223,39 +188,39 @@ pub(crate) fn hermite(
 }
 
 /// Arcs as a path.
-pub(crate) fn arcs_path(frame: &Frame, arcs: &[Arc]) -> Path {
+pub(crate) fn arcs_path(axes: &Axes, arcs: &[Arc]) -> Path {
     let mut path = Path::default();
     for arc in arcs {
-        let (x, y) = frame.at(arc.from, arc.curve.at(arc.from));
+        let (x, y) = axes.at(arc.from, arc.curve.at(arc.from));
         path.move_to(x, y);
-        follow(&mut path, frame, &arc.curve, arc.from, arc.to);
+        follow(&mut path, axes, &arc.curve, arc.from, arc.to);
     }
     path
 }
 
 /// The outline of a region: out along the lower edges, back along the upper ones.
-pub(crate) fn outline(frame: &Frame, pieces: &[Piece]) -> Path {
+pub(crate) fn outline(axes: &Axes, pieces: &[Piece]) -> Path {
     let mut path = Path::default();
     for row in pieces.chunk_by(|left, right| left.to == right.from) {
         let (first, last) = (row[0], row[row.len() - 1]);
-        let (x, y) = frame.at(first.from, first.lower.at(first.from));
+        let (x, y) = axes.at(first.from, first.lower.at(first.from));
         path.move_to(x, y);
         let line_to = |path: &mut Path, k: f64, mu: f64| {
-            let (x, y) = frame.at(k, mu);
+            let (x, y) = axes.at(k, mu);
             path.line_to(x, y);
         };
         for (i, piece) in row.iter().enumerate() {
             if i > 0 {
                 line_to(&mut path, piece.from, piece.lower.at(piece.from));
             }
-            follow(&mut path, frame, &piece.lower, piece.from, piece.to);
+            follow(&mut path, axes, &piece.lower, piece.from, piece.to);
         }
         line_to(&mut path, last.to, last.upper.at(last.to));
         for (i, piece) in row.iter().rev().enumerate() {
             if i > 0 {
                 line_to(&mut path, piece.to, piece.upper.at(piece.to));
             }
-            follow(&mut path, frame, &piece.upper, piece.to, piece.from);
+            follow(&mut path, axes, &piece.upper, piece.to, piece.from);
         }
         path.close();
     }
@@ -263,17 +228,17 @@ pub(crate) fn outline(frame: &Frame, pieces: &[Piece]) -> Path {
 }
 
 /// Hatching: lines that rise or fall at 45° on the page, `spacing` apart, cut where they leave the pieces.
-pub(crate) fn hatch(frame: &Frame, pieces: &[Piece], spacing: f64, falling: bool) -> Path {
+pub(crate) fn hatch(axes: &Axes, pieces: &[Piece], spacing: f64, falling: bool) -> Path {
     let mut path = Path::default();
-    let Rect { x0, y0, x1, y1 } = frame.area;
+    let (Rect { x0, y0, x1, y1 }, window) = (axes.area, axes.view());
     let sign = if falling { 1.0 } else { -1.0 };
     // On the page y = start + sign (x − x0); all starts whose line meets the plot.
     let (first, last) = if falling { (y0 - (x1 - x0), y1) } else { (y0, y1 + (x1 - x0)) };
     for step in 0..=((last - first) / spacing) as usize {
         let start = first + spacing * step as f64;
-        let mu = |k: f64| frame.mu(start + sign * (frame.x(k) - x0));
-        let slope = (mu(frame.window.k_max) - mu(frame.window.k_min)) / frame.window.width();
-        let line = (mu(frame.window.k_min) - slope * frame.window.k_min, slope);
+        let mu = |k: f64| axes.up_at(start + sign * (axes.x(k) - x0));
+        let slope = (mu(window.k_max) - mu(window.k_min)) / window.width();
+        let line = (mu(window.k_min) - slope * window.k_min, slope);
         for piece in pieces {
             let mut cuts = vec![piece.from, piece.to];
             let meets = [piece.lower, piece.upper].into_iter().flat_map(|curve| crossings(&curve, line));
@@ -282,7 +247,7 @@ pub(crate) fn hatch(frame: &Frame, pieces: &[Piece], spacing: f64, falling: bool
             for pair in cuts.windows(2) {
                 let middle = (pair[0] + pair[1]) / 2.0;
                 if (piece.lower.at(middle)..=piece.upper.at(middle)).contains(&mu(middle)) {
-                    let (from, to) = (frame.at(pair[0], mu(pair[0])), frame.at(pair[1], mu(pair[1])));
+                    let (from, to) = (axes.at(pair[0], mu(pair[0])), axes.at(pair[1], mu(pair[1])));
                     path.move_to(from.0, from.1);
                     path.line_to(to.0, to.1);
                 }
@@ -309,24 +274,14 @@ fn crossings(curve: &Curve, (at_zero, slope): (f64, f64)) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn frame() -> Frame {
-        let area = Rect { x0: 50.0, y0: 20.0, x1: 450.0, y1: 340.0 };
-        Frame { area, window: View::from_origin(4.0, 2.0) }
-    }
-
-    #[test]
-    fn the_page_and_the_plane_map_onto_each_other() {
-        let frame = frame();
-        assert_eq!(frame.at(0.0, 0.0), (50.0, 340.0));
-        assert_eq!(frame.at(4.0, 2.0), (450.0, 20.0));
-        assert!((frame.k(frame.x(1.7)) - 1.7).abs() < 1e-12);
-        assert!((frame.mu(frame.y(0.3)) - 0.3).abs() < 1e-12);
+    fn view() -> View {
+        View::from_origin(4.0, 2.0)
     }
 
     #[test]
     fn a_curve_with_a_pole_is_cut_at_the_windows_edge() {
         let curve = Curve::Hyperbola { a: 1.0, b: 0.0, c: -1.0, d: 3.0 }; // k/(3 − k)
-        let arcs = clip(curve, 0.0, f64::INFINITY, &frame().window);
+        let arcs = clip(curve, 0.0, f64::INFINITY, &view());
         assert_eq!(arcs.len(), 1);
         assert!((arcs[0].to - 2.0).abs() < 1e-12);
     }
@@ -334,7 +289,7 @@ mod tests {
     #[test]
     fn a_region_is_cut_at_the_windows_edge() {
         let strip = Strip { from: 1.0, to: f64::INFINITY, lower: Curve::DIAGONAL, upper: None };
-        let pieces = clip_strips(&[strip], &frame().window);
+        let pieces = clip_strips(&[strip], &view());
         assert_eq!(pieces.len(), 1);
         assert_eq!((pieces[0].from, pieces[0].to, pieces[0].upper), (1.0, 2.0, level(2.0)));
     }

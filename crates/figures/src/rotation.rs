@@ -6,14 +6,15 @@
 use standfast::InputError;
 use standfast::ground::elastic::{ContactState, ElasticBase, LargestMoment};
 
+use crate::axes::{Axes, Names};
+use crate::below::{Words, verbatim};
 use crate::canvas::{Canvas, FORMULA};
 use crate::caption::{SIZE, SMALL};
-use crate::ground::arcs;
-use crate::margins::{self, Axes, Numbers};
+use crate::margins;
 use crate::number::digits;
 use crate::palette::{BEHIND, FAINT, INK, MARK};
-use crate::plot::{Frame, View};
-use crate::scene::{Path, Pen, Rect};
+use crate::plot::View;
+use crate::scene::{Pen, Rect};
 use crate::text::Text;
 use crate::{DesignPoint, Figure};
 
@@ -25,7 +26,7 @@ const PLOT: (f64, f64) = (300.0, 250.0);
 const TOP: f64 = 54.0;
 /// Between the plots: the name of one axis and the numbers of the other.
 const GAP: f64 = 112.0;
-const AXES: Axes = Axes { right: "$θ$, mrad", up: "$M/(PB)$", origin: "$0$" };
+const NAMES: Names = Names { right: "$θ$, mrad", up: "$M/(PB)$", origin: "$0$" };
 /// The beginning has a plot of its own if it takes less than this share of the whole.
 const HIDDEN: f64 = 0.22;
 
@@ -120,8 +121,8 @@ impl Draft<'_> {
         let mut bottom = 0.0_f64;
         for panel in self.panels() {
             let area = Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 };
-            let frame = Frame { area, window: View::from_origin(1e3 * panel.to, 1.13) };
-            let mut own = Canvas::new(frame);
+            let axes = Axes::of(area, &View::from_origin(1e3 * panel.to, 1.13));
+            let mut own = Canvas::new(axes);
             // One page for all.
             if let Some(before) = canvas.take() {
                 own.scene = before.scene;
@@ -130,53 +131,48 @@ impl Draft<'_> {
             canvas = Some(own);
             left = area.x1 + GAP;
         }
-        let mut canvas = canvas.expect("there is a plot");
+        let canvas = canvas.expect("there is a plot");
         let width = left - GAP + 84.0;
         let edges = (16.0, width - 16.0);
         let title = match self.given.title {
             "" => "Moment and rotation of the elastic base".to_owned(),
             title => format!("Moment and rotation of the elastic base: {title}"),
         };
-        let heading: Vec<_> = title
-            .split_whitespace()
-            .map(|word| Text::verbatim(&crate::caption::shortened(word), SIZE))
-            .collect();
-        let details = margins::words(&self.caption()?, SMALL);
-        let below = margins::paragraph(&mut canvas.scene, &heading, edges, bottom + 16.0, SIZE);
-        let below = margins::paragraph(&mut canvas.scene, &details, edges, below + 5.0, SMALL);
-        let caption = details.iter().map(|word| word.plain.as_str()).collect::<Vec<_>>().join(" ");
-        let size = (width.ceil(), (below + 10.0).ceil());
+        let words = Words {
+            title: title.clone(),
+            ..Words::new(verbatim(&title, SIZE), margins::words(&self.caption()?, SMALL))
+        };
         let description = format!(
-            "Chart of the moment about the middle of the base in P B, upwards, over the rotation in mrad, to the right. {caption}"
+            "Chart of the moment about the middle of the base in P B, upwards, over the rotation in mrad, to the right. {}",
+            words.caption
         );
-        let (svg, labels) = canvas.scene.finish(size.0, size.1, &title, &description);
-        Ok(Figure { svg, title, caption, labels, size })
+        Ok(words.figure(canvas.scene, edges, bottom + 16.0, 16.0, &description))
     }
 
     /// One plot; gives the y below it.
     fn panel(&self, canvas: &mut Canvas, panel: &Panel) -> Result<f64, InputError> {
-        let frame = canvas.board.frame;
+        let axes = canvas.board.axes;
         let base = &self.given.base;
         for limit in self.limits() {
-            let ends = [(0.0, limit), (frame.window.k_max, limit)];
-            line(canvas, &ends, LIMIT);
+            let ends = [(0.0, limit), (axes.across.to, limit)];
+            canvas.line(&ends, LIMIT);
         }
         let points: Vec<_> =
             base.curve(panel.to)?.iter().map(|[turn, m]| (1e3 * turn, self.share(*m))).collect();
-        line(canvas, &points, CURVE);
+        canvas.line(&points, CURVE);
         let lean = base.p() * self.given.height / 1e3 / (base.p() * base.half_width());
         if self.stands() {
             let left: Vec<_> = points.iter().map(|(turn, m)| (*turn, m - lean * turn)).collect();
             // Below zero it stands no more.
             let left: Vec<_> = left.into_iter().take_while(|(_, m)| *m >= 0.0).collect();
-            line(canvas, &left, LEFT_FOR_LOAD);
+            canvas.line(&left, LEFT_FOR_LOAD);
         }
-        margins::axes(&mut canvas.scene, &frame, &AXES);
+        axes.arrows(&mut canvas.scene, &NAMES);
         let heading = Text::new(panel.heading, SMALL);
-        let middle = (frame.area.x0 + frame.area.x1 - heading.width) / 2.0;
-        canvas.scene.text(&heading, middle, frame.area.y0 - 12.0, FAINT);
+        let middle = (axes.area.x0 + axes.area.x1 - heading.width) / 2.0;
+        canvas.scene.text(&heading, middle, axes.area.y0 - 12.0, FAINT);
         self.marks(canvas, panel)?;
-        Ok(Numbers::of(&frame.window, PLOT.0, PLOT.1).draw(&mut canvas.scene, &frame))
+        Ok(axes.round_numbers(&mut canvas.scene))
     }
 
     /// Moments that a base bears that does not give, and one of its strength alone, as multiples of P B.
@@ -186,27 +182,25 @@ impl Draft<'_> {
     }
 
     fn marks(&self, canvas: &mut Canvas, panel: &Panel) -> Result<(), InputError> {
-        let frame = canvas.board.frame;
+        let axes = canvas.board.axes;
         let base = &self.given.base;
         for turn in self.joints.iter().filter(|turn| **turn <= panel.to) {
-            let at = frame.at(1e3 * turn, self.share(base.moment(*turn)?));
-            canvas.scene.dot(at, 2.6, INK, None);
-            canvas.board.reserve(Rect::around(at.0, at.1, 6.5, 6.5));
+            let at = axes.at(1e3 * turn, self.share(base.moment(*turn)?));
+            canvas.dot(at, 2.6, 6.5);
         }
         if self.stands() && self.largest.rotation <= panel.to {
             let (turn, m) = (1e3 * self.largest.rotation, self.share(self.largest.moment));
-            let at = frame.at(turn, m);
-            canvas.scene.dot(at, 3.2, INK, None);
-            canvas.board.reserve(Rect::around(at.0, at.1, 7.5, 7.5));
+            let at = axes.at(turn, m);
+            canvas.dot(at, 3.2, 7.5);
             canvas.letter(&Text::new("largest", FORMULA), at);
         }
         // The moment of the full load, from its axis to where the base bears it.
         let share = self.share(self.given.moment);
-        let to = self.design.map_or(frame.window.k_max, |turn| (1e3 * turn).min(frame.window.k_max));
-        if share < frame.window.mu_max {
-            line(canvas, &[(0.0, share), (to, share)], FULL_LOAD);
+        let to = self.design.map_or(axes.across.to, |turn| (1e3 * turn).min(axes.across.to));
+        if share < axes.up.to {
+            canvas.line(&[(0.0, share), (to, share)], FULL_LOAD);
         }
-        let beyond = 2.0 * frame.window.k_max;
+        let beyond = 2.0 * axes.across.to;
         let turn = self.design.map_or(beyond, |turn| 1e3 * turn);
         let point = DesignPoint { k: turn, mu: share, label: "full load".into(), mirrored: false };
         canvas.design_points(&[point]);
@@ -216,7 +210,7 @@ impl Draft<'_> {
     /// Places the names of the pieces and the lines.
     fn names(&self, canvas: &mut Canvas, panel: &Panel) -> Result<(), InputError> {
         let base = &self.given.base;
-        let frame = canvas.board.frame;
+        let axes = canvas.board.axes;
         let mut ends = vec![0.0];
         ends.extend(self.joints.iter().copied().filter(|turn| *turn < panel.to));
         ends.push(panel.to);
@@ -224,18 +218,18 @@ impl Draft<'_> {
             let (from, to) = (pair[0], pair[1]);
             let place = |share: f64| {
                 let turn = from + share * (to - from);
-                base.moment(turn).map(|m| frame.at(1e3 * turn, self.share(m)))
+                base.moment(turn).map(|m| axes.at(1e3 * turn, self.share(m)))
             };
             let places = [0.5, 0.65, 0.35, 0.8, 0.2].map(place);
             let places = places.into_iter().collect::<Result<Vec<_>, _>>()?;
-            let length = (frame.x(1e3 * to) - frame.x(1e3 * from)).abs();
+            let length = (axes.x(1e3 * to) - axes.x(1e3 * from)).abs();
             if length > 12.0 {
                 let text = Text::new(words(base.state((from + to) / 2.0)?), FORMULA);
                 canvas.joined(places, &text);
             }
         }
         for (limit, name) in self.limits().into_iter().zip(["rigid", "strength alone"]) {
-            let at = [0.75, 0.5, 0.25, 0.9].map(|share| frame.at(share * frame.window.k_max, limit));
+            let at = [0.75, 0.5, 0.25, 0.9].map(|share| axes.at(share * axes.across.to, limit));
             canvas.joined(at, &Text::new(name, FORMULA));
         }
         Ok(())
@@ -287,14 +281,6 @@ impl Draft<'_> {
         });
         Ok(parts.join(". ") + ".")
     }
-}
-
-/// Draws a line, and keeps labels off it.
-fn line(canvas: &mut Canvas, points: &[(f64, f64)], pen: Pen) {
-    let frame = canvas.board.frame;
-    let places: Vec<_> = points.iter().map(|&(k, mu)| frame.at(k, mu)).collect();
-    canvas.scene.stroke(&Path::through(&places), pen);
-    canvas.board.arcs.extend(arcs(points));
 }
 
 fn words(state: ContactState) -> &'static str {

@@ -3,7 +3,9 @@
 //! Steps are 1, 2 or 5 times a power of ten. All numbers of an axis have the same decimals, so that they tell apart
 //! what the step tells apart; zero is `0`.
 
+use crate::axes::NUMBER;
 use crate::number;
+use crate::text::Text;
 
 /// The round numbers of an axis with equal steps.
 ///
@@ -52,6 +54,11 @@ impl Scale {
         let part = self.step() / f64::from(parts);
         let (first, last) = ((self.from / part - 1e-9).ceil(), (self.to / part + 1e-9).floor());
         (first as i64..=last as i64).map(|count| (count, count as f64 * part)).collect()
+    }
+
+    /// A number of this axis as it is written.
+    pub(crate) fn text(&self, number: f64) -> Text {
+        Text::new(&self.markup(number), NUMBER)
     }
 
     /// A number of this axis in markup.

@@ -7,42 +7,18 @@
 use standfast::diagram::{Unresolved, Window};
 use standfast::{Diagram, Mode};
 
+use crate::axes::{Axes, Axis, NUMBER, Names};
 use crate::canvas::Canvas;
 use crate::chart::Draft;
 use crate::drawing::Drawing;
-use crate::margins::{self, NUMBER, Numbers};
+use crate::margins;
 use crate::number;
 use crate::palette::INK;
-use crate::plot::{Frame, View, clip};
+use crate::plot::{View, clip};
 use crate::scene::{Rect, Scene};
 use crate::sheet::Sheet;
 use crate::text::Text;
 use crate::{DesignPoint, DiagramContent, Figure, FigureId, caption, map, report};
-
-/// The values along an edge of a plot, from its left or lower end.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axis {
-    /// At the left or lower end.
-    pub from: f64,
-    /// At the right or upper end.
-    pub to: f64,
-    /// True if equal steps are equal factors.
-    pub logarithmic: bool,
-}
-
-impl Axis {
-    /// Position of a value along the axis: 0 at its beginning, 1 at its end.
-    pub fn share(&self, value: f64) -> f64 {
-        let Axis { from, to, logarithmic } = *self;
-        if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
-    }
-
-    /// The value at a share of the axis.
-    pub fn value(&self, share: f64) -> f64 {
-        let Axis { from, to, logarithmic } = *self;
-        if logarithmic { from * (to / from).powf(share) } else { from + share * (to - from) }
-    }
-}
 
 /// A drawing for the screen and where its values lie.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,14 +36,17 @@ pub struct Picture {
 impl Picture {
     /// Place of a pair of values in the drawing.
     pub fn place(&self, across: f64, up: f64) -> (f64, f64) {
-        let Rect { x0, y0, x1, y1 } = self.plot;
-        (x0 + self.across.share(across) * (x1 - x0), y1 - self.up.share(up) * (y1 - y0))
+        self.axes().at(across, up)
     }
 
     /// The pair of values at a place in the drawing.
     pub fn values(&self, x: f64, y: f64) -> (f64, f64) {
-        let Rect { x0, y0, x1, y1 } = self.plot;
-        (self.across.value((x - x0) / (x1 - x0)), self.up.value((y1 - y) / (y1 - y0)))
+        let axes = self.axes();
+        (axes.across_at(x), axes.up_at(y))
+    }
+
+    pub(crate) fn axes(&self) -> Axes {
+        Axes { area: self.plot, across: self.across, up: self.up }
     }
 }
 
@@ -129,11 +108,6 @@ impl View {
             least >= 0.0 && greatest < 1e9 && greatest - least > 1e-9 && greatest - least > 1e-3 * greatest
         };
         sensible(self.k_min, self.k_max) && sensible(self.mu_min, self.mu_max)
-    }
-
-    fn axes(&self) -> (Axis, Axis) {
-        let axis = |from, to| Axis { from, to, logarithmic: false };
-        (axis(self.k_min, self.k_max), axis(self.mu_min, self.mu_max))
     }
 }
 
@@ -236,16 +210,16 @@ impl Map<'_> {
             x1: (width - RIGHT).max(LEFT + 60.0),
             y1: (height - BOTTOM).max(TOP + 60.0),
         };
-        let frame = Frame { area, window: *view };
-        let mut canvas = Canvas::new(frame);
+        let axes = Axes::of(area, view);
+        let mut canvas = Canvas::new(axes);
         canvas.scene = scene;
         let mut draft = Draft::new(&drawing, canvas);
         draft.tints();
         draft.traces();
         let scene = &mut draft.canvas.scene;
-        let names = if view.is_from_origin() { &margins::NUMBERED } else { &margins::AWAY_FROM_ORIGIN };
-        margins::axes(scene, &frame, names);
-        Numbers::of(view, area.x1 - area.x0, area.y1 - area.y0).draw(scene, &frame);
+        let names = if view.is_from_origin() { &Names::NUMBERED } else { &Names::AWAY_FROM_ORIGIN };
+        axes.arrows(scene, names);
+        axes.round_numbers(scene);
         let name = Text::new("force $k = F/(mg)$", NUMBER);
         scene.text(&name, area.x1 - name.width, area.y1 + 36.0, INK);
         draft.marks();
@@ -253,8 +227,8 @@ impl Map<'_> {
         // A formula too long for the margin is left out; a letter or a short name is not.
         let mut right = std::mem::take(&mut draft.right);
         right.retain(|tab| tab.text.width < RIGHT - 17.0);
-        margins::right_of(scene, &frame, right);
-        margins::above(scene, &frame, std::mem::take(&mut draft.above));
+        margins::right_of(scene, &axes, right);
+        margins::above(scene, &axes, std::mem::take(&mut draft.above));
 
         let title = caption::title(&drawing);
         let description = caption::description(&drawing, &named_points(&drawing));

@@ -2,12 +2,10 @@
 
 use standfast::Mode;
 
-use super::plot::{Edge, across_ticks, below};
-use super::{Chance, LEFT, finished};
+use super::{Chance, LEFT, LOOK, across_ticks, finished};
 use crate::Figure;
+use crate::axes::{Axes, Axis, NUMBER};
 use crate::caption::{SIZE, SMALL};
-use crate::margins::NUMBER;
-use crate::motion::SpectrumAxis;
 use crate::number::{digits, significant};
 use crate::palette::{BEHIND, FAINT, INK, symbol, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -62,15 +60,13 @@ pub fn chance_bars(chart: &ChanceBars<'_>) -> Figure {
         .fold(0.1, f64::min);
     // A bar has a length, however small its probability is beside the others.
     let from = 10f64.powf((0.5 * least.max(LEAST)).log10().floor());
-    let axis = SpectrumAxis { name: "probability", from, to: 1.0, logarithmic: true };
-    let edge = Edge::of(&axis);
     let (x0, x1) = (LEFT + 8.0, LEFT + 8.0 + WIDE);
     let heads = chart.groups.len() as f64 * 24.0;
     let bottom = 14.0 + heads + ROW * bars().count() as f64 + 4.0;
-    for (value, _) in across_ticks(&edge, WIDE).iter().filter(|(_, text)| text.is_some()) {
-        let x = x0 + edge.share(*value) * WIDE;
-        scene.line((x, 14.0), (x, bottom), Pen::solid(BEHIND, 0.35));
-    }
+    let across = Axis { from, to: 1.0, logarithmic: true };
+    let axes = Axes::over(Rect { x0, x1, y0: 14.0, y1: bottom }, across);
+    let ticks = [across_ticks(&across, WIDE), Vec::new()];
+    axes.grid(&mut scene, &ticks);
     let mut y = 14.0;
     for group in chart.groups {
         let heading = Text::verbatim(group.heading, SIZE);
@@ -80,22 +76,22 @@ pub fn chance_bars(chart: &ChanceBars<'_>) -> Figure {
         scene.text(&heading, LEFT, y + 12.0, INK);
         y += 24.0;
         for bar in group.bars {
-            row(&mut scene, bar, &edge, (x0, x1), y);
+            row(&mut scene, bar, &axes, y);
             y += ROW;
         }
     }
     scene.line((x0, bottom), (x1, bottom), Pen::solid(INK, 0.9));
     scene.line((x0, 36.0), (x0, bottom), Pen::solid(INK, 0.9));
-    below(&mut scene, &edge, (x0, x1), bottom);
-    let name = Text::new(axis.name, NUMBER);
-    scene.text(&name, (x0 + x1 - name.width) / 2.0, bottom + 36.0, INK);
+    axes.below(&mut scene, &ticks[0], LOOK);
+    axes.name_below(&mut scene, &Text::new("probability", NUMBER), 36.0);
     let right = x1 + VALUES;
     let description = "Bars of probabilities on a logarithmic axis.";
     finished(scene, (chart.title, chart.caption), (right, bottom + 50.0), description)
 }
 
-fn row(scene: &mut Scene, bar: &ChanceBar<'_>, edge: &Edge, (x0, x1): (f64, f64), y: f64) {
-    let place = |p: f64| x0 + edge.share(p) * (x1 - x0);
+fn row(scene: &mut Scene, bar: &ChanceBar<'_>, axes: &Axes, y: f64) {
+    let Rect { x0, x1, .. } = axes.area;
+    let place = |p: f64| axes.held(p, 0.0).0;
     let words = Text::verbatim(&bar.words.replace('\'', "′"), SMALL);
     let name = bar.mode.map(|mode| Text::new(symbol(mode), SMALL));
     let width = name.as_ref().map_or(0.0, |name| name.width + 7.0) + words.width;

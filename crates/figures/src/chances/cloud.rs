@@ -2,15 +2,13 @@
 
 use standfast::Mode;
 
-use super::plot::{Edge, Plot, up_width};
-use super::{LEFT, finished};
+use super::{LEFT, LOOK, finished, plot};
 use crate::Figure;
+use crate::axes::Axes;
 use crate::below::modes_key;
-use crate::margins::NUMBER;
 use crate::motion::SpectrumAxis;
-use crate::palette::{FAINT, INK, tint};
-use crate::scene::{Path, Pen, Rect, Scene};
-use crate::text::Text;
+use crate::palette::{FAINT, tint};
+use crate::scene::{Path, Pen, Scene};
 
 const TOP: f64 = 36.0;
 const DOWN: f64 = 280.0;
@@ -58,19 +56,18 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
     order.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
     let wide = if chart.panels.len() > 1 { BESIDE } else { ALONE };
     let (mut left, mut right, mut bottom) = (LEFT, LEFT, TOP);
+    let mut names = Vec::new();
     for panel in chart.panels {
-        let (across, up) = (Edge::of(&panel.across), Edge::of(&panel.up));
-        let x0 = left + up_width(&up, DOWN) + 9.0;
-        let area = Rect { x0, x1: x0 + wide, y0: TOP, y1: TOP + DOWN };
-        let plot = Plot { area, across, up };
-        paint(&mut scene, &plot, &panel.areas);
-        plot.grid(&mut scene);
+        let plot = plot([&panel.across, &panel.up], (left, TOP), (wide, DOWN));
+        let (axes, area) = (plot.axes, plot.axes.area);
+        paint(&mut scene, &axes, &panel.areas);
+        axes.grid(&mut scene, &plot.ticks);
         for (_, mode) in &order {
             let of_mode = panel.points.iter().zip(chart.modes).filter(|(_, other)| *other == mode);
-            let shown = of_mode.filter(|((x, y), _)| plot.across.shows(*x) && plot.up.shows(*y));
+            let shown = of_mode.filter(|((x, y), _)| axes.across.shows(*x) && axes.up.shows(*y));
             let mut dots = Path::default();
             for ((x, y), _) in shown {
-                let (x, y) = (plot.x(*x), plot.y(*y));
+                let (x, y) = axes.at(*x, *y);
                 dots.move_to(x, y);
                 dots.line_to(x + 0.1, y);
             }
@@ -79,11 +76,10 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
             let inner = mode.map_or(crate::palette::PAPER, tint);
             scene.stroke(&dots, Pen { colour: inner, width: 3.4, dashes: "0 9" });
         }
-        let below = plot.draw(&mut scene);
-        let [name, up_name] = [panel.across.name, panel.up.name].map(|name| Text::inline(name, NUMBER));
-        scene.text(&up_name, left, TOP - 14.0, INK);
-        scene.text(&name, (area.x0 + area.x1 - name.width) / 2.0, below + 14.0, INK);
-        (right, bottom) = (area.x1 + 18.0, below + 24.0);
+        plot.draw(&mut scene, LOOK, 36.0, (left, TOP - 14.0));
+        let [across, up] = plot.names();
+        names.push(format!("{up} over {across}"));
+        (right, bottom) = (area.x1 + 18.0, area.y1 + 46.0);
         left = area.x1 + GAP;
     }
     let has_area =
@@ -91,23 +87,14 @@ pub fn chance_cloud(chart: &ChanceCloud<'_>) -> Figure {
     let modes: Vec<Mode> =
         Mode::ALL.into_iter().filter(|m| order.iter().any(|(_, o)| *o == Some(*m)) || has_area(m)).collect();
     let below = modes_key(&mut scene, &modes, (LEFT, right), bottom + 8.0);
-    let axes: Vec<String> = chart
-        .panels
-        .iter()
-        .map(|panel| {
-            let [across, up] = [panel.across.name, panel.up.name].map(|n| Text::inline(n, NUMBER).plain);
-            format!("{up} over {across}")
-        })
-        .collect();
-    let description = format!("Draws as dots: {}.", axes.join("; "));
+    let description = format!("Draws as dots: {}.", names.join("; "));
     finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
 }
 
 /// Areas in the colours of their modes, and thin lines where they meet.
-fn paint(scene: &mut Scene, plot: &Plot, areas: &[(Mode, Vec<(f64, f64)>)]) {
+fn paint(scene: &mut Scene, axes: &Axes, areas: &[(Mode, Vec<(f64, f64)>)]) {
     let outline = |corners: &[(f64, f64)]| {
-        let mut path =
-            Path::through(&corners.iter().map(|(x, y)| (plot.x(*x), plot.y(*y))).collect::<Vec<_>>());
+        let mut path = Path::through(&corners.iter().map(|(x, y)| axes.held(*x, *y)).collect::<Vec<_>>());
         path.close();
         path
     };

@@ -2,19 +2,19 @@
 
 use standfast::Mode;
 
-use super::plot::{Edge, Plot, up_width};
-use super::{Chance, LEFT, finished};
+use super::{Chance, LEFT, LOOK, finished, plot};
 use crate::Figure;
+use crate::axes::Axes;
+use crate::below::Key;
 use crate::caption::SMALL;
 use crate::labels::spread;
-use crate::margins::NUMBER;
 use crate::motion::SpectrumAxis;
 use crate::palette::{FAINT, INK, MARK, tint};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
 const PLOT: (f64, f64) = (470.0, 300.0);
-/// Above the plot: the name of an axis, and what marks are.
+/// Above the axes: the name of an axis, and what marks are.
 const TOP: f64 = 30.0;
 const MARKS: f64 = 22.0;
 const BAND: &str = "#dfe3e8";
@@ -74,28 +74,21 @@ const FEW: usize = 40;
 /// Draws lines of probabilities.
 pub fn chance_lines(chart: &ChanceLines<'_>) -> Figure {
     let mut scene = Scene::default();
-    let (across, up) = (Edge::of(&chart.across), Edge::of(&chart.up));
-    let left = LEFT + up_width(&up, PLOT.1) + 9.0;
     let top = if chart.marks.is_empty() { TOP } else { TOP + MARKS };
-    let area = Rect { x0: left, x1: left + PLOT.0, y0: top, y1: top + PLOT.1 };
-    let plot = Plot { area, across, up };
-    plot.grid(&mut scene);
+    let plot = plot([&chart.across, &chart.up], (LEFT, top), PLOT);
+    let axes = plot.axes;
+    axes.grid(&mut scene, &plot.ticks);
     for line in chart.lines.iter().rev() {
-        band(&mut scene, &plot, line);
+        band(&mut scene, &axes, line);
     }
     for line in chart.lines.iter().rev() {
-        stroke(&mut scene, &plot, line);
+        stroke(&mut scene, &axes, line);
     }
-    marks(&mut scene, &plot, chart.marks);
-    let bottom = plot.draw(&mut scene);
-    let [name, up_name] = [chart.across.name, chart.up.name].map(|name| Text::inline(name, NUMBER));
-    scene.text(&up_name, LEFT, TOP - 12.0, INK);
-    scene.text(&name, (area.x0 + area.x1 - name.width) / 2.0, bottom + 14.0, INK);
-    let right = area.x1 + 26.0;
-    let below = swatches(&mut scene, chart.lines, (LEFT, right), bottom + 28.0);
-    let [across, up] = [&name, &up_name].map(|text| text.plain.as_str());
-    let description = format!("Chart of {up}, upwards, over {across}, to the right.");
-    finished(scene, (chart.title, chart.caption), (right, below + 8.0), &description)
+    marks(&mut scene, &axes, chart.marks);
+    plot.draw(&mut scene, LOOK, 36.0, (LEFT, TOP - 12.0));
+    let right = axes.area.x1 + 26.0;
+    let below = swatches(&mut scene, chart.lines, (LEFT, right), axes.area.y1 + 50.0);
+    finished(scene, (chart.title, chart.caption), (right, below + 8.0), &plot.description())
 }
 
 fn pens(look: LineLook) -> Vec<Pen> {
@@ -107,14 +100,14 @@ fn pens(look: LineLook) -> Vec<Pen> {
     }
 }
 
-/// Points of a line within the plot: it stops at the edges.
-fn seen(plot: &Plot, points: &[(f64, Chance)]) -> Vec<(f64, f64)> {
-    let within = points.iter().filter(|(x, p)| plot.across.shows(*x) && plot.up.shows(p.value));
-    within.map(|(x, p)| (plot.x(*x), plot.y(p.value))).collect()
+/// Points of a line within the axes: it stops at the edges.
+fn seen(axes: &Axes, points: &[(f64, Chance)]) -> Vec<(f64, f64)> {
+    let within = points.iter().filter(|(x, p)| axes.across.shows(*x) && axes.up.shows(p.value));
+    within.map(|(x, p)| axes.held(*x, p.value)).collect()
 }
 
-fn stroke(scene: &mut Scene, plot: &Plot, line: &ChanceLine<'_>) {
-    let places = seen(plot, &line.points);
+fn stroke(scene: &mut Scene, axes: &Axes, line: &ChanceLine<'_>) {
+    let places = seen(axes, &line.points);
     let path = Path::through(&places);
     pens(line.look).into_iter().for_each(|pen| scene.stroke(&path, pen));
     if line.look == LineLook::Answer && places.len() <= FEW {
@@ -122,27 +115,27 @@ fn stroke(scene: &mut Scene, plot: &Plot, line: &ChanceLine<'_>) {
     }
 }
 
-fn band(scene: &mut Scene, plot: &Plot, line: &ChanceLine<'_>) {
-    let points = || line.points.iter().filter(|(x, p)| plot.across.shows(*x) && p.high > 0.0);
+fn band(scene: &mut Scene, axes: &Axes, line: &ChanceLine<'_>) {
+    let points = || line.points.iter().filter(|(x, p)| axes.across.shows(*x) && p.high > 0.0);
     if line.look == LineLook::Fit || points().all(|(_, p)| p.high - p.low <= 1e-6 * p.high) {
         return;
     }
-    let upper = points().map(|(x, p)| (plot.x(*x), plot.y(p.high)));
-    let lower = points().map(|(x, p)| (plot.x(*x), plot.y(p.low)));
+    let upper = points().map(|(x, p)| axes.held(*x, p.high));
+    let lower = points().map(|(x, p)| axes.held(*x, p.low));
     let mut path = Path::through(&upper.chain(lower.rev()).collect::<Vec<_>>());
     path.close();
     scene.fill(&path, if line.look == LineLook::Answer { BAND } else { BAND_OF_MODE });
 }
 
-/// Upright lines, and what they are above the plot.
-fn marks(scene: &mut Scene, plot: &Plot, marks: &[ChanceMark<'_>]) {
+/// Upright lines, and what they are above the axes.
+fn marks(scene: &mut Scene, axes: &Axes, marks: &[ChanceMark<'_>]) {
     let mut shown: Vec<(f64, Text)> = marks
         .iter()
-        .filter(|mark| plot.across.shows(mark.at))
-        .map(|mark| (plot.x(mark.at), Text::inline(mark.words, SMALL)))
+        .filter(|mark| axes.across.shows(mark.at))
+        .map(|mark| (axes.x(mark.at), Text::inline(mark.words, SMALL)))
         .collect();
     shown.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let Rect { x0, x1, y0, y1 } = plot.area;
+    let Rect { x0, x1, y0, y1 } = axes.area;
     for (x, _) in &shown {
         scene.line((*x, y0 - 4.0), (*x, y1), Pen { colour: MARK, width: 0.9, dashes: "3 2.6" });
     }
@@ -158,12 +151,10 @@ fn marks(scene: &mut Scene, plot: &Plot, marks: &[ChanceMark<'_>]) {
 
 /// The key: a stretch of each line with its name; returns the y below.
 fn swatches(scene: &mut Scene, lines: &[ChanceLine<'_>], edges: (f64, f64), top: f64) -> f64 {
-    let (mut x, mut y) = (edges.0, top);
+    let mut key = Key::new(edges, top);
     for line in lines {
         let words = Text::inline(line.name, SMALL);
-        if x > edges.0 && x + 30.0 + words.width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
+        let (x, y) = key.entry(30.0 + words.width, 18.0);
         let has_band =
             line.look == LineLook::Answer && line.points.iter().any(|(_, p)| p.high - p.low > 1e-6 * p.high);
         if has_band {
@@ -173,7 +164,6 @@ fn swatches(scene: &mut Scene, lines: &[ChanceLine<'_>], edges: (f64, f64), top:
             scene.line((x, y + 6.5), (x + 24.0, y + 6.5), pen);
         }
         scene.text(&words, x + 30.0, y + 10.5, INK);
-        x += 30.0 + words.width + 18.0;
     }
-    if lines.is_empty() { y } else { y + 17.0 }
+    key.below()
 }

@@ -1,11 +1,9 @@
 //! Importance of each number: its share α² in the direction of the design point, and the probability if it were known.
 
-use super::plot::{Edge, across_ticks, below};
-use super::{LEFT, finished};
+use super::{LEFT, LOOK, across_ticks, finished};
 use crate::Figure;
+use crate::axes::{Axes, Axis, NUMBER};
 use crate::caption::{SMALL, shortened};
-use crate::margins::NUMBER;
-use crate::motion::SpectrumAxis;
 use crate::number::{digits, significant};
 use crate::palette::{BEHIND, FAINT, INK, MARK};
 use crate::scene::{Path, Pen, Rect, Scene};
@@ -57,19 +55,16 @@ pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
     let most = all().fold(least, f64::max);
     let from = 10f64.powf((0.6 * least).log10().floor());
     let to = 10f64.powf((1.5 * most).log10().ceil()).min(1.0);
-    let shares = Edge::of(&SpectrumAxis { name: "", from: 0.0, to: 1.0, logarithmic: false });
-    let known = Edge::of(&SpectrumAxis { name: "", from, to, logarithmic: true });
     let bottom = TOP + ROW * chart.numbers.len() as f64 + 4.0;
-    let share = |value: f64| a0 + shares.share(value) * SHARES;
-    let place = |p: f64| k0 + known.share(p) * KNOWN;
-    for (edge, x0, length) in [(&shares, a0, SHARES), (&known, k0, KNOWN)] {
-        for (value, _) in across_ticks(edge, length).iter().filter(|(_, text)| text.is_some()) {
-            let x = x0 + edge.share(*value) * length;
-            scene.line((x, TOP), (x, bottom), Pen::solid(BEHIND, 0.35));
-        }
-        let frame = Rect { x0, x1: x0 + length, y0: TOP, y1: bottom };
-        scene.stroke(&Path::rectangle(&frame), Pen::solid(INK, 0.9));
-        below(&mut scene, edge, (x0, x0 + length), bottom);
+    let over = |x0: f64, x1: f64, axis: Axis| Axes::over(Rect { x0, x1, y0: TOP, y1: bottom }, axis);
+    let shares = over(a0, a0 + SHARES, Axis::linear(0.0, 1.0));
+    let known = over(k0, k1, Axis { from, to, logarithmic: true });
+    let share = |value: f64| shares.held(value, 0.0).0;
+    let place = |p: f64| known.held(p, 0.0).0;
+    for axes in [&shares, &known] {
+        let ticks = [across_ticks(&axes.across, axes.area.x1 - axes.area.x0), Vec::new()];
+        axes.grid(&mut scene, &ticks);
+        axes.framed(&mut scene, &ticks, LOOK);
     }
     for (i, (number, name)) in chart.numbers.iter().zip(&names).enumerate() {
         let y = TOP + 4.0 + ROW * i as f64;
@@ -99,9 +94,9 @@ pub fn chance_tornado(chart: &Tornado<'_>) -> Figure {
     let said = Text::new(&format!("$P = {}$", digits(chart.probability)), SMALL);
     let left = (x - said.width / 2.0).clamp(k0, (k1 - said.width).max(k0));
     scene.text(&said, left, TOP - 8.0, MARK);
-    let [left, right] = [Text::new("share $α^2$", NUMBER), Text::new("$P$ if it were known", NUMBER)];
-    scene.text(&left, a0 + (SHARES - left.width) / 2.0, bottom + 36.0, INK);
-    scene.text(&right, k0 + (KNOWN - right.width) / 2.0, bottom + 36.0, INK);
+    for (axes, name) in [(&shares, "share $α^2$"), (&known, "$P$ if it were known")] {
+        axes.name_below(&mut scene, &Text::new(name, NUMBER), 36.0);
+    }
     let description = "Bars of the shares of random numbers, and of the probability if each were known.";
     finished(scene, (chart.title, chart.caption), (k1 + 84.0, bottom + 50.0), description)
 }

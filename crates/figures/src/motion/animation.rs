@@ -5,13 +5,10 @@ use std::fmt::Write;
 
 use standfast::Mode;
 
-use super::{MotionPicture, MotionPose, band, extent, key, polygon, positions::ground, words_below};
+use super::{MotionPicture, MotionPose, band, extent, finished, polygon, positions::ground, time_axis};
 use crate::Figure;
-use crate::margins::{self, NUMBER};
 use crate::palette::{FAINT, INK, MARK, tint};
-use crate::scale::Scale;
 use crate::scene::{Path, Pen, Rect, Scene};
-use crate::text::Text;
 
 const WIDTH: f64 = 560.0;
 const LEFT: f64 = 24.0;
@@ -40,15 +37,8 @@ pub fn motion_animation(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     let strip = Rect { x0: LEFT, y0: base + 22.0, x1: LEFT + WIDTH, y1: base + 39.0 };
     let below = time(&mut scene, picture, strip, &clock);
     let edges = (LEFT, LEFT + WIDTH);
-    let below = key(&mut scene, picture, edges, below + 10.0);
-    let below = words_below(&mut scene, picture, edges, below + 8.0);
-    let (width, height) = (WIDTH + 2.0 * LEFT, below + 10.0);
-    let description =
-        format!("The motion, one second for each unit of time, relative to the base. {}", picture.caption);
-    let title = format!("{}: the motion", picture.title);
-    let (svg, labels) = scene.finish(width, height, &title, &description);
-    let size = (width.ceil(), height.ceil());
-    Figure { svg, title, caption: picture.caption.to_owned(), labels, size }
+    let description = "The motion, one second for each unit of time, relative to the base.";
+    finished(scene, picture, "the motion", edges, below + 10.0, LEFT, description)
 }
 
 /// Clock that turns moments into shares of the time from one beginning to the next.
@@ -143,15 +133,7 @@ fn animated(kind: &str, values: &str, key_times: &str, clock: &Clock) -> String 
 fn time(scene: &mut Scene, picture: &MotionPicture<'_>, strip: Rect, clock: &Clock) -> f64 {
     band(scene, picture, strip, true);
     scene.stroke(&Path::rectangle(&strip), Pen::solid(FAINT, 0.8));
-    let scale = Scale::new(0.0, picture.end, 8.0);
-    let x = |t: f64| strip.x0 + t / picture.end * (strip.x1 - strip.x0);
-    for t in scale.numbers() {
-        let number = margins::number(&scale, t);
-        scene.line((x(t), strip.y1), (x(t), strip.y1 + 4.0), Pen::solid(INK, 0.9));
-        scene.text(&number, x(t) - number.width / 2.0, strip.y1 + 17.0, INK);
-    }
-    let name = Text::new(&super::with_unit("time $t$", picture.time_unit), NUMBER);
-    scene.text(&name, (strip.x0 + strip.x1 - name.width) / 2.0, strip.y1 + 34.0, INK);
+    let below = time_axis(scene, picture, strip);
     let width = strip.x1 - strip.x0;
     let ways = format!("0 0;{width:.2} 0;{width:.2} 0");
     scene.open(&format!("transform=\"translate({width:.2} 0)\""));
@@ -159,5 +141,5 @@ fn time(scene: &mut Scene, picture: &MotionPicture<'_>, strip: Rect, clock: &Clo
     scene.put(&animated("translate", &ways, &key_times, clock));
     scene.line((strip.x0, strip.y0 - 4.0), (strip.x0, strip.y1 + 4.0), Pen::solid(MARK, 2.0));
     scene.close();
-    strip.y1 + 40.0
+    below
 }

@@ -1,10 +1,9 @@
 //! Load, slide and rotation over the time, one above the other, with the states behind.
 
-use super::{MotionPicture, band, key, with_unit, words_below};
+use super::{MotionPicture, band, finished, time_axis, with_unit};
 use crate::Figure;
-use crate::margins::{self, NUMBER};
+use crate::axes::{Axes, Axis, Look, NUMBER, Tick, widest};
 use crate::palette::{FAINT, INK, MARK};
-use crate::scale::Scale;
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -26,7 +25,7 @@ struct Panel<'a> {
 }
 
 impl Panel<'_> {
-    fn range(&self) -> (f64, f64) {
+    fn axis(&self) -> Axis {
         let values = self.lines.iter().flat_map(|line| line.iter().map(|point| point.1));
         let (mut low, mut high) = values
             .filter(|value| value.is_finite())
@@ -42,7 +41,7 @@ impl Panel<'_> {
         let short = (self.least - (high - low)).max(0.0) / 2.0;
         let (low, high) = (low - short, high + short);
         let margin = 0.06 * (high - low);
-        (low - margin, high + margin)
+        Axis::linear(low - margin, high + margin)
     }
 }
 
@@ -71,69 +70,54 @@ pub fn motion_histories(picture: &MotionPicture<'_>) -> Figure {
         },
     ];
     let panels = &panels[usize::from(names.is_empty())..];
-    let scales: Vec<Scale> = panels
+    let axes: Vec<(Axis, Vec<Tick>)> = panels
         .iter()
         .map(|panel| {
-            let (low, high) = panel.range();
-            Scale::new(low, high, 6.0)
+            let up = panel.axis();
+            (up, up.numbers(6.0))
         })
         .collect();
-    let numbers =
-        scales.iter().flat_map(|scale| scale.numbers().into_iter().map(|n| margins::number(scale, n).width));
-    let left = numbers.fold(24.0, f64::max) + 18.0;
+    let left = axes.iter().fold(24.0, |most, (_, ticks)| widest(ticks, most)) + 18.0;
     let mut scene = Scene::default();
     let strip = Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: TOP + STRIP };
     band(&mut scene, picture, strip, true);
     let mut top = TOP + STRIP;
-    for (panel, scale) in panels.iter().zip(&scales) {
+    for (panel, (up, ticks)) in panels.iter().zip(&axes) {
         top += GAP;
         let area = Rect { x0: left, y0: top, x1: left + WIDTH, y1: top + HEIGHT };
-        draw(&mut scene, picture, panel, scale, area);
+        let axes = Axes { area, across: Axis::linear(0.0, picture.end), up: *up };
+        draw(&mut scene, picture, panel, &axes, ticks);
         top += HEIGHT;
     }
     let below = time_axis(&mut scene, picture, Rect { x0: left, y0: TOP, x1: left + WIDTH, y1: top });
     let edges = (16.0, left + WIDTH);
-    let below = key(&mut scene, picture, edges, below + 12.0);
-    let below = words_below(&mut scene, picture, edges, below + 8.0);
-    let (width, height) = (left + WIDTH + 22.0, below + 10.0);
     let quantities: Vec<String> =
         panels.iter().map(|panel| Text::inline(&panel.name, NUMBER).plain).collect();
-    let description =
-        format!("Over the time, from above: the states; {}. {}", quantities.join("; "), picture.caption);
-    let title = format!("{}: histories", picture.title);
-    let (svg, labels) = scene.finish(width, height, &title, &description);
-    let size = (width.ceil(), height.ceil());
-    Figure { svg, title, caption: picture.caption.to_owned(), labels, size }
+    let description = format!("Over the time, from above: the states; {}.", quantities.join("; "));
+    finished(scene, picture, "histories", edges, below + 12.0, 22.0, &description)
 }
 
-fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, scale: &Scale, area: Rect) {
-    let (low, high) = panel.range();
-    let x = |t: f64| area.x0 + t / picture.end * (area.x1 - area.x0);
-    let y = |value: f64| area.y1 - (value - low) / (high - low) * (area.y1 - area.y0);
+fn draw(scene: &mut Scene, picture: &MotionPicture<'_>, panel: &Panel<'_>, axes: &Axes, ticks: &[Tick]) {
+    let area = axes.area;
     band(scene, picture, area, false);
     scene.text(&Text::inline(&panel.name, NUMBER), area.x0, area.y0 - 6.0, INK);
-    for value in scale.numbers() {
-        let (number, y) = (margins::number(scale, value), y(value));
-        scene.line((area.x0 - 4.0, y), (area.x0, y), Pen::solid(INK, 0.9));
-        scene.text(&number, area.x0 - 7.0 - number.width, y + 4.0, INK);
-    }
-    scene.line((area.x0, y(0.0)), (area.x1, y(0.0)), Pen::solid(FAINT, 0.6));
-    for &(level, name) in panel.levels.iter().filter(|(level, _)| low < *level && *level < high) {
-        scene.line(
-            (area.x0, y(level)),
-            (area.x1, y(level)),
-            Pen { colour: MARK, width: 0.9, dashes: "5 3.4" },
-        );
+    axes.beside(scene, ticks, Look::PLAIN);
+    let across = |scene: &mut Scene, y: f64, pen: Pen| scene.line((area.x0, y), (area.x1, y), pen);
+    across(scene, axes.y(0.0), Pen::solid(FAINT, 0.6));
+    let Axis { from, to, .. } = axes.up;
+    for &(level, name) in panel.levels.iter().filter(|(level, _)| from < *level && *level < to) {
+        let y = axes.y(level);
+        across(scene, y, Pen { colour: MARK, width: 0.9, dashes: "5 3.4" });
         let text = Text::verbatim(name, 11.0);
-        let place = if level > 0.0 { y(level) + 11.0 } else { y(level) - 4.0 };
+        let place = if level > 0.0 { y + 11.0 } else { y - 4.0 };
         scene.text(&text, area.x1 - text.width - 5.0, place, MARK);
     }
     for (i, line) in panel.lines.iter().enumerate() {
         let places = line.iter().filter(|(t, value)| *t <= picture.end && value.is_finite());
-        let places: Vec<(f64, f64)> = places.map(|&(t, value)| (x(t), y(value))).collect();
+        let places: Vec<(f64, f64)> = places.map(|&(t, value)| axes.at(t, value)).collect();
         scene.stroke(&thinned(&places), LINES[i.min(1)]);
     }
-    scene.stroke(&Path::rectangle(&area), Pen::solid(FAINT, 0.8));
+    axes.border(scene, Pen::solid(FAINT, 0.8));
 }
 
 /// A line through places from left to right, of which the page shows no more: in each half of a unit the first, the lowest, the highest
@@ -157,20 +141,6 @@ fn thinned(places: &[(f64, f64)]) -> Path {
         }
     }
     Path::through(&kept)
-}
-
-/// Numbers under the lowest panel, ticks under all; returns the y below.
-fn time_axis(scene: &mut Scene, picture: &MotionPicture<'_>, area: Rect) -> f64 {
-    let x = |t: f64| area.x0 + t / picture.end * (area.x1 - area.x0);
-    let scale = Scale::new(0.0, picture.end, 8.0);
-    for t in scale.numbers() {
-        let number = margins::number(&scale, t);
-        scene.line((x(t), area.y1), (x(t), area.y1 + 4.0), Pen::solid(INK, 0.9));
-        scene.text(&number, x(t) - number.width / 2.0, area.y1 + 17.0, INK);
-    }
-    let name = Text::new(&with_unit("time $t$", picture.time_unit), NUMBER);
-    scene.text(&name, (area.x0 + area.x1 - name.width) / 2.0, area.y1 + 34.0, INK);
-    area.y1 + 40.0
 }
 
 #[cfg(test)]

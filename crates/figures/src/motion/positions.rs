@@ -1,8 +1,8 @@
 //! The body at some moments, side by side and to scale.
 
-use super::{MotionOutline, MotionPicture, MotionPose, extent, key, polygon, words_below};
+use super::{MotionOutline, MotionPicture, MotionPose, extent, finished, polygon};
 use crate::Figure;
-use crate::margins::NUMBER;
+use crate::axes::NUMBER;
 use crate::number::significant;
 use crate::palette::{FAINT, INK, symbol, tint};
 use crate::scene::{Pen, Rect, Scene};
@@ -53,18 +53,11 @@ pub fn motion_positions(picture: &MotionPicture<'_>, poses: &[MotionPose]) -> Fi
     let rows = poses.len().div_ceil(per_row);
     let below = 14.0 + row_height * rows as f64;
     let edges = (LEFT, LEFT + WIDTH);
-    let below = key(&mut scene, picture, edges, below + 4.0);
-    let below = words_below(&mut scene, picture, edges, below + 8.0);
-    let (width, height) = (WIDTH + 2.0 * LEFT, below + 10.0);
     let description = format!(
-        "The body to scale at {} moments, from left to right; dashed, where it stood before. {}",
-        poses.len(),
-        picture.caption
+        "The body to scale at {} moments, from left to right; dashed, where it stood before.",
+        poses.len()
     );
-    let title = format!("{}: positions", picture.title);
-    let (svg, labels) = scene.finish(width, height, &title, &description);
-    let size = (width.ceil(), height.ceil());
-    Figure { svg, title, caption: picture.caption.to_owned(), labels, size }
+    finished(scene, picture, "positions", edges, below + 4.0, LEFT, &description)
 }
 
 fn body(

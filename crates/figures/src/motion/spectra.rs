@@ -1,12 +1,11 @@
 //! Spectra of motions: a map of classes over two quantities, and lines over one.
 
 use crate::Figure;
-use crate::below::title_and_caption;
+use crate::axes::{Axis, Look, NUMBER, Plot, Tick};
+use crate::below::{Key, Words};
 use crate::caption::SMALL;
-use crate::margins::{self, NUMBER};
 use crate::number::significant;
-use crate::palette::{FAINT, INK, MARK, PUSH};
-use crate::scale::Scale;
+use crate::palette::{INK, MARK, PUSH};
 use crate::scene::{Path, Pen, Rect, Scene};
 use crate::text::Text;
 
@@ -33,29 +32,21 @@ pub struct SpectrumAxis<'a> {
 }
 
 impl SpectrumAxis<'_> {
-    fn share(&self, value: f64) -> f64 {
-        if self.logarithmic {
-            (value / self.from).ln() / (self.to / self.from).ln()
-        } else {
-            (value - self.from) / (self.to - self.from)
-        }
+    pub(crate) fn axis(&self) -> Axis {
+        let SpectrumAxis { from, to, logarithmic, .. } = *self;
+        Axis { from, to, logarithmic }
     }
 
-    /// Round numbers with their text.
-    fn numbers(&self, most: f64) -> Vec<(f64, Text)> {
+    /// Numbers, round, all of them written.
+    fn numbers(&self, most: f64) -> Vec<Tick> {
+        let axis = self.axis();
         if !self.logarithmic || self.to < 3.0 * self.from {
-            let scale = Scale::new(self.from, self.to, most);
-            return scale
-                .numbers()
-                .into_iter()
-                .map(|value| (value, margins::number(&scale, value)))
-                .collect();
+            return axis.numbers(most);
         }
-        let decades = self.from.log10().floor() as i32..=self.to.log10().ceil() as i32;
-        let steps: &[f64] = if decades.end() - decades.start() > 3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
-        let values = decades.flat_map(|decade| steps.iter().map(move |step| step * 10f64.powi(decade)));
-        let within = values.filter(|value| (-1e-9..=1.0 + 1e-9).contains(&self.share(*value)));
-        within.map(|value| (value, Text::new(&format!("${}$", significant(value, 3)), NUMBER))).collect()
+        let is_long = axis.last_decade() - axis.first_decade() > 3;
+        let values = axis.decades(if is_long { &[1.0] } else { &[1.0, 2.0, 5.0] });
+        let text = |value: f64| Text::new(&format!("${}$", significant(value, 3)), NUMBER);
+        values.map(|(.., value)| (value, Some(text(value)))).collect()
     }
 }
 
@@ -83,15 +74,15 @@ pub struct SpectrumMap<'a> {
 /// Draws a map of classes.
 pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
     let mut scene = Scene::default();
-    let frame = Frame::new(&map.across, &map.up);
+    let plot = plot(&map.across, &map.up);
     // Halfway to the neighbours, to the edge at the ends.
     let edges = |values: &[f64], place: &dyn Fn(f64) -> f64, ends: [f64; 2]| -> Vec<f64> {
         let between = values.windows(2).map(|pair| (place(pair[0]) + place(pair[1])) / 2.0);
         std::iter::once(ends[0]).chain(between).chain([ends[1]]).collect()
     };
-    let area = frame.area;
-    let xs = edges(map.columns, &|value| frame.x(value), [area.x0, area.x1]);
-    let ys = edges(map.rows, &|value| frame.y(value), [area.y1, area.y0]);
+    let (axes, area) = (plot.axes, plot.axes.area);
+    let xs = edges(map.columns, &|value| axes.x(value), [area.x0, area.x1]);
+    let ys = edges(map.rows, &|value| axes.y(value), [area.y1, area.y0]);
     for (i, column) in xs.windows(2).enumerate() {
         let classes = &map.cells[i * map.rows.len()..(i + 1) * map.rows.len()];
         // Cells of one class above each other are one rectangle: two that touch show a seam.
@@ -103,24 +94,13 @@ pub fn spectrum_map(map: &SpectrumMap<'_>) -> Figure {
             j += run.len();
         }
     }
-    let below = frame.draw(&mut scene);
-    let edges = (16.0, area.x1 + 24.0);
-    let (mut x, mut y) = (edges.0, below + 10.0);
+    let mut key = key(&mut scene, &plot);
     for (i, (colour, words)) in map.classes.iter().enumerate() {
-        if !map.cells.contains(&i) {
-            continue;
+        if map.cells.contains(&i) {
+            key.patch(&mut scene, colour, &[Text::inline(words, SMALL)]);
         }
-        let words = Text::inline(words, SMALL);
-        if x > edges.0 && x + 16.0 + words.width > edges.1 {
-            (x, y) = (edges.0, y + 17.0);
-        }
-        let patch = Rect { x0: x, y0: y, x1: x + 12.0, y1: y + 12.0 };
-        scene.fill(&Path::rectangle(&patch), colour);
-        scene.stroke(&Path::rectangle(&patch), Pen::solid(FAINT, 0.5));
-        scene.text(&words, x + 16.0, y + 10.5, INK);
-        x += 16.0 + words.width + 16.0;
     }
-    finished(scene, map.title, map.caption, [&map.across, &map.up], edges, y + 24.0)
+    finished(scene, &plot, &key, (map.title, map.caption))
 }
 
 /// Lines over a quantity.
@@ -143,21 +123,20 @@ pub struct SpectrumLines<'a> {
 /// Draws lines over a quantity.
 pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
     let mut scene = Scene::default();
-    let frame = Frame::new(&chart.across, &chart.up);
-    let area = frame.area;
+    let plot = plot(&chart.across, &chart.up);
+    let (axes, area) = (plot.axes, plot.axes.area);
     for [from, to] in chart.shaded.0 {
-        let [x0, x1] = [from, to].map(|value| frame.x(*value).clamp(area.x0, area.x1));
+        let [x0, x1] = [from, to].map(|value| axes.x(axes.across.held(*value)));
         // A stretch too narrow to be seen is seen all the same.
         let x1 = x1.max(x0 + 0.8);
         scene.fill(&Path::rectangle(&Rect { x0, x1, ..area }), SHADED);
     }
-    let within = |value: f64, axis: &SpectrumAxis<'_>| (-1e-9..=1.0 + 1e-9).contains(&axis.share(value));
     for ((_, points), pen) in chart.lines.iter().zip(LINES) {
         let mut path = Path::default();
         let mut begun = false;
         for &(x, y) in points {
-            let seen = within(x, &chart.across) && within(y, &chart.up);
-            let place = (frame.x(x), frame.y(y));
+            let seen = axes.across.shows(x) && axes.up.shows(y);
+            let place = axes.at(x, y);
             match (seen, begun) {
                 (true, false) => path.move_to(place.0, place.1),
                 (true, true) => path.line_to(place.0, place.1),
@@ -167,88 +146,40 @@ pub fn spectrum_lines(chart: &SpectrumLines<'_>) -> Figure {
         }
         scene.stroke(&path, pen);
     }
-    let below = frame.draw(&mut scene);
-    let edges = (16.0, area.x1 + 24.0);
-    let (mut x, mut y) = (edges.0, below + 10.0);
-    let swatch =
-        |scene: &mut Scene, x: &mut f64, y: &mut f64, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
-            let words = Text::inline(words, SMALL);
-            if *x > edges.0 && *x + 28.0 + words.width > edges.1 {
-                (*x, *y) = (edges.0, *y + 17.0);
-            }
-            draw(scene, *x, *y);
-            scene.text(&words, *x + 28.0, *y + 10.5, INK);
-            *x += 28.0 + words.width + 16.0;
-        };
+    let mut key = key(&mut scene, &plot);
+    let mut swatch = |scene: &mut Scene, words: &str, draw: &dyn Fn(&mut Scene, f64, f64)| {
+        let words = Text::inline(words, SMALL);
+        let (x, y) = key.entry(28.0 + words.width, 16.0);
+        draw(scene, x, y);
+        scene.text(&words, x + 28.0, y + 10.5, INK);
+    };
     for ((words, _), pen) in chart.lines.iter().zip(LINES) {
         let line = |scene: &mut Scene, x: f64, y: f64| scene.line((x, y + 6.0), (x + 24.0, y + 6.0), pen);
-        swatch(&mut scene, &mut x, &mut y, words, &line);
+        swatch(&mut scene, words, &line);
     }
     if !chart.shaded.0.is_empty() {
         let patch = |scene: &mut Scene, x: f64, y: f64| {
             scene.fill(&Path::rectangle(&Rect { x0: x, y0: y, x1: x + 24.0, y1: y + 12.0 }), SHADED);
         };
-        swatch(&mut scene, &mut x, &mut y, chart.shaded.1, &patch);
+        swatch(&mut scene, chart.shaded.1, &patch);
     }
-    finished(scene, chart.title, chart.caption, [&chart.across, &chart.up], edges, y + 24.0)
+    finished(scene, &plot, &key, (chart.title, chart.caption))
 }
 
 /// The plot on the page.
-struct Frame<'a> {
-    area: Rect,
-    across: &'a SpectrumAxis<'a>,
-    up: &'a SpectrumAxis<'a>,
+fn plot(across: &SpectrumAxis<'_>, up: &SpectrumAxis<'_>) -> Plot {
+    Plot::new([across, up], [across.numbers(8.0), up.numbers(7.0)], (24.0, TOP), PLOT)
 }
 
-impl<'a> Frame<'a> {
-    fn new(across: &'a SpectrumAxis<'a>, up: &'a SpectrumAxis<'a>) -> Frame<'a> {
-        let widest = up.numbers(7.0).iter().fold(20.0, |most: f64, (_, text)| most.max(text.width));
-        let left = widest + 24.0;
-        Frame { area: Rect { x0: left, y0: TOP, x1: left + PLOT.0, y1: TOP + PLOT.1 }, across, up }
-    }
-
-    fn x(&self, value: f64) -> f64 {
-        self.area.x0 + self.across.share(value) * (self.area.x1 - self.area.x0)
-    }
-
-    fn y(&self, value: f64) -> f64 {
-        self.area.y1 - self.up.share(value) * (self.area.y1 - self.area.y0)
-    }
-
-    /// The frame, its numbers and the names of its axes; returns the y below.
-    fn draw(&self, scene: &mut Scene) -> f64 {
-        let Rect { x0, y0, x1, y1 } = self.area;
-        scene.stroke(&Path::rectangle(&self.area), Pen::solid(INK, 0.9));
-        let tick = Pen::solid(INK, 0.9);
-        for (value, number) in self.across.numbers(8.0) {
-            let x = self.x(value);
-            scene.line((x, y1), (x, y1 + 4.0), tick);
-            scene.text(&number, x - number.width / 2.0, y1 + 17.0, INK);
-        }
-        for (value, number) in self.up.numbers(7.0) {
-            let y = self.y(value);
-            scene.line((x0 - 4.0, y), (x0, y), tick);
-            scene.text(&number, x0 - 7.0 - number.width, y + 4.0, INK);
-        }
-        let [across, up] = [self.across.name, self.up.name].map(|name| Text::inline(name, NUMBER));
-        scene.text(&up, 16.0, y0 - 12.0, INK);
-        scene.text(&across, (x0 + x1 - across.width) / 2.0, y1 + 35.0, INK);
-        y1 + 42.0
-    }
+/// Draws the frame; gives the key below it.
+fn key(scene: &mut Scene, plot: &Plot) -> Key {
+    plot.draw(scene, Look::PLAIN, 35.0, (16.0, TOP - 12.0));
+    let Rect { x1, y1, .. } = plot.axes.area;
+    Key::new((16.0, x1 + 24.0), y1 + 52.0)
 }
 
-fn finished(
-    mut scene: Scene,
-    title: &str,
-    caption: &str,
-    axes: [&SpectrumAxis<'_>; 2],
-    edges: (f64, f64),
-    top: f64,
-) -> Figure {
-    let below = title_and_caption(&mut scene, (title, caption), edges, top);
-    let size = ((edges.1 + 12.0).ceil(), (below + 10.0).ceil());
-    let [across, up] = axes.map(|axis| Text::inline(axis.name, NUMBER).plain);
-    let description = format!("Chart of {up}, upwards, over {across}, to the right. {caption}");
-    let (svg, labels) = scene.finish(size.0, size.1, title, &description);
-    Figure { svg, title: title.to_owned(), caption: caption.to_owned(), labels, size }
+/// The figure with its words below the key.
+fn finished(scene: Scene, plot: &Plot, key: &Key, (title, caption): (&str, &str)) -> Figure {
+    let description = format!("{} {caption}", plot.description());
+    Words::verbatim(title, caption).figure(scene, key.edges, key.y + 24.0, 12.0, &description)
 }
