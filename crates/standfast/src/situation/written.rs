@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 use crate::approx::{Approx, Signed};
 use crate::ball::{Ball, COMPUTED, Scalar};
 use crate::body::Body;
-use crate::contact::{self, Choice, Numbers, REST, conditions};
+use crate::contact::{self, Block, Choice, Numbers, REST, conditions};
 use crate::error::LARGEST;
 use crate::exact::{Exact, Real};
 use crate::loads::LoadKind;
@@ -303,13 +303,30 @@ pub(super) fn is_near(situation: &Situation) -> bool {
     }
     let block = situation.reduced_block().0;
     sums.into_iter().any(|(wrench, size)| {
-        let mut numbers = contact::numbers(&block, &situation.reduced_wrench(&wrench)).map(Approx::of);
-        let off = situation.reduced_wrench(&size);
+        let (wrench, off) = (situation.reduced_wrench(&wrench), situation.reduced_wrench(&size));
+        if rests_clearly(&block, &wrench, &off) {
+            return false;
+        }
+        let mut numbers = contact::numbers(&block, &wrench).map(Approx::of);
         for (number, off) in numbers[WRENCH..].iter_mut().zip([off.x, off.p, off.m]) {
             *number = Approx::around(number.value(), NEAR * off);
         }
         conditions(&numbers).iter().any(|condition| condition.sign().is_none())
     })
+}
+
+/// True if a body rests by far, and with less friction than Painlevé's bound, so that nothing else is consistent: most do, and three
+/// numbers tell.
+fn rests_clearly(block: &Block, wrench: &Wrench, off: &Wrench) -> bool {
+    let Block { b1, b2, d, rho2, mu_s, .. } = *block;
+    let bound = |r: f64| mu_s * r * d < 0.999 * (rho2 + r * r);
+    let moment = wrench.x * d - wrench.m;
+    let moment_off = off.x * d + off.m;
+    bound(b1)
+        && bound(b2)
+        && mu_s * wrench.p - wrench.x.abs() > NEAR * (mu_s * off.p + off.x)
+        && b1 * wrench.p + moment > NEAR * (b1 * off.p + moment_off)
+        && b2 * wrench.p - moment > NEAR * (b2 * off.p + moment_off)
 }
 
 /// Where X, P and M begin among the numbers.
