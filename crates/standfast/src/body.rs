@@ -236,35 +236,26 @@ impl<T: Scalar> Body<T> {
 
     /// Body in f64.
     pub fn rounded(&self) -> Body {
-        Body {
-            width: self.width.value(),
-            height: self.height.value(),
-            mass: self.mass.value(),
-            centroid_offset: self.centroid_offset.value(),
-            centroid_height: self.centroid_height.value(),
-            base_left: self.base_left.value(),
-            base_right: self.base_right.value(),
-            moment_of_inertia: self.moment_of_inertia.value(),
-            plan: match &self.plan {
-                Plan::Rectangle { length } => Plan::Rectangle { length: length.value() },
-                Plan::Circle => Plan::Circle,
-            },
-        }
+        self.map(T::value)
     }
 
     /// The body whose numbers were computed in f64, in any arithmetic; see [`Scalar::computed`].
     pub fn computed(body: &Body) -> Body<T> {
+        body.map(|number| T::computed(*number))
+    }
+
+    fn map<U>(&self, of: impl Fn(&T) -> U) -> Body<U> {
         Body {
-            width: T::computed(body.width),
-            height: T::computed(body.height),
-            mass: T::computed(body.mass),
-            centroid_offset: T::computed(body.centroid_offset),
-            centroid_height: T::computed(body.centroid_height),
-            base_left: T::computed(body.base_left),
-            base_right: T::computed(body.base_right),
-            moment_of_inertia: T::computed(body.moment_of_inertia),
-            plan: match body.plan {
-                Plan::Rectangle { length } => Plan::Rectangle { length: T::computed(length) },
+            width: of(&self.width),
+            height: of(&self.height),
+            mass: of(&self.mass),
+            centroid_offset: of(&self.centroid_offset),
+            centroid_height: of(&self.centroid_height),
+            base_left: of(&self.base_left),
+            base_right: of(&self.base_right),
+            moment_of_inertia: of(&self.moment_of_inertia),
+            plan: match &self.plan {
+                Plan::Rectangle { length } => Plan::Rectangle { length: of(length) },
                 Plan::Circle => Plan::Circle,
             },
         }

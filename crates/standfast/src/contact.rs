@@ -57,7 +57,8 @@ mod conditions;
 mod explain;
 
 use conditions::Rotation;
-pub(crate) use conditions::{Choice, Numbers, REST, conditions};
+pub(crate) use conditions::{Choice, Numbers, REST, conditions, rest, rests_alone};
+pub(crate) use explain::relations;
 
 pub mod departure;
 pub mod friction;
@@ -188,7 +189,7 @@ impl Solution {
     /// # Ok::<(), standfast::InputError>(())
     /// ```
     pub fn explain(&self, mode: Mode) -> Vec<Relation> {
-        self.motion(mode).map_or_else(Vec::new, |motion| explain::relations(&self.block, mode, &motion))
+        self.motion(mode).map_or_else(Vec::new, |motion| relations(&self.block, mode, &motion))
     }
 }
 
@@ -233,40 +234,22 @@ pub(crate) fn decide(approx: impl Fn() -> Numbers<Approx>, exact: impl Fn() -> N
 
 /// α of a mode that turns about a corner, with its sign and digits right however much cancels.
 fn rotation(numbers: Numbers<f64>, corner: Corner, slip: Option<Slip>) -> f64 {
-    fn of<T: Real>(numbers: Numbers<f64>, corner: Corner, slip: Option<Slip>) -> Rotation<T> {
-        let numbers = numbers.map(T::of);
-        match slip {
-            Some(slip) => Rotation::slipping(&numbers, corner, slip),
-            None => Rotation::rocking(&numbers, corner),
-        }
-    }
-    let Rotation { moment, inertia } = of::<Approx>(numbers, corner, slip);
+    let Rotation { moment, inertia } = Rotation::of(&numbers.map(Approx::of), corner, slip);
     match (moment.precise(), inertia.precise()) {
         (Some(moment), Some(inertia)) => moment / inertia,
         _ => {
-            let Rotation { moment, inertia } = of::<Exact>(numbers, corner, slip);
+            let Rotation { moment, inertia } = Rotation::of(&numbers.map(Exact::of), corner, slip);
             moment.to_f64() / inertia.to_f64()
         }
     }
 }
 
-/// α of a mode that turns about a corner, in decimals.
-fn rotation_in_decimals(numbers: &Numbers<Ball>, corner: Corner, slip: Option<Slip>) -> Ball {
-    let Rotation { moment, inertia } = match slip {
-        Some(slip) => Rotation::slipping(numbers, corner, slip),
-        None => Rotation::rocking(numbers, corner),
-    };
-    moment / inertia
-}
-
-/// The motion of a consistent mode, and its conditions, by numbers in decimals.
+/// The motion of a consistent mode by numbers in decimals.
 pub(crate) fn motion_in_decimals(numbers: &Numbers<Ball>, mode: Mode) -> Motion {
-    motion(numbers, mode, |corner, slip| rotation_in_decimals(numbers, corner, slip))
-}
-
-/// The conditions of a mode with the numbers of its motion.
-pub(crate) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relation> {
-    explain::relations(block, mode, motion)
+    motion(numbers, mode, |corner, slip| {
+        let Rotation { moment, inertia } = Rotation::of(numbers, corner, slip);
+        moment / inertia
+    })
 }
 
 /// The motion of a consistent mode, whose α about a corner is worked out by `rotation`.

@@ -20,6 +20,15 @@ pub(super) struct Rotation<T> {
 }
 
 impl<T: Real> Rotation<T> {
+    /// The rotation of a mode that turns about a corner, slipping or not.
+    #[inline]
+    pub(super) fn of(numbers: &Numbers<T>, corner: Corner, slip: Option<Slip>) -> Rotation<T> {
+        match slip {
+            Some(slip) => Rotation::slipping(numbers, corner, slip),
+            None => Rotation::rocking(numbers, corner),
+        }
+    }
+
     /// α = (Pr − Xd + M)/(ρ² + m_xd² + m_yr²).
     #[inline]
     pub(super) fn rocking(numbers: &Numbers<T>, corner: Corner) -> Rotation<T> {
@@ -58,6 +67,31 @@ const ROCK: usize = 4;
 const SLIDE_ROCK: usize = 4;
 pub(crate) const COUNT: usize = REST + SLIDES + 2 * CORNER + 3;
 
+/// The quantities of rest: none of the first two above zero, how much the body is pulled to the left and to the right beyond what friction
+/// holds; none of the others below, what holds it down at O and at O'.
+#[inline]
+pub(crate) fn rest<T: Real>(numbers: &Numbers<T>) -> [T; REST] {
+    let [b1, b2, d, _, _, _, mu_s, _, x, p, m] = numbers;
+    let grip = mu_s.clone() * p.clone();
+    let moment = x.clone() * d.clone() - m.clone();
+    [
+        -x.clone() - grip.clone(),
+        x.clone() - grip,
+        moment.clone() + b1.clone() * p.clone(),
+        b2.clone() * p.clone() - moment,
+    ]
+}
+
+/// True if a body rests for certain, and slips nowhere besides: its friction is below Painlevé's bound.
+pub(crate) fn rests_alone<T: Signed>(numbers: &Numbers<T>) -> bool {
+    let [left, right, at_o, at_o_prime] = rest(numbers).map(|quantity| quantity.sign());
+    let turns = || CORNERS.into_iter().flat_map(|corner| SLIPS.map(|slip| (corner, slip)));
+    [left, right] == [Some(Less); 2]
+        && [at_o, at_o_prime] == [Some(Greater); 2]
+        && turns()
+            .all(|(corner, slip)| Rotation::slipping(numbers, corner, slip).inertia.sign() == Some(Greater))
+}
+
 /// The quantities, in the order that [`Choice::of`] reads them.
 pub(crate) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     let [b1, b2, d, rho2, m_x, m_y, mu_s, mu_k, x, p, m] = numbers;
@@ -71,10 +105,7 @@ pub(crate) fn conditions<T: Real>(numbers: &Numbers<T>) -> [T; COUNT] {
     let on_base = |moment: T| [moment.clone() + mul(b1, p), mul(b2, p) - moment];
 
     let mut all = QuantityList { all: std::array::from_fn(|_| T::of(0.0)), count: 0 };
-    // rest: pulled to the left, to the right; on the base
-    let grip = mul(mu_s, p);
-    all.extend([sub(&signed(Slip::Left, x), &grip), sub(x, &grip)]);
-    all.extend(on_base(sub(&mul(x, d), m)));
+    all.extend(rest(numbers));
     // slide to the left, to the right: on the base
     for slip in SLIPS {
         all.extend(on_base(sub(&signed(slip, &mul(&mul(mu_k, d), p)), m)));

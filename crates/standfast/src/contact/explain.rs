@@ -6,7 +6,7 @@ use crate::motion::Motion;
 use crate::relation::{Relation, Sign};
 
 /// The conditions of `mode`, which begins with `motion`; see the table of the [contact problem](super).
-pub(super) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relation> {
+pub(crate) fn relations(block: &Block, mode: Mode, motion: &Motion) -> Vec<Relation> {
     use Sign::{Greater, GreaterOrEqual, Less, LessOrEqual};
     let Motion { theta_ddot: α, f_x, f_y, xi, slip, lift_o, lift_o_prime, .. } = *motion;
     let holds = |equation, (quantity, left), sign, (bound, right)| Relation {

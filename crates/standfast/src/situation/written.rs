@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 use crate::approx::{Approx, Signed};
 use crate::ball::{Ball, COMPUTED, Scalar};
 use crate::body::Body;
-use crate::contact::{self, Block, Choice, Numbers, REST, conditions};
+use crate::contact::{self, Choice, Numbers, REST, conditions, rest, rests_alone};
 use crate::error::LARGEST;
 use crate::exact::{Exact, Real};
 use crate::loads::LoadKind;
@@ -84,10 +84,8 @@ impl Written {
             situation.static_friction(),
             situation.kinetic_friction(),
         ];
-        let [.., horizontal] = &sums.by_kind;
-        debug_assert_eq!(LoadKind::Horizontal as usize, sums.by_kind.len() - 1);
         let push = reduced(&(sums.permanent.clone() + sums.variable.clone())).x;
-        let turning = reduced(horizontal).m - push * block[2].clone();
+        let turning = reduced(&sums.by_kind[LoadKind::Horizontal as usize]).m - push * block[2].clone();
         let (permanent, variable) = (reduced(&sums.permanent), reduced(&sums.variable));
         Written { block, permanent, variable, turning, weight, half_width }
     }
@@ -168,14 +166,6 @@ impl Written {
         ends
     }
 
-    /// The conditions of rest under the full load, each as what it leaves: of sliding, about O and about O'; with P.
-    fn margins(&self) -> ([Ball; 3], Ball) {
-        let [b1, b2, d, _, _, _, mu_s, _, x, p, m] = self.at(&Ball::of(1.0));
-        let push = magnitude(&x);
-        let moment = x * d - m;
-        ([mu_s * p.clone() - push, b1 * p.clone() + moment.clone(), b2 * p.clone() - moment], p)
-    }
-
     /// Puts what the written numbers leave in the place of what f64 left, in margins and factors: they are then on the side of zero
     /// and of 1 on which the mode is.
     pub(super) fn settle(
@@ -184,7 +174,10 @@ impl Written {
         heel: Corner,
         (margins, stability, gross): (&mut Margins, &mut Stability, &mut GrossOverturning),
     ) {
-        let ([sliding, about_o, about_o_prime], pressing) = self.margins();
+        let numbers = self.at(&Ball::of(1.0));
+        let [pulled_left, pulled_right, about_o, about_o_prime] = rest(&numbers);
+        let [.., x, pressing, _] = numbers;
+        let (sliding, push) = if x.value() < 0.0 { (-pulled_left, -x) } else { (-pulled_right, x) };
         let ([about_heel, about_toe], turning) = match heel {
             Corner::O => ([about_o, about_o_prime], self.turning.clone()),
             Corner::OPrime => ([about_o_prime, about_o], -self.turning.clone()),
@@ -202,7 +195,6 @@ impl Written {
             let arm = if from_heel <= from_toe { from_heel } else { body.base_width() - from_toe };
             stability.bear(body, left(&pressing, &self.weight), arm);
         }
-        let push = magnitude(&self.at(&Ball::of(1.0))[WRENCH]);
         settle(&mut stability.sliding, &sliding, &push);
         settle(&mut stability.overturning_about_heel, &about_heel, &turning);
         settle(&mut stability.overturning_about_toe, &about_toe, &-turning);
@@ -236,10 +228,6 @@ impl Crossing {
         };
         Some(Crossing { exact, rounded })
     }
-}
-
-fn magnitude(number: &Ball) -> Ball {
-    if number.value() < 0.0 { -number.clone() } else { number.clone() }
 }
 
 /// What is left of a number times its unit: nothing, where its sign is not known.
@@ -304,29 +292,13 @@ pub(super) fn is_near(situation: &Situation) -> bool {
     let block = situation.reduced_block().0;
     sums.into_iter().any(|(wrench, size)| {
         let (wrench, off) = (situation.reduced_wrench(&wrench), situation.reduced_wrench(&size));
-        if rests_clearly(&block, &wrench, &off) {
-            return false;
-        }
         let mut numbers = contact::numbers(&block, &wrench).map(Approx::of);
         for (number, off) in numbers[WRENCH..].iter_mut().zip([off.x, off.p, off.m]) {
             *number = Approx::around(number.value(), NEAR * off);
         }
-        conditions(&numbers).iter().any(|condition| condition.sign().is_none())
+        // Most bodies rest by far, and fewer numbers tell that.
+        !rests_alone(&numbers) && conditions(&numbers).iter().any(|condition| condition.sign().is_none())
     })
-}
-
-/// True if a body rests by far, and with less friction than Painlevé's bound, so that nothing else is consistent: most do, and three
-/// numbers tell.
-fn rests_clearly(block: &Block, wrench: &Wrench, off: &Wrench) -> bool {
-    let Block { b1, b2, d, rho2, mu_s, .. } = *block;
-    let bound = |r: f64| mu_s * r * d < 0.999 * (rho2 + r * r);
-    let moment = wrench.x * d - wrench.m;
-    let moment_off = off.x * d + off.m;
-    bound(b1)
-        && bound(b2)
-        && mu_s * wrench.p - wrench.x.abs() > NEAR * (mu_s * off.p + off.x)
-        && b1 * wrench.p + moment > NEAR * (b1 * off.p + moment_off)
-        && b2 * wrench.p - moment > NEAR * (b2 * off.p + moment_off)
 }
 
 /// Where X, P and M begin among the numbers.
