@@ -266,21 +266,12 @@ impl PointDocument {
         }
     }
 
-    /// The answer to a point on a rigid base.
-    pub(crate) fn of_rigid(reduced: &Reduced) -> PointDocument {
-        PointDocument::of(&PlacedPoint { reduced: *reduced, crushing: None })
-    }
-
-    /// The document of a point with the modes of a response, which is decided by other numbers than those of the point.
-    pub(crate) fn decided(self, response: &Response) -> PointDocument {
-        let verdict = response.verdict.unwrap_or(self.mode);
-        PointDocument {
-            mode: verdict,
-            mode_words: verdict.words(),
-            unique: response.is_unique(),
-            also: response.others(),
-            ..self
-        }
+    /// The document of a point on a rigid base with the modes of a response there, which other numbers than those of the point may decide.
+    pub(crate) fn of_rigid(reduced: &Reduced, response: &Response) -> PointDocument {
+        let point = PointDocument::of(&PlacedPoint { reduced: *reduced, crushing: None });
+        let mode = response.verdict.unwrap_or(point.mode);
+        let (unique, also) = (response.is_unique(), response.others());
+        PointDocument { mode, mode_words: mode.words(), unique, also, ..point }
     }
 }
 

@@ -56,5 +56,4 @@ pub use template::template;
 
 pub use problem::ChanceProblem;
 pub use quantity::{Bias, Coordinate, Quantity};
-use standfast_inputs::random as read;
 pub use standfast_inputs::random::{RANDOM, Random, RandomEntry, RandomProblem, Rate};

@@ -239,12 +239,6 @@ fn stages_with_several_modes_are_dashed_and_name_them() {
 
 #[test]
 fn load_factors_that_nearly_agree_are_told_apart() {
-    let stage = |from, to, mode| Stage {
-        from,
-        to,
-        verdict: Some(Verdict::Begins(mode)),
-        modes: [mode].into_iter().collect(),
-    };
     let stages = [
         stage(0.0, 0.9996, Mode::Rest),
         stage(0.9996, 0.9998, Mode::SlideLeft),
@@ -268,12 +262,6 @@ fn load_factors_that_nearly_agree_are_told_apart() {
 /// The diamond of the full load reaches 5.2 units up and down; a tick under it is seen beyond, and its number too.
 #[test]
 fn a_tick_is_seen_beside_the_diamond() {
-    let stage = |from, to, mode| Stage {
-        from,
-        to,
-        verdict: Some(Verdict::Begins(mode)),
-        modes: [mode].into_iter().collect(),
-    };
     let ticks = |at: f64| -> f64 {
         let stages = [stage(0.0, at, Mode::Rest), stage(at, 2.0, Mode::SlideLeft)];
         let figure = load_plane(&LoadPlane {
@@ -318,4 +306,8 @@ fn the_indeterminate_set_is_hatched_if_a_design_point_lies_in_it() {
     assert!(inside.caption().contains("storm (5, 3): SL (also RO, SRO₋)."), "{}", inside.caption());
     assert!(!outside.caption().contains("hatched") && outside.caption().contains("storm (1, 3): RE."));
     assert_eq!(inside, diagram(&body, &point(5.0, 3.0)));
+}
+
+fn stage(from: f64, to: f64, mode: Mode) -> Stage {
+    Stage { from, to, verdict: Some(Verdict::Begins(mode)), modes: [mode].into_iter().collect() }
 }

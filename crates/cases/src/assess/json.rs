@@ -453,10 +453,7 @@ impl<'a> Situation<'a> {
             path: assessed.path_up_to(view.up_to).iter().map(PathStage::of).collect(),
             // The report's ground is rigid.
             report: full.effective.as_ref().filter(|_| !assessed.is_on_ground()).map(|reduced| Report {
-                point: match assessed.situation.is_as_written() {
-                    true => PointDocument::of_rigid(reduced).decided(full),
-                    false => PointDocument::of_rigid(reduced),
-                },
+                point: PointDocument::of_rigid(reduced, full),
                 overturning: reduced.point.safety_against_overturning(),
             }),
             no_report: match () {

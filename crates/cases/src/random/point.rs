@@ -14,11 +14,11 @@
 //! A number that is random by a law with a mean of its own need not stand in `[point]`.
 
 use super::quantity::Coordinate;
-use super::read::RandomProblem;
 use super::subject::alone;
 use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::Table;
+use standfast_inputs::random::RandomProblem;
 
 /// The four numbers, if the file is of a point; none if it is of a case.
 ///

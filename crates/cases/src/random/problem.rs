@@ -13,7 +13,6 @@ use standfast_probability::problem::RandomVector;
 use super::mechanics::{Components, Mechanics, Quick};
 use super::outcome;
 use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
-use super::read::{Random, Rate, ReadResult};
 use super::resolve::{Names, Resolve};
 use crate::case::{Acting, Case};
 use crate::case_file::CaseFile;
@@ -23,6 +22,7 @@ use crate::inputs::Inputs;
 use crate::key::Key;
 use crate::layout::digits;
 use standfast::ground::Base;
+use standfast_inputs::random::{Random, Rate, ReadResult};
 
 /// A case, its random numbers, and the loads that act.
 #[derive(Debug, Clone)]

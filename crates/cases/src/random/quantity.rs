@@ -1,9 +1,9 @@
 //! Random numbers: those of a case, of the report's plane, of a storm, and factors on loads.
 
-use super::read::Rate;
 use super::storm::StormField;
 use crate::couple::Variable;
 use crate::key::{Id, Key, Range};
+use standfast_inputs::random::Rate;
 
 /// Quantity that a random number is.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,6 @@ use standfast_probability::law::{Distribution, Law, LawError};
 use standfast_probability::problem::RandomVector;
 
 use super::quantity::{Bias, Coordinate, Quantity, RandomInput};
-use super::read::{Parameter, Random, RandomEntry, RandomProblem, ReadResult, Written, years};
 use super::storm::StormField;
 use crate::case::Case;
 use crate::case_file::CaseFile;
@@ -13,6 +12,7 @@ use crate::couple::{Unknown, Variable};
 use crate::key::{Kind, Range};
 use crate::layout::digits;
 use crate::suggest::closest;
+use standfast_inputs::random::{Parameter, Random, RandomEntry, RandomProblem, ReadResult, Written, years};
 
 /// From names and laws as they are written to what they are.
 pub(super) struct Resolve<'a>(pub(super) Names<'a>);

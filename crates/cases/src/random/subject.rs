@@ -3,11 +3,11 @@
 use super::error::ProbabilityError;
 use super::point;
 use super::problem::ChanceProblem;
-use super::read::{Random, RandomProblem};
 use super::storm::{self, PureStorm};
 use crate::case_file::CaseFile;
 use crate::error::{CaseError, Fault, Place};
 use crate::key::{Key, Table};
+use standfast_inputs::random::{Random, RandomProblem};
 
 /// Subject that is asked about.
 pub(super) enum ChanceSubject {

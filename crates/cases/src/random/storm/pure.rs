@@ -36,10 +36,10 @@ use crate::random::answer::{
 use crate::random::error::ProbabilityError;
 use crate::random::outcome::exclusive;
 use crate::random::quantity::{Bias, Quantity, RandomInput};
-use crate::random::read::{Random, RandomProblem, Rate, ReadResult};
 use crate::random::resolve::{Names, Resolve};
 use crate::random::subject::alone;
 use crate::units::Dimension;
+use standfast_inputs::random::{Random, RandomProblem, Rate, ReadResult};
 
 /// A number of a pure problem of sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

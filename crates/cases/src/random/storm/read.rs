@@ -7,7 +7,7 @@ use crate::case::Reader;
 use crate::error::{Fault, Problem};
 use crate::inputs::{Inputs, Value};
 use crate::key::{Key, Table};
-use crate::random::read::RandomProblem;
+use standfast_inputs::random::RandomProblem;
 
 /// The storm of inputs, where they have one.
 ///
