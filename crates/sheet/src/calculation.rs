@@ -69,7 +69,7 @@ fn situation(
                 false => mode::effective(steps, reduced),
             }
             if !assessed.is_on_ground() {
-                mode::decision(steps, reduced);
+                mode::decision(steps, assessed, reduced);
             }
         }
         None if assessed.is_on_ground() => {}

@@ -225,3 +225,22 @@ fn every_sheet_has_its_section_and_its_sources() {
         assert_eq!(figures.iter().filter(|figure| figure.drawn == FigureKind::Section).count(), 1);
     }
 }
+
+/// On a boundary a sheet says what `assess` does: of decimals, that it is exactly there, and no margin of rounding; of numbers that are
+/// known to some digits, that the answer is not told by them.
+#[test]
+fn a_body_on_a_boundary_is_said_to_be_there() {
+    let exact = "[body]\nwidth = 3\nheight = 5\ndensity = 2400\nfriction = 50\n[[load]]\nforce = 264870\nelevation = 2\n";
+    let words = text(&document("exact.toml", exact));
+    assert!(words.contains("exactly on the boundary"), "{words}");
+    assert!(!words.contains("The answer is unique."), "{words}");
+    let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("holds by 0 ") && !words.contains("10 −1"), "{words}");
+    let mass = 2400.0 * std::f64::consts::PI * 2.25 * 5.0;
+    let drum = format!(
+        "[body]\nshape = \"cylinder\"\nwidth = 3\nheight = 5\ndensity = 2400\nfriction = 0.5\n[[load]]\nforce = {}\nelevation = 0.1\n",
+        0.5 * mass * 9.81
+    );
+    let words = text(&document("drum.toml", &drum));
+    assert!(words.contains("To the digits given") && !words.contains("The answer is unique"), "{words}");
+}

@@ -390,9 +390,13 @@ impl Situation {
         };
         let [weight, half_width] = [self.body.mass() * self.gravity, self.body.width() / 2.0];
         let motion = motion.scaled(1.0 / self.gravity, 1.0 / half_width, 1.0 / weight);
-        let mut relations = contact::relations(&self.reduced_block().0, mode, &motion);
-        relations.iter_mut().for_each(written::settle_relation);
-        relations
+        let relations = contact::relations(&self.reduced_block().0, mode, &motion);
+        relations.into_iter().map(|relation| self.settled(relation)).collect()
+    }
+
+    /// The inequality with both sides on one number, where written numbers decide and f64 cannot tell the sides apart.
+    pub fn settled(&self, relation: Relation) -> Relation {
+        if self.is_as_written() { written::settled(relation) } else { relation }
     }
 
     /// True if the numbers that were written decide it.

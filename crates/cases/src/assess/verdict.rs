@@ -77,7 +77,7 @@ fn unique(assessed: &Assessed) -> String {
 }
 
 /// Sentences on the uniqueness of the answer, and on the other modes if it is not unique.
-fn uniqueness(assessed: &Assessed) -> String {
+pub fn uniqueness(assessed: &Assessed) -> String {
     let mode = match assessed.verdict() {
         None => {
             return "That happens only where friction to stick is larger than friction to slip.".to_owned();

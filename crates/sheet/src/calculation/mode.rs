@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use standfast::Mode;
 use standfast::initiation::Crossing;
 use standfast::loads::{LoadSource, Reduced};
-use standfast_cases::assess::checks;
+use standfast_cases::assess::{checks, verdict};
 use standfast_cases::describe;
 use standfast_cases::layout::apart;
 use standfast_cases::{Assessed, Case};
@@ -57,7 +57,7 @@ pub(super) fn effective(steps: &mut SheetSteps, reduced: &Reduced) {
 }
 
 /// The inequalities in the order they are tried.
-pub(super) fn decision(steps: &mut SheetSteps, reduced: &Reduced) {
+pub(super) fn decision(steps: &mut SheetSteps, assessed: &Assessed, reduced: &Reduced) {
     let point = &reduced.point;
     let chart = point.chart();
     let trace = point.explain();
@@ -91,10 +91,13 @@ pub(super) fn decision(steps: &mut SheetSteps, reduced: &Reduced) {
             }
         });
         for relation in &step.relations {
-            steps.relation(relation);
+            steps.relation(&assessed.situation.settled(*relation));
         }
     }
-    steps.note(&describe::uniqueness(reduced));
+    steps.note(&match assessed.outcome.full.boundary {
+        Some(_) => verdict::uniqueness(assessed),
+        None => describe::uniqueness(reduced),
+    });
 }
 
 /// Shows the changes of mode over the friction and, of a lone force in air, over the force; `weight` is then m g.

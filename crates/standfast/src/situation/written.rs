@@ -265,12 +265,11 @@ fn beside(numbers: &Numbers<Ball>) -> impl Iterator<Item = Modes> {
     })
 }
 
-/// Puts both sides of an inequality that rounding parts on one number.
-pub(super) fn settle_relation(relation: &mut Relation) {
+/// An inequality with both sides on one number, where no more than rounding parts them.
+pub(super) fn settled(relation: Relation) -> Relation {
     let size = relation.left.abs().max(relation.right.abs());
-    if (relation.left - relation.right).abs() <= NEAR * size {
-        relation.left = relation.right;
-    }
+    let is_one = (relation.left - relation.right).abs() <= NEAR * size;
+    Relation { left: if is_one { relation.right } else { relation.left }, ..relation }
 }
 
 /// True if a condition under the permanent or under the full load is within rounding of its boundary. Sums may be off by [`NEAR`] of the
